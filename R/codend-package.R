@@ -1,0 +1,4 @@
+#' @keywords internal
+#' @useDynLib codend, .registration = TRUE
+#' @importFrom stats setNames
+"_PACKAGE"

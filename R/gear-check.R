@@ -1,0 +1,228 @@
+# What no single field can tell: whether the parts of a gear hang together. Takes SI numbers.
+
+check_gear <- function(si) {
+  check_points(si)
+  check_seams(si)
+  check_joined(si)
+  check_places(si)
+}
+
+# "fixed" or "moved", by the name of each held point.
+held_points <- function(si) {
+  held <- vapply(si$points, `[[`, "", "held")
+  held[!is.na(held)]
+}
+
+check_points <- function(si) {
+  for (name in names(si$points)) {
+    seen <- name
+    at <- si$points[[name]]$at
+    while (!is.null(at) && at %in% names(si$points)) {
+      if (at %in% seen) {
+        abort_plan(
+          sprintf("Plan field `points.%s.at` leads back to itself by %s.", name, word_list(seen)),
+          paste0("points.", name, ".at"), at
+        )
+      }
+      seen <- c(seen, at)
+      at <- si$points[[at]]$at
+    }
+  }
+  held <- held_points(si)
+  if (length(held) == 0) {
+    abort_plan(
+      "Plan field `points` has no held point: the gear would drift away. Give a point `position` and `held`.",
+      "points"
+    )
+  }
+  if (si$towing$speed > 0 && length(unique(held)) > 1) {
+    abort_plan(
+      sprintf(
+        paste(
+          "Plan field `points` has both a fixed point `%s` and a moved point `%s` while",
+          "`towing.speed` is greater than 0: they would drift apart."
+        ),
+        names(held)[held == "fixed"][1], names(held)[held == "moved"][1]
+      ),
+      "points", held
+    )
+  }
+}
+
+# Chains of a seam must be alike in length, and no stretch of an edge may be in two seams.
+check_seams <- function(si) {
+  taken <- list()
+  for (name in names(si$seams)) {
+    seam <- si$seams[[name]]
+    path <- paste0("seams.", name)
+    gathered <- !is.null(seam$gathered_at)
+    if (length(seam$edges) < 2 && !gathered) {
+      abort_plan(
+        sprintf(
+          "Plan field `%s.edges` has one chain; it must have at least two, or `gathered_at`.", path
+        ),
+        paste0(path, ".edges"), 1
+      )
+    }
+    size <- vapply(seam$edges, chain_length, 0, panels = si$panels)
+    if (!gathered && any(size == 0)) {
+      abort_plan(
+        sprintf(
+          "Plan field `%s.edges[%d]` has no meshes; such an edge can only be gathered (`gathered_at`).",
+          path, which(size == 0)[1]
+        ),
+        paste0(path, ".edges"), size
+      )
+    }
+    if (!gathered && max(size) > 3 * min(size)) {
+      abort_plan(
+        sprintf(
+          paste(
+            "Plan field `%s.edges` joins stretched lengths of %s and %s;",
+            "they may differ by a factor of at most 3."
+          ),
+          path, format_si(min(size), "length"), format_si(max(size), "length")
+        ),
+        paste0(path, ".edges"), size
+      )
+    }
+    for (edge in unlist(seam$edges, recursive = FALSE)) {
+      key <- paste0(edge$panel, ".", edge$edge)
+      for (other in taken[[key]]) {
+        if (min(edge$to, other$to) - max(edge$from, other$from) > 1e-9) {
+          abort_plan(
+            sprintf(
+              "Plan field `%s` joins meshes of the edge `%s` that seam `%s` already joins.",
+              path, key, other$seam
+            ),
+            path, key
+          )
+        }
+      }
+      taken[[key]] <- c(taken[[key]], list(list(seam = name, from = edge$from, to = edge$to)))
+    }
+  }
+}
+
+# Every point, rope and panel must hang, through others, on a held point.
+check_joined <- function(si) {
+  body <- function(text) {
+    place <- parse_place(text)
+    paste0(place$kind, "s.", place$name)
+  }
+  panels_of <- function(chain) vapply(chain, function(edge) paste0("panels.", edge$panel), "")
+  links <- list()
+  for (name in names(si$points)) {
+    at <- si$points[[name]]$at
+    if (!is.null(at)) links <- c(links, list(c(paste0("points.", name), body(at))))
+  }
+  for (name in names(si$ropes)) {
+    rope <- si$ropes[[name]]
+    ends <- if (is.null(rope$along)) c(body(rope$from), body(rope$to)) else panels_of(rope$along)
+    links <- c(links, list(c(paste0("ropes.", name), ends)))
+  }
+  for (seam in si$seams) {
+    gathered <- if (!is.null(seam$gathered_at)) body(seam$gathered_at)
+    links <- c(links, list(c(gathered, unlist(lapply(seam$edges, panels_of)))))
+  }
+  bodies <- c(
+    prefixed("points.", names(si$points)), prefixed("ropes.", names(si$ropes)),
+    prefixed("panels.", names(si$panels))
+  )
+  group <- joined_groups(bodies, links)
+  held <- match(paste0("points.", names(held_points(si))), bodies)
+  loose <- bodies[!group %in% group[held]]
+  if (length(loose)) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` hangs on nothing: no rope or seam leads from it to a held point.", loose[1]
+      ),
+      loose[1]
+    )
+  }
+}
+
+# Places that are one place: a rope must not start and end there, nor may two points hold it.
+check_places <- function(si) {
+  corners <- c("upper_left", "upper_right", "lower_left", "lower_right")
+  links <- list()
+  link <- function(...) links[[length(links) + 1]] <<- c(...)
+  for (name in names(si$points)) link(name, si$points[[name]]$at)
+  for (name in names(si$ropes)) {
+    rope <- si$ropes[[name]]
+    ends <- paste0(name, c(".start", ".end"))
+    if (is.null(rope$along)) {
+      link(ends[1], rope$from)
+      link(ends[2], rope$to)
+    } else {
+      at <- chain_ends(rope$along, ends)
+      link(ends[1], at[1])
+      link(ends[2], at[2])
+    }
+    link(paste0(name, ".middle"))
+  }
+  for (name in names(si$panels)) lapply(paste0(name, ".", corners), link)
+  for (name in names(si$seams)) {
+    seam <- si$seams[[name]]
+    own <- paste0("seam ", name, c(" start", " end"))
+    ends <- vapply(seam$edges, chain_ends, c("", ""), otherwise = own)
+    if (is.null(seam$gathered_at)) {
+      do.call(link, as.list(ends[1, ]))
+      do.call(link, as.list(ends[2, ]))
+    } else {
+      do.call(link, as.list(c(seam$gathered_at, ends)))
+    }
+  }
+  places <- unique(unlist(links))
+  group <- stats::setNames(joined_groups(places, links), places)
+  for (name in names(si$ropes)) {
+    rope <- si$ropes[[name]]
+    if (is.null(rope$along) && group[[rope$from]] == group[[rope$to]]) {
+      abort_plan(
+        sprintf(
+          "Plan field `ropes.%s.to` is %s, the same place as its start %s; it must be another.",
+          name, rope$to, rope$from
+        ),
+        paste0("ropes.", name, ".to"), rope$to
+      )
+    }
+  }
+  held <- names(held_points(si))
+  twice <- which(duplicated(group[held]))[1]
+  if (!is.na(twice)) {
+    first <- held[match(group[held[twice]], group[held])]
+    abort_plan(
+      sprintf(
+        "Plan field `points.%s` holds the place that `points.%s` already holds.", held[twice], first
+      ),
+      paste0("points.", held[twice]), held[twice]
+    )
+  }
+}
+
+# The corners where a chain begins and ends; `otherwise` where that is inside an edge.
+chain_ends <- function(chain, otherwise) {
+  corner <- function(edge, end) {
+    at <- if (end) edge$to else edge$from
+    if (!at %in% c(0, 1)) return(NA_character_)
+    along <- c(
+      upper = "upper_left upper_right", lower = "lower_left lower_right",
+      left = "upper_left lower_left", right = "upper_right lower_right"
+    )[[edge$edge]]
+    paste0(edge$panel, ".", strsplit(along, " ", fixed = TRUE)[[1]][at + 1])
+  }
+  first <- chain[[1]]
+  last <- chain[[length(chain)]]
+  ends <- c(corner(first, first$reversed), corner(last, !last$reversed))
+  ifelse(is.na(ends), otherwise, ends)
+}
+
+prefixed <- function(prefix, names) if (length(names)) paste0(prefix, names)
+
+# Group number of each name, names of one link being of one group.
+joined_groups <- function(names, links) {
+  of <- match(unlist(links), names)
+  sizes <- lengths(links)
+  first <- rep(of[cumsum(sizes) - sizes + 1], sizes)
+  joined_labels(length(names), first, of)
+}

@@ -1,0 +1,155 @@
+# A gear without a file: each constructor gives the same piece of tree as its map in a plan file.
+
+component <- function(group, fields) {
+  structure(Filter(Negate(is.null), fields), class = "codend_component", group = group)
+}
+
+#' Make a gear in R
+#'
+#' The same tree as a plan file ([read_gear()]), made by calls. Quantities are text with a unit
+#' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
+#'
+#' @param name Name of the gear.
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `seam()` and
+#'   `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
+#'   `netting`, `coefficients`, `slack_twine`, `materials`, `notes`, `sources`) as lists or text.
+#' @param kind Kind of plan: `"assembly"`, or a short form.
+#' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
+#'   wrong plan is an error of class `codend_error_plan`.
+#' @export
+#' @examples
+#' gear(
+#'   "A weight on a line",
+#'   top = point(position = c(0, 0, 0), held = "moved"), bottom = point(),
+#'   line = rope("top", "bottom", length = "20 m", diameter = "8 mm", material = "polyamide"),
+#'   weight = piece(at = "bottom", mass = "5 kg", material = "steel_wire"),
+#'   depth = measure(depth = "bottom"),
+#'   towing = list(speed = "2 knot")
+#' )
+gear <- function(name, ..., kind = "assembly") {
+  given <- list(...)
+  if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
+    cli::cli_abort(
+      "Every argument of {.fn gear} after the first must be named.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+  tree <- list(codend = 1, name = name, kind = kind)
+  for (i in seq_along(given)) {
+    group <- attr(given[[i]], "group")
+    key <- names(given)[i]
+    if (is.null(group)) {
+      tree[[key]] <- given[[i]]
+      next
+    }
+    if (key %in% names(tree[[group]])) {
+      abort_field(join(group, key), NULL, "given once", "is given twice")
+    }
+    tree[[group]] <- c(tree[[group]], given[i])
+  }
+  as_gear(tree)
+}
+
+#' @param position Where a held point is: x aft of the towing point, y to starboard, z up from the
+#'   water surface (three lengths).
+#' @param held `"fixed"` in the earth frame or `"moved"`: towed.
+#' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, or a
+#'   rope's start, middle or end such as `"warp.end"`.
+#' @param load Force on a point: x, y, z (three forces).
+#' @rdname gear
+#' @export
+point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
+  component("points", as.list(environment()))
+}
+
+#' @param from,to Places of a rope's start and end.
+#' @param along Panel edges that a rope is laced to, or that a piece is spread along (a piece: also
+#'   a rope's name): an edge such as `"belly.left"`, a range of its meshes such as
+#'   `"belly.upper[0:6]"`, backwards such as `"-belly.right"`, or several of these end to end.
+#' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
+#' @param hanging_ratio Rope length over the stretched length of the netting edge.
+#' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
+#' @param material Name of a material: `steel_wire`, `steel_chain`, `polyethylene` (PE),
+#'   `polyamide` (PA), `polyester` (PES), `polypropylene` (PP), `hmpe` (HMPE), `combination_rope`,
+#'   or one of the plan's own `materials`.
+#' @param axial_stiffness,mass_per_length,volume_per_length EA, mass in air and displaced volume per
+#'   length; each wins over the material's.
+#' @param coefficients Drag coefficients of this rope or panel instead of the plan's: the name of a
+#'   published set, or `list(normal, tangential, skin)`.
+#' @param added_mass Added mass as a share of the mass of the displaced water:
+#'   `list(normal, tangential)` of a rope or panel, one number of a piece.
+#' @param strength Breaking load.
+#' @param segments Number of straight segments of a rope.
+#' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
+#' @rdname gear
+#' @export
+rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
+                 diameter = NULL, material = NULL, axial_stiffness = NULL, mass_per_length = NULL,
+                 volume_per_length = NULL, coefficients = NULL, added_mass = NULL, strength = NULL,
+                 segments = NULL, role = NULL) {
+  component("ropes", as.list(environment()))
+}
+
+#' @param mesh_size Stretched length of a full mesh.
+#' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
+#'   to the other (bars, in square netting).
+#' @param twine `list(diameter, material, double, axial_stiffness, mass_per_length)`.
+#' @param orientation `"diamond"`, `"square"` or `"turned"`.
+#' @param tapered Which side edge takes the difference of upper and lower: `"both"`, `"left"` or
+#'   `"right"`.
+#' @param knotted Whether the netting has knots.
+#' @param knot_diameter Diameter of a knot; 2.5 twine diameters by default.
+#' @param netting `"triangles"` or `"bars"`, instead of the plan's.
+#' @param columns,rows Elements across and down a panel.
+#' @param bar_segments Straight segments of each equivalent bar.
+#' @param part Part of the gear that a panel is counted with.
+#' @rdname gear
+#' @export
+panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL, tapered = NULL,
+                  knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
+                  added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
+                  part = NULL) {
+  component("panels", as.list(environment()))
+}
+
+#' @param edges The chains of panel edges that a seam joins, as a list.
+#' @param gathered_at The one place that all meshes of a seam are gathered at.
+#' @rdname gear
+#' @export
+seam <- function(edges = NULL, gathered_at = NULL) {
+  component("seams", as.list(environment()))
+}
+
+#' @param share From which to which fraction of that length (two numbers).
+#' @param number How many pieces.
+#' @param mass,volume,density Mass in air and displaced volume of each, or its density instead of
+#'   the volume.
+#' @param buoyancy Net upward force in water of each, instead of mass and volume.
+#' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
+#'   end: the area across the tow that they enclose (m2).
+#' @param drag_coefficient,drag_area Drag coefficient, or its product with the area.
+#' @param lift_coefficient,lift_area Lift coefficient, or its product with the area.
+#' @param lift_direction `"up"`, `"down"`, `"port"` or `"starboard"`.
+#' @param added_mass_kg Added mass of each piece.
+#' @rdname gear
+#' @export
+piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, mass = NULL, volume = NULL,
+                  density = NULL, material = NULL, buoyancy = NULL, diameter = NULL, area = NULL,
+                  drag_coefficient = NULL, drag_area = NULL, lift_coefficient = NULL,
+                  lift_area = NULL, lift_direction = NULL, added_mass = NULL,
+                  added_mass_kg = NULL, role = NULL) {
+  component("pieces", as.list(environment()))
+}
+
+#' @param spread Two places, or a list of pairs of places: distance across the tow, or its mean (m).
+#' @param height Two places: their vertical distance (m).
+#' @param depth A place: its depth (m).
+#' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
+#' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
+#'   its `"divergence"` sideways (deg).
+#' @rdname gear
+#' @export
+measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
+                    area = NULL, angle = NULL) {
+  component("measures", as.list(environment()))
+}

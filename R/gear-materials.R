@@ -1,0 +1,78 @@
+# Materials of ropes and twines. A rope is not a solid circle, so mass, stiffness and breaking load
+# are given for the square of its nominal diameter d:
+#   density    of the solid (kg/m3), which gives the displaced volume from the mass
+#   mass       mass per length / d^2 (kg/m3)
+#   stiffness  EA / d^2 (Pa)
+#   strength   breaking load / d^2 (Pa)
+# Sources. MoorPy: NREL MoorPy, library/MoorProps_default.yaml (leading terms in d^2). Wilson:
+# twine law T = d^2 C1 e^C2 of Wilson (1967), which for polyethylene is close to linear.
+# EN 12385-4: 6x36 wire rope with steel core, grade 1770 (0.356 x 1770 MPa). "assumed" values are
+# usual for the trade but not traced to a publication.
+gear_materials <- rbind(
+  # 4.1 kg/m and EA = 48 MN at 32 mm, a usual trawl warp (assumed); strength EN 12385-4
+  steel_wire = c(density = 7850, mass = 4004, stiffness = 46.9e9, strength = 630e6),
+  # MoorPy, studless chain; d is the diameter of the bar
+  steel_chain = c(7850, 20000, 85.6e9, 1.21e9),
+  # mass and strength assumed from laid rope; stiffness Wilson
+  polyethylene = c(950, 480, 345e6, 87e6),
+  # MoorPy
+  polyamide = c(1140, 585, 5 * 207e6, 207e6),
+  # MoorPy
+  polyester = c(1380, 679, 14 * 308e6, 308e6),
+  # assumed
+  polypropylene = c(910, 450, 1.06e9, 133e6),
+  # MoorPy
+  hmpe = c(975, 496, 56 * 580e6, 580e6),
+  # steel core under fibre, assumed
+  combination_rope = c(2250, 1100, 11.8e9, 216e6)
+)
+
+# ISO 1346 and trade abbreviations.
+material_abbreviations <- c(
+  PE = "polyethylene", PA = "polyamide", PES = "polyester", PP = "polypropylene", HMPE = "hmpe"
+)
+
+# The row of `gear_materials` for a name, or of the plan's own materials (solid circles).
+find_material <- function(name, own, path) {
+  if (!is.null(own[[name]])) {
+    given <- own[[name]]
+    strength <- if (is.null(given$strength)) NA_real_ else given$strength
+    circle <- pi / 4
+    return(c(
+      density = given$density, mass = given$density * circle,
+      stiffness = given$modulus * circle, strength = strength * circle
+    ))
+  }
+  if (name %in% names(material_abbreviations)) name <- material_abbreviations[[name]]
+  if (!name %in% rownames(gear_materials)) {
+    known <- c(names(own), rownames(gear_materials), names(material_abbreviations))
+    abort_field(path, name, paste("one of", word_list(known)), hint = nearest(name, known))
+  }
+  gear_materials[name, ]
+}
+
+# Mass, volume, stiffness and strength of one rope or twine of a diameter: explicit values first,
+# then the material's. Displaced volume is that of the material's solid, or of the full circle when
+# there is no material.
+line_properties <- function(given, own, path) {
+  material <- if (!is.null(given$material)) {
+    find_material(given$material, own, join(path, "material"))
+  } else {
+    c(density = NA_real_, mass = NA_real_, stiffness = NA_real_, strength = NA_real_)
+  }
+  square <- given$diameter^2
+  mass <- first_of(given$mass_per_length, material[["mass"]] * square)
+  volume <- if (is.null(given$material)) {
+    pi / 4 * square
+  } else {
+    mass / material[["density"]]
+  }
+  list(
+    axial_stiffness = first_of(given$axial_stiffness, material[["stiffness"]] * square),
+    mass_per_length = mass,
+    volume_per_length = first_of(given$volume_per_length, volume),
+    strength = first_of(given$strength, material[["strength"]] * square)
+  )
+}
+
+first_of <- function(value, otherwise) if (is.null(value)) otherwise else value

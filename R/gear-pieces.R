@@ -1,0 +1,125 @@
+# Pieces as SI numbers: mass, volume, drag area and lift area of each.
+
+sphere_drag_coefficient <- 0.47
+
+si_piece <- function(piece, path, fields, known) {
+  place <- if (!is.null(piece$at)) find_place(piece$at, paste0(path, ".at"), known)
+  along <- if (!is.null(piece$along)) find_run(piece$along, paste0(path, ".along"), known)
+  share <- if (is.null(along)) NULL else first_of(piece$share, c(0, 1))
+  if (!is.null(share) && share[1] >= share[2]) {
+    abort_field(paste0(path, ".share"), piece$share, "a smaller fraction, then a larger one")
+  }
+  water <- fields$water$density
+  body <- piece_body(piece, path, fields)
+  drag <- piece_area(piece, path, "drag", if (!is.null(piece$diameter)) sphere_drag_coefficient else 1)
+  lift <- piece_area(piece, path, "lift", NULL)
+  if (lift > 0 && is.null(piece$lift_direction)) {
+    abort_field(paste0(path, ".lift_direction"), NULL, "given with lift", "is missing")
+  }
+  if (body$mass == 0 && body$volume == 0 && drag == 0 && lift == 0 &&
+    is.null(piece$added_mass_kg)) {
+    abort_plan(
+      sprintf("Plan field `%s` does nothing: give it mass, buoyancy, an area or lift.", path),
+      path, piece
+    )
+  }
+  list(
+    at = place, along = along, share = share, number = piece$number,
+    mass = body$mass, volume = body$volume,
+    area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
+    lift_direction = first_of(piece$lift_direction, NA_character_),
+    added_mass = first_of(piece$added_mass_kg, piece$added_mass * body$volume * water),
+    role = first_of(piece$role, NA_character_)
+  )
+}
+
+# Mass in air (kg) and displaced volume (m3) of one piece.
+piece_body <- function(piece, path, fields) {
+  ways <- intersect(c("volume", "density", "material"), names(piece))
+  if (length(ways) > 1) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` has both `%s` and `%s`; it must have one of them.", path, ways[1], ways[2]
+      ),
+      path, piece
+    )
+  }
+  if (length(ways) && ways != "volume" && is.null(piece$mass)) {
+    abort_field(
+      paste0(path, ".mass"), NULL, sprintf("given with `%s`", ways), "is missing"
+    )
+  }
+  sphere <- if (!is.null(piece$diameter)) pi / 6 * piece$diameter^3
+  if (is.null(piece$buoyancy)) {
+    mass <- first_of(piece$mass, 0)
+    volume <- if (!is.null(piece$density)) {
+      mass / piece$density
+    } else if (!is.null(piece$material)) {
+      mass / find_material(piece$material, fields$materials, paste0(path, ".material"))[["density"]]
+    } else {
+      first_of(piece$volume, first_of(sphere, 0))
+    }
+    return(list(mass = mass, volume = volume))
+  }
+  excess <- c(ways, if (!is.null(piece$mass)) "mass")
+  if (length(excess)) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` has both `buoyancy` and `%s`; it must have one of them.", path, excess[1]
+      ),
+      path, piece
+    )
+  }
+  water <- fields$water$density
+  if (water == 0) {
+    abort_plan(
+      sprintf("Plan field `%s.buoyancy` needs water: `water.density` is 0.", path),
+      paste0(path, ".buoyancy"), piece$buoyancy
+    )
+  }
+  lifted <- piece$buoyancy / gear_gravity
+  volume <- first_of(sphere, lifted / water)
+  # a massless float displaces its buoyancy to the last bit
+  mass <- if (is.null(sphere)) 0 else water * volume - lifted
+  if (mass < 0) {
+    abort_field(
+      paste0(path, ".buoyancy"), piece$buoyancy,
+      paste(
+        "at most what a sphere of its diameter displaces,",
+        format_si(water * volume * gear_gravity, "force")
+      )
+    )
+  }
+  list(mass = mass, volume = volume)
+}
+
+piece_reference_area <- function(piece) {
+  if (!is.null(piece$area)) return(piece$area)
+  if (!is.null(piece$diameter)) pi / 4 * piece$diameter^2 else NA_real_
+}
+
+# Coefficient times area (m2) of drag or lift.
+piece_area <- function(piece, path, force, default) {
+  coefficient <- piece[[paste0(force, "_coefficient")]]
+  product <- piece[[paste0(force, "_area")]]
+  area <- piece_reference_area(piece)
+  if (!is.null(product)) {
+    if (!is.null(coefficient)) {
+      abort_plan(
+        sprintf(
+          "Plan field `%s` has both `%s_area` and `%s_coefficient`; it must have one of them.",
+          path, force, force
+        ),
+        path, piece
+      )
+    }
+    return(product)
+  }
+  if (!is.null(coefficient) && is.na(area)) {
+    abort_field(
+      paste0(path, ".area"), NULL, sprintf("given with `%s_coefficient`", force), "is missing"
+    )
+  }
+  coefficient <- first_of(coefficient, default)
+  if (is.null(coefficient) || is.na(area)) 0 else coefficient * area
+}

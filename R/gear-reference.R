@@ -1,0 +1,115 @@
+# Places and chains: the texts by which parts of a plan name each other, taken apart.
+
+edge_pattern <- "^(-?)([^.]+)[.](upper|lower|left|right)(?:\\[([0-9.]+):([0-9.]+)\\])?$"
+
+# Takes a place apart.
+# Returns list(kind = "point" | "panel" | "rope", name, place), where place is NA for a point, the
+# corner (upper_left ...) of a panel, and start, middle, end or max of a rope.
+parse_place <- function(text) {
+  dot <- regexpr(".", text, fixed = TRUE)
+  if (dot == -1) return(list(kind = "point", name = text, place = NA_character_))
+  place <- substring(text, dot + 1)
+  kind <- if (place %in% c("start", "middle", "end", "max")) "rope" else "panel"
+  list(kind = kind, name = substring(text, 1, dot - 1), place = place)
+}
+
+# Takes one edge of a chain apart.
+# Returns list(panel, edge, from, to, reversed); from and to are still meshes (NA: the whole edge).
+parse_edge <- function(text) {
+  found <- regexpr(edge_pattern, text, perl = TRUE)
+  start <- attr(found, "capture.start")
+  piece <- substring(text, start, start + attr(found, "capture.length") - 1)
+  list(
+    panel = piece[2], edge = piece[3], from = as.double(piece[4]), to = as.double(piece[5]),
+    reversed = piece[1] == "-"
+  )
+}
+
+# The text of a place, once it is known to exist. `known` lists the names of points and ropes, and
+# the panels.
+find_place <- function(text, path, known) {
+  place <- parse_place(text)
+  names <- switch(place$kind,
+    point = known$points, rope = known$ropes, panel = names(known$panels)
+  )
+  if (!place$name %in% names) {
+    abort_reference(text, place$name, names, place$kind, path)
+  }
+  text
+}
+
+find_rope <- function(name, path, known) {
+  if (!name %in% known$ropes) abort_reference(name, name, known$ropes, "rope", path)
+  name
+}
+
+abort_reference <- function(text, name, names, kind, path) {
+  near <- nearest(name, names)
+  abort_plan(
+    paste0(
+      "Plan field `", path, "` is ", show_value(text), ", but there is no ", kind, " `", name, "`",
+      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+      if (length(names)) paste0(" Known here: ", word_list(names), ".")
+    ),
+    path, text
+  )
+}
+
+# A chain of edges that exist: list(panel, edge, from, to, reversed), from and to as fractions.
+find_chain <- function(texts, path, known) {
+  lapply(texts, find_edge, path = path, known = known)
+}
+
+find_edge <- function(text, path, known) {
+  edge <- parse_edge(text)
+  panel <- known$panels[[edge$panel]]
+  if (is.null(panel)) {
+    abort_reference(text, edge$panel, names(known$panels), "panel", path)
+  }
+  if (is.na(edge$from)) {
+    edge$from <- 0
+    edge$to <- 1
+    return(edge)
+  }
+  meshes <- switch(edge$edge, upper = panel$upper, lower = panel$lower, panel$deep)
+  if (edge$from >= edge$to || edge$to > meshes) {
+    abort_field(
+      path, text,
+      sprintf("a range of growing numbers within the %s meshes of that edge", format(meshes))
+    )
+  }
+  edge$from <- edge$from / meshes
+  edge$to <- edge$to / meshes
+  edge
+}
+
+# What a piece is spread along: list(kind = "rope", name) or list(kind = "chain", edges).
+find_run <- function(texts, path, known) {
+  if (length(texts) == 1 && !grepl("[.]", texts)) {
+    return(list(kind = "rope", name = find_rope(texts, path, known)))
+  }
+  list(kind = "chain", edges = find_chain(texts, path, known))
+}
+
+# Stretched length (m) of an edge: the shortest way along its twines. Across i and down j meshes
+# that is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square.
+edge_length <- function(panel, edge) {
+  loss <- panel$upper - panel$lower
+  across <- switch(edge,
+    upper = panel$upper, lower = panel$lower,
+    left = loss * panel$taper_left, right = loss * panel$taper_right
+  )
+  down <- if (edge %in% c("left", "right")) panel$deep else 0
+  across <- abs(across)
+  if (panel$orientation == "square") {
+    panel$mesh_size / 2 * (across + down)
+  } else {
+    panel$mesh_size * max(across, down)
+  }
+}
+
+chain_length <- function(chain, panels) {
+  sum(vapply(chain, function(edge) {
+    (edge$to - edge$from) * edge_length(panels[[edge$panel]], edge$edge)
+  }, 0))
+}

@@ -1,0 +1,172 @@
+# The gear as SI numbers: what the lattice is made from.
+
+gear_gravity <- 9.81
+
+# Checks a gear's plan in full and returns it as SI numbers with every default filled in.
+#
+# Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
+# seams, pieces, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
+# list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
+# leave out and has no default is NULL (position, at, from, to, along, segments, columns, rows) or,
+# of single numbers and texts, NA.
+gear_si <- function(gear) {
+  fields <- assembly_fields(gear$plan)
+  law <- drag_law(fields$coefficients)
+  si <- list(
+    name = fields$name, kind = "assembly",
+    water = si_water(fields$water), towing = fields$towing,
+    netting = fields$netting, slack_twine = fields$slack_twine
+  )
+  si$panels <- map_named(fields$panels, "panels", si_panel, fields, law)
+  known <- list(
+    points = names(fields$points), ropes = names(fields$ropes), panels = si$panels
+  )
+  si$points <- map_named(fields$points, "points", si_point, known)
+  si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
+  si$seams <- map_named(fields$seams, "seams", si_seam, known)
+  si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
+  si$measures <- map_named(fields$measures, "measures", si_measure, known)
+  check_gear(si)
+  si
+}
+
+map_named <- function(parts, group, convert, ...) {
+  paths <- paste0(group, ".", names(parts))
+  out <- vector("list", length(parts))
+  for (i in seq_along(parts)) out[[i]] <- convert(parts[[i]], path = paths[i], ...)
+  stats::setNames(out, as.character(names(parts)))
+}
+
+si_water <- function(water) {
+  layers <- water$current
+  if (is.null(layers)) layers <- list(speed = 0, toward = 0)
+  if (!is.null(names(layers))) layers <- list(c(layers, depth = 0))
+  pick <- function(field) vapply(layers, `[[`, 0, field)
+  depth <- pick("depth")
+  if (is.unsorted(depth, strictly = TRUE)) {
+    abort_plan(
+      "Plan field `water.current` must list its depths from the surface down, each once.",
+      "water.current", depth
+    )
+  }
+  list(
+    density = water$density, viscosity = water$viscosity,
+    current = data.frame(
+      depth = depth,
+      x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
+    )
+  )
+}
+
+# Coefficients on diameter times length: list(law, normal, tangential, skin); a law that depends on
+# the Reynolds number or solidity has NA for numbers. Values: hoerner after Hoerner (1965) 3-11,
+# bessonneau_marichal after Bessonneau and Marichal (1998), wan after Wan et al. (2002).
+drag_law <- function(coefficients) {
+  constant <- function(normal, tangential, skin) {
+    list(law = "constant", normal = normal, tangential = tangential, skin = skin)
+  }
+  if (is.list(coefficients)) {
+    return(constant(coefficients$normal, coefficients$tangential, coefficients$skin))
+  }
+  switch(coefficients,
+    hoerner = constant(1.1, 0, 0.02),
+    bessonneau_marichal = constant(1.2, 0.1, 0),
+    wan = constant(1.3, 0, 0),
+    list(law = coefficients, normal = NA_real_, tangential = NA_real_, skin = NA_real_)
+  )
+}
+
+si_added_mass <- function(added_mass) {
+  c(normal = added_mass$normal, tangential = added_mass$tangential)
+}
+
+si_panel <- function(panel, path, fields, law) {
+  meshes <- panel$meshes
+  if (meshes$upper == 0 && meshes$lower == 0) {
+    abort_plan(
+      sprintf("Plan field `%s.meshes` has no meshes at either edge; one may be 0, not both.", path),
+      paste0(path, ".meshes"), meshes
+    )
+  }
+  twine <- panel$twine
+  bar <- panel$mesh_size / 2
+  if (twine$diameter >= bar) {
+    abort_field(
+      paste0(path, ".twine.diameter"), twine$diameter,
+      paste("less than half the mesh size,", format_si(bar, "length"))
+    )
+  }
+  line <- line_properties(twine, fields$materials, paste0(path, ".twine"))
+  count <- if (twine$double) 2 else 1
+  if (!panel$knotted && !is.null(panel$knot_diameter)) {
+    abort_plan(
+      sprintf("Plan field `%s.knot_diameter` is given, but `%s.knotted` is no.", path, path),
+      paste0(path, ".knot_diameter"), panel$knot_diameter
+    )
+  }
+  knot <- if (panel$knotted) first_of(panel$knot_diameter, 2.5 * twine$diameter) else 0
+  left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
+  list(
+    mesh_size = panel$mesh_size,
+    upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,
+    twine_diameter = twine$diameter, twine_count = count,
+    axial_stiffness = line$axial_stiffness * count,
+    mass_per_length = line$mass_per_length * count,
+    volume_per_length = line$volume_per_length * count,
+    material = first_of(twine$material, NA_character_),
+    orientation = panel$orientation, taper_left = left, taper_right = 1 - left,
+    knot_diameter = knot,
+    netting = first_of(panel$netting, fields$netting),
+    coefficients = if (is.null(panel$coefficients)) law else drag_law(panel$coefficients),
+    added_mass = si_added_mass(panel$added_mass),
+    columns = panel$columns, rows = panel$rows,
+    bar_segments = panel$bar_segments, part = first_of(panel$part, NA_character_)
+  )
+}
+
+si_point <- function(point, path, known) {
+  list(
+    position = point$position, held = first_of(point$held, NA_character_),
+    at = if (!is.null(point$at)) find_place(point$at, paste0(path, ".at"), known),
+    load = first_of(point$load, c(0, 0, 0))
+  )
+}
+
+si_rope <- function(rope, path, fields, law, known) {
+  line <- line_properties(rope, fields$materials, path)
+  along <- NULL
+  length <- rope$length
+  if (!is.null(rope$along)) {
+    along <- find_chain(rope$along, paste0(path, ".along"), known)
+    netting <- chain_length(along, known$panels)
+    if (netting == 0) {
+      abort_plan(
+        sprintf("Plan field `%s.along` has no length: its edges have no meshes.", path),
+        paste0(path, ".along"), rope$along
+      )
+    }
+    if (is.null(length)) length <- rope$hanging_ratio * netting
+  }
+  list(
+    from = if (!is.null(rope$from)) find_place(rope$from, paste0(path, ".from"), known),
+    to = if (!is.null(rope$to)) find_place(rope$to, paste0(path, ".to"), known),
+    along = along, length = length, diameter = rope$diameter,
+    axial_stiffness = line$axial_stiffness, mass_per_length = line$mass_per_length,
+    volume_per_length = line$volume_per_length,
+    coefficients = if (is.null(rope$coefficients)) law else drag_law(rope$coefficients),
+    added_mass = si_added_mass(rope$added_mass),
+    strength = line$strength,
+    segments = rope$segments, role = first_of(rope$role, NA_character_)
+  )
+}
+
+si_seam <- function(seam, path, known) {
+  edges <- as.list(seam$edges)
+  for (i in seq_along(edges)) {
+    edges[[i]] <- find_chain(edges[[i]], paste0(path, ".edges[", i, "]"), known)
+  }
+  gathered <- if (!is.null(seam$gathered_at)) {
+    find_place(seam$gathered_at, paste0(path, ".gathered_at"), known)
+  }
+  list(edges = edges, gathered_at = gathered)
+}

@@ -1,0 +1,155 @@
+# The gear: a checked plan. Holds the tree as given, never numbers derived from it.
+
+new_gear <- function(plan, file = NULL) {
+  structure(list(plan = plan, file = file), class = "codend_gear")
+}
+
+# A gear from a tree of lists: put into its plain form and checked in full.
+as_gear <- function(tree, file = NULL) {
+  gear <- new_gear(plain_tree(tree), file)
+  gear_si(gear)
+  gear
+}
+
+check_is_gear <- function(gear) {
+  if (!inherits(gear, "codend_gear")) {
+    cli::cli_abort(
+      "{.arg gear} must be a gear, as {.fn read_gear} and {.fn gear} return, not {.cls {class(gear)}}.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+}
+
+#' Read the plan of a gear
+#'
+#' Reads a plan file (YAML) and checks it in full before anything is computed: every field, unit and
+#' bound, and that the parts hang together. Nothing in the file is evaluated as code.
+#'
+#' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
+#' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
+#'   named lists) and its path (`file`). A wrong plan is an error of class `codend_error_plan`, with
+#'   the path and the value of the first wrong field as `path` and `value`.
+#' @seealso [gear()] for the same without a file, [write_gear()].
+#' @export
+#' @examples
+#' read_gear("towed_cable")
+read_gear <- function(plan) {
+  if (!is_text(plan)) {
+    cli::cli_abort(
+      "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+  shipped <- shipped_plans()
+  file <- if (plan %in% names(shipped)) shipped[[plan]] else plan
+  if (!file.exists(file)) {
+    near <- nearest(plan, names(shipped))
+    abort_plan(
+      paste0(
+        "There is no plan file \"", plan, "\" and no shipped plan of that name",
+        if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+        " Shipped: ", word_list(names(shipped)), "."
+      ),
+      NULL, plan
+    )
+  }
+  as_gear(read_plan(file), file = file)
+}
+
+# Paths of the plans that ship with the package, named by file name.
+shipped_plans <- function() {
+  files <- list.files(
+    system.file("gears", package = "codend"), pattern = "[.]yaml$", full.names = TRUE
+  )
+  stats::setNames(files, sub("[.]yaml$", "", basename(files)))
+}
+
+#' Plans that ship with the package
+#'
+#' @return A data frame with one row per plan: `name` (for [read_gear()]), `title` and `kind`.
+#' @export
+#' @examples
+#' gears()
+gears <- function() {
+  files <- shipped_plans()
+  plans <- lapply(files, read_plan)
+  data.frame(
+    name = as.character(names(files)),
+    title = vapply(plans, `[[`, "", "name", USE.NAMES = FALSE),
+    kind = vapply(plans, function(plan) first_of(plan$kind, "assembly"), "", USE.NAMES = FALSE)
+  )
+}
+
+#' @export
+print.codend_gear <- function(x, ...) {
+  fields <- assembly_fields(x$plan)
+  groups <- c("panels", "seams", "ropes", "pieces", "points", "measures")
+  cat("Gear \"", x$plan$name, "\" (", check_plan(x$plan)$kind, ")\n", sep = "")
+  cat("  ", paste(groups, lengths(fields[groups]), collapse = ", "), "\n", sep = "")
+  cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
+  invisible(x)
+}
+
+#' Change fields of a gear
+#'
+#' @param object A gear.
+#' @param ... Fields by their path in the plan, such as `towing.speed = "5 knot"` or
+#'   `ropes.warp.length = 300`; `NULL` takes a field out. An item of a list goes by its number
+#'   (`water.current.1.speed`).
+#' @return The gear with these fields, checked in full again. An unknown path is an error of class
+#'   `codend_error_plan`.
+#' @export
+#' @examples
+#' update(read_gear("towed_cable"), towing.speed = "5 knot", ropes.cable.length = "800 m")
+update.codend_gear <- function(object, ...) {
+  fields <- list(...)
+  if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
+    cli::cli_abort(
+      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+  plan <- object$plan
+  for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
+  as_gear(plan, file = object$file)
+}
+
+# The gear with one field changed (NULL: taken out), checked in full again.
+set_field <- function(gear, path, value) {
+  as_gear(set_plan_field(gear$plan, path, value), file = gear$file)
+}
+
+set_plan_field <- function(plan, path, value) {
+  steps <- strsplit(path, ".", fixed = TRUE)[[1]]
+  kind <- first_of(plan$kind, plan_schema()$default_kind)
+  set_at(plan, steps, value, plan_schema()$kinds[[kind]], "")
+}
+
+set_at <- function(tree, steps, value, node, path) {
+  step <- steps[1]
+  here <- join(path, step)
+  if (node$shape == "any") {
+    shape <- if (is_map(tree) && length(tree)) "object" else "array"
+    fitting <- Filter(function(choice) choice$shape == shape, node$choices)
+    if (length(fitting)) node <- fitting[[1]]
+  }
+  last <- length(steps) == 1
+  if (node$shape == "array") {
+    key <- suppressWarnings(as.integer(step))
+    if (is.na(key) || key < 1 || key > length(tree)) abort_unknown(path, step, seq_along(tree))
+    tree <- as.list(tree)
+    inner <- node$items
+  } else {
+    key <- step
+    inner <- node$properties[[step]]
+    if (is.null(inner) && !is.null(node$additionalProperties)) {
+      if (!last && is.null(tree[[step]])) abort_unknown(path, step, names(tree))
+      inner <- node$additionalProperties
+    }
+    if (is.null(inner)) abort_unknown(path, step, names(node$properties))
+    tree <- as.list(tree)
+  }
+  changed <- if (last) value else set_at(tree[[key]], steps[-1], value, inner, here)
+  tree[[key]] <- changed
+  tree
+}

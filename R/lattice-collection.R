@@ -1,0 +1,64 @@
+# Gathers nodes, ties and elements from the parts of a gear, and joins them once at the end.
+#
+# Tied points are numbered -1, -2, ... until all nodes are known.
+new_collection <- function(nodes) {
+  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties")
+  chunks <- setNames(rep(list(list()), length(kinds)), kinds)
+  ties <- 0L
+  add <- function(kind, ...) {
+    chunks[[kind]][[length(chunks[[kind]]) + 1L]] <<- list(...)
+    invisible()
+  }
+  list(
+    add = add,
+    new_nodes = function(n) {
+      ids <- nodes + seq_len(n)
+      nodes <<- nodes + as.integer(n)
+      ids
+    },
+    # Points on the straight lines between nodes `first` and `second`.
+    tie = function(first, second, share) {
+      add("ties", first = first, second = second, share = share)
+      ids <- -(ties + seq_along(first))
+      ties <<- ties + length(first)
+      ids
+    },
+    collect = function() {
+      points <- nodes + ties
+      final <- function(id) {
+        id[id < 0L] <- nodes - id[id < 0L]
+        id
+      }
+      join <- function(kind, fields, whole = character()) {
+        out <- lapply(setNames(fields, fields), function(f) {
+          as.double(unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE))
+        })
+        for (f in whole) out[[f]] <- as.integer(out[[f]])
+        if (!is.null(out$node)) out$node <- final(out$node)
+        out
+      }
+      masses <- join("masses", c("node", "mass", "volume"), "node")
+      sum_at <- function(values) {
+        total <- numeric(points)
+        if (length(values)) {
+          s <- rowsum(values, masses$node, reorder = FALSE)
+          total[as.integer(rownames(s))] <- s
+        }
+        total
+      }
+      list(
+        nodes = nodes,
+        ties = join("ties", c("first", "second", "share"), c("first", "second")),
+        bars = join("bars", c("node", "rest", "multiplicity", "material", "part"),
+          c("node", "material", "part")),
+        triangles = join("triangles", c("node", "twine", "rest", "multiplicity", "material", "part"),
+          c("node", "material", "part")),
+        spheres = join("spheres", c("node", "drag_area", "diameter", "added_mass", "part"),
+          c("node", "part")),
+        lifts = join("lifts", c("node", "lift_area", "direction", "part"),
+          c("node", "direction", "part")),
+        mass = sum_at(masses$mass), volume = sum_at(masses$volume)
+      )
+    }
+  )
+}

@@ -1,0 +1,249 @@
+# The schema file is the one table of fields. Here it is made ready once per session and a plan is
+# walked along it. Only the keywords that the file uses are known; others are for editors.
+
+plan_cache <- new.env(parent = emptyenv())
+
+# The schema with references put in place: $kinds, a compiled node per kind of plan.
+plan_schema <- function() {
+  if (is.null(plan_cache$schema)) {
+    file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
+    schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
+    kinds <- unlist(schema$properties$kind$enum)
+    plan_cache$schema <- list(
+      default_kind = schema$properties$kind$default,
+      kinds = lapply(
+        stats::setNames(schema$`$defs`[kinds], kinds), compile_node,
+        definitions = schema$`$defs`
+      )
+    )
+  }
+  plan_cache$schema
+}
+
+compile_node <- function(node, definitions) {
+  while (!is.null(node[["$ref"]])) {
+    target <- definitions[[sub("#/$defs/", "", node[["$ref"]], fixed = TRUE)]]
+    node[["$ref"]] <- NULL
+    node <- c(node, target[setdiff(names(target), names(node))])
+  }
+  node$groups <- c(
+    requirement(node$oneOf, one = TRUE), requirement(node$anyOf, one = FALSE),
+    unlist(lapply(node$allOf, function(part) {
+      c(requirement(part$oneOf, one = TRUE), requirement(part$anyOf, one = FALSE))
+    }), recursive = FALSE)
+  )
+  node$shape <- if (!is.null(node[["x-dimension"]])) {
+    "quantity"
+  } else if (!is.null(node$type)) {
+    node$type
+  } else {
+    "any"
+  }
+  if (node$shape == "any") node$choices <- lapply(node$anyOf, compile_node, definitions)
+  if (!is.null(node$items)) node$items <- compile_node(node$items, definitions)
+  if (!is.null(node$propertyNames)) {
+    node$propertyNames <- compile_node(node$propertyNames, definitions)
+  }
+  if (is.list(node$additionalProperties)) {
+    node$additionalProperties <- compile_node(node$additionalProperties, definitions)
+  } else {
+    node$additionalProperties <- NULL
+  }
+  if (!is.null(node$properties)) {
+    node$properties <- lapply(node$properties, compile_node, definitions)
+    given <- Filter(function(property) !is.null(property[["default"]]), node$properties)
+    node$defaults <- lapply(given, function(property) check_field(property[["default"]], property, ""))
+  }
+  node$enum <- unlist(node$enum)
+  node$required <- unlist(node$required)
+  node
+}
+
+# Alternatives that only list required fields, as a group of which one (or at least one) is due.
+requirement <- function(alternatives, one) {
+  choices <- lapply(alternatives, function(choice) unlist(choice$required))
+  if (length(choices) == 0 || any(lengths(choices) == 0)) return(NULL)
+  list(list(one = one, choices = choices))
+}
+
+# Checks a plan tree against the schema of its kind.
+# Returns the tree in SI numbers with every default of the schema filled in.
+check_plan <- function(tree) {
+  if (!is_map(tree) || length(tree) == 0) {
+    abort_plan("A plan must be a map of fields such as `codend: 1` and `name`.", NULL, tree)
+  }
+  schema <- plan_schema()
+  kind <- tree[["kind"]]
+  if (is.null(kind)) kind <- schema$default_kind
+  if (!is_text(kind) || !kind %in% names(schema$kinds)) {
+    abort_field("kind", kind, paste("one of", word_list(names(schema$kinds))))
+  }
+  check_field(tree, schema$kinds[[kind]], "")
+}
+
+check_field <- function(value, node, path) {
+  switch(node$shape,
+    quantity = check_quantity(value, node, path),
+    object = check_map(value, node, path),
+    array = check_list(value, node, path),
+    string = check_text(value, node, path),
+    number = , integer = check_number(value, node, path),
+    boolean = check_boolean(value, node, path),
+    any = check_field(value, choose_node(value, node, path), path)
+  )
+}
+
+check_quantity <- function(value, node, path) {
+  if (length(value) == 1 && (is_text(value) || (is.numeric(value) && !is.na(value)))) {
+    si <- quantity_si(value, node[["x-dimension"]])
+    if (is.finite(si) && in_bounds(si, node)) return(si)
+  }
+  abort_field(path, value, describe(node))
+}
+
+check_number <- function(value, node, path) {
+  good <- is.numeric(value) && length(value) == 1 && is.finite(value) && in_bounds(value, node) &&
+    (node$shape == "number" || value == round(value)) &&
+    (is.null(node$const) || value == node$const)
+  if (!good) abort_field(path, value, describe(node))
+  as.double(value)
+}
+
+check_text <- function(value, node, path) {
+  good <- is_text(value) && (is.null(node$enum) || value %in% node$enum) &&
+    (is.null(node$minLength) || nchar(value) >= node$minLength) &&
+    (is.null(node$const) || value == node$const) &&
+    (is.null(node$pattern) || grepl(node$pattern, value, perl = TRUE))
+  if (!good) {
+    abort_field(path, value, describe(node), hint = if (is_text(value)) nearest(value, node$enum))
+  }
+  value
+}
+
+check_boolean <- function(value, node, path) {
+  if (!is.logical(value) || length(value) != 1 || is.na(value)) {
+    abort_field(path, value, describe(node))
+  }
+  value
+}
+
+check_list <- function(value, node, path) {
+  n <- length(value)
+  good <- is.null(names(value)) && (is.list(value) || is.atomic(value)) && !is.null(value) &&
+    (is.null(node$minItems) || n >= node$minItems) && (is.null(node$maxItems) || n <= node$maxItems)
+  if (!good) abort_field(path, value, describe(node))
+  checked <- vector("list", n)
+  for (i in seq_len(n)) {
+    checked[[i]] <- check_field(value[[i]], node$items, paste0(path, "[", i, "]"))
+  }
+  if (node$items$shape %in% c("quantity", "number", "integer", "string")) unlist(checked) else checked
+}
+
+check_map <- function(value, node, path) {
+  if (!is_map(value)) abort_field(path, value, describe(node))
+  given <- names(value)
+  if (anyDuplicated(given)) {
+    abort_field(join(path, given[anyDuplicated(given)]), NULL, "given once", "is given twice")
+  }
+  checked <- stats::setNames(vector("list", length(given)), given)
+  for (name in given) {
+    property <- node$properties[[name]]
+    if (is.null(property)) property <- open_property(name, value, node, path)
+    checked[[name]] <- check_field(value[[name]], property, join(path, name))
+  }
+  for (name in node$required) {
+    if (!name %in% given) {
+      abort_field(join(path, name), NULL, describe(node$properties[[name]]), "is missing")
+    }
+  }
+  check_presence(given, value, node, path)
+  c(checked, node$defaults[setdiff(names(node$defaults), given)])
+}
+
+# The node of a name that is not among the properties of a map.
+open_property <- function(name, value, node, path) {
+  if (is.null(node$additionalProperties)) {
+    abort_unknown(path, name, names(node$properties), value[[name]])
+  }
+  rule <- node$propertyNames
+  if (is.na(name) || !nzchar(name) ||
+    (!is.null(rule) && !grepl(rule$pattern, name, perl = TRUE))) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` has a name that is not allowed: \"%s\". %s",
+        path, name, if (is.null(rule)) "It must not be empty." else rule$description
+      ),
+      path, name
+    )
+  }
+  node$additionalProperties
+}
+
+check_presence <- function(given, value, node, path) {
+  for (name in intersect(names(node$dependentRequired), given)) {
+    for (due in unlist(node$dependentRequired[[name]])) {
+      if (!due %in% given) {
+        abort_field(
+          join(path, due), NULL, paste(describe(node$properties[[due]]), "when `%s` is given"),
+          "is missing", name
+        )
+      }
+    }
+  }
+  for (group in node$groups) {
+    met <- vapply(group$choices, function(choice) all(choice %in% given), logical(1))
+    if (sum(met) == 0 || (group$one && sum(met) > 1)) {
+      choices <- vapply(group$choices, function(choice) {
+        paste0("`", choice, "`", collapse = " with ")
+      }, "")
+      abort_plan(
+        sprintf(
+          "Plan field `%s` has %s; it must have %s of: %s.", path,
+          if (sum(met) == 0) "none of what it needs" else "too much",
+          if (group$one) "exactly one" else "at least one", paste(choices, collapse = "; ")
+        ),
+        path, value
+      )
+    }
+  }
+  size <- length(given)
+  if ((!is.null(node$minProperties) && size < node$minProperties) ||
+    (!is.null(node$maxProperties) && size > node$maxProperties)) {
+    known <- if (length(node$properties)) {
+      paste(" of", paste0("`", names(node$properties), "`", collapse = ", "))
+    } else {
+      ""
+    }
+    abort_field(path, value, NULL, sprintf("has %d fields; it must have exactly one%s", size, known))
+  }
+}
+
+# The alternative of `node` that a value is meant as, by its shape alone.
+choose_node <- function(value, node, path) {
+  for (choice in node$choices) {
+    fits <- switch(choice$shape,
+      object = is_map(value) && (length(value) > 0 || is.list(value)),
+      array = is.null(names(value)) && (is.list(value) || length(value) > 1),
+      string = is.character(value) && length(value) == 1,
+      quantity = is_text(value) || (is.numeric(value) && length(value) == 1),
+      number = , integer = is.numeric(value) && length(value) == 1,
+      boolean = is.logical(value) && length(value) == 1
+    )
+    if (fits) return(choice)
+  }
+  abort_field(path, value, describe(node))
+}
+
+in_bounds <- function(value, node) {
+  (is.null(node$minimum) || value >= node$minimum) &&
+    (is.null(node$exclusiveMinimum) || value > node$exclusiveMinimum) &&
+    (is.null(node$maximum) || value <= node$maximum)
+}
+
+is_text <- function(value) is.character(value) && length(value) == 1 && !is.na(value)
+
+is_map <- function(value) {
+  is.list(value) && (!is.null(names(value)) || length(value) == 0)
+}
+
+join <- function(path, name) if (nzchar(path)) paste0(path, ".", name) else name

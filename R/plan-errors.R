@@ -1,0 +1,120 @@
+# What a wrong plan is answered with: one message form, one condition class.
+
+# Stops with a "codend_error_plan" that carries the field's path and its value.
+abort_plan <- function(message, path, value = NULL) {
+  cli::cli_abort(
+    "{message}",
+    class = c("codend_error_plan", "codend_error"), path = path, value = value, call = NULL
+  )
+}
+
+# "Plan field `path` is VALUE; it must be MUST."
+abort_field <- function(path, value, must, is = paste("is", show_value(value)), hint = NULL) {
+  message <- sprintf("Plan field `%s` %s", path, is)
+  if (!is.null(must)) {
+    if (grepl("%s", must, fixed = TRUE)) {
+      must <- sprintf(must, hint)
+      hint <- NULL
+    }
+    message <- paste0(message, "; it must be ", must)
+  }
+  message <- paste0(message, ".")
+  if (length(hint)) message <- paste0(message, " Did you mean `", hint, "`?")
+  abort_plan(message, path, value)
+}
+
+abort_unknown <- function(path, name, known, value = NULL) {
+  near <- nearest(name, known)
+  where <- join(path, name)
+  abort_plan(
+    paste0(
+      "Plan field `", where, "` is not known",
+      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+      if (length(known)) paste0(" Known here: ", paste(known, collapse = ", "), ".")
+    ),
+    where, value
+  )
+}
+
+# The known name most like `name`, or NULL when none is near.
+nearest <- function(name, known) {
+  if (length(known) == 0 || nchar(name) > 100) return(NULL)
+  distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
+  best <- which.min(distance)
+  if (distance[best] <= max(2, nchar(name) / 3)) known[best] else NULL
+}
+
+show_value <- function(value) {
+  if (is.null(value)) return("empty")
+  if (is.list(value)) {
+    return(if (length(names(value))) "a map" else paste("a list of", length(value)))
+  }
+  if (length(value) != 1) {
+    shown <- paste(vapply(utils::head(value, 4), show_value, ""), collapse = ", ")
+    return(paste0("[", shown, if (length(value) > 4) ", ...", "]"))
+  }
+  if (is.logical(value) && !is.na(value)) return(if (value) "yes" else "no")
+  if (!is.character(value) || is.na(value)) return(format(value, digits = 15, trim = TRUE))
+  dimension <- quantity_dimension(value)
+  if (!is.na(dimension)) return(value)
+  if (nchar(value) > 60) value <- paste0(substr(value, 1, 57), "...")
+  paste0("\"", value, "\"")
+}
+
+# What a schema node allows, in words.
+describe <- function(node) {
+  if (!is.null(node$enum)) return(paste("one of", word_list(node$enum)))
+  if (!is.null(node$const)) return(show_const(node$const))
+  switch(node$shape,
+    quantity = {
+      dimension <- node[["x-dimension"]]
+      paste0(
+        noun(gsub("_", " ", dimension)),
+        bounds_text(node, function(bound) format_si(bound, dimension)),
+        if (dimension != "number") paste0(" (units: ", unit_examples(dimension), ")")
+      )
+    },
+    number = paste0("a number", bounds_text(node, format)),
+    integer = paste0("a whole number", bounds_text(node, format)),
+    boolean = "yes or no",
+    string = if (is.null(node$title)) "text" else paste0(noun(node$title), ": ", node$description),
+    array = paste0("a list", count_text(node)),
+    object = paste0("a map", if (length(node$properties)) {
+      paste(" with fields such as", paste0("`", utils::head(names(node$properties), 4), "`",
+        collapse = ", "))
+    }),
+    any = paste(unique(vapply(node$choices, describe, "")), collapse = "; or ")
+  )
+}
+
+show_const <- function(value) if (is.character(value)) paste0("\"", value, "\"") else format(value)
+
+noun <- function(word) paste(if (grepl("^[aeiou]", word)) "an" else "a", word)
+
+word_list <- function(words) paste(words, collapse = ", ")
+
+bounds_text <- function(node, show) {
+  low <- if (!is.null(node$exclusiveMinimum)) {
+    paste("greater than", show(node$exclusiveMinimum))
+  } else if (!is.null(node$minimum)) {
+    paste("of at least", show(node$minimum))
+  }
+  high <- if (!is.null(node$maximum)) paste("of at most", show(node$maximum))
+  both <- paste(c(low, high), collapse = " and ")
+  if (nzchar(both)) paste0(" ", both) else ""
+}
+
+count_text <- function(node) {
+  item <- if (is.null(node$items$title)) "" else paste0(" (each ", noun(node$items$title), ")")
+  count <- if (identical(node$minItems, node$maxItems) && !is.null(node$minItems)) {
+    paste(" of", node$minItems)
+  } else if (!is.null(node$minItems)) {
+    paste(" of at least", node$minItems)
+  }
+  paste0(count, item)
+}
+
+unit_examples <- function(dimension) {
+  factors <- plan_units[[dimension]]
+  word_list(names(factors)[!duplicated(factors)])
+}

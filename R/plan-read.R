@@ -1,0 +1,125 @@
+# A plan file becomes a plain tree: named lists, text, doubles, logicals. Nothing in it is ever
+# evaluated, and hostile files are refused before they cost time or memory.
+
+plan_bytes_limit <- 2 * 1024^2
+plan_depth_limit <- 20
+plan_values_limit <- 2e5
+
+# The tree of a YAML plan file.
+read_plan <- function(file) {
+  text <- read_plan_text(file)
+  tree <- tryCatch(
+    withCallingHandlers(
+      yaml::yaml.load(text, eval.expr = FALSE, handlers = yaml_handlers),
+      warning = function(w) abort_plan(yaml_problem(file, conditionMessage(w)), NULL)
+    ),
+    codend_error = function(e) stop(e),
+    error = function(e) abort_plan(yaml_problem(file, conditionMessage(e)), NULL)
+  )
+  tree <- plain_tree(tree)
+  if (!is_map(tree) || length(tree) == 0) {
+    abort_plan(
+      sprintf("Plan file \"%s\" must hold a map of fields such as `codend: 1` and `name`.", file),
+      NULL
+    )
+  }
+  tree
+}
+
+read_plan_text <- function(file) {
+  size <- file.info(file)
+  if (is.na(size$size) || size$isdir) {
+    abort_plan(sprintf("Plan file \"%s\" does not exist.", file), NULL)
+  }
+  if (size$size > plan_bytes_limit) {
+    abort_plan(
+      sprintf("Plan file \"%s\" has %.1f MB; it must have at most 2 MB.", file, size$size / 1024^2),
+      NULL
+    )
+  }
+  bytes <- tryCatch(
+    readBin(file, "raw", plan_bytes_limit + 1),
+    error = function(e) abort_plan(sprintf("Plan file \"%s\" cannot be read.", file), NULL)
+  )
+  if (any(bytes == 0)) {
+    abort_plan(sprintf("Plan file \"%s\" is not text: it holds NUL bytes.", file), NULL)
+  }
+  text <- rawToChar(bytes)
+  Encoding(text) <- "UTF-8"
+  if (!validUTF8(text)) {
+    abort_plan(sprintf("Plan file \"%s\" is not UTF-8 text.", file), NULL)
+  }
+  check_nesting(bytes, file)
+  sub("^\ufeff", "", text)
+}
+
+# The YAML parser takes time that grows with the square of the nesting, so deep files are refused
+# unread: no plan opens many brackets more than it closes, or starts many lists on one line.
+check_nesting <- function(bytes, file) {
+  opens <- bytes == 0x5b | bytes == 0x7b
+  closes <- bytes == 0x5d | bytes == 0x7d
+  depth <- cumsum(opens - closes)
+  if (length(depth) && max(depth) > 10 * plan_depth_limit) {
+    abort_plan(sprintf("Plan file \"%s\" is nested too deeply.", file), NULL)
+  }
+}
+
+yaml_problem <- function(file, problem) {
+  hint <- if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
+    " (an edge with a mesh range inside [ ] needs quotes, such as [\"belly.upper[0:6]\", back.lower])"
+  } else {
+    ""
+  }
+  sprintf("Plan file \"%s\" is not valid YAML: %s%s", file, trimws(problem), hint)
+}
+
+# YAML 1.1 reads more than people mean: only yes, no, true and false are truth values, numbers are
+# decimal, and a tag is an error.
+yaml_handlers <- list(
+  "bool#yes" = function(x) if (tolower(x) %in% c("yes", "true")) TRUE else x,
+  "bool#no" = function(x) if (tolower(x) %in% c("no", "false")) FALSE else x,
+  "int" = function(x) as.double(x),
+  "int#oct" = function(x) x,
+  "int#hex" = function(x) x,
+  "float#nan" = function(x) NaN,
+  "seq" = function(x) x,
+  "expr" = function(x) abort_plan("A plan holds no code: the tag `!expr` is not allowed.", NULL, x)
+)
+
+# Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
+# no attributes but names, doubles for integers, a list of several scalars of one type as a vector.
+plain_tree <- function(tree) {
+  count <- 0
+  plain <- function(value, depth) {
+    count <<- count + 1
+    if (count > plan_values_limit || depth > plan_depth_limit) {
+      abort_plan(
+        sprintf(
+          "A plan must be nested at most %d deep and hold at most %d values.",
+          plan_depth_limit, plan_values_limit
+        ),
+        NULL
+      )
+    }
+    if (is.null(value)) return(NULL)
+    keys <- names(value)
+    if (is.factor(value)) value <- as.character(value)
+    if (is.character(value)) value <- enc2utf8(value)
+    if (is.integer(value)) value <- as.double(value)
+    if (is.atomic(value)) {
+      if (is.null(keys)) return(as.vector(value))
+      value <- as.list(value)
+    }
+    if (!is.list(value)) {
+      abort_plan(sprintf("A plan holds no %s.", class(value)[1]), NULL)
+    }
+    value <- lapply(unname(unclass(value)), plain, depth = depth + 1)
+    if (!is.null(keys)) return(stats::setNames(value, keys))
+    types <- unique(vapply(value, typeof, ""))
+    if (length(value) > 1 && length(types) == 1 && types != "list" && all(lengths(value) == 1)) {
+      return(unlist(value))
+    }
+    value
+  }
+  plain(tree, 0)
+}

@@ -1,0 +1,90 @@
+# Every unit a plan may use: one SI unit of its dimension first, then factors to it.
+plan_units <- list(
+  length = c(
+    m = 1, metre = 1, metres = 1, meter = 1, meters = 1,
+    mm = 1e-3, millimetre = 1e-3, millimetres = 1e-3, millimeter = 1e-3, millimeters = 1e-3,
+    cm = 1e-2, centimetre = 1e-2, centimetres = 1e-2, centimeter = 1e-2, centimeters = 1e-2,
+    km = 1e3, kilometre = 1e3, kilometres = 1e3, kilometer = 1e3, kilometers = 1e3,
+    ft = 0.3048, foot = 0.3048, feet = 0.3048, "in" = 0.0254, inch = 0.0254, inches = 0.0254,
+    fathom = 1.8288, fathoms = 1.8288,
+    "nautical mile" = 1852, "nautical miles" = 1852, nmi = 1852
+  ),
+  area = c(m2 = 1, cm2 = 1e-4, mm2 = 1e-6),
+  volume = c(m3 = 1, litre = 1e-3, litres = 1e-3, liter = 1e-3, liters = 1e-3, l = 1e-3, L = 1e-3),
+  mass = c(
+    kg = 1, kilogram = 1, kilograms = 1, g = 1e-3, gram = 1e-3, grams = 1e-3,
+    t = 1e3, tonne = 1e3, tonnes = 1e3, lb = 0.45359237, lbs = 0.45359237
+  ),
+  force = c(
+    N = 1, newton = 1, newtons = 1, kN = 1e3, MN = 1e6,
+    kgf = 9.80665, tf = 9806.65, lbf = 4.4482216152605
+  ),
+  speed = c(
+    "m/s" = 1, knot = 1852 / 3600, knots = 1852 / 3600, kn = 1852 / 3600, kt = 1852 / 3600,
+    kts = 1852 / 3600, "km/h" = 1 / 3.6
+  ),
+  density = c("kg/m3" = 1, "g/cm3" = 1e3),
+  mass_per_length = c("kg/m" = 1, "g/m" = 1e-3, "kg/100 m" = 1e-2),
+  viscosity = c("m2/s" = 1),
+  stress = c(Pa = 1, kPa = 1e3, MPa = 1e6, GPa = 1e9),
+  angle = c(
+    rad = 1, radian = 1, radians = 1,
+    deg = pi / 180, degree = pi / 180, degrees = pi / 180, "\u00b0" = pi / 180
+  ),
+  time = c(
+    s = 1, second = 1, seconds = 1, min = 60, minute = 60, minutes = 60,
+    h = 3600, hour = 3600, hours = 3600
+  ),
+  number = c("%" = 0.01, percent = 0.01)
+)
+
+quantity_pattern <- paste0(
+  "^[[:space:]]*([-+]?(?:[0-9]+[.]?[0-9]*|[.][0-9]+)(?:[eE][-+]?[0-9]+)?)",
+  "[[:space:]]*([^[:space:]0-9].*?)?[[:space:]]*$"
+)
+
+# The spelling under which `plan_units` lists a unit: superscripts and carets as plain digits.
+plain_unit <- function(unit) {
+  if (grepl("[^A-Za-z0-9/]", unit)) {
+    unit <- gsub("\u00b2", "2", unit, fixed = TRUE)
+    unit <- gsub("\u00b3", "3", unit, fixed = TRUE)
+    unit <- gsub("^", "", unit, fixed = TRUE)
+    unit <- gsub("[[:space:]]*/[[:space:]]*", "/", unit)
+    unit <- gsub("[[:space:]]+", " ", unit)
+    if (grepl("^kg/100 ?m$", unit)) unit <- "kg/100 m"
+  }
+  unit
+}
+
+# Number and unit of a text such as "4.5 knot" (unit "" when there is none), or NULL.
+split_quantity <- function(text) {
+  found <- regexpr(quantity_pattern, text, perl = TRUE)
+  if (found == -1) return(NULL)
+  start <- attr(found, "capture.start")
+  substring(text, start, start + attr(found, "capture.length") - 1)
+}
+
+# SI value of a quantity given as a number (already SI) or as text with a unit.
+# Returns one number, or NA when `value` is no quantity of this dimension.
+quantity_si <- function(value, dimension) {
+  if (is.numeric(value)) return(as.double(value))
+  found <- split_quantity(value)
+  if (is.null(found)) return(NA_real_)
+  number <- as.double(found[1])
+  if (!nzchar(found[2])) return(number)
+  number * plan_units[[dimension]][plain_unit(found[2])][[1]]
+}
+
+# The dimension a text quantity has by its unit, or NA when it is no quantity.
+quantity_dimension <- function(text) {
+  found <- split_quantity(text)
+  if (is.null(found)) return(NA_character_)
+  holds <- vapply(plan_units, function(u) plain_unit(found[2]) %in% names(u), logical(1))
+  if (any(holds)) names(plan_units)[holds][1] else NA_character_
+}
+
+# "4 m", the SI form of a number in messages.
+format_si <- function(value, dimension) {
+  unit <- if (dimension == "number") "" else paste0(" ", names(plan_units[[dimension]])[1])
+  paste0(format(value, digits = 6, trim = TRUE), unit)
+}

@@ -1,0 +1,110 @@
+#' Write the plan of a gear
+#'
+#' The file is written beside its target and then renamed, so it is there whole or not at all.
+#'
+#' @param gear A gear ([read_gear()], [gear()]).
+#' @param file Path of the YAML file to write.
+#' @return `file`, invisibly. [read_gear()] of it gives an identical plan.
+#' @export
+#' @examples
+#' file <- tempfile(fileext = ".yaml")
+#' write_gear(read_gear("towed_cable"), file)
+#' cat(readLines(file), sep = "\n")
+write_gear <- function(gear, file) {
+  check_is_gear(gear)
+  if (!is_text(file) || !nzchar(file)) {
+    cli::cli_abort(
+      "{.arg file} must be one path.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+  if (!dir.exists(dirname(file))) {
+    cli::cli_abort(
+      "{.arg file} must lie in a folder that exists, not {.file {dirname(file)}}.",
+      class = c("codend_error_input", "codend_error"), call = NULL
+    )
+  }
+  beside <- tempfile(".plan-", tmpdir = dirname(file))
+  on.exit(unlink(beside))
+  connection <- base::file(beside, "wb")
+  tryCatch(
+    writeBin(charToRaw(format(gear)), connection),
+    finally = close(connection)
+  )
+  if (!file.rename(beside, file)) {
+    cli::cli_abort(
+      "{.file {file}} cannot be written.", class = c("codend_error_input", "codend_error"),
+      call = NULL
+    )
+  }
+  invisible(file)
+}
+
+#' @export
+format.codend_gear <- function(x, ...) paste0(c(yaml_lines(x$plan, 0), ""), collapse = "\n")
+
+#' @export
+as.character.codend_gear <- function(x, ...) format(x)
+
+# YAML as people write it: what holds only numbers and text goes on one line where it fits (no YAML
+# writer for R does that), the rest one field or item a line.
+yaml_width <- 96
+
+yaml_lines <- function(value, indent) {
+  items <- as.list(value)
+  heads <- if (is.null(names(items))) rep("-", length(items)) else {
+    paste0(vapply(names(items), yaml_text, ""), ":")
+  }
+  heads <- paste0(strrep(" ", indent), heads)
+  unlist(lapply(seq_along(items), function(i) {
+    item <- items[[i]]
+    line <- yaml_flow(item)
+    if (!is.na(line) && nchar(line) + nchar(heads[i]) < yaml_width) {
+      return(paste(heads[i], line))
+    }
+    if (!is.list(item) && length(item) == 1) return(paste(heads[i], yaml_scalar(item)))
+    c(heads[i], yaml_lines(item, indent + 2))
+  }))
+}
+
+# A value on one line, or NA when it holds maps or lists of its own.
+yaml_flow <- function(value) {
+  named <- !is.null(names(value))
+  if (length(value) == 0) return(if (named) "{}" else "[]")
+  items <- as.list(value)
+  if (any(vapply(items, is.list, NA)) || any(lengths(items) != 1)) return(NA_character_)
+  shown <- vapply(items, yaml_scalar, "")
+  if (named) {
+    return(paste0("{", paste0(vapply(names(items), yaml_text, ""), ": ", shown, collapse = ", "), "}"))
+  }
+  if (!is.list(value) && length(value) == 1) return(shown)
+  # lists of prose read better item by item
+  if (is.character(value) && sum(nchar(value)) > 60) return(NA_character_)
+  paste0("[", paste(shown, collapse = ", "), "]")
+}
+
+yaml_scalar <- function(value) {
+  if (is.character(value)) return(yaml_text(value))
+  if (is.logical(value)) return(if (value) "yes" else "no")
+  shortest_decimal(value)
+}
+
+# Bare words and quantities stay bare; anything that YAML might read otherwise is quoted as JSON.
+yaml_text <- function(text) {
+  word <- "^[\\p{L}](?:[\\p{L}\\p{N} _./%()=+;-]*[\\p{L}\\p{N}_./%()=+-])?$"
+  quantity <- "^-?[0-9]+[.]?[0-9]* [\\p{L}%][\\p{L}0-9/]*$"
+  other <- "^(?i:null|yes|no|true|false|on|off|y|n)$"
+  bare <- (grepl(word, text, perl = TRUE) && !grepl(other, text, perl = TRUE)) ||
+    grepl(quantity, text, perl = TRUE)
+  if (bare) text else as.character(jsonlite::toJSON(text, auto_unbox = TRUE))
+}
+
+# The shortest decimal that reads back as the same number.
+shortest_decimal <- function(x) {
+  for (digits in c(6, 15, 16, 17)) {
+    shown <- formatC(x, digits = digits, format = "g", width = 1)
+    if (as.double(shown) == x) break
+  }
+  # YAML 1.1 takes an exponent for a number only after a decimal point
+  if (grepl("^-?[0-9]+e", shown)) sub("e", ".0e", shown) else shown
+}

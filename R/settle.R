@@ -1,0 +1,106 @@
+#' Settle a gear
+#'
+#' Finds the steady state of a gear in its plan's conditions: the shape in which every node is in
+#' balance. Nobody gives a starting shape; the lattice brings a crude one of its own.
+#'
+#' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
+#' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear.
+#'
+#' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
+#' @param nodes About how many nodes the lattice should have.
+#' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
+#'   the plan.
+#' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
+#'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
+#'   names the part and place of the worst imbalance and carries the solver's report as `report`.
+#' @examples
+#' state <- settle(read_gear("towed_cable"))
+#' summary(state)
+#' @export
+settle <- function(gear, nodes = 1500, netting = NULL) {
+  started <- proc.time()
+  if (is.character(gear)) gear <- read_gear(gear)
+  check_settle_arguments(gear, nodes, netting)
+  si <- gear_si(gear)
+  lattice <- build_lattice(si, nodes = nodes, netting = netting)
+  built <- proc.time()
+  found <- engine_settle(
+    lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations,
+    settle_progress()
+  )
+  report <- found[names(found) != "position"]
+  report$seconds_lattice <- sum((built - started)[c("user.self", "sys.self")])
+  report$cpu_seconds <- sum((proc.time() - started)[c("user.self", "sys.self")])
+  if (!found$converged) abort_not_converged(report, lattice, found$position)
+  new_state(gear, si, lattice, found$position, report)
+}
+
+settle_tolerance <- 1e-8
+settle_iterations <- 600L
+
+check_settle_arguments <- function(gear, nodes, netting) {
+  if (!inherits(gear, "codend_gear")) {
+    cli::cli_abort("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL)
+  }
+  whole <- is.numeric(nodes) && length(nodes) == 1L && is.finite(nodes) && nodes >= 1
+  if (!whole) {
+    cli::cli_abort("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.",
+      class = c("codend_error_argument", "codend_error"), call = NULL)
+  }
+  if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
+    netting %in% c("triangles", "bars"))) {
+    cli::cli_abort(
+      "{.arg netting} is {.val {netting}}; it must be {.val triangles}, {.val bars} or NULL.",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+}
+
+# A function(iteration, residual) that shows a bar once a solve has run for two seconds.
+settle_progress <- function() {
+  if (!cli::is_dynamic_tty()) return(function(iteration, residual) NULL)
+  begun <- proc.time()[["elapsed"]]
+  bar <- NULL
+  frame <- parent.frame()
+  function(iteration, residual) {
+    if (is.null(bar)) {
+      if (proc.time()[["elapsed"]] - begun < 2) return(NULL)
+      bar <<- cli::cli_progress_bar(
+        total = NA, .envir = frame, format = paste(
+          "{cli::pb_spin} Settling: step {cli::pb_current}, largest net force",
+          "{cli::pb_status} of the largest tension [{cli::pb_elapsed}]"
+        )
+      )
+    }
+    cli::cli_progress_update(
+      set = iteration, status = format(signif(residual, 2)), id = bar, .envir = frame
+    )
+  }
+}
+
+abort_not_converged <- function(report, lattice, position) {
+  where <- describe_node(lattice, report$worst_node)
+  at <- round(matrix(position, 3L)[, report$worst_node], 1)
+  cli::cli_abort(
+    c(
+      "The gear did not settle: after {report$iterations} steps the largest net force is
+      {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is asked for.",
+      "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
+      {signif(report$worst_force / 1000, 3)} kN."
+    ),
+    class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
+  )
+}
+
+# The parts that meet at a node, in words.
+describe_node <- function(lattice, node) {
+  e <- lattice$engine
+  touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
+  part <- unique(c(
+    touching(e$bars$node, 2L, lattice$bar_part),
+    touching(e$triangles$node, 3L, lattice$triangle_part)
+  ))
+  if (!length(part)) return("a point outside ropes and netting")
+  paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")
+}

@@ -1,0 +1,19 @@
+# A state: where every node is and what every element carries, with the gear that it belongs to.
+
+new_state <- function(gear, si, lattice, position, report) {
+  found <- engine_evaluate(lattice$engine, position, numeric(length(position)))
+  three <- function(x) matrix(x, 3L)
+  structure(
+    list(
+      gear = gear, si = si, lattice = lattice, report = report,
+      position = three(position),
+      force = three(found$force),
+      bar_tension = found$bar_tension, bar_length = found$bar_length,
+      u_tension = found$u_tension, u_length = found$u_length,
+      v_tension = found$v_tension, v_length = found$v_length,
+      bar_drag = three(found$bar_drag), triangle_drag = three(found$triangle_drag),
+      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force)
+    ),
+    class = "codend_state"
+  )
+}

@@ -1,0 +1,183 @@
+// The one file that knows both R and the engine: a lattice (an R list) in, numbers out.
+#include <cpp11.hpp>
+#include <string>
+
+#include "engine/assembly.hpp"
+#include "engine/evaluate.hpp"
+#include "engine/solve/layout.hpp"
+#include "engine/solve/settle.hpp"
+
+using namespace cpp11;
+namespace writable = cpp11::writable;
+
+namespace {
+
+std::vector<double> numbers(const list& from, const char* name) {
+  const doubles values(from[name]);
+  return std::vector<double>(values.begin(), values.end());
+}
+
+std::vector<int> whole_numbers(const list& from, const char* name) {
+  const integers values(from[name]);
+  return std::vector<int>(values.begin(), values.end());
+}
+
+// R counts from 1.
+std::vector<int> places(const list& from, const char* name) {
+  std::vector<int> out = whole_numbers(from, name);
+  for (int& place : out) --place;
+  return out;
+}
+
+double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
+
+codend::Model read_model(const list& lattice) {
+  codend::Model model;
+  model.nodes = as_cpp<int>(lattice["nodes"]);
+  const logicals held(lattice["held"]);
+  for (const auto h : held) model.held.push_back(h == TRUE ? 1 : 0);
+
+  const list ties(lattice["ties"]);
+  const std::vector<int> first = places(ties, "first"), second = places(ties, "second");
+  const std::vector<double> share = numbers(ties, "share");
+  for (std::size_t t = 0; t < share.size(); ++t) {
+    model.ties.push_back({first[t], second[t], share[t]});
+  }
+
+  const list water(lattice["water"]);
+  model.water.density = number(water, "density");
+  model.water.viscosity = number(water, "viscosity");
+  model.water.depth = numbers(water, "depth");
+  const std::vector<double> x = numbers(water, "x"), y = numbers(water, "y");
+  model.water.current.clear();
+  for (std::size_t k = 0; k < x.size(); ++k) model.water.current.emplace_back(x[k], y[k], 0.0);
+  model.slack = as_cpp<std::string>(lattice["slack_twine"]) == "straight"
+                    ? codend::SlackDrag::straight
+                    : codend::SlackDrag::curved;
+
+  model.load = numbers(lattice, "load");
+  model.mass = numbers(lattice, "mass");
+
+  const list materials(lattice["materials"]);
+  const std::vector<double> stiffness = numbers(materials, "axial_stiffness"),
+                            diameter = numbers(materials, "diameter"),
+                            volume = numbers(materials, "volume_per_length"),
+                            added_normal = numbers(materials, "added_mass_normal"),
+                            added_tangential = numbers(materials, "added_mass_tangential"),
+                            normal = numbers(materials, "normal"),
+                            tangential = numbers(materials, "tangential"),
+                            skin = numbers(materials, "skin"),
+                            solidity = numbers(materials, "solidity");
+  const std::vector<int> law = whole_numbers(materials, "law");
+  for (std::size_t m = 0; m < stiffness.size(); ++m) {
+    codend::TwineMaterial material;
+    material.axial_stiffness = stiffness[m];
+    material.diameter = diameter[m];
+    material.volume_per_length = volume[m];
+    material.added_mass_normal = added_normal[m];
+    material.added_mass_tangential = added_tangential[m];
+    material.law = {static_cast<codend::CylinderLawKind>(law[m]), normal[m], tangential[m],
+                    skin[m], solidity[m]};
+    model.materials.push_back(material);
+  }
+
+  const list bars(lattice["bars"]);
+  model.bars.node = places(bars, "node");
+  model.bars.rest = numbers(bars, "rest");
+  model.bars.multiplicity = numbers(bars, "multiplicity");
+  model.bars.material = places(bars, "material");
+
+  const list triangles(lattice["triangles"]);
+  model.triangles.node = places(triangles, "node");
+  model.triangles.twine = numbers(triangles, "twine");
+  model.triangles.rest = numbers(triangles, "rest");
+  model.triangles.multiplicity = numbers(triangles, "multiplicity");
+  model.triangles.material = places(triangles, "material");
+
+  const list spheres(lattice["spheres"]);
+  model.spheres.node = places(spheres, "node");
+  model.spheres.drag_area = numbers(spheres, "drag_area");
+  model.spheres.diameter = numbers(spheres, "diameter");
+  model.spheres.added_mass = numbers(spheres, "added_mass");
+
+  const list lifts(lattice["lifts"]);
+  model.lifts.node = places(lifts, "node");
+  model.lifts.lift_area = numbers(lifts, "lift_area");
+  model.lifts.direction = whole_numbers(lifts, "direction");
+  model.connect();
+  return model;
+}
+
+doubles as_doubles(const std::vector<double>& values) { return writable::doubles(values); }
+
+}  // namespace
+
+[[cpp11::register]]
+list engine_settle(list lattice, doubles start, double tolerance, int iterations, function watch) {
+  codend::Model model = read_model(lattice);
+  model.connect();
+  codend::Assembly assembly(model);
+  std::vector<double> x(start.begin(), start.end());
+  const std::vector<double> v(x.size(), 0.0);
+
+  codend::SettleControl control;
+  control.tolerance = tolerance;
+  control.iterations = iterations;
+  control.watch = [&](const codend::SettleProgress& progress) {
+    check_user_interrupt();
+    watch(progress.iteration, progress.residual);
+    return true;
+  };
+  const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
+  return writable::list({
+      "position"_nm = as_doubles(x),
+      "converged"_nm = report.converged,
+      "iterations"_nm = report.iterations,
+      "factorisations"_nm = report.factorisations,
+      "residual"_nm = report.residual,
+      "largest_tension"_nm = report.largest_tension,
+      "worst_node"_nm = report.worst_node + 1,
+      "worst_force"_nm = report.worst_force,
+      "seconds_forces"_nm = report.seconds_forces,
+      "seconds_jacobian"_nm = report.seconds_jacobian,
+      "seconds_linear"_nm = report.seconds_linear,
+      "seconds_analysis"_nm = report.seconds_analysis,
+  });
+}
+
+[[cpp11::register]]
+list engine_evaluate(list lattice, doubles position, doubles velocity) {
+  codend::Model model = read_model(lattice);
+  model.connect();
+  codend::Assembly assembly(model);
+  const codend::Evaluation e =
+      codend::evaluate(assembly, REAL(position), REAL(velocity));
+  return writable::list({
+      "force"_nm = as_doubles(e.force),
+      "mass"_nm = as_doubles(e.mass),
+      "bar_tension"_nm = as_doubles(e.bar_tension),
+      "bar_length"_nm = as_doubles(e.bar_length),
+      "u_tension"_nm = as_doubles(e.u_tension),
+      "v_tension"_nm = as_doubles(e.v_tension),
+      "u_length"_nm = as_doubles(e.u_length),
+      "v_length"_nm = as_doubles(e.v_length),
+      "bar_drag"_nm = as_doubles(e.bar_drag),
+      "triangle_drag"_nm = as_doubles(e.triangle_drag),
+      "sphere_drag"_nm = as_doubles(e.sphere_drag),
+      "lift_force"_nm = as_doubles(e.lift_force),
+  });
+}
+
+[[cpp11::register]]
+doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest,
+                       doubles tension, doubles load) {
+  codend::StringNet net;
+  for (const auto h : held) net.held.push_back(h == TRUE ? 1 : 0);
+  for (const int end : ends) net.ends.push_back(end - 1);
+  net.rest.assign(rest.begin(), rest.end());
+  net.tension.assign(tension.begin(), tension.end());
+  net.load.assign(load.begin(), load.end());
+  std::vector<double> x(position.begin(), position.end());
+  codend::lay_out(net, x.data());
+  return as_doubles(x);
+}

@@ -1,0 +1,57 @@
+// What every kind of element offers to the assembly: its nodes, its forces and their derivatives.
+// A new kind of element is a new class here and one line in Model::kinds().
+#pragma once
+
+#include <vector>
+
+#include "../geometry.hpp"
+#include "../water.hpp"
+#include "twine.hpp"
+
+namespace codend {
+
+// Where all points are and how they move, in the frame of the gear.
+struct Field {
+  const double* position;  // 3 per point, m
+  const double* velocity;  // 3 per point, m/s
+  const Water* water;
+  SlackDrag slack;
+
+  // Velocity of the water relative to a point (m/s), and how it changes with height (1/s).
+  void relative_velocity(int point, Vector& u, Vector& slope) const {
+    water->velocity(at(position, point).z(), u, slope);
+    u -= at(velocity, point);
+  }
+};
+
+// Asks for stiffness * (-dF/dx) + damping * (-dF/dv).
+struct JacobianRequest {
+  double stiffness = 1.0;
+  double damping = 0.0;
+  TangentFloor floor;
+};
+
+// Receives the 3x3 blocks of one kind; a and b are places in the element's own list of nodes.
+class BlockSink {
+ public:
+  virtual ~BlockSink() = default;
+  virtual void add(int element, int a, int b, const Matrix& block) = 0;
+};
+
+class ElementKind {
+ public:
+  virtual ~ElementKind() = default;
+  virtual int nodes_per_element() const = 0;
+  // Points of all elements, nodes_per_element() each.
+  virtual const std::vector<int>& nodes() const = 0;
+  // Adds every element's force (N) to its points.
+  virtual void add_force(const Field& field, double* force) const = 0;
+  virtual void add_jacobian(const Field& field, const JacobianRequest& request,
+                            BlockSink& sink) const = 0;
+  // Adds structural-independent added mass (kg, 9 per point, row-major).
+  virtual void add_added_mass(const Field& field, double* mass) const = 0;
+  // Adds the drag's damping per point (N s/m) at the present speed: a scale for pseudo-time.
+  virtual void add_drag_scale(const Field& field, double* scale) const = 0;
+};
+
+}  // namespace codend

@@ -1,0 +1,38 @@
+// Bodies at one point whose lift stands across the flow: otter boards, kites, soft canvas,
+// depressors, at a fixed angle of attack.
+//
+//   F = 1/2 rho |U|^2 A_L l,  l = (I - u u^T) r / |(I - u u^T) r|,  u = U/|U|
+//
+// with A_L = C_L A the lift area. The direction r is up (0, 0, 1), or sideways, z x u: to starboard
+// of the flow, so that a board keeps pushing outward while the gear turns. Drag is a Sphere's.
+#pragma once
+
+#include "kind.hpp"
+
+namespace codend {
+
+enum class LiftDirection { up = 0, sideways = 1 };
+
+class LiftingSurfaces : public ElementKind {
+ public:
+  std::vector<int> node;
+  std::vector<double> lift_area;  // C_L A, m2; negative: down, or to port
+  std::vector<int> direction;     // LiftDirection
+
+  int count() const { return static_cast<int>(node.size()); }
+  int nodes_per_element() const override { return 1; }
+  const std::vector<int>& nodes() const override { return node; }
+  void add_force(const Field& field, double* force) const override;
+  // Adds one element's force (N) to force[0..2].
+  void add_element_force(int e, const Field& field, double* force) const;
+  void add_jacobian(const Field& field, const JacobianRequest& request,
+                    BlockSink& sink) const override;
+  void add_added_mass(const Field&, double*) const override {}
+  void add_drag_scale(const Field& field, double* scale) const override;
+
+ private:
+  // Force / (1/2 rho A_L) and its derivative by U.
+  static void lift(LiftDirection direction, const Vector& u, Vector& value, Matrix& by_velocity);
+};
+
+}  // namespace codend

@@ -1,0 +1,67 @@
+#include "sphere.hpp"
+
+#include <cmath>
+
+namespace codend {
+
+void Spheres::coefficient(int e, double speed, double viscosity, double& value,
+                          double& slope) const {
+  if (diameter[e] == 0.0) {
+    value = speed;
+    slope = 1.0;
+    return;
+  }
+  const double per_speed = diameter[e] / viscosity;
+  const double root = std::sqrt(per_speed * speed);
+  const double one = 1.0 + root;
+  value = 24.0 / per_speed + 6.0 * speed / one + 0.4 * speed;
+  slope = 6.0 / one - 3.0 * root / (one * one) + 0.4;
+}
+
+void Spheres::add_element_force(int e, const Field& field, double* force) const {
+  Vector u, du;
+  field.relative_velocity(node[e], u, du);
+  double c, slope;
+  coefficient(e, u.norm(), field.water->viscosity, c, slope);
+  at(force, 0) += (0.5 * field.water->density * drag_area[e] * c) * u;
+}
+
+void Spheres::add_force(const Field& field, double* force) const {
+  for (int e = 0; e < count(); ++e) add_element_force(e, field, force + 3 * node[e]);
+}
+
+void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
+                           BlockSink& sink) const {
+  for (int e = 0; e < count(); ++e) {
+    Vector u, du;
+    field.relative_velocity(node[e], u, du);
+    const double speed = u.norm();
+    double c, slope;
+    coefficient(e, speed, field.water->viscosity, c, slope);
+    Matrix by_velocity = c * Matrix::Identity();
+    if (speed > 0.0) by_velocity += (slope / speed) * (u * u.transpose());
+    by_velocity *= 0.5 * field.water->density * drag_area[e];
+    Matrix block = request.damping * by_velocity;
+    block.col(2) -= request.stiffness * (by_velocity * du);
+    sink.add(e, 0, 0, block);
+  }
+}
+
+void Spheres::add_added_mass(const Field& field, double* mass) const {
+  for (int e = 0; e < count(); ++e) {
+    Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(node[e])) +=
+        field.water->density * added_mass[e] * Matrix::Identity();
+  }
+}
+
+void Spheres::add_drag_scale(const Field& field, double* scale) const {
+  for (int e = 0; e < count(); ++e) {
+    Vector u, du;
+    field.relative_velocity(node[e], u, du);
+    double c, slope;
+    coefficient(e, u.norm(), field.water->viscosity, c, slope);
+    scale[node[e]] += 0.5 * field.water->density * drag_area[e] * c;
+  }
+}
+
+}  // namespace codend

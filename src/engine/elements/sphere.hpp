@@ -1,0 +1,35 @@
+// Bodies without lift at one point: knots, floats, hammers, catch. Drag 1/2 rho A C |U| U.
+//
+// Knots are spheres with C(Re) = 24/Re + 6/(1 + sqrt Re) + 0.4, Re = |U| d / nu (F. White, Viscous
+// Fluid Flow; good below Re = 2e5); other bodies have one coefficient for all speeds, given by
+// diameter 0 and their drag area C A.
+#pragma once
+
+#include "kind.hpp"
+
+namespace codend {
+
+class Spheres : public ElementKind {
+ public:
+  std::vector<int> node;
+  std::vector<double> drag_area;  // C A where diameter is 0, else projected area A of all knots, m2
+  std::vector<double> diameter;   // m; 0: coefficient included in drag_area
+  std::vector<double> added_mass; // kg at density 1 kg/m3 of water, i.e. m3
+
+  int count() const { return static_cast<int>(node.size()); }
+  int nodes_per_element() const override { return 1; }
+  const std::vector<int>& nodes() const override { return node; }
+  void add_force(const Field& field, double* force) const override;
+  // Adds one element's force (N) to force[0..2].
+  void add_element_force(int e, const Field& field, double* force) const;
+  void add_jacobian(const Field& field, const JacobianRequest& request,
+                    BlockSink& sink) const override;
+  void add_added_mass(const Field& field, double* mass) const override;
+  void add_drag_scale(const Field& field, double* scale) const override;
+
+ private:
+  // C |U| and its derivative by |U|.
+  void coefficient(int e, double speed, double viscosity, double& value, double& slope) const;
+};
+
+}  // namespace codend

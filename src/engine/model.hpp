@@ -1,0 +1,43 @@
+// A lattice as the engine sees it: points, what holds them, and flat arrays of elements.
+//
+// Points 0..nodes-1 are nodes; the following ones are tied: each lies on the straight line between
+// two nodes, x = (1 - share) x_first + share x_second, and hands its forces to them in the same
+// shares (the twine ends of one panel on a seam that owns other nodes).
+#pragma once
+
+#include <vector>
+
+#include "elements/bar.hpp"
+#include "elements/lifting_surface.hpp"
+#include "elements/netting_triangle.hpp"
+#include "elements/sphere.hpp"
+#include "water.hpp"
+
+namespace codend {
+
+struct Tie {
+  int first, second;
+  double share;
+};
+
+struct Model {
+  int nodes = 0;
+  std::vector<char> held;  // per node: 1 where its position is given
+  std::vector<Tie> ties;
+  Water water;
+  SlackDrag slack = SlackDrag::curved;
+  std::vector<double> load;  // N, 3 per point: weight less buoyancy, and loads of the plan
+  std::vector<double> mass;  // kg per point, without added mass
+  std::vector<TwineMaterial> materials;
+  Bars bars;
+  NettingTriangles triangles;
+  Spheres spheres;
+  LiftingSurfaces lifts;
+
+  int points() const { return nodes + static_cast<int>(ties.size()); }
+  std::vector<const ElementKind*> kinds() const { return {&bars, &triangles, &spheres, &lifts}; }
+  // Call once after filling; copies of a Model need it again.
+  void connect() { bars.materials = triangles.materials = &materials; }
+};
+
+}  // namespace codend

@@ -1,0 +1,358 @@
+// Bodies of the front kernels. Included, without a guard, by each front_kernels_*.cpp inside a
+// namespace of its own that defines `lanes`, the doubles in one register of its processor.
+
+using Pack = double __attribute__((vector_size(8 * lanes)));
+using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
+
+// A tile of 3 registers by 3 columns (one node) keeps 9 sums in registers.
+constexpr int tile_rows = 3 * lanes;
+// Columns of L worked off at a time: a strip of tile_rows x depth stays in the first-level cache.
+constexpr int depth = 96;
+// Columns of the target worked off at a time, so that their rows of U stay in the second level.
+constexpr int breadth = 384;
+
+inline Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
+inline void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
+
+// A matrix read as element (i, j) = data[i * row + j * column], so that a transpose is free.
+struct View {
+  const double* data;
+  int64_t row;
+  int64_t column;
+  const double* at(int64_t i, int64_t j) const { return data + i * row + j * column; }
+};
+
+struct Tile {
+  Pack x[3][3];  // [column][register]
+};
+
+inline Tile load_tile(const double* c, int64_t step) {
+  Tile t;
+  for (int j = 0; j < 3; ++j)
+    for (int r = 0; r < 3; ++r) t.x[j][r] = load(c + j * step + r * lanes);
+  return t;
+}
+
+inline void store_tile(const Tile& t, double* c, int64_t step) {
+  for (int j = 0; j < 3; ++j)
+    for (int r = 0; r < 3; ++r) store(c + j * step + r * lanes, t.x[j][r]);
+}
+
+// tile -= a * b over `count` columns of a
+inline void subtract_product(Tile& t, int count, const double* a, int64_t a_step, const View& b) {
+  Pack c00 = t.x[0][0], c01 = t.x[0][1], c02 = t.x[0][2];
+  Pack c10 = t.x[1][0], c11 = t.x[1][1], c12 = t.x[1][2];
+  Pack c20 = t.x[2][0], c21 = t.x[2][1], c22 = t.x[2][2];
+  const double* b0 = b.data;
+  const double* b1 = b0 + b.column;
+  const double* b2 = b1 + b.column;
+  for (int p = 0; p < count; ++p) {
+    const Pack a0 = load(a), a1 = load(a + lanes), a2 = load(a + 2 * lanes);
+    c00 -= a0 * *b0;
+    c01 -= a1 * *b0;
+    c02 -= a2 * *b0;
+    c10 -= a0 * *b1;
+    c11 -= a1 * *b1;
+    c12 -= a2 * *b1;
+    c20 -= a0 * *b2;
+    c21 -= a1 * *b2;
+    c22 -= a2 * *b2;
+    a += a_step;
+    b0 += b.row;
+    b1 += b.row;
+    b2 += b.row;
+  }
+  t = {{{c00, c01, c02}, {c10, c11, c12}, {c20, c21, c22}}};
+}
+
+// Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros.
+inline void pack_strip(const double* a, int64_t a_step, int rows, int columns, double* strip) {
+  for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
+    int i = 0;
+    for (; i < rows; ++i) strip[i] = a[i];
+    for (; i < tile_rows; ++i) strip[i] = 0;
+  }
+}
+
+inline void unpack_strip(const double* strip, int rows, int columns, double* a, int64_t a_step) {
+  for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows)
+    for (int i = 0; i < rows; ++i) a[i] = strip[i];
+}
+
+// c (rows x columns) -= a (rows x count) * b (count x columns); columns is a multiple of 3.
+void subtract_product(int rows, int columns, int count, const double* a, int64_t a_step, View b,
+                      double* c, int64_t c_step) {
+  alignas(64) double strip[tile_rows * depth];
+  alignas(64) double corner[tile_rows * 3];
+  for (int p = 0; p < count; p += depth) {
+    const int deep = count - p < depth ? count - p : depth;
+    for (int j0 = 0; j0 < columns; j0 += breadth) {
+      const int j1 = columns - j0 < breadth ? columns : j0 + breadth;
+      for (int i = 0; i < rows; i += tile_rows) {
+        const int high = rows - i < tile_rows ? rows - i : tile_rows;
+        const double* left = a + i + p * a_step;
+        int64_t left_step = a_step;
+        if (high < tile_rows || j1 - j0 > tile_rows) {
+          pack_strip(left, left_step, high, deep, strip);
+          left = strip;
+          left_step = tile_rows;
+        }
+        for (int j = j0; j < j1; j += 3) {
+          const View right{b.at(p, j), b.row, b.column};
+          double* target = c + i + j * c_step;
+          int64_t target_step = c_step;
+          if (high < tile_rows) {
+            pack_strip(target, c_step, high, 3, corner);
+            target = corner;
+            target_step = tile_rows;
+          }
+          Tile t = load_tile(target, target_step);
+          subtract_product(t, deep, left, left_step, right);
+          store_tile(t, target, target_step);
+          if (high < tile_rows) unpack_strip(corner, high, 3, c + i + j * c_step, c_step);
+        }
+      }
+    }
+  }
+}
+
+// x := x * inverse(u) for one strip; reciprocal holds those of u's diagonal, null if it is 1.
+inline void solve_strip(int columns, double* x, int64_t x_step, View u, const double* reciprocal) {
+  for (int j = 0; j < columns; j += 3) {
+    Tile t = load_tile(x + j * x_step, x_step);
+    subtract_product(t, j, x, x_step, {u.at(0, j), u.row, u.column});
+    const double u01 = *u.at(j, j + 1), u02 = *u.at(j, j + 2), u12 = *u.at(j + 1, j + 2);
+    const double r0 = reciprocal ? reciprocal[j] : 1;
+    const double r1 = reciprocal ? reciprocal[j + 1] : 1;
+    const double r2 = reciprocal ? reciprocal[j + 2] : 1;
+    for (int r = 0; r < 3; ++r) {
+      t.x[0][r] *= r0;
+      t.x[1][r] = (t.x[1][r] - t.x[0][r] * u01) * r1;
+      t.x[2][r] = (t.x[2][r] - t.x[0][r] * u02 - t.x[1][r] * u12) * r2;
+    }
+    store_tile(t, x + j * x_step, x_step);
+  }
+}
+
+// x (rows x columns) := x * inverse(u), u upper triangular; reciprocal as for solve_strip.
+void solve_right(int rows, int columns, double* x, int64_t x_step, View u,
+                 const double* reciprocal) {
+  alignas(64) double strip[tile_rows * depth];
+  for (int j = 0; j < columns; j += depth) {
+    const int wide = columns - j < depth ? columns - j : depth;
+    double* block = x + j * x_step;
+    if (j > 0)
+      subtract_product(rows, wide, j, x, x_step, {u.at(0, j), u.row, u.column}, block, x_step);
+    const View corner{u.at(j, j), u.row, u.column};
+    for (int i = 0; i < rows; i += tile_rows) {
+      const int high = rows - i < tile_rows ? rows - i : tile_rows;
+      pack_strip(block + i, x_step, high, wide, strip);
+      solve_strip(wide, strip, tile_rows, corner, reciprocal ? reciprocal + j : nullptr);
+      unpack_strip(strip, high, wide, block + i, x_step);
+    }
+  }
+}
+
+// b (size x columns) := inverse(l) * b, l unit lower triangular; columns is a multiple of 3.
+void solve_left(int size, int columns, const double* l, int64_t l_step, double* b, int64_t b_step) {
+  if (size > 12) {
+    const int half = size / 6 * 3;
+    solve_left(half, columns, l, l_step, b, b_step);
+    subtract_product(size - half, columns, half, l + half, l_step, {b, 1, b_step}, b + half,
+                     b_step);
+    solve_left(size - half, columns, l + half + half * l_step, l_step, b + half, b_step);
+    return;
+  }
+  for (int j = 0; j < columns; j += 3, b += 3 * b_step)
+    for (int p = 0; p < size; ++p) {
+      const double b0 = b[p], b1 = b[p + b_step], b2 = b[p + 2 * b_step];
+      for (int i = p + 1; i < size; ++i) {
+        const double factor = l[i + p * l_step];
+        b[i] -= factor * b0;
+        b[i + b_step] -= factor * b1;
+        b[i + 2 * b_step] -= factor * b2;
+      }
+    }
+}
+
+// y -= factor * x
+inline void subtract_scaled(int size, double factor, const double* x, double* y) {
+  int i = 0;
+  for (; i + lanes <= size; i += lanes) store(y + i, load(y + i) - load(x + i) * factor);
+  for (; i < size; ++i) y[i] -= x[i] * factor;
+}
+
+inline bool has_finite_reciprocal(double x) {
+  const double r = 1 / x;
+  return r - r == 0;
+}
+
+// LU of a (rows x columns, rows >= columns) with partial pivoting; exchange counts from a's row 0.
+bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exchange,
+                       double* reciprocal) {
+  if (columns > 12) {
+    const int half = columns / 6 * 3, rest = columns - half;
+    double* right = a + half * step;
+    if (!factorise_columns(rows, half, a, step, exchange, reciprocal)) return false;
+    for (int j = 0; j < rest; ++j)
+      for (int p = 0; p < half; ++p) {
+        double* column = right + j * step;
+        const double held = column[p];
+        column[p] = column[exchange[p]];
+        column[exchange[p]] = held;
+      }
+    solve_left(half, rest, a, step, right, step);
+    subtract_product(rows - half, rest, half, a + half, step, {right, 1, step}, right + half, step);
+    if (!factorise_columns(rows - half, rest, right + half, step, exchange + half,
+                           reciprocal + half))
+      return false;
+    for (int p = half; p < columns; ++p) exchange[p] += half;
+    for (int j = 0; j < half; ++j)
+      for (int p = half; p < columns; ++p) {
+        double* column = a + j * step;
+        const double held = column[p];
+        column[p] = column[exchange[p]];
+        column[exchange[p]] = held;
+      }
+    return true;
+  }
+  for (int p = 0; p < columns; ++p) {
+    double* column = a + p * step;
+    int largest = p;
+    double size = column[p] < 0 ? -column[p] : column[p];
+    for (int i = p + 1; i < rows; ++i) {
+      const double other = column[i] < 0 ? -column[i] : column[i];
+      if (other > size) {
+        size = other;
+        largest = i;
+      }
+    }
+    exchange[p] = largest;
+    if (!has_finite_reciprocal(column[largest])) return false;
+    if (largest != p)
+      for (int j = 0; j < columns; ++j) {
+        double* swapped = a + j * step;
+        const double held = swapped[p];
+        swapped[p] = swapped[largest];
+        swapped[largest] = held;
+      }
+    reciprocal[p] = 1 / column[p];
+    for (int i = p + 1; i < rows; ++i) column[i] *= reciprocal[p];
+    for (int j = p + 1; j < columns; ++j) {
+      double* other = a + j * step;
+      subtract_scaled(rows - p - 1, other[p], column + p + 1, other + p + 1);
+    }
+  }
+  return true;
+}
+
+bool factorise(const Front& front) {
+  const int k = front.pivots, b = front.boundary;
+  const int64_t step = k + b;
+  if (!factorise_columns(k, k, front.lower, step, front.exchange, front.reciprocal)) return false;
+  if (b == 0) return true;
+  for (int p = 0; p < k; ++p)
+    if (front.exchange[p] != p) {
+      double* one = front.upper + static_cast<int64_t>(p) * b;
+      double* other = front.upper + static_cast<int64_t>(front.exchange[p]) * b;
+      for (int i = 0; i < b; ++i) {
+        const double held = one[i];
+        one[i] = other[i];
+        other[i] = held;
+      }
+    }
+  solve_right(b, k, front.upper, b, {front.lower, step, 1}, nullptr);
+  solve_right(b, k, front.lower + k, step, {front.lower, 1, step}, front.reciprocal);
+  subtract_product(b, b, k, front.lower + k, step, {front.upper, b, 1}, front.update, b);
+  return true;
+}
+
+inline void add(int size, const double* x, double* y) {
+  int i = 0;
+  for (; i + lanes <= size; i += lanes) store(y + i, load(y + i) + load(x + i));
+  for (; i < size; ++i) y[i] += x[i];
+}
+
+void extend_add(const double* child, int size, const Run* run, const Run* run_end,
+                const Front& parent) {
+  const int k = parent.pivots, b = parent.boundary;
+  const int64_t step = k + b;
+  for (const Run* across = run; across != run_end; ++across)
+    for (const Run* down = run; down != run_end; ++down) {
+      const double* from = child + 3 * (down->from + static_cast<int64_t>(across->from) * size);
+      const int rows = 3 * down->length, columns = 3 * across->length;
+      const int64_t to_row = 3 * down->to, to_column = 3 * across->to;
+      if (to_column < k) {
+        double* to = parent.lower + to_row + to_column * step;
+        for (int j = 0; j < columns; ++j) add(rows, from + j * static_cast<int64_t>(size), to + j * step);
+      } else if (to_row >= k) {
+        double* to = parent.update + (to_row - k) + (to_column - k) * b;
+        for (int j = 0; j < columns; ++j)
+          add(rows, from + j * static_cast<int64_t>(size), to + j * static_cast<int64_t>(b));
+      } else {
+        double* to = parent.upper + (to_column - k) + to_row * b;
+        for (int i = 0; i < rows; i += 3)
+          for (int j = 0; j < columns; ++j) {
+            const double* three = from + i + j * static_cast<int64_t>(size);
+            double* target = to + j + static_cast<int64_t>(i) * b;
+            target[0] += three[0];
+            target[b] += three[1];
+            target[2 * static_cast<int64_t>(b)] += three[2];
+          }
+      }
+    }
+}
+
+// y -= a * x over three columns of a
+inline void subtract_columns(int size, const double* a, int64_t a_step, double x0, double x1,
+                             double x2, double* y) {
+  const double *first = a, *second = a + a_step, *third = second + a_step;
+  int i = 0;
+  for (; i + lanes <= size; i += lanes)
+    store(y + i,
+          load(y + i) - load(first + i) * x0 - load(second + i) * x1 - load(third + i) * x2);
+  for (; i < size; ++i) y[i] = y[i] - first[i] * x0 - second[i] * x1 - third[i] * x2;
+}
+
+void forward(int pivots, int boundary, const double* lower, const int* exchange, double* x) {
+  const int64_t step = pivots + boundary;
+  for (int p = 0; p < pivots; ++p) {
+    const double held = x[p];
+    x[p] = x[exchange[p]];
+    x[exchange[p]] = held;
+  }
+  for (int p = 0; p < pivots; p += 3) {
+    const double* l = lower + p + p * step;
+    x[p + 1] -= l[1] * x[p];
+    x[p + 2] = x[p + 2] - l[2] * x[p] - l[2 + step] * x[p + 1];
+    subtract_columns(static_cast<int>(step) - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2],
+                     x + p + 3);
+  }
+}
+
+inline double sum_of_products(int size, const double* a, const double* x) {
+  Pack sums = {};
+  int i = 0;
+  for (; i + lanes <= size; i += lanes) sums += load(a + i) * load(x + i);
+  double sum = 0;
+  for (int l = 0; l < lanes; ++l) sum += sums[l];
+  for (; i < size; ++i) sum += a[i] * x[i];
+  return sum;
+}
+
+void backward(int pivots, int boundary, const double* lower, const double* upper,
+              const double* reciprocal, double* x) {
+  const int64_t step = pivots + boundary;
+  for (int p = 0; p < pivots; ++p)
+    x[p] -= sum_of_products(boundary, upper + static_cast<int64_t>(p) * boundary, x + pivots);
+  for (int p = pivots - 3; p >= 0; p -= 3) {
+    const double* u = lower + p + p * step;
+    const double* r = reciprocal + p;
+    x[p + 2] *= r[2];
+    x[p + 1] = (x[p + 1] - u[1 + 2 * step] * x[p + 2]) * r[1];
+    x[p] = (x[p] - u[step] * x[p + 1] - u[2 * step] * x[p + 2]) * r[0];
+    subtract_columns(p, lower + p * step, step, x[p], x[p + 1], x[p + 2], x);
+  }
+}
+
+constexpr FrontKernels kernels{factorise, extend_add, forward, backward};

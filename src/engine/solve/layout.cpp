@@ -1,0 +1,83 @@
+#include "layout.hpp"
+
+#include <algorithm>
+
+#include "../geometry.hpp"
+#include "block_lu.hpp"
+
+namespace codend {
+
+void lay_out(const StringNet& net, double* x) {
+  const int nodes = static_cast<int>(net.held.size());
+  const std::size_t strings = net.rest.size();
+  std::vector<int> unknown(nodes, -1), free;
+  for (int n = 0; n < nodes; ++n) {
+    if (net.held[n]) continue;
+    unknown[n] = static_cast<int>(free.size());
+    free.push_back(n);
+  }
+  const int n = static_cast<int>(free.size());
+  if (n == 0) return;
+  std::vector<std::vector<int>> row(n);
+  for (int i = 0; i < n; ++i) row[i].push_back(i);
+  for (std::size_t s = 0; s < strings; ++s) {
+    const int i = unknown[net.ends[2 * s]], j = unknown[net.ends[2 * s + 1]];
+    if (i < 0 || j < 0) continue;
+    row[i].push_back(j);
+    row[j].push_back(i);
+  }
+  BlockPattern pattern;
+  pattern.n = n;
+  pattern.row_start.assign(1, 0);
+  for (auto& r : row) {
+    std::sort(r.begin(), r.end());
+    r.erase(std::unique(r.begin(), r.end()), r.end());
+    pattern.column.insert(pattern.column.end(), r.begin(), r.end());
+    pattern.row_start.push_back(static_cast<int64_t>(pattern.column.size()));
+  }
+  auto block = [&](int i, int j) {
+    const auto begin = pattern.column.begin() + pattern.row_start[i];
+    const auto end = pattern.column.begin() + pattern.row_start[i + 1];
+    return 9 * static_cast<std::size_t>(std::lower_bound(begin, end, j) - pattern.column.begin());
+  };
+  // The shape is not known yet: the order of the nodes must do as coordinates.
+  std::vector<double> coordinates(3 * static_cast<std::size_t>(n), 0.0);
+  for (int i = 0; i < n; ++i) coordinates[3 * static_cast<std::size_t>(i)] = i;
+  BlockLU lu;
+  lu.analyse(pattern, coordinates.data());
+
+  std::vector<double> density(strings);
+  double largest = 0.0;
+  for (std::size_t s = 0; s < strings; ++s) {
+    density[s] = net.tension[s] / net.rest[s];
+    largest = std::max(largest, density[s]);
+  }
+  std::vector<double> values(9 * pattern.column.size()), right(3 * static_cast<std::size_t>(n));
+  for (int round = 0; round < 40; ++round) {
+    std::fill(values.begin(), values.end(), 0.0);
+    for (int i = 0; i < n; ++i) at(right.data(), i) = at(net.load.data(), free[i]);
+    for (std::size_t s = 0; s < strings; ++s) {
+      const int ends[2] = {net.ends[2 * s], net.ends[2 * s + 1]};
+      for (int k = 0; k < 2; ++k) {
+        const int i = unknown[ends[k]], j = unknown[ends[1 - k]];
+        if (i < 0) continue;
+        for (int d = 0; d < 3; ++d) values[block(i, i) + 4 * d] += density[s];
+        if (j >= 0) {
+          for (int d = 0; d < 3; ++d) values[block(i, j) + 4 * d] -= density[s];
+        } else {
+          at(right.data(), i) += density[s] * at(x, ends[1 - k]);
+        }
+      }
+    }
+    if (!lu.factorise(values.data())) return;
+    lu.solve(right.data(), right.data());
+    for (int i = 0; i < n; ++i) at(x, free[i]) = at(right.data(), i);
+    for (std::size_t s = 0; s < strings; ++s) {
+      const double length = (at(x, net.ends[2 * s + 1]) - at(x, net.ends[2 * s])).norm();
+      density[s] *= std::clamp(length / net.rest[s], 0.3, 10.0);
+      density[s] = std::max(density[s], 1e-7 * largest);
+    }
+  }
+}
+
+}  // namespace codend

@@ -1,0 +1,22 @@
+// A crude shape of a net of strings under given loads, by force densities.
+#pragma once
+
+#include <vector>
+
+namespace codend {
+
+struct StringNet {
+  std::vector<char> held;           // per node
+  std::vector<int> ends;            // 2 per string
+  std::vector<double> rest;         // length that a string should have at most, m
+  std::vector<double> tension;      // first guess per string, N, > 0
+  std::vector<double> load;         // N, 3 per node
+};
+
+// x: 3 per node (m); held nodes on entry, all on return. Every connected group needs a held node.
+// Repeats: with force densities q = T/L the balance sum q (x_j - x_i) + load = 0 is linear in x;
+// then each q is multiplied by the string's length over its rest, so that long strings pull harder
+// and short ones let go.
+void lay_out(const StringNet& net, double* x);
+
+}  // namespace codend

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace codend {
+
+// Pattern of a square matrix of 3x3 blocks, one block row per node. Structurally symmetric, columns
+// of a row sorted, diagonal present.
+struct BlockPattern {
+  int n = 0;                        // nodes
+  std::vector<int64_t> row_start;   // n + 1: row i holds column[row_start[i] .. row_start[i + 1])
+  std::vector<int> column;
+};
+
+// A tree of separators. Its vertices are numbered so that each comes after its descendants, and a
+// node of the mesh touches only nodes of its own vertex, of that vertex's descendants or ancestors.
+struct SeparatorTree {
+  std::vector<int> parent;       // per vertex, -1 at a root; a disconnected mesh has several roots
+  std::vector<int> first_node;   // vertices + 1: vertex t owns node[first_node[t] .. first_node[t + 1])
+  std::vector<int> node;         // every node of the mesh once
+};
+
+// Nested dissection (George 1973) of the graph of a pattern. Each part is halved at the median of
+// one coordinate, or of the distance along the graph from one of its ends, whichever cuts it more
+// cheaply; the separator is the least set of nodes that covers every cut edge (Koenig's theorem on
+// a maximum matching by Hopcroft and Karp 1973).
+//
+// pattern: valid (see check_pattern); coordinates: 3n doubles, x y z of each node. They only guide
+// the cuts: nodes may coincide, and the order stays usable when all of them do.
+// Returns the same tree for the same input, ties being broken by node number.
+SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates);
+
+// Throws std::invalid_argument, naming the row, if `pattern` breaks its own description.
+void check_pattern(const BlockPattern& pattern);
+
+}  // namespace codend

@@ -1,0 +1,39 @@
+// The water: density, viscosity and a horizontal current that varies with depth.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry.hpp"
+
+namespace codend {
+
+struct Water {
+  double density = 1025.0;      // kg/m3; 0 for a gear in vacuum
+  double viscosity = 1.19e-6;   // kinematic, m2/s
+  // Current profile, linear between its points and constant beyond them; depths ascend (m, z down).
+  std::vector<double> depth = {0.0};
+  std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
+
+  // Water velocity at height z (m, up, 0 at the surface) and its derivative by z (1/s).
+  void velocity(double z, Vector& value, Vector& slope) const {
+    const double d = -z;
+    slope.setZero();
+    if (depth.size() == 1 || d <= depth.front()) {
+      value = current.front();
+      return;
+    }
+    if (d >= depth.back()) {
+      value = current.back();
+      return;
+    }
+    std::size_t k = 1;
+    while (depth[k] < d) ++k;
+    const double span = depth[k] - depth[k - 1];
+    const double share = (d - depth[k - 1]) / span;
+    value = (1.0 - share) * current[k - 1] + share * current[k];
+    slope = (current[k - 1] - current[k]) / span;
+  }
+};
+
+}  // namespace codend

@@ -1,0 +1,4 @@
+library(testthat)
+library(codend)
+
+test_check("codend")
