@@ -22,64 +22,89 @@ struct View {
   const double* at(int64_t i, int64_t j) const { return data + i * row + j * column; }
 };
 
-struct Tile {
-  Pack x[3][3];  // [column][register]
+// One register of rows in each of the 3 columns of a tile.
+struct Row {
+  Pack x0, x1, x2;
+
+  void load_from(const double* c, int64_t step) {
+    x0 = load(c);
+    x1 = load(c + step);
+    x2 = load(c + 2 * step);
+  }
+  void store_to(double* c, int64_t step) const {
+    store(c, x0);
+    store(c + step, x1);
+    store(c + 2 * step, x2);
+  }
+  void subtract(Pack a, double b0, double b1, double b2) {
+    x0 -= a * b0;
+    x1 -= a * b1;
+    x2 -= a * b2;
+  }
 };
 
-inline Tile load_tile(const double* c, int64_t step) {
-  Tile t;
-  for (int j = 0; j < 3; ++j)
-    for (int r = 0; r < 3; ++r) t.x[j][r] = load(c + j * step + r * lanes);
-  return t;
-}
-
-inline void store_tile(const Tile& t, double* c, int64_t step) {
-  for (int j = 0; j < 3; ++j)
-    for (int r = 0; r < 3; ++r) store(c + j * step + r * lanes, t.x[j][r]);
-}
-
-// tile -= a * b over `count` columns of a
-inline void subtract_product(Tile& t, int count, const double* a, int64_t a_step, const View& b) {
-  Pack c00 = t.x[0][0], c01 = t.x[0][1], c02 = t.x[0][2];
-  Pack c10 = t.x[1][0], c11 = t.x[1][1], c12 = t.x[1][2];
-  Pack c20 = t.x[2][0], c21 = t.x[2][1], c22 = t.x[2][2];
+// c (registers x lanes rows, 3 columns) -= a * b over `count` columns of a. Unrolled by hand: the
+// sums must stay in registers at -O2, which does not unroll loops.
+template <int registers>
+inline void update_tile(int count, const double* a, int64_t a_step, const View& b, double* c,
+                        int64_t c_step) {
+  Row first, second, third;
+  first.load_from(c, c_step);
+  if constexpr (registers > 1) second.load_from(c + lanes, c_step);
+  if constexpr (registers > 2) third.load_from(c + 2 * lanes, c_step);
   const double* b0 = b.data;
   const double* b1 = b0 + b.column;
   const double* b2 = b1 + b.column;
   for (int p = 0; p < count; ++p) {
-    const Pack a0 = load(a), a1 = load(a + lanes), a2 = load(a + 2 * lanes);
-    c00 -= a0 * *b0;
-    c01 -= a1 * *b0;
-    c02 -= a2 * *b0;
-    c10 -= a0 * *b1;
-    c11 -= a1 * *b1;
-    c12 -= a2 * *b1;
-    c20 -= a0 * *b2;
-    c21 -= a1 * *b2;
-    c22 -= a2 * *b2;
+    first.subtract(load(a), *b0, *b1, *b2);
+    if constexpr (registers > 1) second.subtract(load(a + lanes), *b0, *b1, *b2);
+    if constexpr (registers > 2) third.subtract(load(a + 2 * lanes), *b0, *b1, *b2);
     a += a_step;
     b0 += b.row;
     b1 += b.row;
     b2 += b.row;
   }
-  t = {{{c00, c01, c02}, {c10, c11, c12}, {c20, c21, c22}}};
+  first.store_to(c, c_step);
+  if constexpr (registers > 1) second.store_to(c + lanes, c_step);
+  if constexpr (registers > 2) third.store_to(c + 2 * lanes, c_step);
 }
 
-// Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros.
+// The same for a tile of `rows` <= tile_rows, a multiple of lanes.
+inline void update_tile(int rows, int count, const double* a, int64_t a_step, const View& b,
+                        double* c, int64_t c_step) {
+  if (rows == tile_rows)
+    update_tile<3>(count, a, a_step, b, c, c_step);
+  else if (rows == 2 * lanes)
+    update_tile<2>(count, a, a_step, b, c, c_step);
+  else
+    update_tile<1>(count, a, a_step, b, c, c_step);
+}
+
+inline int round_up(int rows) { return (rows + lanes - 1) / lanes * lanes; }
+
+// Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros to whole
+// registers.
 inline void pack_strip(const double* a, int64_t a_step, int rows, int columns, double* strip) {
+  const int whole = rows / lanes * lanes, padded = round_up(rows);
   for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
     int i = 0;
+    for (; i < whole; i += lanes) store(strip + i, load(a + i));
     for (; i < rows; ++i) strip[i] = a[i];
-    for (; i < tile_rows; ++i) strip[i] = 0;
+    for (; i < padded; ++i) strip[i] = 0;
   }
 }
 
 inline void unpack_strip(const double* strip, int rows, int columns, double* a, int64_t a_step) {
-  for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows)
-    for (int i = 0; i < rows; ++i) a[i] = strip[i];
+  const int whole = rows / lanes * lanes;
+  for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
+    int i = 0;
+    for (; i < whole; i += lanes) store(a + i, load(strip + i));
+    for (; i < rows; ++i) a[i] = strip[i];
+  }
 }
 
-// c (rows x columns) -= a (rows x count) * b (count x columns); columns is a multiple of 3.
+// c (rows x columns) -= a (rows x count) * b (count x columns); columns is a multiple of 3. Fastest
+// where rows is a multiple of lanes.
 void subtract_product(int rows, int columns, int count, const double* a, int64_t a_step, View b,
                       double* c, int64_t c_step) {
   alignas(64) double strip[tile_rows * depth];
@@ -89,10 +114,10 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
     for (int j0 = 0; j0 < columns; j0 += breadth) {
       const int j1 = columns - j0 < breadth ? columns : j0 + breadth;
       for (int i = 0; i < rows; i += tile_rows) {
-        const int high = rows - i < tile_rows ? rows - i : tile_rows;
+        const int high = rows - i < tile_rows ? rows - i : tile_rows, padded = round_up(high);
         const double* left = a + i + p * a_step;
         int64_t left_step = a_step;
-        if (high < tile_rows || j1 - j0 > tile_rows) {
+        if (high < padded || j1 - j0 > PACKMIN) {
           pack_strip(left, left_step, high, deep, strip);
           left = strip;
           left_step = tile_rows;
@@ -100,37 +125,37 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
         for (int j = j0; j < j1; j += 3) {
           const View right{b.at(p, j), b.row, b.column};
           double* target = c + i + j * c_step;
-          int64_t target_step = c_step;
-          if (high < tile_rows) {
+          if (high == padded) {
+            update_tile(high, deep, left, left_step, right, target, c_step);
+          } else {
             pack_strip(target, c_step, high, 3, corner);
-            target = corner;
-            target_step = tile_rows;
+            update_tile(padded, deep, left, left_step, right, corner, tile_rows);
+            unpack_strip(corner, high, 3, target, c_step);
           }
-          Tile t = load_tile(target, target_step);
-          subtract_product(t, deep, left, left_step, right);
-          store_tile(t, target, target_step);
-          if (high < tile_rows) unpack_strip(corner, high, 3, c + i + j * c_step, c_step);
         }
       }
     }
   }
 }
 
-// x := x * inverse(u) for one strip; reciprocal holds those of u's diagonal, null if it is 1.
-inline void solve_strip(int columns, double* x, int64_t x_step, View u, const double* reciprocal) {
+// x := x * inverse(u) for one strip of `rows` <= tile_rows, a multiple of lanes; reciprocal holds
+// those of u's diagonal, null if it is 1.
+inline void solve_strip(int rows, int columns, double* x, View u, const double* reciprocal) {
   for (int j = 0; j < columns; j += 3) {
-    Tile t = load_tile(x + j * x_step, x_step);
-    subtract_product(t, j, x, x_step, {u.at(0, j), u.row, u.column});
+    double* target = x + j * tile_rows;
+    update_tile(rows, j, x, tile_rows, {u.at(0, j), u.row, u.column}, target, tile_rows);
     const double u01 = *u.at(j, j + 1), u02 = *u.at(j, j + 2), u12 = *u.at(j + 1, j + 2);
     const double r0 = reciprocal ? reciprocal[j] : 1;
     const double r1 = reciprocal ? reciprocal[j + 1] : 1;
     const double r2 = reciprocal ? reciprocal[j + 2] : 1;
-    for (int r = 0; r < 3; ++r) {
-      t.x[0][r] *= r0;
-      t.x[1][r] = (t.x[1][r] - t.x[0][r] * u01) * r1;
-      t.x[2][r] = (t.x[2][r] - t.x[0][r] * u02 - t.x[1][r] * u12) * r2;
+    for (int i = 0; i < rows; i += lanes) {
+      const Pack x0 = load(target + i) * r0;
+      const Pack x1 = (load(target + i + tile_rows) - x0 * u01) * r1;
+      store(target + i, x0);
+      store(target + i + tile_rows, x1);
+      store(target + i + 2 * tile_rows,
+            (load(target + i + 2 * tile_rows) - x0 * u02 - x1 * u12) * r2);
     }
-    store_tile(t, x + j * x_step, x_step);
   }
 }
 
@@ -147,7 +172,7 @@ void solve_right(int rows, int columns, double* x, int64_t x_step, View u,
     for (int i = 0; i < rows; i += tile_rows) {
       const int high = rows - i < tile_rows ? rows - i : tile_rows;
       pack_strip(block + i, x_step, high, wide, strip);
-      solve_strip(wide, strip, tile_rows, corner, reciprocal ? reciprocal + j : nullptr);
+      solve_strip(round_up(high), wide, strip, corner, reciprocal ? reciprocal + j : nullptr);
       unpack_strip(strip, high, wide, block + i, x_step);
     }
   }
