@@ -3,8 +3,8 @@
 check_gear <- function(si) {
   check_points(si)
   check_seams(si)
-  check_joined(si)
   check_places(si)
+  check_joined(si)
 }
 
 # "fixed" or "moved", by the name of each held point.
@@ -31,11 +31,17 @@ check_points <- function(si) {
   held <- held_points(si)
   if (length(held) == 0) {
     abort_plan(
-      "Plan field `points` has no held point: the gear would drift away. Give a point `position` and `held`.",
+      "Plan field `points` has no held point: give one `position` and `held`, or the gear drifts.",
       "points"
     )
   }
-  if (si$towing$speed > 0 && length(unique(held)) > 1) {
+  if (si$towing$speed > 0 && !"moved" %in% held) {
+    abort_field(
+      "towing.speed", format_si(si$towing$speed, "speed"),
+      "0 where no point is moved (`held: moved`); water that meets a fixed gear is a current"
+    )
+  }
+  if (si$towing$speed > 0 && "fixed" %in% held) {
     abort_plan(
       sprintf(
         paste(
@@ -68,7 +74,7 @@ check_seams <- function(si) {
     if (!gathered && any(size == 0)) {
       abort_plan(
         sprintf(
-          "Plan field `%s.edges[%d]` has no meshes; such an edge can only be gathered (`gathered_at`).",
+          "Plan field `%s.edges[%d]` has no meshes; such an edge can only be `gathered_at`.",
           path, which(size == 0)[1]
         ),
         paste0(path, ".edges"), size

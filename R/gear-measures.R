@@ -20,7 +20,8 @@ si_measure <- function(measure, path, known) {
     height = , length = list(pairs = list(pair(asked))),
     depth = list(place = place(asked)),
     tension = parse_place(place(asked))[c("name", "place")],
-    area = list(ropes = vapply(asked, find_rope, "", path = path, known = known, USE.NAMES = FALSE)),
+    area = list(ropes = vapply(asked, find_rope, "", path = path, known = known,
+      USE.NAMES = FALSE)),
     angle = c(parse_place(place(names(asked)))[c("name", "place")], angle = asked[[1]])
   )
   names(asks)[names(asks) == "name"] <- "rope"

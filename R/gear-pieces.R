@@ -11,7 +11,8 @@ si_piece <- function(piece, path, fields, known) {
   }
   water <- fields$water$density
   body <- piece_body(piece, path, fields)
-  drag <- piece_area(piece, path, "drag", if (!is.null(piece$diameter)) sphere_drag_coefficient else 1)
+  drag <- piece_area(piece, path, "drag",
+    if (!is.null(piece$diameter)) sphere_drag_coefficient else 1)
   lift <- piece_area(piece, path, "lift", NULL)
   if (lift > 0 && is.null(piece$lift_direction)) {
     abort_field(paste0(path, ".lift_direction"), NULL, "given with lift", "is missing")

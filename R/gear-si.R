@@ -10,6 +10,8 @@ gear_gravity <- 9.81
 # leave out and has no default is NULL (position, at, from, to, along, segments, columns, rows) or,
 # of single numbers and texts, NA.
 gear_si <- function(gear) {
+  # a gear just read is asked for again by the lattice
+  if (identical(plan_cache$plan, gear$plan)) return(plan_cache$si)
   fields <- assembly_fields(gear$plan)
   law <- drag_law(fields$coefficients)
   si <- list(
@@ -27,6 +29,8 @@ gear_si <- function(gear) {
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
+  plan_cache$plan <- gear$plan
+  plan_cache$si <- si
   si
 }
 

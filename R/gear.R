@@ -14,7 +14,7 @@ as_gear <- function(tree, file = NULL) {
 check_is_gear <- function(gear) {
   if (!inherits(gear, "codend_gear")) {
     cli::cli_abort(
-      "{.arg gear} must be a gear, as {.fn read_gear} and {.fn gear} return, not {.cls {class(gear)}}.",
+      "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}.",
       class = c("codend_error_input", "codend_error"), call = NULL
     )
   }
@@ -98,6 +98,7 @@ print.codend_gear <- function(x, ...) {
 #'   (`water.current.1.speed`).
 #' @return The gear with these fields, checked in full again. An unknown path is an error of class
 #'   `codend_error_plan`.
+#' @importFrom stats update
 #' @export
 #' @examples
 #' update(read_gear("towed_cable"), towing.speed = "5 knot", ropes.cable.length = "800 m")

@@ -24,6 +24,8 @@ compile_node <- function(node, definitions) {
   while (!is.null(node[["$ref"]])) {
     target <- definitions[[sub("#/$defs/", "", node[["$ref"]], fixed = TRUE)]]
     node[["$ref"]] <- NULL
+    # what the definition itself says, where the field describes its own use of it
+    node$meaning <- target$description
     node <- c(node, target[setdiff(names(target), names(node))])
   }
   node$groups <- c(
@@ -52,7 +54,8 @@ compile_node <- function(node, definitions) {
   if (!is.null(node$properties)) {
     node$properties <- lapply(node$properties, compile_node, definitions)
     given <- Filter(function(property) !is.null(property[["default"]]), node$properties)
-    node$defaults <- lapply(given, function(property) check_field(property[["default"]], property, ""))
+    node$defaults <- lapply(given,
+      function(property) check_field(property[["default"]], property, ""))
   }
   node$enum <- unlist(node$enum)
   node$required <- unlist(node$required)
@@ -102,6 +105,8 @@ check_quantity <- function(value, node, path) {
 }
 
 check_number <- function(value, node, path) {
+  # YAML 1.1 reads 1e3, without a decimal point, as text
+  if (is_text(value) && grepl("^[-+]?[0-9]+[eE][-+]?[0-9]+$", value)) value <- as.double(value)
   good <- is.numeric(value) && length(value) == 1 && is.finite(value) && in_bounds(value, node) &&
     (node$shape == "number" || value == round(value)) &&
     (is.null(node$const) || value == node$const)
@@ -136,7 +141,8 @@ check_list <- function(value, node, path) {
   for (i in seq_len(n)) {
     checked[[i]] <- check_field(value[[i]], node$items, paste0(path, "[", i, "]"))
   }
-  if (node$items$shape %in% c("quantity", "number", "integer", "string")) unlist(checked) else checked
+  if (node$items$shape %in% c("quantity", "number", "integer",
+    "string")) unlist(checked) else checked
 }
 
 check_map <- function(value, node, path) {
@@ -183,10 +189,7 @@ check_presence <- function(given, value, node, path) {
   for (name in intersect(names(node$dependentRequired), given)) {
     for (due in unlist(node$dependentRequired[[name]])) {
       if (!due %in% given) {
-        abort_field(
-          join(path, due), NULL, paste(describe(node$properties[[due]]), "when `%s` is given"),
-          "is missing", name
-        )
+        abort_field(join(path, due), NULL, sprintf("given with `%s`", name), "is missing")
       }
     }
   }
@@ -214,7 +217,8 @@ check_presence <- function(given, value, node, path) {
     } else {
       ""
     }
-    abort_field(path, value, NULL, sprintf("has %d fields; it must have exactly one%s", size, known))
+    abort_field(path, value, NULL,
+      sprintf("has %d fields; it must have exactly one%s", size, known))
   }
 }
 

@@ -11,14 +11,7 @@ abort_plan <- function(message, path, value = NULL) {
 # "Plan field `path` is VALUE; it must be MUST."
 abort_field <- function(path, value, must, is = paste("is", show_value(value)), hint = NULL) {
   message <- sprintf("Plan field `%s` %s", path, is)
-  if (!is.null(must)) {
-    if (grepl("%s", must, fixed = TRUE)) {
-      must <- sprintf(must, hint)
-      hint <- NULL
-    }
-    message <- paste0(message, "; it must be ", must)
-  }
-  message <- paste0(message, ".")
+  message <- paste0(message, if (!is.null(must)) paste0("; it must be ", must), ".")
   if (length(hint)) message <- paste0(message, " Did you mean `", hint, "`?")
   abort_plan(message, path, value)
 }
@@ -77,7 +70,8 @@ describe <- function(node) {
     number = paste0("a number", bounds_text(node, format)),
     integer = paste0("a whole number", bounds_text(node, format)),
     boolean = "yes or no",
-    string = if (is.null(node$title)) "text" else paste0(noun(node$title), ": ", node$description),
+    string = if (is.null(node$pattern)) "text" else sentence_part(first_of(node$meaning,
+      node$description)),
     array = paste0("a list", count_text(node)),
     object = paste0("a map", if (length(node$properties)) {
       paste(" with fields such as", paste0("`", utils::head(names(node$properties), 4), "`",
@@ -85,6 +79,10 @@ describe <- function(node) {
     }),
     any = paste(unique(vapply(node$choices, describe, "")), collapse = "; or ")
   )
+}
+
+sentence_part <- function(sentence) {
+  sub("[.]$", "", paste0(tolower(substr(sentence, 1, 1)), substring(sentence, 2)))
 }
 
 show_const <- function(value) if (is.character(value)) paste0("\"", value, "\"") else format(value)

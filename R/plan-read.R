@@ -3,7 +3,8 @@
 
 plan_bytes_limit <- 2 * 1024^2
 plan_depth_limit <- 20
-plan_values_limit <- 2e5
+plan_values_limit <- 5e4
+plan_marks_limit <- 2e4
 
 # The tree of a YAML plan file.
 read_plan <- function(file) {
@@ -29,7 +30,7 @@ read_plan <- function(file) {
 read_plan_text <- function(file) {
   size <- file.info(file)
   if (is.na(size$size) || size$isdir) {
-    abort_plan(sprintf("Plan file \"%s\" does not exist.", file), NULL)
+    abort_plan(sprintf("\"%s\" is not a plan file.", file), NULL)
   }
   if (size$size > plan_bytes_limit) {
     abort_plan(
@@ -49,24 +50,36 @@ read_plan_text <- function(file) {
   if (!validUTF8(text)) {
     abort_plan(sprintf("Plan file \"%s\" is not UTF-8 text.", file), NULL)
   }
-  check_nesting(bytes, file)
+  check_marks(bytes, text, file)
   sub("^\ufeff", "", text)
 }
 
-# The YAML parser takes time that grows with the square of the nesting, so deep files are refused
-# unread: no plan opens many brackets more than it closes, or starts many lists on one line.
-check_nesting <- function(bytes, file) {
+# The YAML parser takes time that grows with the square of nesting and of the fields in a map, so
+# files with far more of either than a plan needs are refused unread.
+check_marks <- function(bytes, text, file) {
   opens <- bytes == 0x5b | bytes == 0x7b
   closes <- bytes == 0x5d | bytes == 0x7d
-  depth <- cumsum(opens - closes)
-  if (length(depth) && max(depth) > 10 * plan_depth_limit) {
-    abort_plan(sprintf("Plan file \"%s\" is nested too deeply.", file), NULL)
+  deep <- max(0, cumsum(opens - closes)) > 10 * plan_depth_limit ||
+    grepl(sprintf("(?m)^[ \\t]*(?:[-?][ \\t]+){%d}", plan_depth_limit), text, perl = TRUE)
+  if (deep) {
+    abort_plan(
+      sprintf(
+        "Plan file \"%s\" is nested too deeply: at most %d lists or maps in one another.",
+        file, plan_depth_limit
+      ),
+      NULL
+    )
+  }
+  if (sum(opens) > plan_marks_limit || sum(bytes == 0x3a) > plan_marks_limit) {
+    abort_plan(
+      sprintf("Plan file \"%s\" has too many fields: at most %d.", file, plan_marks_limit), NULL
+    )
   }
 }
 
 yaml_problem <- function(file, problem) {
   hint <- if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
-    " (an edge with a mesh range inside [ ] needs quotes, such as [\"belly.upper[0:6]\", back.lower])"
+    " (an edge with a mesh range inside [ ] needs quotes, such as [\"belly.upper[0:6]\"])"
   } else {
     ""
   }
@@ -83,7 +96,8 @@ yaml_handlers <- list(
   "int#hex" = function(x) x,
   "float#nan" = function(x) NaN,
   "seq" = function(x) x,
-  "expr" = function(x) abort_plan("A plan holds no code: the tag `!expr` is not allowed.", NULL, x)
+  # refused by plain_tree(): an error inside a handler would only be printed
+  "expr" = function(x) as.symbol(x)
 )
 
 # Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
@@ -110,8 +124,15 @@ plain_tree <- function(tree) {
       if (is.null(keys)) return(as.vector(value))
       value <- as.list(value)
     }
+    if (is.language(value)) {
+      abort_plan("A plan holds no code: the tag `!expr` is not allowed.", NULL)
+    }
     if (!is.list(value)) {
-      abort_plan(sprintf("A plan holds no %s.", class(value)[1]), NULL)
+      abort_plan(
+        sprintf("A plan holds text, numbers, yes and no, lists and maps, but no %s.",
+          class(value)[1]),
+        NULL
+      )
     }
     value <- lapply(unname(unclass(value)), plain, depth = depth + 1)
     if (!is.null(keys)) return(stats::setNames(value, keys))

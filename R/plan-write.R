@@ -75,7 +75,8 @@ yaml_flow <- function(value) {
   if (any(vapply(items, is.list, NA)) || any(lengths(items) != 1)) return(NA_character_)
   shown <- vapply(items, yaml_scalar, "")
   if (named) {
-    return(paste0("{", paste0(vapply(names(items), yaml_text, ""), ": ", shown, collapse = ", "), "}"))
+    return(paste0("{", paste0(vapply(names(items), yaml_text, ""), ": ", shown, collapse = ", "),
+      "}"))
   }
   if (!is.list(value) && length(value) == 1) return(shown)
   # lists of prose read better item by item
@@ -96,7 +97,18 @@ yaml_text <- function(text) {
   other <- "^(?i:null|yes|no|true|false|on|off|y|n)$"
   bare <- (grepl(word, text, perl = TRUE) && !grepl(other, text, perl = TRUE)) ||
     grepl(quantity, text, perl = TRUE)
-  if (bare) text else as.character(jsonlite::toJSON(text, auto_unbox = TRUE))
+  if (bare) text else yaml_quoted(text)
+}
+
+yaml_quoted <- function(text) {
+  quoted <- as.character(jsonlite::toJSON(text, auto_unbox = TRUE))
+  # JSON leaves these as they are; YAML forbids them or takes them for line ends
+  codes <- utf8ToInt(quoted)
+  control <- (codes >= 0x7f & codes <= 0x9f) | codes %in% c(0x2028, 0x2029, 0xfeff, 0xfffe)
+  if (!any(control)) return(quoted)
+  characters <- strsplit(quoted, "")[[1]]
+  characters[control] <- sprintf("\\u%04x", codes[control])
+  paste(characters, collapse = "")
 }
 
 # The shortest decimal that reads back as the same number.

@@ -137,6 +137,7 @@ Assembly::Assembly(const Model& model)
     pattern_.row_start.push_back(static_cast<int64_t>(pattern_.column.size()));
     std::vector<int>().swap(row);
   }
+  for (int i = 0; i < n; ++i) diagonal_.push_back(find_block(pattern_, i, i));
   for (const ElementKind* kind : model.kinds()) {
     sinks_.push_back(std::make_unique<Sink>(model, unknown_, pattern_, *kind));
   }
@@ -172,17 +173,10 @@ Field Assembly::field(const double* x, const double* v) {
   return {position_.data(), velocity_.data(), &model_.water, model_.slack};
 }
 
-template <class Visit>
-void Assembly::each_line(Visit visit) const {
-  for (int b = 0; b < model_.bars.count(); ++b) visit(model_.bars.line(b));
-  for (int e = 0; e < model_.triangles.count(); ++e) {
-    visit(model_.triangles.u_line(e));
-    visit(model_.triangles.v_line(e));
-  }
-}
-
-void Assembly::residual(const double* x, const double* v, double* force) {
-  const Field where = field(x, v);
+void Assembly::residual(const double* x, const double* v, double* force,
+                        const CarriedTension* carried) {
+  Field where = field(x, v);
+  if (carried) where.tension = carried->tension.data();
   std::copy(model_.load.begin(), model_.load.end(), force_.begin());
   for (const ElementKind* kind : model_.kinds()) kind->add_force(where, force_.data());
   hand_on(force_.data(), 3);
@@ -190,8 +184,12 @@ void Assembly::residual(const double* x, const double* v, double* force) {
 }
 
 void Assembly::jacobian(const double* x, const double* v, const JacobianRequest& request,
-                        double* values) {
-  const Field where = field(x, v);
+                        double* values, const CarriedTension* carried) {
+  Field where = field(x, v);
+  if (carried) {
+    where.tension = carried->tension.data();
+    where.modulus = carried->modulus.data();
+  }
   std::fill(values, values + 9 * pattern_.column.size(), 0.0);
   const std::vector<const ElementKind*> kinds = model_.kinds();
   for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -200,11 +198,10 @@ void Assembly::jacobian(const double* x, const double* v, const JacobianRequest&
   }
 }
 
-void Assembly::add_diagonal(const double* mass, double factor, double* values) const {
+void Assembly::add_diagonal(const double* numbers, double* values) const {
   for (int i = 0; i < unknowns(); ++i) {
-    double* block = values + 9 * static_cast<std::ptrdiff_t>(find_block(pattern_, i, i));
-    const double* m = mass + 9 * static_cast<std::ptrdiff_t>(free_[i]);
-    for (int k = 0; k < 9; ++k) block[k] += factor * m[k];
+    double* block = values + 9 * diagonal_[i];
+    for (int k = 0; k < 3; ++k) block[4 * k] += numbers[i];
   }
 }
 
@@ -230,7 +227,7 @@ void Assembly::pseudo_damping(const double* x, const double* v, double* damping)
 double Assembly::largest_rotation(const double* dx) {
   spread(dx, change_);
   double largest = 0.0;
-  each_line([&](const auto& line) {
+  model_.each_line([&](const auto& line) {
     largest = std::max(largest, line.vector(change_.data()).norm() / line.rest);
   });
   return largest;
@@ -239,12 +236,39 @@ double Assembly::largest_rotation(const double* dx) {
 double Assembly::largest_tension(const double* x) {
   spread(x, position_);
   double largest = 0.0;
-  each_line([&](const auto& line) {
-    double arm = 0.0;
-    for (double a : line.shape) arm = std::max(arm, std::abs(a));
-    largest = std::max(largest, line.multiplicity * arm * line.tension(position_.data()));
-  });
+  for (int b = 0; b < model_.bars.count(); ++b) {
+    const Line<2> line = model_.bars.line(b);
+    const double length = line.vector(position_.data()).norm();
+    largest = std::max(largest,
+                       line.multiplicity * twine_tension(*line.material, length, line.rest));
+  }
+  for (int e = 0; e < model_.triangles.count(); ++e) {
+    for (const Line<3>& line : {model_.triangles.u_line(e), model_.triangles.v_line(e)}) {
+      const double length = line.vector(position_.data()).norm();
+      largest = std::max(largest, twine_tension(*line.material, length, line.rest));
+    }
+  }
   return largest;
+}
+
+void Assembly::strain(const double* x, std::vector<double>& values) {
+  spread(x, position_);
+  values.resize(model_.lines());
+  model_.each_line([&](const auto& line) {
+    values[line.index] = line.vector(position_.data()).norm() / line.rest - 1.0;
+  });
+}
+
+void Assembly::strain_change(const double* x, const double* dx, std::vector<double>& values) {
+  spread(x, position_);
+  spread(dx, change_);
+  values.resize(model_.lines());
+  model_.each_line([&](const auto& line) {
+    const Vector e = line.vector(position_.data());
+    const double length = e.norm();
+    values[line.index] =
+        length > 0.0 ? e.dot(line.vector(change_.data())) / (length * line.rest) : 0.0;
+  });
 }
 
 }  // namespace codend

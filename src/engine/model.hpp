@@ -37,7 +37,20 @@ struct Model {
   int points() const { return nodes + static_cast<int>(ties.size()); }
   std::vector<const ElementKind*> kinds() const { return {&bars, &triangles, &spheres, &lifts}; }
   // Call once after filling; copies of a Model need it again.
-  void connect() { bars.materials = triangles.materials = &materials; }
+  void connect() {
+    bars.materials = triangles.materials = &materials;
+    triangles.first_line = bars.count();
+  }
+  // One family of parallel twines each: the bars, then two of every triangle.
+  int lines() const { return bars.count() + 2 * triangles.count(); }
+  template <class Visit>
+  void each_line(Visit visit) const {
+    for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));
+    for (int e = 0; e < triangles.count(); ++e) {
+      visit(triangles.u_line(e));
+      visit(triangles.v_line(e));
+    }
+  }
 };
 
 }  // namespace codend

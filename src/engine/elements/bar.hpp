@@ -18,7 +18,7 @@ class Bars : public ElementKind {
   int count() const { return static_cast<int>(rest.size()); }
   Line<2> line(int bar) const {
     return {&node[2 * static_cast<std::size_t>(bar)], {-1.0, 1.0}, 0.5, rest[bar],
-            multiplicity[bar], &(*materials)[material[bar]]};
+            multiplicity[bar], &(*materials)[material[bar]], bar};
   }
 
   int nodes_per_element() const override { return 2; }

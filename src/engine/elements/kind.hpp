@@ -16,6 +16,10 @@ struct Field {
   const double* velocity;  // 3 per point, m/s
   const Water* water;
   SlackDrag slack;
+  // Tension (N) and its change per strain (N) of one twine of every line, where a solver carries
+  // them; else null, and they follow from the lines' lengths.
+  const double* tension = nullptr;
+  const double* modulus = nullptr;
 
   // Velocity of the water relative to a point (m/s), and how it changes with height (1/s).
   void relative_velocity(int point, Vector& u, Vector& slope) const {
@@ -28,7 +32,6 @@ struct Field {
 struct JacobianRequest {
   double stiffness = 1.0;
   double damping = 0.0;
-  TangentFloor floor;
 };
 
 // Receives the 3x3 blocks of one kind; a and b are places in the element's own list of nodes.

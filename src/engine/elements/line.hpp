@@ -14,6 +14,7 @@ struct Line {
   double rest;             // L0, m
   double multiplicity;     // lines in parallel
   const TwineMaterial* material;
+  int index;               // among all lines of the model
 
   Vector vector(const double* x) const {
     Vector e = Vector::Zero();
@@ -21,8 +22,13 @@ struct Line {
     return e;
   }
 
-  double tension(const double* x) const {
-    return twine_tension(*material, vector(x).norm(), rest);
+  // Tension of one line, and its change per strain.
+  double tension(const Field& field, double length) const {
+    return field.tension ? field.tension[index] : twine_tension(*material, length, rest);
+  }
+  double modulus(const Field& field, double length) const {
+    if (field.modulus) return field.modulus[index];
+    return length > rest ? material->axial_stiffness : 0.0;
   }
 
   void relative_velocity(const Field& field, Vector& u, Vector& slope) const {
@@ -39,8 +45,8 @@ struct Line {
   void add_force(const Field& field, double* force) const {
     const Vector e = vector(field.position);
     const double length = e.norm();
-    const double t = twine_tension(*material, length, rest);
-    const Vector pull = t > 0.0 ? Vector(multiplicity * t / length * e) : Vector(Vector::Zero());
+    const double t = tension(field, length);
+    const Vector pull = t > 0.0 && length > 0.0 ? Vector(multiplicity * t / length * e) : Vector(Vector::Zero());
     Vector u, slope;
     relative_velocity(field, u, slope);
     const Vector drag =
@@ -54,8 +60,9 @@ struct Line {
     const Vector e = vector(field.position);
     Vector u, slope;
     relative_velocity(field, u, slope);
-    const Matrix pull =
-        (request.stiffness * multiplicity) * twine_stiffness(*material, e, rest, request.floor);
+    const double length = e.norm();
+    const Matrix pull = (request.stiffness * multiplicity) *
+                        line_stiffness(e, rest, tension(field, length), modulus(field, length));
     const TwineDrag drag =
         twine_drag(*material, *field.water, field.slack, e, rest, u, true);
     const Matrix turn = (request.stiffness * multiplicity * share) * drag.by_vector;

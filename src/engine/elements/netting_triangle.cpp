@@ -16,7 +16,8 @@ Line<3> NettingTriangles::family(int triangle, int across) const {
           1.0 / 3.0,
           rest[e],
           0.5 * std::abs(d) * multiplicity[e],
-          &(*materials)[material[e]]};
+          &(*materials)[material[e]],
+          first_line + 2 * triangle + (1 - across)};
 }
 
 void NettingTriangles::add_force(const Field& field, double* force) const {

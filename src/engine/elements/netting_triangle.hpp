@@ -19,6 +19,7 @@ class NettingTriangles : public ElementKind {
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
   const std::vector<TwineMaterial>* materials = nullptr;
+  int first_line = 0;  // number of its first line among the model's
 
   int count() const { return static_cast<int>(rest.size()); }
   Line<3> u_line(int triangle) const { return family(triangle, 1); }

@@ -39,27 +39,13 @@ inline double twine_energy(const TwineMaterial& m, double length, double rest) {
   return length > rest ? 0.5 * m.axial_stiffness * (length - rest) * (length - rest) / rest : 0.0;
 }
 
-// Geometry of the tangent stiffness K of one line that only the solver's matrix may feel:
-// a least tension (N) and a least stiffness as a share of EA.
-struct TangentFloor {
-  double tension = 0.0;
-  double stiffness = 0.0;
-};
-
-// d(T t)/de of one line.
-inline Matrix twine_stiffness(const TwineMaterial& m, const Vector& e, double rest,
-                              const TangentFloor& floor) {
+// d(T t)/de of one line of vector e whose tension T changes by `modulus` per strain.
+inline Matrix line_stiffness(const Vector& e, double rest, double tension, double modulus) {
   const double length = e.norm();
-  if (length <= 1e-12 * rest) {
-    const double k = floor.stiffness * m.axial_stiffness / rest + floor.tension / rest;
-    return k * Matrix::Identity();
-  }
+  if (length <= 1e-12 * rest) return (tension / rest) * Matrix::Identity();
   const Vector t = e / length;
-  const bool taut = length > rest;
-  const double tension = std::max(taut ? twine_tension(m, length, rest) : 0.0, floor.tension);
-  const double axial = (taut ? 1.0 : floor.stiffness) * m.axial_stiffness / rest;
-  const double across = tension / std::max(length, 0.1 * rest);
-  return across * Matrix::Identity() + (axial - across) * (t * t.transpose());
+  const double across = tension / length;
+  return across * Matrix::Identity() + (modulus / rest - across) * (t * t.transpose());
 }
 
 struct TwineDrag {

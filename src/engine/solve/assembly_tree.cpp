@@ -56,13 +56,14 @@ Lists boundaries(const BlockPattern& pattern, const SeparatorTree& tree, const L
   return lists;
 }
 
-// Seconds, roughly, to assemble and factorise a front. Only ratios matter. They were fitted to
-// sheets, tubes and chains of 200 to 100 000 nodes: a fixed cost per front, a cost per entry
-// cleared and assembled, and 2 flops per multiplication at the speed of the dense kernels.
+// Seconds, roughly, to assemble and factorise a front: a fixed cost, a cost per entry cleared and
+// assembled, and one per multiplication with its subtraction. Only their ratios matter, and little:
+// doubling or halving one moves the time of a factorisation by a few per cent (sheets, tubes and
+// chains of 200 to 10 000 nodes).
 double front_seconds(double pivots, double boundary) {
   const double k = 3 * pivots, b = 3 * boundary;
   const double multiplications = k * k * k / 3 + k * k * b + k * b * b;
-  return 3e-7 + 8e-10 * (k + b) * (k + b) + 1e-10 * multiplications;
+  return 1.5e-7 + 6e-10 * (k + b) * (k + b) + 1e-10 * multiplications;
 }
 
 // The vertex that each vertex is merged into: itself where it stays.
@@ -127,8 +128,7 @@ std::vector<int> elimination_order(const std::vector<int>& into, const std::vect
 
 void map_boundaries(AssemblyTree& result) {
   result.first_run.assign(1, 0);
-  // parents come after their children, so a child looks its parent's front up by merging two
-  // sorted lists
+  // both boundaries are sorted, so one pass over the parent's finds every node of the child's
   for (int f = 0; f < result.fronts(); ++f) {
     const int up = result.parent[f];
     if (up >= 0) {
@@ -144,9 +144,8 @@ void map_boundaries(AssemblyTree& result) {
           to = pivots + static_cast<int>(in_parent - result.boundary.data() -
                                          result.first_boundary[up]);
         }
-        const bool fresh = i == 0 || to == pivots || result.run.back().to +
-                                                         result.run.back().length != to;
-        if (fresh)
+        // a run ends where the parent's pivots do
+        if (i == 0 || to == pivots || result.run.back().to + result.run.back().length != to)
           result.run.push_back({i, to, 1});
         else
           ++result.run.back().length;

@@ -41,11 +41,11 @@ void BlockLU::lay_out_factors() {
   layout_.assign(tree_.fronts(), {});
   int64_t size = 0;
   for (int f = 0; f < tree_.fronts(); ++f) {
-    const int64_t k = 3 * tree_.pivots(f), b = 3 * tree_.boundary_nodes(f);
+    const int64_t k = 3 * tree_.pivots(f), rows = padded(3 * tree_.boundary_nodes(f));
     layout_[f].lower = size;
-    size += aligned((k + b) * k);
+    size += aligned((k + rows) * k);
     layout_[f].upper = size;
-    size += aligned(b * k);
+    size += aligned(rows * k);
   }
   factor_.assign(size, 0);
   const size_t rows = 3 * tree_.order.size();
@@ -64,7 +64,7 @@ void BlockLU::lay_out_stack() {
   int64_t size = 0;
   const auto update_size = [&](int f) {
     const int64_t b = 3 * tree_.boundary_nodes(f);
-    return aligned(b * b);
+    return aligned(padded(static_cast<int>(b)) * b);
   };
   for (int f = 0; f < fronts; ++f) {
     layout_[f].update = height[end[f]];
@@ -91,7 +91,7 @@ void BlockLU::map_entries(const BlockPattern& pattern) {
     for (int p = first; p < last; ++p) place[p] = p - first;
     for (int i = 0; i < boundary; ++i)
       place[tree_.boundary[tree_.first_boundary[f] + i]] = pivots + i;
-    const int64_t lower_step = 3 * (pivots + boundary), upper_step = 3 * boundary;
+    const int64_t upper_step = padded(3 * boundary), lower_step = 3 * pivots + upper_step;
     layout_[f].first_entry = static_cast<int64_t>(entry_.size());
     upper.clear();
     for (int p = first; p < last; ++p) {
@@ -138,17 +138,18 @@ bool BlockLU::factorise(const double* values) {
   factorised_ = false;
   for (int f = 0; f < tree_.fronts(); ++f) {
     const Layout& at = layout_[f];
-    const int64_t k = 3 * tree_.pivots(f), b = 3 * tree_.boundary_nodes(f);
-    const Front front{static_cast<int>(k),
-                      static_cast<int>(b),
+    const int k = 3 * tree_.pivots(f), b = 3 * tree_.boundary_nodes(f);
+    const int64_t upper_step = padded(b), lower_step = k + upper_step;
+    const Front front{k,
+                      b,
                       factor_.data() + at.lower,
                       factor_.data() + at.upper,
                       stack_.data() + at.update,
-                      reciprocal_.data() + 3 * tree_.first_pivot[f],
-                      exchange_.data() + 3 * tree_.first_pivot[f]};
-    std::fill_n(front.lower, (k + b) * k, 0.0);
-    std::fill_n(front.upper, b * k, 0.0);
-    std::fill_n(front.update, b * b, 0.0);
+                      reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]),
+                      exchange_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f])};
+    std::fill_n(front.lower, lower_step * k, 0.0);
+    std::fill_n(front.upper, upper_step * k, 0.0);
+    std::fill_n(front.update, upper_step * b, 0.0);
 
     const int64_t end = f + 1 < tree_.fronts() ? layout_[f + 1].first_entry
                                                : static_cast<int64_t>(entry_.size());
@@ -156,13 +157,13 @@ bool BlockLU::factorise(const double* values) {
       const double* block = values + entry_[e].from;
       double* to = factor_.data() + entry_[e].to;
       for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) to[i + j * (k + b)] = block[3 * i + j];
+        for (int i = 0; i < 3; ++i) to[i + j * lower_step] = block[3 * i + j];
     }
     for (int64_t e = at.first_upper_entry; e < end; ++e) {
       const double* block = values + entry_[e].from;
       double* to = factor_.data() + entry_[e].to;
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) to[j + i * b] = block[3 * i + j];
+        for (int j = 0; j < 3; ++j) to[j + i * upper_step] = block[3 * i + j];
     }
     for (int c = tree_.first_child[f]; c < tree_.first_child[f + 1]; ++c) {
       const int child = tree_.child[c];

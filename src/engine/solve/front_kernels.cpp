@@ -6,7 +6,7 @@ namespace {
 
 constexpr int lanes = 2;  // SSE2 and NEON; split by the compiler where there is neither
 
-#include "front_kernels_body.hpp"
+#include "front_kernels.inl"
 
 }  // namespace
 

@@ -4,14 +4,18 @@
 
 namespace codend {
 
+// Rows that a block of `boundary` rows takes in store: whole registers, whichever kernels run.
+constexpr int padded(int boundary) { return (boundary + 3) / 4 * 4; }
+
 // A dense front [A11 A12; A21 A22], of which A11 is fully summed and eliminated here. Sizes are in
-// scalars and multiples of 3; all blocks are column-major.
+// scalars and multiples of 3. Blocks are column-major, a column of `boundary` rows being followed
+// by zeros up to padded(boundary).
 struct Front {
   int pivots;          // rows of A11
   int boundary;        // rows of A22
-  double* lower;       // [A11; A21], (pivots + boundary) x pivots
-  double* upper;       // A12 transposed, boundary x pivots: all long loops then run down columns
-  double* update;      // A22, boundary x boundary
+  double* lower;       // [A11; A21], a column takes pivots + padded(boundary)
+  double* upper;       // A12 transposed, so that all long loops run down columns
+  double* update;      // A22
   double* reciprocal;  // pivots: reciprocals of U's diagonal
   int* exchange;       // pivots: row that each row of A11 was swapped with in turn
 };
@@ -22,8 +26,8 @@ struct FrontKernels {
   // remaining columns of L and rows of U, and A22 by its Schur complement. Returns false at a pivot
   // whose reciprocal is not finite.
   bool (*factorise)(const Front& front);
-  // Adds a child's update matrix (`size` scalars square) into its parent's front.
-  void (*extend_add)(const double* child, int size, const Run* run, const Run* run_end,
+  // Adds a child's update matrix of `boundary` rows into its parent's front.
+  void (*extend_add)(const double* child, int boundary, const Run* run, const Run* run_end,
                      const Front& parent);
   // Forward substitution with the factors that factorise() left. `x` holds the front's pivots, then
   // its boundary; that part is reduced.

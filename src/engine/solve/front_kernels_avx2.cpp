@@ -12,7 +12,7 @@ namespace {
 
 constexpr int lanes = 4;
 
-#include "front_kernels_body.hpp"
+#include "front_kernels.inl"
 
 }  // namespace
 

@@ -17,7 +17,7 @@ struct BlockPattern {
 // node of the mesh touches only nodes of its own vertex, of that vertex's descendants or ancestors.
 struct SeparatorTree {
   std::vector<int> parent;       // per vertex, -1 at a root; a disconnected mesh has several roots
-  std::vector<int> first_node;   // vertices + 1: vertex t owns node[first_node[t] .. first_node[t + 1])
+  std::vector<int> first_node;   // vertices + 1: t owns node[first_node[t] .. first_node[t + 1])
   std::vector<int> node;         // every node of the mesh once
 };
 

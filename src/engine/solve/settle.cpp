@@ -4,8 +4,17 @@
 #include <cmath>
 #include <ctime>
 
+#include "tension_path.hpp"
+
 namespace codend {
 namespace {
+
+// Turning (change of a line's vector over its length) of one step: at most, and below which the
+// shape counts as found.
+constexpr double most_turning = 1.0;
+constexpr double found_turning = 0.02;
+// Parameter of the tension path below which the law itself takes over.
+constexpr double path_end = 1e-7;
 
 // CPU seconds into a total, from construction to destruction.
 class Stopwatch {
@@ -18,107 +27,155 @@ class Stopwatch {
   std::clock_t start_;
 };
 
-double extent(const std::vector<int>& free, const double* x) {
-  Vector low = Vector::Constant(1e300), high = Vector::Constant(-1e300);
-  for (int n : free) {
-    low = low.cwiseMin(at(x, n));
-    high = high.cwiseMax(at(x, n));
+class Settling {
+ public:
+  Settling(Assembly& assembly, const double* v, double* x, SettleReport& report)
+      : assembly_(assembly),
+        report_(report),
+        free_(assembly.free_nodes()),
+        v_(v),
+        x_(x),
+        force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
+        dx_(force_.size(), 0.0),
+        right_(3 * free_.size()),
+        damping_(free_.size()),
+        values_(9 * assembly.pattern().column.size()),
+        reach_(0.02 * extent() + 1e-3),
+        path_(assembly.model(), total_load()) {
+    Stopwatch watch(report_.seconds_analysis);
+    std::vector<double> coordinates(3 * free_.size());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      at(coordinates.data(), static_cast<int>(i)) = at(x_, free_[i]);
+    }
+    lu_.analyse(assembly.pattern(), coordinates.data());
   }
-  return free.empty() ? 0.0 : (high - low).norm();
-}
+
+  // Net forces of the law itself.
+  void measure() {
+    Stopwatch watch(report_.seconds_forces);
+    assembly_.residual(x_, v_, force_.data());
+    report_.worst_force = 0.0;
+    for (const int node : free_) {
+      const double f = at(force_.data(), node).norm();
+      if (!(f <= report_.worst_force)) {
+        report_.worst_force = f;
+        report_.worst_node = node;
+      }
+    }
+    report_.largest_tension = assembly_.largest_tension(x_);
+    double scale = report_.largest_tension;
+    if (scale == 0.0) {  // a gear without any tension is measured by its loads
+      for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
+    }
+    report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale;
+  }
+
+  bool found() const { return turning_ < found_turning; }
+
+  // One Newton step; false where its matrix is singular (the next one is held back more).
+  bool step() {
+    const bool on_path = path_.parameter() > path_end || !found();
+    if (on_path && was_exact_) {
+      assembly_.strain(x_, strain_);
+      path_.return_to(strain_);
+    }
+    was_exact_ = !on_path;
+    if (on_path) {
+      Stopwatch watch(report_.seconds_forces);
+      assembly_.strain(x_, strain_);
+      path_.prepare(strain_);
+      assembly_.residual(x_, v_, force_.data(), &path_.predicted());
+    }
+    {
+      Stopwatch watch(report_.seconds_jacobian);
+      assembly_.jacobian(x_, v_, {1.0, 0.0}, values_.data(), on_path ? &path_.current() : nullptr);
+      assembly_.pseudo_damping(x_, v_, damping_.data());
+      for (double& d : damping_) d /= pseudo_step_;
+      assembly_.add_diagonal(damping_.data(), values_.data());
+    }
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      at(right_.data(), static_cast<int>(i)) = at(force_.data(), free_[i]);
+    }
+    {
+      Stopwatch watch(report_.seconds_linear);
+      ++report_.factorisations;
+      if (!lu_.factorise(values_.data())) {
+        pseudo_step_ *= 0.1;
+        return false;
+      }
+      lu_.solve(right_.data(), right_.data());
+    }
+    move(on_path);
+    return true;
+  }
+
+ private:
+  void move(bool on_path) {
+    double movement = 0.0;
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      at(dx_.data(), free_[i]) = at(right_.data(), static_cast<int>(i));
+      movement = std::max(movement, at(right_.data(), static_cast<int>(i)).norm());
+    }
+    turning_ = assembly_.largest_rotation(dx_.data());
+    const double share = std::min({1.0, reach_ / movement, most_turning / turning_});
+    if (on_path) {
+      assembly_.strain_change(x_, dx_.data(), strain_);
+      path_.advance(strain_, share);
+      if (share > 0.3) path_.reduce(turning_ < 0.1 ? 0.4 : 0.7);
+    }
+    for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
+    pseudo_step_ = std::min(pseudo_step_ * std::clamp(1.0 / turning_, 0.3, 3.0), 1e12);
+  }
+
+  double extent() const {
+    Vector low = Vector::Constant(1e300), high = Vector::Constant(-1e300);
+    for (int n = 0; n < assembly_.model().nodes; ++n) {
+      low = low.cwiseMin(at(x_, n));
+      high = high.cwiseMax(at(x_, n));
+    }
+    return (high - low).norm();
+  }
+
+  // Sum of the sizes of all loads that are not tensions.
+  double total_load() {
+    CarriedTension none;
+    none.tension.assign(static_cast<std::size_t>(assembly_.model().lines()), 0.0);
+    assembly_.residual(x_, v_, force_.data(), &none);
+    double total = 0.0;
+    for (const int node : free_) total += at(force_.data(), node).norm();
+    return total > 0.0 ? total : 1.0;
+  }
+
+  Assembly& assembly_;
+  SettleReport& report_;
+  const std::vector<int>& free_;
+  const double* v_;
+  double* x_;
+  std::vector<double> force_, dx_, right_, damping_, values_, strain_;
+  double reach_;
+  TensionPath path_;
+  BlockLU lu_;
+  double pseudo_step_ = 1.0, turning_ = 1.0;
+  bool was_exact_ = false;
+};
 
 }  // namespace
 
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x) {
   SettleReport report;
-  const std::vector<int>& free = assembly.free_nodes();
-  const std::size_t n = free.size();
-  const std::size_t nodes = static_cast<std::size_t>(assembly.model().nodes);
-  std::vector<double> force(3 * nodes), right(3 * n), dx(3 * nodes, 0.0), damping(n);
-  std::vector<double> values(9 * assembly.pattern().column.size());
-  std::vector<double> coordinates(3 * n);
-  for (std::size_t i = 0; i < n; ++i) at(coordinates.data(), i) = at(x, free[i]);
-  BlockLU lu;
-  if (n > 0) {
-    Stopwatch watch(report.seconds_analysis);
-    lu.analyse(assembly.pattern(), coordinates.data());
+  if (assembly.unknowns() == 0) {
+    report.converged = true;
+    return report;
   }
-  std::vector<int64_t> diagonal(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto& p = assembly.pattern();
-    diagonal[i] = std::lower_bound(p.column.begin() + p.row_start[i],
-                                   p.column.begin() + p.row_start[i + 1], static_cast<int>(i)) -
-                  p.column.begin();
-  }
-
-  const double reach = 0.02 * extent(free, x) + 1e-3;
-  double step = 1.0, movement = reach, rotation = 1.0;
+  Settling settling(assembly, v, x, report);
   for (;; ++report.iterations) {
-    {
-      Stopwatch watch(report.seconds_forces);
-      assembly.residual(x, v, force.data());
-      report.worst_force = 0.0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double f = at(force.data(), free[i]).norm();
-        if (!(f <= report.worst_force)) {
-          report.worst_force = f;
-          report.worst_node = free[i];
-        }
-      }
-      report.largest_tension = assembly.largest_tension(x);
-    }
-    // A gear without any tension is measured by its loads.
-    double scale = report.largest_tension;
-    if (scale == 0.0) {
-      for (double load : assembly.model().load) scale = std::max(scale, std::abs(load));
-    }
-    report.residual = report.worst_force == 0.0 ? 0.0 : report.worst_force / scale;
+    settling.measure();
     if (!std::isfinite(report.residual)) return report;
-    if (control.watch && !control.watch({report.iterations, report.residual, movement})) {
-      report.stopped = true;
-      return report;
-    }
-    if (report.residual <= control.tolerance && (rotation < 0.02 || report.worst_force == 0.0)) {
-      report.converged = true;
-      return report;
-    }
-    if (report.iterations >= control.iterations) return report;
-
-    JacobianRequest request;
-    if (rotation >= 0.02) {
-      request.floor.tension = 1e-4 * report.largest_tension * std::min(1.0, movement / reach);
-      request.floor.stiffness = 1e-4;
-    }
-    {
-      Stopwatch watch(report.seconds_jacobian);
-      assembly.jacobian(x, v, request, values.data());
-      assembly.pseudo_damping(x, v, damping.data());
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      double* block = &values[9 * static_cast<std::size_t>(diagonal[i])];
-      for (int k = 0; k < 3; ++k) block[4 * k] += damping[i] / step;
-      for (int k = 0; k < 3; ++k) right[3 * i + k] = force[3 * static_cast<std::size_t>(free[i]) + k];
-    }
-    {
-      Stopwatch watch(report.seconds_linear);
-      ++report.factorisations;
-      if (!lu.factorise(values.data())) {
-        step *= 0.1;
-        if (step < 1e-12) return report;
-        continue;
-      }
-      lu.solve(right.data(), right.data());
-    }
-    movement = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      at(dx.data(), free[i]) = at(right.data(), i);
-      movement = std::max(movement, at(right.data(), i).norm());
-    }
-    rotation = assembly.largest_rotation(dx.data());
-    const double s = std::min({1.0, reach / movement, 3.0 / rotation});
-    for (std::size_t k = 0; k < 3 * nodes; ++k) x[k] += s * dx[k];
-    step *= std::clamp(1.0 / rotation, 0.3, 2.0);
-    step = std::min(step, 1e12);
+    if (control.watch && !control.watch({report.iterations, report.residual})) return report;
+    report.converged = report.residual <= control.tolerance &&
+                       (settling.found() || report.worst_force == 0.0);
+    if (report.converged || report.iterations >= control.iterations) return report;
+    settling.step();
   }
 }
 

@@ -1,5 +1,7 @@
-// Bodies of the front kernels. Included, without a guard, by each front_kernels_*.cpp inside a
-// namespace of its own that defines `lanes`, the doubles in one register of its processor.
+// Bodies of the front kernels: not a header of its own. Each front_kernels*.cpp includes it once,
+// inside an unnamed namespace that defines `lanes`, the doubles in one register of its processor.
+// Nothing here may use std:: or a template of another header: the linker could then hand a copy
+// compiled for AVX2 to a processor without it.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
 using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
@@ -9,7 +11,7 @@ constexpr int tile_rows = 3 * lanes;
 // Columns of L worked off at a time: a strip of tile_rows x depth stays in the first-level cache.
 constexpr int depth = 96;
 // Columns of the target worked off at a time, so that their rows of U stay in the second level.
-constexpr int breadth = 384;
+constexpr int breadth = 192;
 
 inline Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
 inline void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
@@ -82,6 +84,16 @@ inline void update_tile(int rows, int count, const double* a, int64_t a_step, co
 
 inline int round_up(int rows) { return (rows + lanes - 1) / lanes * lanes; }
 
+// Copies count x columns of b so that the 3 columns of a tile lie together, row by row.
+inline void pack_triples(const View& b, int count, int columns, double* packed) {
+  for (int j = 0; j < columns; j += 3)
+    for (int p = 0; p < count; ++p, packed += 3) {
+      packed[0] = *b.at(p, j);
+      packed[1] = *b.at(p, j + 1);
+      packed[2] = *b.at(p, j + 2);
+    }
+}
+
 // Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros to whole
 // registers.
 inline void pack_strip(const double* a, int64_t a_step, int rows, int columns, double* strip) {
@@ -109,21 +121,27 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
                       double* c, int64_t c_step) {
   alignas(64) double strip[tile_rows * depth];
   alignas(64) double corner[tile_rows * 3];
+  alignas(64) double triples[depth * breadth];
+  // rows of b on pages of their own defeat the caches, worst at a power of two; the copy pays
+  // once several strips read it
+  const bool packed = b.row >= 1024 && rows >= 12 * tile_rows;
   for (int p = 0; p < count; p += depth) {
     const int deep = count - p < depth ? count - p : depth;
     for (int j0 = 0; j0 < columns; j0 += breadth) {
       const int j1 = columns - j0 < breadth ? columns : j0 + breadth;
+      if (packed) pack_triples({b.at(p, j0), b.row, b.column}, deep, j1 - j0, triples);
       for (int i = 0; i < rows; i += tile_rows) {
         const int high = rows - i < tile_rows ? rows - i : tile_rows, padded = round_up(high);
         const double* left = a + i + p * a_step;
         int64_t left_step = a_step;
-        if (high < padded || j1 - j0 > PACKMIN) {
+        if (high < padded || j1 - j0 > 12) {
           pack_strip(left, left_step, high, deep, strip);
           left = strip;
           left_step = tile_rows;
         }
         for (int j = j0; j < j1; j += 3) {
-          const View right{b.at(p, j), b.row, b.column};
+          const View right = packed ? View{triples + (j - j0) * deep, 3, 1}
+                                    : View{b.at(p, j), b.row, b.column};
           double* target = c + i + j * c_step;
           if (high == padded) {
             update_tile(high, deep, left, left_step, right, target, c_step);
@@ -200,6 +218,16 @@ void solve_left(int size, int columns, const double* l, int64_t l_step, double* 
     }
 }
 
+inline void swap(double& a, double& b) {
+  const double held = a;
+  a = b;
+  b = held;
+}
+
+inline void swap(int size, double* x, double* y) {
+  for (int i = 0; i < size; ++i) swap(x[i], y[i]);
+}
+
 // y -= factor * x
 inline void subtract_scaled(int size, double factor, const double* x, double* y) {
   int i = 0;
@@ -220,12 +248,7 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
     double* right = a + half * step;
     if (!factorise_columns(rows, half, a, step, exchange, reciprocal)) return false;
     for (int j = 0; j < rest; ++j)
-      for (int p = 0; p < half; ++p) {
-        double* column = right + j * step;
-        const double held = column[p];
-        column[p] = column[exchange[p]];
-        column[exchange[p]] = held;
-      }
+      for (int p = 0; p < half; ++p) swap(right[p + j * step], right[exchange[p] + j * step]);
     solve_left(half, rest, a, step, right, step);
     subtract_product(rows - half, rest, half, a + half, step, {right, 1, step}, right + half, step);
     if (!factorise_columns(rows - half, rest, right + half, step, exchange + half,
@@ -233,12 +256,7 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
       return false;
     for (int p = half; p < columns; ++p) exchange[p] += half;
     for (int j = 0; j < half; ++j)
-      for (int p = half; p < columns; ++p) {
-        double* column = a + j * step;
-        const double held = column[p];
-        column[p] = column[exchange[p]];
-        column[exchange[p]] = held;
-      }
+      for (int p = half; p < columns; ++p) swap(a[p + j * step], a[exchange[p] + j * step]);
     return true;
   }
   for (int p = 0; p < columns; ++p) {
@@ -255,12 +273,7 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
     exchange[p] = largest;
     if (!has_finite_reciprocal(column[largest])) return false;
     if (largest != p)
-      for (int j = 0; j < columns; ++j) {
-        double* swapped = a + j * step;
-        const double held = swapped[p];
-        swapped[p] = swapped[largest];
-        swapped[largest] = held;
-      }
+      for (int j = 0; j < columns; ++j) swap(a[p + j * step], a[largest + j * step]);
     reciprocal[p] = 1 / column[p];
     for (int i = p + 1; i < rows; ++i) column[i] *= reciprocal[p];
     for (int j = p + 1; j < columns; ++j) {
@@ -272,57 +285,54 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
 }
 
 bool factorise(const Front& front) {
-  const int k = front.pivots, b = front.boundary;
-  const int64_t step = k + b;
+  const int k = front.pivots, b = front.boundary, rows = padded(b);
+  const int64_t step = k + rows;
   if (!factorise_columns(k, k, front.lower, step, front.exchange, front.reciprocal)) return false;
   if (b == 0) return true;
   for (int p = 0; p < k; ++p)
-    if (front.exchange[p] != p) {
-      double* one = front.upper + static_cast<int64_t>(p) * b;
-      double* other = front.upper + static_cast<int64_t>(front.exchange[p]) * b;
-      for (int i = 0; i < b; ++i) {
-        const double held = one[i];
-        one[i] = other[i];
-        other[i] = held;
-      }
-    }
-  solve_right(b, k, front.upper, b, {front.lower, step, 1}, nullptr);
-  solve_right(b, k, front.lower + k, step, {front.lower, 1, step}, front.reciprocal);
-  subtract_product(b, b, k, front.lower + k, step, {front.upper, b, 1}, front.update, b);
+    if (front.exchange[p] != p)
+      swap(rows, front.upper + static_cast<int64_t>(p) * rows,
+           front.upper + static_cast<int64_t>(front.exchange[p]) * rows);
+  double* lower = front.lower + k;
+  solve_right(rows, k, front.upper, rows, {front.lower, step, 1}, nullptr);
+  solve_right(rows, k, lower, step, {front.lower, 1, step}, front.reciprocal);
+  subtract_product(rows, b, k, lower, step, {front.upper, rows, 1}, front.update, rows);
   return true;
 }
 
-inline void add(int size, const double* x, double* y) {
-  int i = 0;
-  for (; i + lanes <= size; i += lanes) store(y + i, load(y + i) + load(x + i));
-  for (; i < size; ++i) y[i] += x[i];
+// y += x, both rows x columns
+inline void add(int rows, int columns, const double* x, int64_t x_step, double* y, int64_t y_step) {
+  for (int j = 0; j < columns; ++j, x += x_step, y += y_step) {
+    int i = 0;
+    for (; i + lanes <= rows; i += lanes) store(y + i, load(y + i) + load(x + i));
+    for (; i < rows; ++i) y[i] += x[i];
+  }
 }
 
-void extend_add(const double* child, int size, const Run* run, const Run* run_end,
+void extend_add(const double* child, int boundary, const Run* run, const Run* run_end,
                 const Front& parent) {
-  const int k = parent.pivots, b = parent.boundary;
-  const int64_t step = k + b;
+  const int k = parent.pivots;
+  const int64_t child_step = padded(boundary), step = padded(parent.boundary);
   for (const Run* across = run; across != run_end; ++across)
     for (const Run* down = run; down != run_end; ++down) {
-      const double* from = child + 3 * (down->from + static_cast<int64_t>(across->from) * size);
+      const double* from = child + 3 * (down->from + across->from * child_step);
       const int rows = 3 * down->length, columns = 3 * across->length;
       const int64_t to_row = 3 * down->to, to_column = 3 * across->to;
       if (to_column < k) {
-        double* to = parent.lower + to_row + to_column * step;
-        for (int j = 0; j < columns; ++j) add(rows, from + j * static_cast<int64_t>(size), to + j * step);
+        add(rows, columns, from, child_step, parent.lower + to_row + to_column * (k + step),
+            k + step);
       } else if (to_row >= k) {
-        double* to = parent.update + (to_row - k) + (to_column - k) * b;
-        for (int j = 0; j < columns; ++j)
-          add(rows, from + j * static_cast<int64_t>(size), to + j * static_cast<int64_t>(b));
+        add(rows, columns, from, child_step, parent.update + (to_row - k) + (to_column - k) * step,
+            step);
       } else {
-        double* to = parent.upper + (to_column - k) + to_row * b;
+        double* to = parent.upper + (to_column - k) + to_row * step;
         for (int i = 0; i < rows; i += 3)
           for (int j = 0; j < columns; ++j) {
-            const double* three = from + i + j * static_cast<int64_t>(size);
-            double* target = to + j + static_cast<int64_t>(i) * b;
+            const double* three = from + i + j * child_step;
+            double* target = to + j + i * step;
             target[0] += three[0];
-            target[b] += three[1];
-            target[2 * static_cast<int64_t>(b)] += three[2];
+            target[step] += three[1];
+            target[2 * step] += three[2];
           }
       }
     }
@@ -340,17 +350,13 @@ inline void subtract_columns(int size, const double* a, int64_t a_step, double x
 }
 
 void forward(int pivots, int boundary, const double* lower, const int* exchange, double* x) {
-  const int64_t step = pivots + boundary;
-  for (int p = 0; p < pivots; ++p) {
-    const double held = x[p];
-    x[p] = x[exchange[p]];
-    x[exchange[p]] = held;
-  }
+  const int64_t step = pivots + padded(boundary);
+  for (int p = 0; p < pivots; ++p) swap(x[p], x[exchange[p]]);
   for (int p = 0; p < pivots; p += 3) {
     const double* l = lower + p + p * step;
     x[p + 1] -= l[1] * x[p];
     x[p + 2] = x[p + 2] - l[2] * x[p] - l[2 + step] * x[p + 1];
-    subtract_columns(static_cast<int>(step) - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2],
+    subtract_columns(pivots + boundary - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2],
                      x + p + 3);
   }
 }
@@ -367,9 +373,9 @@ inline double sum_of_products(int size, const double* a, const double* x) {
 
 void backward(int pivots, int boundary, const double* lower, const double* upper,
               const double* reciprocal, double* x) {
-  const int64_t step = pivots + boundary;
+  const int64_t rows = padded(boundary), step = pivots + rows;
   for (int p = 0; p < pivots; ++p)
-    x[p] -= sum_of_products(boundary, upper + static_cast<int64_t>(p) * boundary, x + pivots);
+    x[p] -= sum_of_products(boundary, upper + p * rows, x + pivots);
   for (int p = pivots - 3; p >= 0; p -= 3) {
     const double* u = lower + p + p * step;
     const double* r = reciprocal + p;

@@ -1,0 +1,163 @@
+# Forces of a state: tensions, drag by component, reactions of the supports and their balance.
+
+# Tension of a rope at its start, middle or end, or the largest along it (max), kN.
+measure_tension <- function(state, measure) {
+  bar <- if (measure$place == "max") {
+    rope_bars(state$lattice, measure$rope)
+  } else {
+    rope_bar(state, measure$rope, measure$place)
+  }
+  max(state$bar_tension[bar]) / 1000
+}
+
+# Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
+# gear meets the flow along x; a held one along the fastest current of its profile, and along x when
+# the water stands still.
+flow_axes <- function(si) {
+  flow <- c(1, 0)
+  current <- si$water$current
+  speed <- sqrt(current$x^2 + current$y^2)
+  if (si$towing$speed == 0 && max(speed) > 0) {
+    k <- which.max(speed)
+    flow <- c(current$x[k], current$y[k]) / speed[k]
+  }
+  cbind(flow = c(flow, 0), across = c(-flow[2], flow[1], 0), up = c(0, 0, 1))
+}
+
+# Sums of columns by part: 3 x parts.
+sum_by_part <- function(force, part, parts) {
+  total <- matrix(0, 3L, parts)
+  if (length(part)) {
+    sums <- rowsum(t(force), part)
+    total[, as.integer(rownames(sums))] <- t(sums)
+  }
+  total
+}
+
+# Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
+part_drag <- function(state) {
+  lattice <- state$lattice
+  n <- nrow(lattice$parts)
+  sum_by_part(state$bar_drag, lattice$bar_part, n) +
+    sum_by_part(state$triangle_drag, lattice$triangle_part, n) +
+    sum_by_part(state$sphere_drag, lattice$sphere_part, n) +
+    sum_by_part(state$lift_force, lattice$lift_part, n)
+}
+
+# Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
+# panel by its length in the lattice, so that a rope gathered in one point weighs what is left.
+part_weight <- function(state) {
+  si <- state$si
+  lines <- state_lines(state)
+  length <- numeric(nrow(state$lattice$parts))
+  sums <- rowsum(lines$lines * lines$rest, lines$part)
+  length[as.integer(rownames(sums))] <- sums
+  for (p in seq_along(si$panels)) {
+    length[length(si$ropes) + p] <- panel_bars(si$panels[[p]]) * si$panels[[p]]$mesh_size
+  }
+  excess <- function(mass, volume) mass - si$water$density * volume
+  each <- c(
+    vapply(c(si$ropes, si$panels), function(x) excess(x$mass_per_length, x$volume_per_length), 0),
+    vapply(si$pieces, function(x) excess(x$mass, x$volume), 0)
+  )
+  pieces <- vapply(si$pieces, function(x) as.double(x$number), 0)
+  length[seq_along(pieces) + length(si$ropes) + length(si$panels)] <- pieces
+  gear_gravity * unname(each) * length
+}
+
+# Drag by component: a row per rope, panel and piece, with part, kind (rope, netting, piece), role,
+# and in kN: drag along the flow, side force to starboard of it, lift upwards (all hydrodynamic) and
+# weight in water.
+drag_table <- function(state) {
+  force <- t(flow_axes(state$si)) %*% part_drag(state) / 1000
+  data.frame(
+    part = state$lattice$parts$name, kind = state$lattice$parts$kind,
+    role = state$lattice$parts$role,
+    drag_kN = force[1, ], side_kN = force[2, ], lift_kN = force[3, ],
+    weight_in_water_kN = part_weight(state) / 1000
+  )
+}
+
+# Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
+# pieces), then all.
+drag_totals <- function(drag) {
+  group <- c(netting = "netting", rope = "ropes", piece = "fittings")[drag$kind]
+  group[drag$role %in% "otter_board"] <- "otter boards"
+  group[drag$role %in% "catch"] <- "catch"
+  forces <- c("drag_kN", "side_kN", "lift_kN", "weight_in_water_kN")
+  groups <- intersect(c("netting", "ropes", "otter boards", "catch", "fittings"), group)
+  sums <- rowsum(as.matrix(drag[forces]), factor(group, levels = groups))
+  total <- rbind(sums, total = colSums(sums))
+  data.frame(group = rownames(total), total, row.names = NULL)
+}
+
+# Force of every support on the gear: a row per held point, in kN along x (aft), y (starboard) and
+# z (up). The vessel's pull on a warp points forward, so its x is negative.
+reaction_table <- function(state) {
+  held <- Filter(function(point) !is.na(point$held), state$si$points)
+  node <- vapply(names(held), function(name) state$lattice$points[[name]], 0L)
+  force <- -state$force[, node, drop = FALSE] / 1000
+  data.frame(point = names(held), x_kN = force[1, ], y_kN = force[2, ], z_kN = force[3, ],
+    row.names = NULL)
+}
+
+# Balance of all forces on the gear, kN: reactions, hydrodynamic forces, weight in water, loads of
+# the plan, and what remains of their sum, which is zero but for the solver's tolerance.
+balance_table <- function(state) {
+  loads <- rowSums(vapply(state$si$points, function(point) as.double(point$load), numeric(3)))
+  forces <- rbind(
+    reactions = colSums(reaction_table(state)[c("x_kN", "y_kN", "z_kN")]),
+    hydrodynamic = rowSums(part_drag(state)) / 1000,
+    weight_in_water = c(0, 0, -sum(part_weight(state)) / 1000),
+    loads = loads / 1000
+  )
+  forces <- rbind(forces, remainder = colSums(forces))
+  colnames(forces) <- c("x_kN", "y_kN", "z_kN")
+  data.frame(force = rownames(forces), forces, row.names = NULL)
+}
+
+# Tensions by rope and panel, of one line, kN: largest, exceeded by 1 % of its length, and mean over
+# its length; breaking load where the plan knows it (kN) and the largest tension's share of it
+# (percent). Where a point pulls at netting of triangles the largest grows with every refinement;
+# what 1 % of the twine exceeds does not.
+tension_table <- function(state) {
+  parts <- state$lattice$parts
+  lines <- state_lines(state)
+  lines$long <- lines$lines * lines$rest
+  part <- sort(unique(lines$part))
+  strength <- vapply(state$si$ropes, function(rope) as.double(rope$strength), 0)
+  strength <- c(strength, rep(NA_real_, length(state$si$panels)))[part]
+  by_part <- vapply(split(lines, lines$part), function(of) {
+    c(
+      max(of$tension), exceeded_tension(of$tension, of$long),
+      sum(of$tension * of$long) / sum(of$long)
+    )
+  }, numeric(3))
+  data.frame(
+    part = parts$name[part], kind = parts$kind[part], role = parts$role[part],
+    max_kN = by_part[1, ] / 1000, exceeded_by_1_percent_kN = by_part[2, ] / 1000,
+    mean_kN = by_part[3, ] / 1000,
+    strength_kN = unname(strength) / 1000,
+    strength_percent = 100 * by_part[1, ] / unname(strength), row.names = NULL
+  )
+}
+
+# The tension that 1 % of the length exceeds.
+exceeded_tension <- function(tension, long) {
+  falling <- order(-tension)
+  tension[falling][which(cumsum(long[falling]) >= 0.01 * sum(long))[1]]
+}
+
+# Slack netting by panel: its length of twine (m) and the share of it without tension (percent).
+slack_table <- function(state) {
+  lines <- state_lines(state)
+  parts <- state$lattice$parts
+  lines <- lines[parts$kind[lines$part] == "netting", ]
+  twine <- lines$lines * lines$rest
+  sums <- rowsum(cbind(twine, twine * (lines$tension == 0)), lines$part)
+  part <- as.integer(rownames(sums))
+  data.frame(
+    part = parts$name[part], role = parts$role[part], twine_m = sums[, 1],
+    slack_percent = 100 * sums[, 2] / sums[, 1], row.names = NULL
+  )
+}

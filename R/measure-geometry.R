@@ -1,0 +1,96 @@
+# Measures of shape that a plan asks for. Each takes a state and the measure as si_measure() gives
+# it.
+
+# Position (x, y, z, m) of a place such as "point", "panel.upper_left" or "rope.middle".
+place_position <- function(state, place) state$position[, state$lattice$place(place)]
+
+# Second place minus first, m.
+apart <- function(state, pair) {
+  place_position(state, pair[[2]]) - place_position(state, pair[[1]])
+}
+
+# Spread: distance across the gear, |dy|, between two places; the mean over several pairs. m.
+measure_spread <- function(state, measure) {
+  mean(vapply(measure$pairs, function(pair) abs(apart(state, pair)[2]), 0))
+}
+
+# Height of the first place above the second, m; negative when it lies below. Net mouth height is
+# that of the head line's centre above the footrope's centre.
+measure_height <- function(state, measure) -apart(state, measure$pairs[[1]])[3]
+
+# Straight distance between two places, m.
+measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[1]])^2))
+
+# Depth below the water surface, m.
+measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
+
+# Area that ropes, end to end, enclose as seen along x (on the plane across the tow), m2.
+measure_area <- function(state, measure) {
+  outline <- rope_outline(state, measure$ropes)
+  polygon_area(outline[2, ], outline[3, ])
+}
+
+# Points (3 x n, m) along ropes put end to end: each rope continues from the end that was reached,
+# by its own nearer end, whatever its direction; gaps are closed by straight lines.
+rope_outline <- function(state, ropes) {
+  left <- lapply(ropes, function(r) state$position[, state$lattice$ropes[[r]]$node, drop = FALSE])
+  ends <- function(x) list(x[, 1], x[, ncol(x)])
+  gap <- function(a, b) sum((a - b)^2)
+  outline <- left[[1]]
+  left <- left[-1]
+  if (length(left)) {
+    to_others <- vapply(ends(outline), function(e) {
+      min(vapply(left, function(x) min(gap(e, x[, 1]), gap(e, x[, ncol(x)])), 0))
+    }, 0)
+    if (to_others[1] < to_others[2]) outline <- outline[, ncol(outline):1]
+  }
+  while (length(left)) {
+    reached <- outline[, ncol(outline)]
+    gaps <- vapply(left, function(x) vapply(ends(x), gap, 0, b = reached), c(0, 0))
+    nearest <- which.min(gaps)
+    k <- (nearest - 1L) %/% 2L + 1L
+    next_rope <- left[[k]]
+    if (nearest %% 2L == 0L) next_rope <- next_rope[, ncol(next_rope):1]
+    outline <- cbind(outline, next_rope)
+    left <- left[-k]
+  }
+  outline
+}
+
+# Area within a closed polygon by its corners (shoelace formula), positive either way round.
+polygon_area <- function(x, y) {
+  after <- c(seq_along(x)[-1], 1L)
+  abs(sum(x * y[after] - x[after] * y)) / 2
+}
+
+# Angle of a rope at a place, deg, in its direction from start to end: declination below the
+# horizontal (negative when it rises), or divergence of its plan view from the x axis (0 to 180).
+measure_angle <- function(state, measure) {
+  bar <- rope_bar(state, measure$rope, measure$place)
+  ends <- state$lattice$engine$bars$node[2L * bar + c(-1L, 0L)]
+  d <- state$position[, ends[2]] - state$position[, ends[1]]
+  radians <- switch(measure$angle,
+    declination = atan2(-d[3], sqrt(d[1]^2 + d[2]^2)),
+    divergence = atan2(abs(d[2]), d[1])
+  )
+  radians * 180 / pi
+}
+
+# The bar of a rope at its start, middle or end.
+rope_bar <- function(state, rope, place) {
+  lattice <- state$lattice
+  bars <- rope_bars(lattice, rope)
+  switch(place,
+    start = bars[1],
+    end = bars[length(bars)],
+    middle = {
+      rest <- lattice$engine$bars$rest[bars]
+      bars[which(cumsum(rest) >= sum(rest) / 2)[1]]
+    }
+  )
+}
+
+# Bars of a rope in order from its start.
+rope_bars <- function(lattice, rope) {
+  which(lattice$bar_part == which(lattice$parts$kind == "rope" & lattice$parts$name == rope))
+}

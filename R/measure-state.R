@@ -1,0 +1,146 @@
+#' Measures of a state
+#'
+#' What the plan asks to be measured, and the measures that every gear has.
+#'
+#' Measures of the plan come first, under the plan's names with their unit added (`door_spread`
+#' becomes `door_spread_m`):
+#'
+#' - `spread` (m): distance across the gear (along y) between two places, or the mean over several
+#'   pairs.
+#' - `height` (m): of the first place above the second. The height of a net's mouth is that of the
+#'   head line's centre above the footrope's.
+#' - `length` (m): straight distance between two places.
+#' - `depth` (m): below the water surface.
+#' - `tension` (kN): of a rope at a place, or the largest along it. At its start or end it is that
+#'   of its outermost bar.
+#' - `area` (m2): enclosed by ropes end to end, seen along x. A gap between two ropes is closed by a
+#'   straight line.
+#' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
+#'   horizontal (declination) or out of the x axis in plan view (divergence).
+#'
+#' Then follow, unless the plan has a measure of the same name:
+#'
+#' - `total_drag_kN`: pull of all supports on the gear against the flow. The flow runs along x past
+#'   a towed gear, else along the fastest current, else along x.
+#' - `tow_power_kW`, when towed: total drag times towing speed.
+#' - `filtered_volume_m3_per_h`, when towed with a measure `mouth_area`: that area times the speed
+#'   along x of the water past the gear at the mean depth of the ropes around it.
+#' - `swept_area_km2_per_h`, when towed with a measure `wing_end_spread`: that spread times towing
+#'   speed.
+#' - `largest_rope_tension_kN`.
+#' - `twine_tension_exceeded_by_1_percent_N`: tension of one twine (of both when double) that 1 % of
+#'   the netting's length of twine exceeds. The very largest, where a rope pulls at the tip of a
+#'   wing, depends on how finely the netting is divided.
+#' - `slack_netting_percent`: share of the netting's length of twine that carries no tension.
+#' - `least_depth_m` and `greatest_depth_m`: depth of the highest and the lowest node of the gear.
+#'
+#' @param state A state, from [settle()].
+#' @return Named numbers; every name ends in its unit.
+#' @examples
+#' measures(settle("crossing_cables"))
+#' @export
+measures <- function(state) {
+  check_is_state(state)
+  own <- plan_measures(state)
+  general <- c(towing_measures(state, own), tension_measures(state), depth_measures(state))
+  c(own, general[setdiff(names(general), names(own))])
+}
+
+check_is_state <- function(state) {
+  if (!inherits(state, "codend_state")) {
+    cli::cli_abort(
+      "{.arg state} must be a state, as {.fn settle} returns, not {.cls {class(state)}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+}
+
+plan_measures <- function(state) {
+  asked <- state$si$measures
+  values <- vapply(asked, function(measure) {
+    switch(measure$kind,
+      spread = measure_spread(state, measure),
+      height = measure_height(state, measure),
+      length = measure_length(state, measure),
+      depth = measure_depth(state, measure),
+      tension = measure_tension(state, measure),
+      area = measure_area(state, measure),
+      angle = measure_angle(state, measure)
+    )
+  }, 0)
+  setNames(values, vapply(asked, `[[`, "", "column"))
+}
+
+towing_measures <- function(state, own) {
+  speed <- state$si$towing$speed
+  pull <- colSums(reaction_table(state)[c("x_kN", "y_kN", "z_kN")])
+  drag <- -sum(pull * flow_axes(state$si)[, "flow"])
+  found <- c(total_drag_kN = drag)
+  if (speed == 0) return(found)
+  found[["tow_power_kW"]] <- drag * speed
+  if ("mouth_area_m2" %in% names(own)) {
+    outline <- rope_outline(state, state$si$measures$mouth_area$ropes)
+    found[["filtered_volume_m3_per_h"]] <-
+      own[["mouth_area_m2"]] * water_speed(state, -mean(outline[3, ])) * 3600
+  }
+  if ("wing_end_spread_m" %in% names(own)) {
+    found[["swept_area_km2_per_h"]] <- own[["wing_end_spread_m"]] * speed * 3600 / 1e6
+  }
+  found
+}
+
+# Speed (m/s, along x) of the water past the gear at a depth (m).
+water_speed <- function(state, depth) {
+  water <- state$lattice$engine$water
+  if (length(water$depth) == 1L) return(water$x)
+  stats::approx(water$depth, water$x, depth, rule = 2)$y
+}
+
+tension_measures <- function(state) {
+  lines <- state_lines(state)
+  netting <- state$lattice$parts$kind[lines$part] == "netting"
+  found <- numeric()
+  if (any(!netting)) found[["largest_rope_tension_kN"]] <- max(lines$tension[!netting]) / 1000
+  if (any(netting)) {
+    twine <- lines[netting, ]
+    long <- twine$lines * twine$rest
+    found[["twine_tension_exceeded_by_1_percent_N"]] <- exceeded_tension(twine$tension, long)
+    found[["slack_netting_percent"]] <- 100 * sum(long[twine$tension == 0]) / sum(long)
+  }
+  found
+}
+
+depth_measures <- function(state) {
+  depth <- -range(state$position[3, ])
+  c(least_depth_m = depth[2], greatest_depth_m = depth[1])
+}
+
+# Units of measures as their names spell them, longest first, with the units as printed.
+measure_suffixes <- c(
+  km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
+  m2 = "m2", m = "m", N = "N"
+)
+
+# Splits names such as "door_spread_m" into words ("door spread") and unit ("m").
+measure_words <- function(names) {
+  pattern <- paste0("_(", paste(names(measure_suffixes), collapse = "|"), ")$")
+  suffix <- regmatches(names, regexpr(pattern, names))
+  list(
+    words = gsub("_", " ", sub(pattern, "", names)),
+    unit = unname(measure_suffixes[substring(suffix, 2)])
+  )
+}
+
+# What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
+# the measures by name.
+state_record <- function(state) {
+  engine <- state$lattice$engine
+  list(
+    converged = state$report$converged, iterations = state$report$iterations,
+    residual = state$report$residual,
+    nodes = engine$nodes, bars = length(engine$bars$rest),
+    triangles = length(engine$triangles$rest),
+    cpu_seconds = state$report$cpu_seconds,
+    measures = as.list(measures(state))
+  )
+}

@@ -1,0 +1,110 @@
+#' Tables of a state
+#'
+#' A state is the result of [settle()]: a gear in balance. These tables hold all its numbers;
+#' columns end in their unit. x points aft (with the flow past a towed gear), y to starboard, z up
+#' from the water surface.
+#'
+#' @details
+#' A state is a list of class `codend_state` with these fields:
+#'
+#' - `gear`: the gear; `si`: its plan in SI units with every default filled in.
+#' - `lattice`: the gear as nodes and elements, class `codend_lattice`.
+#' - `report`: the solver's report: `converged`, `iterations`, `factorisations`, `residual` (largest
+#'   net force on a free node as a share of the largest tension), `largest_tension` (N),
+#'   `worst_node`, `worst_force` (N), `cpu_seconds` and seconds by step.
+#' - `position` (3 x nodes, m) and `force` (3 x nodes, N): the net force on each node; on a held
+#'   node the reaction of its support is the opposite.
+#' - `bar_tension` (N, of one line), `bar_length` (m), and of the two families of twine in every
+#'   netting triangle `u_tension`, `u_length`, `v_tension`, `v_length` (of one mesh bar).
+#' - `bar_drag`, `triangle_drag`, `sphere_drag`, `lift_force` (3 x elements, N): hydrodynamic force
+#'   on every element.
+#'
+#' @param x A state.
+#' @param row.names `NULL` or names for the rows.
+#' @param optional Not used.
+#' @param what Which table (give it by name, as `what = "drag"`):
+#'
+#'   - `"tensions"`: a row per bar and per family of twine in every netting triangle: `part`, `kind`
+#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v),
+#'     its middle `x_m`, `y_m`, `z_m`, `length_m` and `tension_kN` of one line, `lines` (how many
+#'     run in parallel) and `slack` (no tension).
+#'   - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (names of the ropes and panels that meet
+#'     there) and `held`.
+#'   - `"measures"`: `measure`, `value` and `unit` ([measures()]).
+#'   - `"drag"`: a row per rope, panel and piece: `part`, `kind`, `role`, hydrodynamic force as
+#'     `drag_kN` (along the flow), `side_kN` (to starboard of it) and `lift_kN` (up), and
+#'     `weight_in_water_kN` (weight less buoyancy).
+#'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`.
+#' @param ... Not used.
+#' @return A data frame.
+#' @examples
+#' state <- settle("crossing_cables")
+#' as.data.frame(state, what = "reactions")
+#' head(as.data.frame(state, what = "tensions"))
+#' @export
+as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
+                                       what = c("tensions", "nodes", "measures", "drag",
+                                                "reactions"), ...) {
+  table <- switch(match.arg(what),
+    tensions = line_table(x),
+    nodes = node_table(x),
+    measures = measure_table(x),
+    drag = drag_table(x),
+    reactions = reaction_table(x)
+  )
+  if (!is.null(row.names)) row.names(table) <- row.names
+  table
+}
+
+line_table <- function(state) {
+  engine <- state$lattice$engine
+  parts <- state$lattice$parts
+  lines <- state_lines(state)
+  points <- state_points(state)
+  in_triangles <- element_middles(points, engine$triangles$node, 3L)
+  middle <- cbind(element_middles(points, engine$bars$node, 2L), in_triangles, in_triangles)
+  data.frame(
+    part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
+    element = lines$element, family = lines$family,
+    x_m = middle[1, ], y_m = middle[2, ], z_m = middle[3, ],
+    length_m = lines$length, tension_kN = lines$tension / 1000, lines = lines$lines,
+    slack = lines$tension == 0
+  )
+}
+
+node_table <- function(state) {
+  x <- state$position
+  data.frame(
+    node = seq_len(ncol(x)), x_m = x[1, ], y_m = x[2, ], z_m = x[3, ],
+    parts = node_parts(state$lattice), held = state$lattice$engine$held
+  )
+}
+
+# Names of the ropes and panels that meet at every node, in the order of the plan.
+node_parts <- function(lattice) {
+  e <- lattice$engine
+  point <- c(e$bars$node, e$triangles$node)
+  part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$triangle_part, each = 3L))
+  # What stands on a tied point meets both nodes that carry it.
+  tied <- point > e$nodes
+  tie <- point[tied] - e$nodes
+  node <- c(point[!tied], e$ties$first[tie], e$ties$second[tie])
+  part <- c(part[!tied], part[tied], part[tied])
+  met <- unique(data.frame(node = node, part = part))
+  met <- met[order(met$node, met$part), ]
+  name <- lattice$parts$name[met$part]
+  out <- character(e$nodes)
+  first <- !duplicated(met$node)
+  out[met$node[first]] <- name[first]
+  shared <- met$node %in% met$node[!first]
+  joined <- vapply(split(name[shared], met$node[shared]), paste, "", collapse = ", ")
+  out[as.integer(names(joined))] <- joined
+  out
+}
+
+measure_table <- function(state) {
+  found <- measures(state)
+  data.frame(
+    measure = names(found), value = unname(found), unit = measure_words(names(found))$unit
+  )
+}

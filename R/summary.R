@@ -1,0 +1,174 @@
+#' Summary of a state
+#'
+#' The measures of a settled gear, its drag by component, the highest tensions, how much of its
+#' netting is slack, and how well all forces balance.
+#'
+#' @param object A state, from [settle()].
+#' @param ... Not used.
+#' @return A list of class `codend_summary`:
+#'
+#'   - `name` and `conditions` (text);
+#'   - `measures`: named numbers ([measures()]);
+#'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
+#'     by `group` (netting, ropes, otter boards, catch, fittings, total);
+#'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `exceeded_by_1_percent_kN`
+#'     (the tension that 1 % of its length exceeds) and `mean_kN`; `strength_kN` (breaking load) and
+#'     `strength_percent` (largest tension as a share of it), `NA` where no breaking load is known.
+#'     Where a point pulls at netting, `max_kN` grows as the netting is divided more finely;
+#'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (share of it
+#'     that carries no tension);
+#'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
+#'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
+#'   - `report`: the solver's report, with `nodes`, `bars` and `triangles`.
+#' @examples
+#' summary(settle("towed_cable"))
+#' @export
+summary.codend_state <- function(object, ...) {
+  engine <- object$lattice$engine
+  drag <- drag_table(object)
+  structure(
+    list(
+      name = object$si$name, conditions = conditions_text(object$si),
+      measures = measures(object),
+      drag = drag, drag_totals = drag_totals(drag),
+      tensions = tension_table(object), slack = slack_table(object),
+      reactions = reaction_table(object), balance = balance_table(object),
+      report = c(object$report, list(
+        nodes = engine$nodes, bars = length(engine$bars$rest),
+        triangles = length(engine$triangles$rest)
+      ))
+    ),
+    class = "codend_summary"
+  )
+}
+
+#' @export
+print.codend_summary <- function(x, ...) {
+  cat(format(x), sep = "\n")
+  invisible(x)
+}
+
+#' @export
+format.codend_summary <- function(x, ...) {
+  section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
+  c(
+    cli::style_bold(x$name), x$conditions,
+    section("Measures", measure_lines(x$measures)),
+    section("Drag by component", drag_lines(x$drag_totals)),
+    section("Largest drag", largest_drag_lines(x$drag)),
+    section("Highest rope tensions", rope_tension_lines(x$tensions)),
+    section("Highest twine tensions", twine_tension_lines(x$tensions)),
+    section("Slack netting", slack_lines(x$slack)),
+    section("Force balance", balance_lines(x$balance)),
+    section("Solution", report_lines(x$report))
+  )
+}
+
+# How many groups of parts a section lists.
+listed_parts <- 6L
+
+measure_lines <- function(measures) {
+  said <- measure_words(names(measures))
+  align_columns(list(said$words, align_points(figures(measures)), said$unit), left = c(1L, 3L))
+}
+
+drag_lines <- function(totals) {
+  share <- 100 * totals$drag_kN / totals$drag_kN[nrow(totals)]
+  align_columns(list(
+    c("", totals$group),
+    c("drag kN", column_figures(totals$drag_kN)),
+    c("share %", ifelse(is.finite(share), formatC(share, format = "f", digits = 1), "")),
+    c("side kN", column_figures(totals$side_kN)),
+    c("lift kN", column_figures(totals$lift_kN)),
+    c("weight in water kN", column_figures(totals$weight_in_water_kN))
+  ))
+}
+
+# Parts of one role together: data frames of a table's rows, named "warp, 2 ropes" or "cable".
+by_role <- function(table) {
+  name <- ifelse(is.na(table$role), table$part, gsub("_", " ", table$role))
+  groups <- split(table, paste(table$kind, name))
+  words <- c(rope = "ropes", netting = "panels", piece = "pieces")
+  setNames(groups, vapply(groups, function(group) {
+    n <- nrow(group)
+    if (is.na(group$role[1])) return(group$part[1])
+    paste0(gsub("_", " ", group$role[1]), if (n > 1) paste0(", ", n, " ", words[[group$kind[1]]]))
+  }, ""))
+}
+
+# The groups with the largest values: list(groups, values).
+largest_groups <- function(table, value) {
+  groups <- by_role(table)
+  values <- vapply(groups, value, 0)
+  first <- utils::head(order(-values), listed_parts)
+  first <- first[values[first] > 0]
+  list(groups = groups[first], values = values[first])
+}
+
+largest_drag_lines <- function(drag) {
+  most <- largest_groups(drag, function(group) sum(group$drag_kN))
+  if (length(most$groups) < 2L) return(NULL)
+  align_columns(list(names(most$groups), paste(column_figures(most$values), "kN")))
+}
+
+rope_tension_lines <- function(tensions) {
+  most <- largest_groups(tensions[tensions$kind == "rope", ], function(group) max(group$max_kN))
+  if (!length(most$groups)) return(NULL)
+  highest <- do.call(rbind, lapply(most$groups, function(g) g[which.max(g$max_kN), ]))
+  percent <- formatC(highest$strength_percent, format = "f", digits = 1)
+  share <- paste(percent, "% of breaking load")
+  share[is.na(highest$strength_percent)] <- ""
+  align_columns(list(
+    names(most$groups), paste(column_figures(most$values), "kN"), share
+  ))
+}
+
+twine_tension_lines <- function(tensions) {
+  highest <- function(group) 1000 * max(group$exceeded_by_1_percent_kN)
+  most <- largest_groups(tensions[tensions$kind == "netting", ], highest)
+  if (!length(most$groups)) return(NULL)
+  mean <- vapply(most$groups, function(group) 1000 * max(group$mean_kN), 0)
+  align_columns(list(
+    c("", names(most$groups)), c("mean N", column_figures(mean)),
+    c("1 % of twine above N", column_figures(most$values))
+  ))
+}
+
+slack_lines <- function(slack) {
+  if (!nrow(slack)) return(NULL)
+  share <- function(panels) stats::weighted.mean(panels$slack_percent, panels$twine_m)
+  percent <- function(x) paste(formatC(x, format = "f", digits = 1), "%")
+  if (share(slack) == 0) return("  All twine carries tension.")
+  most <- largest_groups(cbind(slack, kind = "netting"), share)
+  c(
+    paste(
+      " ", percent(share(slack)),
+      "of all twine carries no tension: there the netting hangs loose and may move."
+    ),
+    align_columns(list(names(most$groups), percent(most$values)))
+  )
+}
+
+balance_lines <- function(balance) {
+  remainder <- balance$force == "remainder"
+  shown <- function(column) {
+    forces <- column_figures(balance[[column]][!remainder])
+    c(forces, formatC(balance[[column]][remainder], format = "e", digits = 1))
+  }
+  align_columns(list(
+    c("kN", gsub("_", " ", balance$force)),
+    c("x (aft)", shown("x_kN")), c("y (starboard)", shown("y_kN")), c("z (up)", shown("z_kN"))
+  ))
+}
+
+report_lines <- function(report) {
+  c(
+    sprintf("  %d nodes, %d bars, %d netting triangles", report$nodes, report$bars,
+      report$triangles),
+    sprintf(
+      "  %s in %d steps: largest net force on a node %.1e of the largest tension; %.2f CPU seconds",
+      if (report$converged) "Settled" else "Not settled", report$iterations, report$residual,
+      report$cpu_seconds
+    )
+  )
+}

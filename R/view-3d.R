@@ -1,0 +1,202 @@
+#' Turn a state around in three dimensions
+#'
+#' Makes a page with the gear in three dimensions, at one scale on all axes, to turn with the left
+#' mouse button and to zoom with the wheel or the right one. Ropes and netting are coloured by
+#' tension as in [plot.codend_state()], with legends in the page. Where the warps make the gear much
+#' longer than its net, the page opens at the net; buttons look at the net or the whole gear. Pieces
+#' are drawn large enough to be seen.
+#'
+#' @param state A state, from [settle()].
+#' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
+#'   nothing of the network. It is written whole or not at all. This takes pandoc.
+#' @return An HTML widget, which prints in the viewer or browser; invisibly where `file` is given.
+#'   A wrong argument is an error of class `codend_error_argument`; a missing pandoc one of class
+#'   `codend_error_pandoc`.
+#' @examples
+#' page <- view(settle("towed_cable"))
+#' class(page)
+#' @export
+view <- function(state, file = NULL) {
+  check_is_state(state)
+  if (!is.null(file)) {
+    picture_extension(file, "html")
+    check_pandoc()
+  }
+  # A fixed name in a file, so that the same state gives the same file.
+  page <- gear_page(state, if (!is.null(file)) "gear")
+  if (is.null(file)) return(page)
+  write_whole(file, function(path) {
+    htmlwidgets::saveWidget(page, path, selfcontained = TRUE, title = state$gear$plan$name)
+  })
+  invisible(page)
+}
+
+check_pandoc <- function() {
+  found <- c(Sys.which("pandoc"), file.path(Sys.getenv("RSTUDIO_PANDOC"), "pandoc"))
+  if (!any(nzchar(found) & file.exists(found))) {
+    cli::cli_abort(
+      "Writing a page as one file takes {.pkg pandoc}, which is not on the path; install it, or
+      leave out {.arg file} to see the page.",
+      class = c("codend_error_pandoc", "codend_error"), call = NULL
+    )
+  }
+}
+
+# The page of a state as a widget; element is its name in HTML or NULL for a random one.
+gear_page <- function(state, element) {
+  drawing <- state_drawing(state)
+  scales <- list(
+    rope = tension_scale(drawing$ropes$tension, "rope"),
+    netting = tension_scale(drawing$netting$tension, "netting")
+  )
+  whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
+  if (state$si$water$density > 0) whole[2, 3] <- max(whole[2, 3], 0)
+  net <- net_to_enlarge(drawing, whole)
+  scene <- gear_scene(state, drawing, scales, whole, if (is.null(net)) whole else net)
+  gear_widget(scene, page_legend(state, drawing, scales), whole, net, element)
+}
+
+# The scene, drawn on a device of its own that needs no display. whole, focus: ranges of the gear
+# and of what to look at first, around whose middle the scene turns.
+gear_scene <- function(state, drawing, scales, whole, focus) {
+  kept <- options(rgl.useNULL = TRUE)
+  on.exit(options(kept))
+  before <- rgl::cur3d()
+  device <- rgl::open3d(useNULL = TRUE, silent = TRUE)
+  on.exit({
+    rgl::close3d(device)
+    if (before > 0) rgl::set3d(before, silent = TRUE)
+  }, add = TRUE, after = FALSE)
+  rgl::bg3d("#F7FAFC")
+  size <- max(focus[2, ] - focus[1, ])
+  scene_lines(drawing$netting, scales$netting, 1)
+  scene_lines(drawing$ropes, scales$rope, 4)
+  scene_marks(drawing$marks, size)
+  scene_flow(flow_past(state), focus, size)
+  if (state$si$water$density > 0) scene_surface(whole)
+  scene_axes(focus, size)
+  # A scene turns around the middle of its box: make the middle of the focus that of the box.
+  middle <- colMeans(focus)
+  reach <- reach_around(whole, focus)
+  rgl::points3d(rbind(middle - reach, middle + reach), alpha = 0)
+  rgl::aspect3d("iso")
+  rgl::view3d(userMatrix = first_turn(), fov = 20, zoom = zoom_to(focus, reach))
+  rgl::scene3d(minimal = FALSE)
+}
+
+# How far (m along x, y, z) the whole reaches from the middle of the focus.
+reach_around <- function(whole, focus) {
+  apply(abs(sweep(whole, 2L, colMeans(focus))), 2L, max)
+}
+
+# From the port bow, a little above.
+first_turn <- function() {
+  rgl::rotationMatrix(-0.38 * pi, 1, 0, 0) %*% rgl::rotationMatrix(-0.12 * pi, 0, 0, 1)
+}
+
+# The zoom at which ranges fill the window: their share of the ball around the whole scene.
+zoom_to <- function(ranges, reach) {
+  0.72 * sqrt(sum((ranges[2, ] - ranges[1, ])^2)) / (2 * sqrt(sum(reach^2)))
+}
+
+scene_lines <- function(lines, scale, width) {
+  n <- length(lines$tension)
+  if (!n) return(invisible())
+  ends <- matrix(rbind(lines$from, lines$to), 3L)
+  colour <- rep(tension_colours(scale, lines$tension), each = 2L)
+  rgl::segments3d(t(ends), color = colour, lwd = width, lit = FALSE)
+}
+
+scene_marks <- function(marks, size) {
+  flat <- marks$role %in% c("otter_board", "canvas")
+  for (k in which(flat)) scene_plate(marks[k, ], size)
+  round <- marks[!flat, ]
+  if (!NROW(round)) return(invisible())
+  least <- 0.004 * size * symbol_of(round$role)$size
+  radius <- pmax(least, ifelse(is.na(round$size), 0, round$size / sqrt(pi)))
+  rgl::spheres3d(round$x, round$y, round$z, radius = radius, color = symbol_of(round$role)$fill,
+    lit = TRUE, specular = "#303030")
+}
+
+# A square plate: upright and at 30 degrees to the flow where it lifts sideways, else across the
+# flow at 45 degrees. Its attitude is not part of a state.
+scene_plate <- function(mark, size) {
+  half <- max(if (is.na(mark$size)) 0 else mark$size, 0.02 * size) / 2
+  side <- switch(if (is.na(mark$direction)) "up" else mark$direction, port = 1, starboard = -1, 0)
+  first <- if (side != 0) c(cos(pi / 6), side * sin(pi / 6), 0) else c(0, 1, 0)
+  second <- if (side != 0) c(0, 0, 1) else c(1, 0, 1) / sqrt(2)
+  corners <- rbind(-first - second, first - second, first + second, -first + second) * half
+  centre <- c(mark$x, mark$y, mark$z)
+  rgl::quads3d(t(t(corners) + centre), color = symbol_of(mark$role)$fill, lit = FALSE)
+}
+
+scene_surface <- function(ranges) {
+  x <- ranges[c(1, 2, 2, 1), 1]
+  y <- ranges[c(1, 1, 2, 2), 2]
+  rgl::quads3d(x, y, 0, color = "#4A90C2", alpha = 0.15, lit = FALSE, depth_mask = FALSE)
+  rgl::lines3d(x[c(1:4, 1)], y[c(1:4, 1)], 0, color = water_colour, lwd = 1, lit = FALSE)
+  rgl::texts3d(ranges[2, 1], ranges[1, 2], 0, "water surface", adj = c(1, -0.5),
+    color = water_colour, cex = 0.9)
+}
+
+# An arrow beside the port side of the ranges, at mid depth.
+scene_flow <- function(flow, ranges, size) {
+  speed <- sqrt(sum(flow^2))
+  if (speed == 0) return(invisible())
+  long <- 0.1 * size
+  along <- c(flow, 0) / speed
+  side <- c(-along[2], along[1], 0)
+  start <- c(ranges[1, 1], ranges[1, 2] - 0.05 * size, mean(ranges[, 3]))
+  tip <- start + long * along
+  barbs <- tip - 0.25 * long * along
+  ends <- rbind(start, tip, tip, barbs + 0.12 * long * side, tip, barbs - 0.12 * long * side)
+  rgl::segments3d(ends, color = water_colour, lwd = 3, lit = FALSE)
+  rgl::texts3d(matrix(start + 0.5 * long * along, 1), texts = sprintf("flow %.2f m/s", speed),
+    adj = c(0.5, -0.6), color = water_colour, cex = 0.9)
+}
+
+# Axes along three edges of the ranges, with about as many metres between ticks on each.
+scene_axes <- function(ranges, size) {
+  low <- ranges[1, ]
+  high <- ranges[2, ]
+  # Where each axis starts, and the way out of the box from it.
+  from <- rbind(low, low, c(high[1], low[2], low[3]))
+  out <- rbind(c(0, -1, 0), c(-1, 0, 0), c(0.7, -0.7, 0))
+  colour <- "#404448"
+  for (axis in 1:3) {
+    at <- ticks_between(ranges[, axis], max(1, 8 * (high - low)[axis] / size))
+    on_axis <- matrix(from[axis, ], length(at), 3L, byrow = TRUE)
+    on_axis[, axis] <- at
+    away <- function(share) sweep(on_axis, 2L, share * size * out[axis, ], "+")
+    end <- from[axis, ]
+    end[axis] <- high[axis]
+    rgl::segments3d(
+      rbind(from[axis, ], end, matrix(t(cbind(on_axis, away(0.012))), ncol = 3L, byrow = TRUE)),
+      color = colour, lwd = 1, lit = FALSE
+    )
+    rgl::texts3d(away(0.035), texts = as.character(if (axis == 3L) 0 - at else at),
+      color = colour, cex = 0.75)
+    end <- from[axis, ] + 0.11 * size * out[axis, ]
+    end[axis] <- if (axis == 3L) high[3] + 0.03 * size else mean(ranges[, axis])
+    if (axis == 3L) end[1:2] <- from[3, 1:2]
+    rgl::texts3d(matrix(end, 1L), texts = plane_labels[axis], color = colour, cex = 0.85)
+  }
+}
+
+# The scene as a widget that fills its window, with the legends laid over it and, where the net is
+# small in its gear, buttons to look at either.
+gear_widget <- function(scene, legend, whole, net, element) {
+  widget <- rgl::rglwidget(scene, width = 960, height = 640, elementId = element)
+  widget$width <- widget$height <- NULL
+  widget$sizingPolicy <- htmlwidgets::sizingPolicy(
+    defaultWidth = "100%", defaultHeight = 640, padding = 0, browser.fill = TRUE,
+    viewer.fill = TRUE, knitr.figure = FALSE
+  )
+  script <- readLines(system.file("view", "page.js", package = "codend"), encoding = "UTF-8")
+  data <- list(html = legend)
+  if (!is.null(net)) {
+    data$move <- unname(colMeans(net) - colMeans(whole))
+    data$zoom <- zoom_to(whole, reach_around(whole, net))
+  }
+  htmlwidgets::onRender(widget, paste(script, collapse = "\n"), data = data)
+}

@@ -1,0 +1,39 @@
+# A picture's file: checked before anything is drawn, and written whole or not at all.
+
+picture_extension <- function(file, allowed) {
+  if (!(is.character(file) && length(file) == 1L && !is.na(file) && nzchar(file))) {
+    abort_view("{.arg file} must be one path.")
+  }
+  extension <- tolower(sub("^.*[.]", "", basename(file)))
+  if (!grepl(".", basename(file), fixed = TRUE) || !extension %in% allowed) {
+    abort_view(
+      "{.arg file} is {.file {file}}; it must end in {.or {.val {paste0('.', allowed)}}}.",
+      list(file = file, allowed = allowed)
+    )
+  }
+  if (!dir.exists(dirname(file))) {
+    abort_view(
+      "{.arg file} must lie in a folder that exists, not {.file {dirname(file)}}.",
+      list(file = file)
+    )
+  }
+  extension
+}
+
+# write: a function(path) that writes the picture to that path.
+write_whole <- function(file, write) {
+  drawn <- tempfile(fileext = paste0(".", tolower(sub("^.*[.]", "", basename(file)))))
+  beside <- tempfile(".view-", tmpdir = dirname(file))
+  on.exit(unlink(c(drawn, beside)))
+  write(drawn)
+  # Renaming is only safe within one file system.
+  if (!suppressWarnings(file.copy(drawn, beside) && file.rename(beside, file))) {
+    abort_view("{.file {file}} cannot be written.", list(file = file))
+  }
+  invisible(file)
+}
+
+abort_view <- function(message, values = list()) {
+  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
+    .envir = list2env(values, parent = environment()))
+}

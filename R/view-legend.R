@@ -1,0 +1,64 @@
+# The legends of the 3D page, as HTML laid over the scene; the mouse reaches the scene through them.
+
+page_legend <- function(state, drawing, scales) {
+  text <- "font: 12px/1.35 system-ui, sans-serif; color: #202428; pointer-events: none;"
+  paste0(
+    "<div style='position: absolute; left: 14px; top: 10px; ", text, "'>",
+    "<div style='font-size: 17px; font-weight: 600'>", escape_html(state$gear$plan$name), "</div>",
+    "<div>", escape_html(state_conditions(state)), "</div></div>",
+    "<div style='position: absolute; left: 14px; bottom: 12px; ", text,
+    " display: flex; flex-wrap: wrap; gap: 26px; align-items: flex-start'>",
+    html_colour_bar(scales$rope, "rope", any(drawing$ropes$tension <= 0)),
+    html_colour_bar(scales$netting, "netting", any(drawing$netting$tension <= 0)),
+    html_key(drawing$marks), "</div>"
+  )
+}
+
+html_colour_bar <- function(scale, kind, slack) {
+  heading <- paste0(
+    "<div><div style='font-weight: 600; margin-bottom: 3px'>", scale_heading(scale, kind), "</div>",
+    "<div style='display: flex; gap: 16px'>",
+    if (slack) {
+      sprintf("<div><div style='width: 26px; height: 12px; background: %s'></div>slack</div>",
+        slack_colour)
+    }
+  )
+  if (is.null(scale)) return(if (slack) paste0(heading, "</div></div>") else "")
+  colours <- scale$colours[round(seq(1, length(scale$colours), length.out = 16L))]
+  at <- 100 * scale_share(scale, scale$ticks * scale$per_unit)
+  ticks <- sprintf(
+    "<span style='position: absolute; left: %.1f%%; transform: translateX(-50%%)'>%s</span>",
+    at, tick_labels(scale)
+  )
+  paste0(
+    heading,
+    "<div style='width: 220px'><div style='height: 12px; background: linear-gradient(to right, ",
+    paste(colours, collapse = ", "), ")'></div><div style='position: relative; height: 16px'>",
+    paste(ticks, collapse = ""), "</div></div></div></div>"
+  )
+}
+
+html_key <- function(marks) {
+  used <- symbols_used(marks)
+  if (!nrow(used)) return("")
+  round <- ifelse(used$role %in% c("otter_board", "canvas"), "0", "50%")
+  paste0(
+    "<div style='display: grid; grid-template-columns: auto auto; gap: 1px 16px'>",
+    paste0(
+      sprintf(
+        "<div><span style='display: inline-block; width: 9px; height: 9px; margin-right: 6px;
+        background: %s; border: 1px solid #202428; border-radius: %s'></span>%s</div>",
+        used$fill, round, used$label
+      ),
+      collapse = ""
+    ),
+    "</div>"
+  )
+}
+
+escape_html <- function(text) {
+  for (pair in list(c("&", "&amp;"), c("<", "&lt;"), c(">", "&gt;"), c("'", "&#39;"))) {
+    text <- gsub(pair[1], pair[2], text, fixed = TRUE)
+  }
+  text
+}

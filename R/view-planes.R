@@ -1,0 +1,204 @@
+#' Plane figures of a state
+#'
+#' Draws the gear from above (XY), from the port side (XZ) and from astern (YZ), each at one scale on
+#' both axes. Ropes are thick and netting is thin; both are coloured by tension, with a legend each.
+#' Where the warps make the gear much longer than its net, the net is drawn again, enlarged, if the
+#' page is high enough.
+#'
+#' Netting of triangles is drawn as the two twine directions through its cells, which are larger than
+#' the meshes; of a net too fine for the page every second, third, ... line is drawn, its tension the
+#' mean around it.
+#'
+#' @param x A state, from [settle()].
+#' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.
+#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
+#'   or `.svg`. It is written whole or not at all.
+#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the gear.
+#' @param ... Not used.
+#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @examples
+#' state <- settle("towed_cable")
+#' plot(state, planes = "xz")
+#' @export
+plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, width = 10,
+                              height = NULL, ...) {
+  known <- c("xy", "xz", "yz")
+  if (!is.character(planes) || !length(planes) || !all(planes %in% known)) {
+    abort_view("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.",
+      list(planes = planes, known = known))
+  }
+  for (side in list(list("width", width), list("height", height))) check_inches(side[[1]], side[[2]])
+  extension <- if (!is.null(file)) picture_extension(file, c("png", "pdf", "svg"))
+  figure <- plane_figure(x, intersect(known, planes))
+  if (is.null(file)) {
+    draw_figure(figure, grDevices::dev.size())
+    return(invisible(x))
+  }
+  page <- c(width, if (is.null(height)) fitting_height(figure, width) else height)
+  write_whole(file, function(path) {
+    before <- grDevices::dev.cur()
+    switch(extension,
+      png = grDevices::png(path, page[1], page[2], units = "in", res = 200),
+      pdf = grDevices::pdf(path, page[1], page[2], title = figure$title),
+      svg = grDevices::svg(path, page[1], page[2])
+    )
+    device <- grDevices::dev.cur()
+    on.exit({
+      grDevices::dev.off(device)
+      if (before > 1L) grDevices::dev.set(before)
+    })
+    draw_figure(figure, page)
+  })
+  invisible(x)
+}
+
+check_inches <- function(name, value) {
+  if (name == "height" && is.null(value)) return(invisible())
+  if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value >= 3 && value <= 100)) {
+    abort_view("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.",
+      list(name = name, value = value))
+  }
+}
+
+# What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
+# and netting, flow (m/s, x and y), in_water, planes).
+plane_figure <- function(state, planes) {
+  drawing <- state_drawing(state)
+  list(
+    drawing = drawing,
+    title = state$gear$plan$name,
+    conditions = state_conditions(state),
+    scales = list(
+      rope = tension_scale(drawing$ropes$tension, "rope"),
+      netting = tension_scale(drawing$netting$tension, "netting")
+    ),
+    flow = flow_past(state),
+    in_water = state$si$water$density > 0,
+    planes = planes
+  )
+}
+
+state_conditions <- function(state) {
+  knots <- state$si$towing$speed / 0.514444
+  flow <- flow_past(state)
+  if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
+  if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
+  if (state$si$water$density > 0) "in still water" else "in air"
+}
+
+draw_figure <- function(figure, page) {
+  kept <- graphics::par(no.readonly = TRUE)
+  on.exit(graphics::par(kept))
+  # The size of text first: margins are laid out in lines of it.
+  graphics::par(family = "sans", bg = "white", cex = 0.8)
+  graphics::plot.new()
+  views <- views_for_page(figure, page)
+  frames <- page_frames(views, page)
+  for (k in seq_along(views)) draw_plane(figure, views[[k]], frames$views[[k]], page)
+  draw_title(figure, frames$title, page)
+  draw_legends(figure, frames$legend, page)
+}
+
+# Opens a plotting region on part of the page; frame and margins in inches (left, bottom, right, top
+# of the frame; bottom, left, top, right as mai).
+open_region <- function(frame, page, margins) {
+  graphics::par(
+    fig = c(frame[1] / page[1], frame[3] / page[1], frame[2] / page[2], frame[4] / page[2]),
+    mai = margins, new = TRUE, xaxs = "i", yaxs = "i", cex = 0.8, mgp = c(2, 0.5, 0), tcl = -0.25
+  )
+  graphics::plot.new()
+}
+
+water_colour <- "#2C6E9B"
+
+plane_axes <- list(xy = c(1L, 2L), xz = c(1L, 3L), yz = c(2L, 3L))
+plane_labels <- c("x aft (m)", "y starboard (m)", "depth (m)")
+plane_words <- c(xy = "from above", xz = "from the port side", yz = "from astern")
+
+draw_plane <- function(figure, view, frame, page) {
+  open_region(frame, page, plane_margins)
+  axes <- plane_axes[[view$plane]]
+  graphics::plot.window(view$across, view$up, asp = 1)
+  usr <- graphics::par("usr")
+  graphics::rect(usr[1], usr[3], usr[2], usr[4], col = "#F6F9FB", border = NA)
+  graphics::clip(usr[1], usr[2], usr[3], usr[4])
+  if (axes[2] == 3L && figure$in_water && usr[4] > 0) {
+    graphics::rect(usr[1], 0, usr[2], usr[4], col = "white", border = NA)
+    graphics::segments(usr[1], 0, usr[2], 0, col = water_colour, lwd = 1)
+    graphics::text(usr[2], 0, "water surface ", adj = c(1, -0.35), col = water_colour, cex = 0.75)
+  }
+  thin <- if (view$region == "whole" && view$enlarged) 0.35 else 0.6
+  draw_lines(figure$drawing$netting, figure$scales$netting, axes, thin)
+  draw_lines(figure$drawing$ropes, figure$scales$rope, axes, if (view$region == "net") 2.6 else 2)
+  for (box in view$boxes) {
+    graphics::rect(box[1], box[3], box[2], box[4], border = "grey30", lty = 3)
+  }
+  draw_marks(figure$drawing$marks, axes)
+  do.call(graphics::clip, as.list(usr + c(-1, 1, -1, 1) * 10 * max(diff(usr))))
+  graphics::box(col = "grey40")
+  up <- ticks_between(usr[3:4], max(3, graphics::par("pin")[2] / 0.4))
+  across <- ticks_between(usr[1:2], max(3, graphics::par("pin")[1] / 0.7))
+  graphics::axis(1, at = across, col = "grey40")
+  graphics::axis(2, at = up, labels = if (axes[2] == 3L) 0 - up else up, las = 1, col = "grey40")
+  graphics::title(xlab = plane_labels[axes[1]])
+  graphics::title(ylab = plane_labels[axes[2]], line = 2.6)
+  graphics::mtext(view_heading(view), side = 3, line = 0.3, adj = 0, cex = 0.85, font = 2)
+  draw_flow(figure$flow, axes, usr)
+}
+
+ticks_between <- function(range, wanted) {
+  at <- pretty(range, min(10, wanted))
+  at[at >= range[1] & at <= range[2]]
+}
+
+view_heading <- function(view) {
+  subject <- if (view$region == "net") "Net" else "Gear"
+  paste0(subject, " ", plane_words[[view$plane]], " (", toupper(view$plane), ")")
+}
+
+# Far lines first, near ones over them.
+draw_lines <- function(lines, scale, axes, width) {
+  if (!length(lines$tension)) return(invisible())
+  away <- setdiff(1:3, axes)
+  near <- (lines$from[away, ] + lines$to[away, ]) * (if (away == 2L) -1 else 1)
+  order <- order(near)
+  graphics::segments(
+    lines$from[axes[1], order], lines$from[axes[2], order],
+    lines$to[axes[1], order], lines$to[axes[2], order],
+    col = tension_colours(scale, lines$tension)[order], lwd = width, lend = "round"
+  )
+}
+
+draw_marks <- function(marks, axes) {
+  if (!NROW(marks)) return(invisible())
+  symbol <- symbol_of(marks$role)
+  at <- as.matrix(marks[c("x", "y", "z")])
+  graphics::points(at[, axes[1]], at[, axes[2]], pch = symbol$symbol, bg = symbol$fill,
+    col = "#202428", cex = symbol$size, lwd = 0.8)
+}
+
+# The flow beside the heading: an arrow in its plane, or an arrow's tip or tail where it crosses it.
+draw_flow <- function(flow, axes, usr) {
+  speed <- sqrt(sum(flow^2))
+  if (speed == 0) return(invisible())
+  # Metres per inch.
+  inch <- diff(usr[1:2]) / graphics::par("pin")[1]
+  along <- c(flow, 0)[axes] / speed
+  centre <- c(usr[2] - 0.25 * inch, usr[4] + 0.13 * inch)
+  kept <- graphics::par(xpd = NA)
+  on.exit(graphics::par(kept))
+  if (sqrt(sum(along^2)) > 0.2) {
+    half <- min(0.2, 0.12 / max(abs(along[2]), 1e-9)) * inch * along
+    graphics::arrows(centre[1] - half[1], centre[2] - half[2], centre[1] + half[1],
+      centre[2] + half[2], length = 0.07, col = water_colour, lwd = 1.8)
+  } else {
+    across <- c(flow, 0)[setdiff(1:3, axes)] * (if (identical(axes, plane_axes$xz)) -1 else 1)
+    graphics::points(centre[1], centre[2], pch = 1, cex = 1.6, col = water_colour, lwd = 1.5)
+    graphics::points(centre[1], centre[2], pch = if (across > 0) 20 else 4, cex = 0.8,
+      col = water_colour)
+  }
+  # A narrow view has only room for the arrow.
+  if (graphics::par("pin")[1] < 2.8) return(invisible())
+  graphics::text(usr[2] - 0.5 * inch, centre[2], sprintf("flow %.2f m/s", speed), adj = c(1, 0.5),
+    col = water_colour, cex = 0.8)
+}

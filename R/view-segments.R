@@ -1,0 +1,213 @@
+# A state as what a picture shows: straight lines with tensions, and marks where pieces and supports
+# sit. Both plot() and view() draw from here.
+
+# At most about as many lines of netting, or of ropes, as a page or a screen can show.
+drawn_lines <- 20000L
+
+# Returns list(ropes, netting = lines (see new_lines), marks = data.frame(x, y, z, role, part, size,
+# direction)). Every end of a line is a point of the state.
+state_drawing <- function(state, limit = drawn_lines) {
+  points <- state_points(state)
+  list(
+    ropes = rope_lines(state, points, limit),
+    netting = netting_lines(state, points, limit),
+    marks = rbind(piece_marks(state, points), support_marks(state))
+  )
+}
+
+# Lines between points: ends (3 x n, m), tension (N; of one twine in netting) and part (row of the
+# lattice's table of parts).
+new_lines <- function(points, first, second, tension, part) {
+  list(
+    from = points[, first, drop = FALSE], to = points[, second, drop = FALSE],
+    tension = tension, part = rep_len(part, length(tension))
+  )
+}
+
+join_lines <- function(lines) {
+  list(
+    from = do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(lines, `[[`, "from"))),
+    to = do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(lines, `[[`, "to"))),
+    tension = as.double(unlist(lapply(lines, `[[`, "tension"))),
+    part = as.integer(unlist(lapply(lines, `[[`, "part")))
+  )
+}
+
+# Means of x over groups 1, 2, ..., none of them empty.
+weighted_means <- function(x, weight, group) {
+  sums <- rowsum(cbind(x * weight, weight), group)
+  sums[, 1] / sums[, 2]
+}
+
+bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
+
+# A rope with more bars than can be shown is drawn through every k-th of its nodes.
+rope_lines <- function(state, points, limit) {
+  lattice <- state$lattice
+  ropes <- which(lattice$parts$kind == "rope")
+  k <- ceiling(sum(lattice$bar_part %in% ropes) / limit)
+  ends <- matrix(lattice$engine$bars$node, 2L)
+  join_lines(lapply(ropes, function(part) {
+    bars <- bars_of_part(state, part)
+    if (!length(bars)) return(NULL)
+    group <- (seq_along(bars) - 1L) %/% k + 1L
+    last <- !duplicated(group, fromLast = TRUE)
+    new_lines(
+      points, ends[1L, bars[!duplicated(group)]], ends[2L, bars[last]],
+      weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group),
+      part
+    )
+  }))
+}
+
+# Netting: of bars, the bars themselves; of triangles, the two twine directions through each cell of
+# the panel's grid.
+netting_lines <- function(state, points, limit) {
+  lattice <- state$lattice
+  panels <- lattice$panels
+  part <- match(names(panels), ifelse(lattice$parts$kind == "netting", lattice$parts$name, NA))
+  of_bars <- vapply(panels, function(p) p$netting == "bars", NA)
+  bars <- sum(lattice$bar_part %in% part[of_bars])
+  grids <- lapply(panels[!of_bars], `[[`, "grid")
+  cells <- function(k) 2 * sum(vapply(grids, function(g) prod(ceiling((dim(g) - 1) / k)), 0))
+  total <- bars + cells(1)
+  block <- 1
+  longest <- max(0, vapply(grids, function(g) max(dim(g) - 1), 0))
+  while (cells(block) > limit * cells(1) / total && block < longest) block <- block + 1
+  every <- if (bars) ceiling(total / limit) else 1
+  join_lines(lapply(seq_along(panels), function(p) {
+    if (of_bars[p]) {
+      panel_bar_lines(state, points, names(panels)[p], part[p], every)
+    } else {
+      panel_cell_lines(state, points, names(panels)[p], part[p], block)
+    }
+  }))
+}
+
+# The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tensions of
+# the triangles inside. Twines of diamond meshes run along a cell's diagonals, those of square meshes
+# along its sides.
+panel_cell_lines <- function(state, points, name, part, block) {
+  panel <- state$si$panels[[name]]
+  grid <- state$lattice$panels[[name]]$grid
+  mine <- which(state$lattice$triangle_part == part)
+  cell <- triangle_cells(panel, matrix(state$lattice$engine$triangles$twine, 6L)[, mine, drop = FALSE])
+  columns <- block_ends(nrow(grid), block)
+  rows <- block_ends(ncol(grid), block)
+  across <- length(columns) - 1L
+  deep <- length(rows) - 1L
+  group <- (cell$row - 1L) %/% block * across + (cell$column - 1L) %/% block + 1L
+  weight <- triangle_bars(state$lattice$engine$triangles)[mine]
+  u <- weighted_means(state$u_tension[mine], weight, group)
+  v <- weighted_means(state$v_tension[mine], weight, group)
+  coarse <- grid[columns, rows, drop = FALSE]
+  corner <- function(c, r) as.vector(coarse[seq_len(across) + c, seq_len(deep) + r])
+  if (panel$orientation != "square") {
+    return(new_lines(points, c(corner(0, 0), corner(1, 0)), c(corner(1, 1), corner(0, 1)),
+      c(u, v), part))
+  }
+  last_row <- seq_len(across) + across * (deep - 1L)
+  last_column <- seq_len(deep) * across
+  new_lines(
+    points,
+    c(corner(0, 0), corner(0, 1)[last_row], corner(0, 0), corner(1, 0)[last_column]),
+    c(corner(1, 0), corner(1, 1)[last_row], corner(0, 1), corner(1, 1)[last_column]),
+    c(u, u[last_row], v, v[last_column]), part
+  )
+}
+
+block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))
+
+# The cell (column, row) of a panel's grid that each triangle lies in, from its corners' twine
+# coordinates (6 x triangles).
+triangle_cells <- function(panel, twine) {
+  u <- twine[c(1, 3, 5), , drop = FALSE]
+  v <- twine[c(2, 4, 6), , drop = FALSE]
+  square <- panel$orientation == "square"
+  i <- if (square) u else (u - v) / 2
+  j <- if (square) v else (u + v) / 2
+  width <- panel_right(panel, j) - panel_left(panel, j)
+  # At the tip of a pointed panel all columns meet, so the other corners tell the column.
+  share <- (i - panel_left(panel, j)) / ifelse(width > 1e-9 * panel$deep, width, NA)
+  least <- function(x) {
+    low <- round(pmin(x[1, ], x[2, ], x[3, ], na.rm = TRUE), 9)
+    match(low, sort(unique(low)))
+  }
+  list(column = least(share), row = least(j / panel$deep))
+}
+
+# The bars of a panel; all of them, or those of every k-th twine.
+panel_bar_lines <- function(state, points, name, part, every) {
+  bars <- bars_of_part(state, part)
+  ends <- matrix(state$lattice$engine$bars$node, 2L)[, bars, drop = FALSE]
+  if (every > 1) {
+    kept <- on_every_twine(state, name, ends, every)
+    bars <- bars[kept]
+    ends <- ends[, kept, drop = FALSE]
+  }
+  new_lines(points, ends[1L, ], ends[2L, ], state$bar_tension[bars], part)
+}
+
+# Which bars lie on every k-th equivalent twine of a panel, counted from its middle.
+on_every_twine <- function(state, name, ends, every) {
+  panel <- state$si$panels[[name]]
+  drawn <- state$lattice$panels[[name]]
+  lambda <- bar_grouping(panel, state$lattice$h)$lambda
+  node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
+  at <- matrix(match(ends, node), 2L)
+  i <- matrix(drawn$i[at], 2L)
+  j <- matrix(drawn$j[at], 2L)
+  square <- panel$orientation == "square"
+  u <- if (square) i else i + j
+  v <- if (square) j else j - i
+  along_u <- abs(u[2, ] - u[1, ]) > abs(v[2, ] - v[1, ])
+  number <- function(x) {
+    phase <- Arg(mean(exp(2i * pi * x / lambda))) / (2 * pi)
+    n <- round(x / lambda - phase)
+    n - round(stats::median(n))
+  }
+  twine <- integer(ncol(ends))
+  twine[along_u] <- number(colMeans(v)[along_u])
+  twine[!along_u] <- number(colMeans(u)[!along_u])
+  twine %% every == 0
+}
+
+# A piece spread along a rope is marked at up to this many of its nodes.
+marks_of_piece <- 24L
+
+piece_marks <- function(state, points) {
+  lattice <- state$lattice
+  pieces <- which(lattice$parts$kind == "piece")
+  do.call(rbind, lapply(pieces, function(part) {
+    piece <- state$si$pieces[[lattice$parts$name[part]]]
+    node <- unique(lattice$engine$spheres$node[lattice$sphere_part == part])
+    n <- min(length(node), max(marks_of_piece, 1L))
+    node <- node[unique(round(seq(1, length(node), length.out = n)))]
+    data.frame(
+      x = points[1L, node], y = points[2L, node], z = points[3L, node],
+      role = if (is.na(piece$role)) "other" else piece$role, part = lattice$parts$name[part],
+      size = sqrt(piece$area), direction = piece$lift_direction
+    )
+  }))
+}
+
+support_marks <- function(state) {
+  held <- Filter(function(p) is_given(p$held), state$si$points)
+  node <- state$lattice$points[names(held)]
+  if (!length(held)) return(NULL)
+  data.frame(
+    x = state$position[1L, node], y = state$position[2L, node], z = state$position[3L, node],
+    role = vapply(held, function(p) p$held, ""), part = names(held),
+    size = NA_real_, direction = NA_character_, row.names = NULL
+  )
+}
+
+# Water past the gear at the depth of its middle, m/s (x aft, y starboard).
+flow_past <- function(state) {
+  water <- state$lattice$engine$water
+  depth <- -mean(range(state$position[3L, ]))
+  along <- function(speed) {
+    if (length(speed) == 1L) speed else stats::approx(water$depth, speed, depth, rule = 2)$y
+  }
+  if (water$density == 0) c(0, 0) else c(along(water$x), along(water$y))
+}

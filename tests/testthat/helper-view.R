@@ -1,0 +1,58 @@
+# States as the lattice starts them, not settled: a picture shows whatever shape it is given.
+unsettled <- function(plan, nodes = 200, netting = NULL) {
+  gear <- if (is.character(plan)) read_gear(plan) else as_gear(plan)
+  si <- gear_si(gear)
+  lattice <- build_lattice(si, nodes = nodes, netting = netting)
+  new_state(gear, si, lattice, lattice$start, list(converged = FALSE))
+}
+
+# A sheet of diamond netting, one of square netting below it and a pointed tip below that, hung by
+# two lines and towed.
+sheets_plan <- list(
+  codend = 1, name = "Sheets <& 'quotes'>", towing = list(speed = 1),
+  points = list(
+    port = list(position = c(0, -2, 0), held = "moved"),
+    starboard = list(position = c(0, 2, 0), held = "moved")
+  ),
+  ropes = list(
+    line_port = list(from = "port", to = "top.upper_left", length = 20, diameter = 0.01,
+      material = "PA"),
+    line_starboard = list(from = "starboard", to = "top.upper_right", length = 20,
+      diameter = 0.01, material = "PA"),
+    head_line = list(along = list("top.upper"), length = 4, diameter = 0.01, material = "PA",
+      role = "head_line")
+  ),
+  panels = list(
+    top = list(mesh_size = 0.1, meshes = list(upper = 60, lower = 40, deep = 30),
+      twine = list(diameter = 0.002, material = "PA")),
+    middle = list(mesh_size = 0.1, meshes = list(upper = 40, lower = 40, deep = 20),
+      orientation = "square", twine = list(diameter = 0.002, material = "PA")),
+    tip = list(mesh_size = 0.1, meshes = list(upper = 40, lower = 0, deep = 40),
+      twine = list(diameter = 0.002, material = "PA"))
+  ),
+  seams = list(
+    upper = list(edges = list("top.lower", "middle.upper")),
+    lower = list(edges = list("middle.lower", "tip.upper"))
+  ),
+  pieces = list(
+    floats = list(along = "head_line", number = 40, buoyancy = "10 N", diameter = 0.12,
+      role = "float"),
+    board = list(at = "top.upper_left", mass = 20, density = 7850, area = 1, lift_coefficient = 1,
+      lift_direction = "port", role = "otter_board"),
+    sinker = list(at = "tip.lower_left", mass = 10, density = 7850)
+  )
+)
+
+# Which columns of `wanted` (3 x n) are columns of `points`.
+are_among <- function(wanted, points) {
+  key <- function(x) paste(x[1, ], x[2, ], x[3, ])
+  key(wanted) %in% key(points)
+}
+
+# An empty folder that goes when the test ends.
+test_folder <- function(frame = parent.frame()) {
+  folder <- tempfile("view")
+  dir.create(folder)
+  do.call(on.exit, list(bquote(unlink(.(folder), recursive = TRUE)), add = TRUE), envir = frame)
+  folder
+}

@@ -1,0 +1,135 @@
+# Runs exec/codend as a shell does. Its numbers are tested where they are computed; here counts what
+# reaches the shell: exit status, both outputs, files.
+
+skip_if_not_installed("optparse")
+
+script <- system.file("exec", "codend", package = "codend")
+libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
+
+command <- function(...) {
+  out <- tempfile()
+  err <- tempfile()
+  on.exit(unlink(c(out, err)))
+  status <- system2(
+    file.path(R.home("bin"), "Rscript"), shQuote(c(script, ...)), stdout = out, stderr = err,
+    env = paste0("R_LIBS=", shQuote(libraries))
+  )
+  list(status = status, out = readLines(out), err = readLines(err))
+}
+
+# One line for people, and none of R's own words.
+expect_one_message <- function(ran, status, pattern) {
+  expect_identical(ran$status, status)
+  expect_identical(ran$out, character())
+  expect_match(paste(ran$err, collapse = " "), pattern)
+  expect_false(any(grepl("Error in|Traceback|Execution halted|Calls:", ran$err)))
+}
+
+test_that("the installed script may be run by name", {
+  skip_on_os("windows")
+  expect_identical(unname(file.access(script, 1L)), 0L)
+})
+
+test_that("help and version go to standard output", {
+  help <- command("--help")
+  expect_identical(help$status, 0L)
+  for (name in c("check", "gears", "settle", "expand")) {
+    expect_true(any(grepl(paste0("^  ", name, " "), help$out)))
+  }
+  settle_help <- command("settle", "--help")
+  expect_identical(settle_help$status, 0L)
+  for (option in c("--set", "--nodes", "--netting", "--json", "--out")) {
+    expect_true(any(grepl(option, settle_help$out, fixed = TRUE)))
+  }
+  version <- command("--version")
+  expect_identical(version$out, paste("codend", packageVersion("codend")))
+})
+
+test_that("a command used wrongly ends with status 2", {
+  expect_one_message(command(), 2L, "Usage: codend COMMAND")
+  expect_one_message(command("sink"), 2L, "no command sink; the commands are check,")
+  expect_one_message(command("check"), 2L, "one PLAN is needed, not 0")
+  expect_one_message(command("settle", "--nets", "towed_cable"), 2L, "--nets")
+  expect_one_message(command("settle", "towed_cable", "--nodes", "many"), 2L, "--nodes is many")
+  expect_one_message(command("settle", "towed_cable", "--nodes"), 2L, "--nodes needs a value")
+  expect_one_message(command("settle", "towed_cable", "--set", "speed"), 2L, "--set is speed")
+  nowhere <- file.path(tempfile(), "state.json")
+  expect_one_message(command("settle", "towed_cable", "--json", nowhere), 2L, "--json is ")
+})
+
+test_that("a wrong plan ends with status 1 and names the field", {
+  plan <- tempfile(fileext = ".yaml")
+  on.exit(unlink(plan))
+  shipped <- readLines(system.file("gears", "towed_cable.yaml", package = "codend"))
+  writeLines(sub("length: 1000 m", "length: -5 m", shipped), plan)
+  expect_one_message(command("check", plan), 1L, "`ropes.cable.length` is -5 m")
+  expect_one_message(command("check", "towed_cabel"), 1L, "towed_cable")
+  expect_one_message(
+    command("settle", "towed_cable", "--set", "towing.sped=5 knot"), 1L, "towing.sped"
+  )
+})
+
+test_that("check, gears and expand show plans", {
+  expect_match(command("check", "towed_cable")$out[1], "Towed cable with a sphere")
+  shown <- command("gears")$out
+  for (name in gears()$name) expect_true(any(startsWith(shown, name)))
+  plan <- tempfile(fileext = ".yaml")
+  on.exit(unlink(plan))
+  writeLines(command("expand", "towed_cable")$out, plan)
+  expect_identical(read_gear(plan)$plan, assembly(read_gear("towed_cable"))$plan)
+})
+
+test_that("settle takes fields, of which the last counts, and gives the state as JSON", {
+  ran <- command(
+    "settle", "towed_cable", "--nodes=60", "--set", "towing.speed=2 knot",
+    "--set=ropes.cable.length=800", "--set", "towing.speed=3 knot", "--json", "-"
+  )
+  expect_identical(ran$status, 0L)
+  record <- jsonlite::fromJSON(ran$out)
+  expect_true(record$converged)
+  expect_identical(record$plan, "towed_cable")
+  expect_identical(record$set, list(ropes.cable.length = 800L, towing.speed = "3 knot"))
+  gear <- update(
+    read_gear("towed_cable"), towing.speed = "3 knot", ropes.cable.length = "800 m"
+  )
+  # JSON holds 15 significant digits
+  expect_equal(
+    unlist(record$measures), measures(settle(gear, nodes = 60)), tolerance = 1e-13
+  )
+})
+
+test_that("a gear that does not settle ends with status 1 and says so as JSON", {
+  file <- tempfile(fileext = ".json")
+  out <- tempfile()
+  on.exit(unlink(file))
+  # faster than any sea
+  ran <- command(
+    "settle", "towed_cable", "--set", "towing.speed=1e9", "--json", file, "--out", out
+  )
+  expect_one_message(ran, 1L, "did not settle: after [0-9]+ steps")
+  record <- jsonlite::fromJSON(file)
+  expect_false(record$converged)
+  expect_named(record, c("plan", "set", "converged", "iterations", "residual"))
+  expect_gt(record$residual, 1e-8)
+  expect_false(dir.exists(out))
+})
+
+test_that("settle writes pictures and tables", {
+  out <- file.path(tempfile(), "deep")
+  on.exit(unlink(dirname(out), recursive = TRUE))
+  ran <- command("settle", "crossing_cables", "--out", out)
+  expect_identical(ran$status, 0L)
+  expect_setequal(list.files(out, all.files = TRUE, no.. = TRUE), c(
+    "xy.png", "xz.png", "yz.png", "view.html", "tensions.csv", "measures.csv"
+  ))
+  for (plane in c("xy.png", "xz.png", "yz.png")) {
+    expect_identical(readBin(file.path(out, plane), "raw", 4L), as.raw(c(0x89, 0x50, 0x4e, 0x47)))
+  }
+  state <- settle(read_gear("crossing_cables"))
+  # CSV holds 15 significant digits
+  expect_equal(
+    utils::read.csv(file.path(out, "tensions.csv"))$tension_kN,
+    as.data.frame(state, what = "tensions")$tension_kN, tolerance = 1e-13
+  )
+  expect_match(paste(ran$out, collapse = "\n"), "Measures")
+})

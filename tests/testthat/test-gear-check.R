@@ -1,0 +1,96 @@
+test_that("references must exist", {
+  e <- expect_plan_error
+  e("from: ship", "from: shop", "ropes.warp.from", "there is no point `shop`; did you mean `ship`?")
+  e("from: ship", "from: nett.upper_left", "ropes.warp.from", "there is no panel `nett`")
+  e("from: ship", "from: wrap.end", "ropes.warp.from",
+    "there is no rope `wrap`; did you mean `warp`?")
+  e("gathered_at: knot", "gathered_at: knit", "seams.top.gathered_at", "did you mean `knot`?")
+  e("[net.upper]", "[mat.upper]", "seams.top.edges[1]", "there is no panel `mat`")
+  e("seams:", "pieces:\n  p: {along: rope, mass: 5}\nseams:", "pieces.p.along",
+    "there is no rope `rope`")
+  e("seams:", "measures:\n  p: {tension: war.max}\nseams:", "measures.p.tension", "no rope `war`")
+  e("seams:", "measures:\n  p: {area: [warp, x]}\nseams:", "measures.p.area", "no rope `x`")
+  e("knot: {}", "knot: {at: other}", "points.knot.at", "there is no point `other`")
+})
+
+test_that("a mesh range lies within its edge", {
+  for (range in c("[0:11]", "[5:5]", "[6:2]")) {
+    expect_plan_error(
+      "[net.upper]", paste0("[\"net.upper", range, "\"]"), "seams.top.edges[1]",
+        "within the 10 meshes"
+    )
+  }
+})
+
+test_that("points must be held, once, and not two ways", {
+  e <- expect_plan_error
+  e("position: [0, 0, 0], held: fixed", "", "points", "no held point")
+  e(
+    "knot: {}", "knot: {}\n  twin: {at: ship, position: [0, 0, 0], held: fixed}", "points.twin",
+    "already holds"
+  )
+  e("knot: {}", "knot: {at: again}\n  again: {at: knot}", "points.knot.at", "leads back to itself")
+  towed <- spoil("points:", "towing: {speed: 3 knot}\npoints:")
+  e("codend: 1", "codend: 1", "towing.speed", "no point is moved", plan = towed)
+  e("knot: {}", "knot: {position: [9, 0, 0], held: moved}", "points", "drift apart", plan = towed)
+})
+
+test_that("a rope leads somewhere else", {
+  e <- expect_plan_error
+  e("to: knot", "to: ship", "ropes.warp.to", "the same place as its start")
+  e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same place as its start")
+  e(
+    "to: knot", "to: knot\n    along: net.left", "ropes.warp", "exactly one of: `from`; `along`"
+  )
+})
+
+test_that("everything hangs on something held", {
+  e <- expect_plan_error
+  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "hangs on nothing")
+  e(", gathered_at: knot", "", "seams.top.edges", "has one chain")
+  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net",
+    "hangs on nothing")
+})
+
+two_panels <- paste0(sub("seams:.*", "", small_plan), "  mat:
+    mesh_size: 100 mm
+    meshes: {upper: 10, lower: 10, deep: 50}
+    twine: {diameter: 2 mm, material: PE}
+seams:
+  top: {edges: [net.upper], gathered_at: knot}
+  join: {edges: [net.left, mat.upper]}
+")
+
+test_that("seams join lengths that can be joined, and each mesh once", {
+  expect_s3_class(read_text(two_panels), "codend_gear")
+  e <- function(...) expect_plan_error(..., plan = two_panels)
+  e("[net.left, mat.upper]", "[net.left, mat.right]", "seams.join.edges", "a factor of at most 3")
+  e("upper: 10, lower: 10", "upper: 0, lower: 10", "seams.join.edges", "can only be `gathered_at`")
+  e(
+    "  join:", "  again: {edges: [net.left, mat.lower]}\n  join:", "seams.join",
+    "that seam `again` already joins"
+  )
+  e("[net.left, mat.upper]", "[net.upper, mat.upper]", "seams.join", "already joins")
+  parts <- spoil(
+    "{edges: [net.left, mat.upper]}",
+    paste0(
+      "{edges: [\"net.left[0:4]\", \"mat.upper[0:4]\"]}\n",
+      "  rest: {edges: [\"net.left[4:10]\", \"mat.upper[4:10]\"]}"
+    ),
+    two_panels
+  )
+  expect_s3_class(read_text(parts), "codend_gear")
+  overlap <- sub("net.left[4:10]", "net.left[3:10]", parts, fixed = TRUE)
+  expect_match(text_error(overlap)$message, "already joins", fixed = TRUE)
+})
+
+test_that("an edge held at both ends by one seam is not held twice, two held ends are", {
+  plan <- spoil(
+    "knot: {}", "knot: {}\n  clamp: {at: net.upper_left, position: [1, 0, 0], held: fixed}"
+  )
+  expect_s3_class(read_text(plan), "codend_gear")
+  twice <- sub("clamp:",
+    "other: {at: net.upper_right, position: [1, 0, 0], held: fixed}\n  clamp:", plan)
+  # the whole upper edge is gathered, so its corners are one place
+  expect_match(text_error(twice)$message, "already holds", fixed = TRUE)
+})

@@ -1,0 +1,80 @@
+test_that("calls give the same tree as a file", {
+  built <- gear(
+    "A net on a warp",
+    ship = point(position = c(0, 0, 0), held = "fixed"), knot = point(),
+    warp = rope("ship", "knot", length = "100 m", diameter = "20 mm", material = "PA"),
+    net = panel(
+      mesh_size = "100 mm", meshes = list(upper = 10L, lower = 5, deep = 10),
+      twine = list(diameter = "2 mm", material = "PE")
+    ),
+    top = seam(list("net.upper"), gathered_at = "knot")
+  )
+  read <- read_text(small_plan)
+  plan <- built$plan
+  plan$kind <- NULL
+  # a file's [net.upper] and R's list("net.upper") are one list
+  expect_identical(plan[names(read$plan)], read$plan)
+  expect_identical(gear_si(built), gear_si(read))
+})
+
+test_that("the constructors take every field of the schema", {
+  fields <- plan_schema()$kinds$assembly$properties
+  groups <- list(
+    points = point, ropes = rope, panels = panel, pieces = piece, seams = seam, measures = measure
+  )
+  for (group in names(groups)) {
+    known <- names(fields[[group]]$additionalProperties$properties)
+    expect_setequal(names(formals(groups[[group]])), known)
+  }
+})
+
+test_that("two components of one name are an error", {
+  expect_error(
+    gear("x", a = point(position = c(0, 0, 0), held = "fixed"), a = point()),
+    "given twice", class = "codend_error_plan"
+  )
+})
+
+test_that("update changes, adds and takes out fields by path, and checks again", {
+  gear <- read_gear("towed_cable")
+  faster <- update(gear, towing.speed = "5 knot", ropes.cable.segments = NULL)
+  expect_identical(faster$plan$towing$speed, "5 knot")
+  expect_null(faster$plan$ropes$cable$segments)
+  expect_identical(update(faster, towing.speed = "4 knot", ropes.cable.segments = 200)$plan$towing,
+    gear$plan$towing)
+
+  current <- list(list(depth = 0, speed = 1, toward = 0), list(depth = 50, speed = 0.5, toward = 0))
+  streamed <- update(gear, water.current = current)
+  expect_identical(gear_si(streamed)$water$current$x, c(1, 0.5))
+  slower <- update(streamed, water.current.2.speed = "0.1 m/s")
+  expect_identical(gear_si(slower)$water$current$x, c(1, 0.1))
+
+  moved <- set_field(gear, "points.ship.position.3", "-5 m")
+  expect_identical(gear_si(moved)$points$ship$position, c(0, 0, -5))
+
+  expect_error(update(gear, towing.sped = 1), "speed", class = "codend_error_plan")
+  expect_error(update(gear, ropes.cabel.length = 1), "cable", class = "codend_error_plan")
+  expect_error(update(gear, ropes.cable.length = -1), "greater than 0", class = "codend_error_plan")
+  expect_error(update(gear, towing.speed.x = 1), class = "codend_error_plan")
+  expect_error(update(gear, water.current.1.speed = 1), class = "codend_error_plan")
+  expect_error(update(gear, 5), class = "codend_error_input")
+})
+
+test_that("printing takes few lines and says what there is", {
+  lines <- capture.output(print(read_text(small_plan)))
+  expect_lte(length(lines), 10)
+  expect_match(lines[1], "A net on a warp.*assembly")
+  expect_match(lines[2], "panels 1, seams 1, ropes 1, pieces 0, points 2")
+})
+
+test_that("an assembly stands for itself", {
+  gear <- read_gear("towed_cable")
+  expect_identical(assembly(gear), gear)
+  expect_error(assembly(list()), class = "codend_error_input")
+})
+
+test_that("shipped plans are listed", {
+  listed <- gears()
+  expect_true(all(c("towed_cable", "crossing_cables") %in% listed$name))
+  expect_named(listed, c("name", "title", "kind"))
+})

@@ -1,0 +1,105 @@
+test_that("a wrong field is named with its value and what is allowed", {
+  error <- plan_error("length: 100 m", "length: -5 m")
+  expect_match(
+    error$message,
+    "Plan field `ropes.warp.length` is -5 m; it must be a length greater than 0 m", fixed = TRUE
+  )
+  error <- plan_error("length: 100 m", "lenght: 5 m")
+  expect_match(
+    error$message,
+    "Plan field `ropes.warp.lenght` is not known; did you mean `length`? Known here: from, to",
+    fixed = TRUE
+  )
+})
+
+test_that("every kind of wrong quantity is refused", {
+  wrong <- c(
+    "0", "5 kg", ".nan", ".inf", "NA", "", "1_000", "2020-01-01", "yes", "0x1F", "'1,5 m'",
+    "[1, 2]", "{a: 1}", "1e400 m", "''", "'100 {m}'", "~"
+  )
+  for (value in wrong) {
+    error <- plan_error("length: 100 m", paste("length:", value))
+    expect_identical(error$path, "ropes.warp.length", label = value)
+    expect_match(error$message, "must be a length greater than 0 m", fixed = TRUE)
+  }
+})
+
+test_that("fields that are missing, wrong or too many are refused", {
+  e <- expect_plan_error
+  e("    length: 100 m\n", "", "ropes.warp", "exactly one of: `length`; `hanging_ratio`")
+  e("    from: ship\n", "", "ropes.warp.from", "is missing")
+  e("    diameter: 20 mm\n", "", "ropes.warp.diameter", "is missing; it must be a length")
+  e("    material: PA\n", "", "ropes.warp", "`axial_stiffness` with `mass_per_length`")
+  e("material: PA", "material: polyamid", "ropes.warp.material", "Did you mean `polyamide`?")
+  e("100 m\n", "100 m\n    hanging_ratio: 1\n", "ropes.warp.along", "is missing")
+  e("codend: 1", "codend: 2", "codend", "it must be 1")
+  e("codend: 1\n", "", "codend", "is missing")
+  e("name: A net on a warp", "name: 5", "name", "is 5; it must be text")
+  e("name: A", "kind: trawl\nname: A", "kind", "one of assembly, midwater_trawl")
+  e("twine: {", "twine: {double: maybe, ", "panels.net.twine.double", "must be yes or no")
+  e("upper: 10", "upper: -1", "panels.net.meshes.upper", "a number of at least 0")
+  e("upper: 10, lower: 5", "upper: 0, lower: 0", "panels.net.meshes", "no meshes at either edge")
+  e("mesh_size: 100 mm", "mesh_size: 3 mm", "panels.net.twine.diameter", "half the mesh size")
+  e("mesh_size", "rows: 2.5\n    mesh_size", "panels.net.rows", "a whole number of at least 1")
+  e("held: fixed", "held: fixd", "points.ship.held", "Did you mean `fixed`?")
+  e("knot: {}", "knot: {position: [0, 0, 1]}", "points.knot.held", "is missing")
+  e("knot: {}", "knot: {load: [1, 2]}", "points.knot.load", "a list of 3 (each a force)")
+  e("knot: {}", "knot: {load: [1, 2, 3 m]}", "points.knot.load[3]", "it must be a force")
+  e("knot: {}", "k.not: {}", "points", "a name that is not allowed")
+  e("[net.upper]", "[net.uper]", "seams.top.edges[1]", "panel's edge such as")
+  e("seams:", "measures:\n  m: {depth: knot, length: [knot, ship]}\nseams:", "measures.m",
+    "exactly one")
+})
+
+test_that("R values that are no plan are refused", {
+  refuse <- function(...) expect_error(gear("x", ...), class = "codend_error_plan")
+  refuse(points = list(a = mean))
+  refuse(points = list(a = list(load = as.Date("2020-01-01") + 0:2, load = 1)))
+  refuse(towing = list(speed = NA))
+  refuse(towing = list(speed = NA_character_))
+  refuse(towing = list(speed = c(1, 2)))
+  refuse(towing = list(1))
+  refuse(towing = list(speed = 1i))
+  expect_error(gear("x", 5), class = "codend_error_input")
+})
+
+test_that("messages hold braces of a value as they are", {
+  expect_match(plan_error("PA", "'{cli::ansi_nchar}'")$message, "{cli::ansi_nchar}", fixed = TRUE)
+})
+
+test_that("the schema keeps to the keywords that the checker knows", {
+  known <- c(
+    "$ref", "title", "description", "type", "enum", "const", "pattern", "minLength", "minimum",
+    "exclusiveMinimum", "maximum", "items", "minItems", "maxItems", "properties", "required",
+    "additionalProperties", "propertyNames", "dependentRequired", "minProperties", "maxProperties",
+    "anyOf", "oneOf", "allOf", "default", "x-dimension"
+  )
+  schema <- jsonlite::fromJSON(
+    system.file("schema", "plan.schema.json", package = "codend"), simplifyVector = FALSE
+  )
+  found <- character()
+  visit <- function(node) {
+    found <<- union(found, names(node))
+    lapply(node$properties, visit)
+    for (key in c("items", "additionalProperties", "propertyNames")) {
+      if (is.list(node[[key]])) visit(node[[key]])
+    }
+    for (key in c("anyOf", "oneOf", "allOf")) lapply(node[[key]], visit)
+  }
+  lapply(schema$`$defs`, visit)
+  expect_identical(setdiff(found, known), character())
+})
+
+test_that("a field may choose only between values that differ in shape", {
+  clashes <- character()
+  check <- function(node, path) {
+    shapes <- vapply(node$choices, `[[`, "", "shape")
+    if (anyDuplicated(shapes)) clashes <<- c(clashes, path)
+    for (name in names(node$properties)) check(node$properties[[name]], paste0(path, ".", name))
+    for (key in c("items", "additionalProperties")) {
+      if (is.list(node[[key]])) check(node[[key]], path)
+    }
+  }
+  for (kind in names(plan_schema()$kinds)) check(plan_schema()$kinds[[kind]], kind)
+  expect_identical(clashes, character())
+})

@@ -1,0 +1,46 @@
+test_that("a shipped plan reads back identical", {
+  for (name in gears()$name) {
+    gear <- read_gear(name)
+    file <- tempfile(fileext = ".yaml")
+    write_gear(gear, file)
+    expect_identical(read_gear(file)$plan, gear$plan, label = name)
+  }
+})
+
+test_that("numbers and texts of every sort read back identical", {
+  texts <- c(
+    "yes", "no", "null", "~", "NA", "n", "on", "1e3", "1_000", "012", "0x1F", "2020-01-01", "1:30",
+    "5", "-5 m", "4.5 knot", "45 %", " a", "a ", "a: b", "a #b", "#a", "- a", "[a]", "{a}", "'",
+      "\"",
+    "a\nb", "a\tb", "\\", "/", "!expr 1", "&a", "*a", "%a", "@a", "`a`", "|", ">", "?", "a,b", "<<",
+    "\u00e5\u4e2d", "belly.upper[0:6]", "-belly.right", ".inf", ".5", "5.", "a  b", "\u0001", "=",
+    "true", "a:", ":", "-", "+1 m", "1 000 m", "\u0085", "\u00a0", "\u2028", "\u007f"
+  )
+  numbers <- c(0, 1, -1, 0.1, 1 / 3, 1e-300, 1e300, 1e5, 1e15, 123456789, 2^53, pi, 1e-6, 100000)
+  plan <- list(
+    codend = 1, name = "x", notes = texts, sources = stats::setNames(as.list(texts), texts),
+    points = list(
+      a = list(position = numbers[1:3], held = "fixed"),
+      b = list(at = "a", load = numbers[4:6]), c = list(at = "a", load = numbers[7:9]),
+      d = list(at = "a", load = numbers[10:12]), e = list(at = "a", load = list(1, "2 kN", 3))
+    )
+  )
+  gear <- as_gear(plan)
+  file <- tempfile()
+  write_gear(gear, file)
+  expect_identical(read_gear(file)$plan, gear$plan)
+})
+
+test_that("a file is written whole or not at all", {
+  gear <- read_gear("towed_cable")
+  folder <- tempfile()
+  dir.create(folder)
+  expect_error(write_gear(gear, file.path(folder, "no", "plan.yaml")), class = "codend_error_input")
+  expect_error(write_gear(list(), file.path(folder, "plan.yaml")), class = "codend_error_input")
+  write_gear(gear, file.path(folder, "plan.yaml"))
+  expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "plan.yaml")
+  expect_identical(
+    paste0(readLines(file.path(folder, "plan.yaml"), encoding = "UTF-8"), "\n", collapse = ""),
+    format(gear)
+  )
+})

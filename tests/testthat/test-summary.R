@@ -1,0 +1,52 @@
+test_that("a summary holds what it prints", {
+  for (name in shipped_states) {
+    state <- shipped_state(name)
+    found <- summary(state)
+    expect_s3_class(found, "codend_summary")
+    expect_named(found, c("name", "conditions", "measures", "drag", "drag_totals", "tensions",
+      "slack", "reactions", "balance", "report"))
+    expect_equal(nrow(found$drag), nrow(state$lattice$parts))
+    expect_equal(found$report$nodes, ncol(state$position))
+  }
+})
+
+test_that("a summary is plain aligned text where there are no colours", {
+  state <- shipped_state("midwater_trawl")
+  lines <- capture.output(shown <- withVisible(print(summary(state))))
+  expect_false(shown$visible)
+  expect_false(any(cli::ansi_has_any(lines)))
+  for (title in c("Measures", "Drag by component", "Highest rope tensions",
+    "Highest twine tensions", "Slack netting", "Force balance", "Solution")) {
+    expect_true(title %in% lines, info = title)
+  }
+  # no line wider than a terminal
+  expect_lte(max(nchar(lines)), 110)
+})
+
+test_that("parts of one role stand together", {
+  tensions <- data.frame(
+    part = c("port", "starboard", "sweep"), kind = "rope", role = c("warp", "warp", NA),
+    max_kN = c(10, 12, 3), mean_kN = 1, strength_percent = c(20, 24, NA)
+  )
+  expect_equal(
+    rope_tension_lines(tensions),
+    c("  warp, 2 ropes  12.00 kN  24.0 % of breaking load", "  sweep           3.00 kN")
+  )
+})
+
+test_that("slack netting is told by its share", {
+  slack <- data.frame(
+    part = c("a", "b", "c"), role = c("wings", "wings", NA), twine_m = c(10, 30, 60),
+    slack_percent = c(80, 40, 0)
+  )
+  expect_equal(
+    slack_lines(slack),
+    c(
+      "  20.0 % of all twine carries no tension: there the netting hangs loose and may move.",
+      "  wings, 2 panels  50.0 %"
+    )
+  )
+  slack$slack_percent <- 0
+  expect_equal(slack_lines(slack), "  All twine carries tension.")
+  expect_null(slack_lines(slack[0, ]))
+})

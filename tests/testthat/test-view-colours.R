@@ -1,0 +1,45 @@
+test_that("an even scale starts at zero and ends at or above the largest tension", {
+  scale <- tension_scale(c(0, 3000, 12000, 7000), "rope")
+  expect_false(scale$log)
+  expect_equal(scale$unit, "kN")
+  expect_equal(scale$limits[1], 0)
+  expect_gte(scale$limits[2], 12000)
+  expect_equal(range(scale$ticks) * 1000, scale$limits)
+  expect_equal(scale_share(scale, scale$limits), c(0, 1))
+  expect_equal(scale_share(scale, mean(scale$limits)), 0.5)
+})
+
+test_that("small tensions are in newtons", {
+  expect_equal(tension_scale(c(200, 999), "netting")$unit, "N")
+  expect_equal(tension_scale(c(200, 1000), "netting")$unit, "kN")
+})
+
+test_that("tensions over several decades are shown on a logarithmic scale of at most three", {
+  tension <- 10^seq(-6, 4, length.out = 101)
+  scale <- tension_scale(tension, "netting")
+  expect_true(scale$log)
+  expect_equal(scale$limits, c(10, 1e4))
+  # A decade is a third of the bar; what lies below it has the first colour.
+  expect_equal(scale_share(scale, c(1e-3, 10, 100, 1e4)), c(0, 0, 1 / 3, 1))
+  expect_true(all(scale$ticks * scale$per_unit >= 9.99 & scale$ticks * scale$per_unit <= 10010))
+})
+
+test_that("slack lines are pale grey and nothing else is", {
+  tension <- c(0, 1, 50, 100)
+  scale <- tension_scale(tension, "netting")
+  colours <- tension_colours(scale, tension)
+  expect_equal(colours == slack_colour, tension == 0)
+  expect_null(tension_scale(c(0, 0), "rope"))
+  expect_equal(tension_colours(NULL, c(0, 0)), rep(slack_colour, 2))
+})
+
+test_that("both palettes darken steadily, so that they survive grey printing", {
+  for (kind in c("rope", "netting")) {
+    # Luminance by the weights of ITU-R BT.709.
+    grey <- c(0.2126, 0.7152, 0.0722) %*% (grDevices::col2rgb(tension_palette(kind)) / 255)^2.2
+    expect_lt(max(diff(as.vector(grey))), 0.005)
+    # Slack is paler than any tension.
+    slack <- c(0.2126, 0.7152, 0.0722) %*% (grDevices::col2rgb(slack_colour) / 255)^2.2
+    expect_lt(max(grey), 1.15 * as.vector(slack))
+  }
+})

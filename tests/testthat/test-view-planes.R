@@ -1,0 +1,108 @@
+test_that("plot gives its state back, on the current device or in a file", {
+  state <- unsettled(sheets_plan)
+  grDevices::pdf(NULL)
+  device <- grDevices::dev.cur()
+  on.exit(grDevices::dev.off(device))
+  before <- graphics::par(no.readonly = TRUE)
+  expect_identical(withVisible(plot(state)), list(value = state, visible = FALSE))
+  expect_equal(graphics::par(no.readonly = TRUE)[c("mai", "cex", "xpd")], before[c("mai", "cex", "xpd")])
+  folder <- test_folder()
+  plot(state, file = file.path(folder, "a.png"))
+  expect_equal(grDevices::dev.cur(), device)
+  expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "a.png")
+})
+
+test_that("files hold the picture that their names say", {
+  state <- unsettled("towed_cable")
+  folder <- test_folder()
+  start <- function(file) rawToChar(readBin(file.path(folder, file), "raw", 5L)[2:4])
+  for (file in c("a.png", "a.pdf", "a.svg")) plot(state, file = file.path(folder, file))
+  expect_equal(start("a.png"), "PNG")
+  expect_equal(start("a.pdf"), "PDF")
+  expect_equal(start("a.svg"), "?xm")
+  size <- function(...) {
+    file <- file.path(folder, "size.png")
+    plot(state, file = file, ...)
+    # Width and height stand at bytes 17 to 24 of a PNG file (ISO/IEC 15948).
+    readBin(readBin(file, "raw", 24L)[17:24], "integer", 2L, endian = "big")
+  }
+  expect_equal(size(width = 6, height = 5), c(1200, 1000))
+  expect_equal(size(planes = "xz", width = 8)[1], 1600)
+})
+
+test_that("the same state gives the same picture", {
+  state <- unsettled(sheets_plan)
+  folder <- test_folder()
+  files <- file.path(folder, c("a.png", "b.png"))
+  for (file in files) plot(state, file = file)
+  expect_identical(unname(tools::md5sum(files[1])), unname(tools::md5sum(files[2])))
+})
+
+test_that("wrong arguments are one clear error and leave nothing", {
+  state <- unsettled("crossing_cables")
+  folder <- test_folder()
+  wrong <- function(...) expect_error(plot(state, ...), class = "codend_error_argument")
+  expect_match(conditionMessage(wrong(planes = "zz")), "zz.*xy.*xz.*yz")
+  wrong(planes = character())
+  expect_match(conditionMessage(wrong(file = file.path(folder, "a.jpeg"))), "png.*pdf.*svg")
+  wrong(file = file.path(folder, "png"))
+  wrong(file = file.path(folder, "none", "a.png"))
+  wrong(file = c("a.png", "b.png"))
+  wrong(width = 0)
+  wrong(height = NA_real_, file = file.path(folder, "a.png"))
+  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+})
+
+test_that("a picture that fails leaves the old file and no other", {
+  folder <- test_folder()
+  file <- file.path(folder, "a.png")
+  writeLines("old", file)
+  devices <- grDevices::dev.list()
+  expect_error(write_whole(file, function(path) {
+    writeLines("half", path)
+    stop("no ink")
+  }), "no ink")
+  expect_equal(readLines(file), "old")
+  expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "a.png")
+  state <- unsettled("crossing_cables")
+  state$si$water$density <- NULL
+  expect_error(plot(state, file = file))
+  expect_equal(grDevices::dev.list(), devices)
+  expect_equal(readLines(file), "old")
+})
+
+test_that("both axes have one scale and every frame lies on the page", {
+  state <- unsettled(sheets_plan)
+  figure <- plane_figure(state, c("xy", "xz", "yz"))
+  for (page in list(c(10, 12), c(7, 5), c(14, 6))) {
+    views <- views_for_page(figure, page)
+    frames <- page_frames(views, page)$views
+    for (frame in frames) {
+      expect_true(all(frame[1:2] >= -1e-9), all(frame[3:4] <= page + 1e-9))
+      expect_true(frame[3] - frame[1] > room_across && frame[4] - frame[2] > room_up)
+    }
+    grDevices::pdf(NULL, page[1], page[2])
+    graphics::plot.new()
+    for (k in seq_along(views)) {
+      draw_plane(figure, views[[k]], frames[[k]], page)
+      metres <- diff(graphics::par("usr"))[c(1, 3)]
+      expect_equal(metres[1] / graphics::par("pin")[1], metres[2] / graphics::par("pin")[2],
+        tolerance = 1e-6)
+    }
+    grDevices::dev.off()
+  }
+})
+
+test_that("a net far behind its ship is drawn again, enlarged, where the page allows", {
+  plan <- sheets_plan
+  far <- plan
+  far$ropes$line_port$length <- far$ropes$line_starboard$length <- 300
+  regions <- function(plan, page) {
+    views <- views_for_page(plane_figure(unsettled(plan), c("xy", "xz", "yz")), page)
+    paste(vapply(views, `[[`, "", "plane"), vapply(views, `[[`, "", "region"))
+  }
+  whole <- c("xy whole", "xz whole", "yz whole")
+  expect_equal(regions("towed_cable", c(10, 20)), whole)
+  expect_setequal(regions(far, c(10, 20)), c(whole, "xy net", "xz net"))
+  expect_equal(regions(far, c(10, 4)), whole)
+})

@@ -1,0 +1,131 @@
+test_that("every line ends in points of the state and carries a tension of its part", {
+  for (netting in c("triangles", "bars")) {
+    state <- unsettled(sheets_plan, nodes = 300, netting = netting)
+    points <- state_points(state)
+    drawing <- state_drawing(state)
+    for (lines in drawing[c("ropes", "netting")]) {
+      expect_true(all(are_among(lines$from, points)))
+      expect_true(all(are_among(lines$to, points)))
+      expect_equal(ncol(lines$from), length(lines$tension))
+      expect_equal(length(lines$part), length(lines$tension))
+    }
+    names <- state$lattice$parts$name
+    expect_setequal(names[unique(drawing$ropes$part)], names(sheets_plan$ropes))
+    expect_setequal(names[unique(drawing$netting$part)], names(sheets_plan$panels))
+  }
+})
+
+test_that("ropes and netting of bars are drawn bar by bar", {
+  state <- unsettled(sheets_plan, netting = "bars")
+  drawing <- state_drawing(state)
+  ropes <- state$lattice$parts$kind[state$lattice$bar_part] == "rope"
+  expect_equal(drawing$ropes$tension, state$bar_tension[ropes])
+  expect_equal(sort(drawing$netting$tension), sort(state$bar_tension[!ropes]))
+  length <- sqrt(colSums((drawing$ropes$to - drawing$ropes$from)^2))
+  # Both are lengths from the same coordinates, but for rounding.
+  expect_equal(length, state$bar_length[ropes], tolerance = 1e-12)
+})
+
+test_that("triangles lie in the cells that their nodes bound", {
+  state <- unsettled(sheets_plan, nodes = 300)
+  lattice <- state$lattice
+  for (name in names(lattice$panels)) {
+    mine <- which(lattice$triangle_part == which(lattice$parts$name == name))
+    grid <- lattice$panels[[name]]$grid
+    cell <- triangle_cells(
+      state$si$panels[[name]], matrix(lattice$engine$triangles$twine, 6L)[, mine, drop = FALSE]
+    )
+    expect_equal(range(cell$column), c(1, nrow(grid) - 1))
+    expect_equal(range(cell$row), c(1, ncol(grid) - 1))
+    node <- matrix(lattice$engine$triangles$node, 3L)[, mine, drop = FALSE]
+    inside <- vapply(seq_along(mine), function(k) {
+      all(node[, k] %in% grid[cell$column[k] + 0:1, cell$row[k] + 0:1])
+    }, NA)
+    expect_true(all(inside))
+  }
+})
+
+test_that("a cell's lines carry its own triangles' tensions", {
+  state <- unsettled(sheets_plan, nodes = 300)
+  # Tensions that tell the row of the panel: the mean depth of the triangle in mesh coordinates.
+  twine <- matrix(state$lattice$engine$triangles$twine, 6L)
+  state$u_tension <- colMeans(twine[c(1, 3, 5), ] + twine[c(2, 4, 6), ]) / 2
+  state$v_tension <- state$u_tension + 1000
+  part <- which(state$lattice$parts$name == "top")
+  lines <- panel_cell_lines(state, state_points(state), "top", part, 1)
+  grid <- state$lattice$panels$top$grid
+  cells <- prod(dim(grid) - 1)
+  expect_length(lines$tension, 2 * cells)
+  # Both triangles of a cell weigh alike but for the taper, so a row's mean is its middle.
+  row <- rep(seq_len(ncol(grid) - 1), each = nrow(grid) - 1)
+  deep <- state$si$panels$top$deep
+  expect_equal(lines$tension[seq_len(cells)], (row - 0.5) * deep / max(row), tolerance = 0.02)
+  expect_equal(lines$tension[cells + seq_len(cells)], lines$tension[seq_len(cells)] + 1000)
+})
+
+test_that("twines of square meshes run along the cells, of diamond meshes across them", {
+  state <- unsettled(sheets_plan, nodes = 300)
+  lines <- function(name) {
+    panel_cell_lines(state, state_points(state), name, which(state$lattice$parts$name == name), 1)
+  }
+  cells <- function(name) dim(state$lattice$panels[[name]]$grid) - 1
+  square <- cells("middle")
+  expect_length(
+    lines("middle")$tension, square[1] * (square[2] + 1) + square[2] * (square[1] + 1)
+  )
+  expect_length(lines("top")$tension, 2 * prod(cells("top")))
+})
+
+test_that("a net too fine for a page is thinned to the lines asked for", {
+  for (netting in c("triangles", "bars")) {
+    state <- unsettled(sheets_plan, nodes = 3000, netting = netting)
+    points <- state_points(state)
+    whole <- state_drawing(state)
+    for (limit in c(200, 1000)) {
+      thin <- state_drawing(state, limit)
+      # Edges of square meshes and unequal twines may add a fifth.
+      expect_lt(length(thin$netting$tension), 1.2 * limit)
+      expect_gt(length(thin$netting$tension), limit / 5)
+      expect_true(all(are_among(cbind(thin$netting$from, thin$netting$to), points)))
+      expect_setequal(unique(thin$netting$part), unique(whole$netting$part))
+      # Thinning takes lines out, not away from the sides of the net.
+      expect_equal(
+        apply(cbind(thin$netting$from, thin$netting$to), 1, range),
+        apply(cbind(whole$netting$from, whole$netting$to), 1, range), tolerance = 0.1
+      )
+    }
+  }
+})
+
+test_that("a rope with too many bars is drawn whole through fewer nodes", {
+  state <- unsettled("towed_cable")
+  lines <- state_drawing(state, limit = 30)$ropes
+  n <- length(lines$tension)
+  expect_lte(n, 30)
+  expect_equal(lines$from[, -1], lines$to[, -n])
+  nodes <- state$lattice$ropes$cable$node
+  expect_equal(lines$from[, 1], state$position[, nodes[1]])
+  expect_equal(lines$to[, n], state$position[, nodes[length(nodes)]])
+})
+
+test_that("pieces and held points are marked where they are", {
+  state <- unsettled(sheets_plan)
+  marks <- state_drawing(state)$marks
+  expect_setequal(marks$role, c("float", "otter_board", "other", "moved"))
+  at <- function(row) unlist(marks[row, c("x", "y", "z")], use.names = FALSE)
+  expect_equal(at(which(marks$part == "starboard")), c(0, 2, 0))
+  expect_equal(
+    at(which(marks$part == "sinker")), state$position[, state$lattice$place("tip.lower_left")]
+  )
+  floats <- t(as.matrix(marks[marks$role == "float", c("x", "y", "z")]))
+  on_rope <- state$position[, state$lattice$ropes$head_line$node]
+  expect_true(all(are_among(floats, on_rope)))
+  expect_lte(ncol(floats), marks_of_piece)
+})
+
+test_that("the flow is towing and current together, and none in air", {
+  plan <- sheets_plan
+  plan$water <- list(current = list(speed = 0.5, toward = "90 deg"))
+  expect_equal(flow_past(unsettled(plan)), c(1, 0.5))
+  expect_equal(flow_past(unsettled("crossing_cables")), c(0, 0))
+})
