@@ -29,8 +29,9 @@ chain_table <- function(chain, panels, lengths) {
 break_tolerance <- 1e-7
 
 merge_breaks <- function(known, new) {
-  for (f in new) if (all(abs(f - known) > break_tolerance)) known <- c(known, f)
-  sort(known)
+  before <- length(known)
+  for (f in new) if (min(abs(f - known)) > break_tolerance) known <- c(known, f)
+  if (length(known) > before) sort.int(known) else known
 }
 
 # Fractions of the chain at which its edges break.
@@ -46,6 +47,7 @@ chain_breaks <- function(chain, breaks) {
 }
 
 # Breaks (fractions) of every edge, carried through seams and across panels until nothing changes.
+# laced: chains that break edges where they begin and end, but join nothing.
 # linked: TRUE for panels whose opposite edges must be divided alike.
 edge_breaks <- function(panels, seams, laced, linked) {
   breaks <- rep(list(c(0, 1)), 4L * length(panels))
@@ -55,30 +57,40 @@ edge_breaks <- function(panels, seams, laced, linked) {
       breaks[[e]] <- merge_breaks(breaks[[e]], c(chain$from[k], chain$to[k]))
     }
   }
-  repeat {
-    before <- lengths(breaks)
-    for (p in which(linked)) {
-      for (pair in list(4L * (p - 1L) + 1:2, 4L * (p - 1L) + 3:4)) {
-        both <- merge_breaks(breaks[[pair[1]]], breaks[[pair[2]]])
-        breaks[[pair[1]]] <- breaks[[pair[2]]] <- both
+  edges_of <- lapply(seams, function(seam) unlist(lapply(seam, `[[`, "edge")))
+  touching <- split(rep(seq_along(seams), lengths(edges_of)), unlist(edges_of))
+  # Whatever has more breaks than its ends must tell its neighbours; a seam of one whole edge with
+  # another has nothing to tell until then.
+  waiting <- which(lengths(breaks) > 2L)
+  many <- vapply(seams, function(seam) any(lengths(lapply(seam, `[[`, "edge")) > 1L), NA)
+  waiting <- union(waiting, unlist(edges_of[many]))
+  while (length(waiting)) {
+    e <- waiting[1L]
+    waiting <- waiting[-1L]
+    give <- function(edge, fractions) {
+      merged <- merge_breaks(breaks[[edge]], fractions)
+      if (length(merged) > length(breaks[[edge]])) {
+        breaks[[edge]] <<- merged
+        waiting <<- union(waiting, edge)
       }
     }
-    for (seam in seams) {
+    if (linked[(e - 1L) %/% 4L + 1L]) give(opposite_edge(e), breaks[[e]])
+    for (seam in seams[touching[[as.character(e)]]]) {
       union <- Reduce(merge_breaks, lapply(seam, chain_breaks, breaks = breaks))
       for (chain in seam) {
         for (k in seq_along(chain$edge)) {
           s <- union[union > chain$start[k] - break_tolerance &
                        union < chain$end[k] + break_tolerance]
-          f <- chain$from[k] + (s - chain$start[k]) / (chain$end[k] - chain$start[k]) *
-            (chain$to[k] - chain$from[k])
-          e <- chain$edge[k]
-          breaks[[e]] <- merge_breaks(breaks[[e]], f)
+          give(chain$edge[k], chain$from[k] + (s - chain$start[k]) /
+            (chain$end[k] - chain$start[k]) * (chain$to[k] - chain$from[k]))
         }
       }
     }
-    if (identical(lengths(breaks), before)) return(breaks)
   }
+  breaks
 }
+
+opposite_edge <- function(e) if (e %% 2L == 1L) e + 1L else e - 1L
 
 # Labels 1..n joined by pairs (a, b): the smallest label of each connected group.
 joined_labels <- function(n, a, b) {

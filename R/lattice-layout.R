@@ -5,13 +5,15 @@
 # drag; the engine finds string tensions that bring the lengths near their own (force densities,
 # H.-J. Schek, Comput. Methods Appl. Mech. Eng. 3:115, 1974). The lattice's nodes are then placed on
 # the skeleton by their mesh coordinates.
-lay_out <- function(si, division, lattice) {
+#
+# frame: the division's frame, where it was made for triangles all over; else the skeleton's is new.
+lay_out <- function(si, division, lattice, frame = NULL) {
   loose <- function(parts, fields) lapply(parts, function(p) p[setdiff(names(p), fields)])
   coarse <- si
   coarse$panels <- loose(si$panels, c("columns", "rows"))
   coarse$ropes <- loose(si$ropes, "segments")
   bars <- logical(length(si$panels))
-  frame <- division_frame(coarse, linked = !bars)
+  if (is.null(frame)) frame <- division_frame(coarse, linked = !bars)
   skeleton <- divide_at(coarse, frame, bars, Inf)
   place <- skeleton_positions(coarse, skeleton, frame)
 

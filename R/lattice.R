@@ -83,7 +83,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     class = "codend_lattice"
   )
   check_totals(lattice, si)
-  lattice$start <- lay_out(si, division, lattice)
+  lattice$start <- lay_out(si, division, lattice, if (!any(bars)) frame)
   lattice
 }
 

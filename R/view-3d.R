@@ -22,7 +22,7 @@ view <- function(state, file = NULL) {
     picture_extension(file, "html")
     check_pandoc()
   }
-  # A fixed name in a file, so that the same state gives the same file.
+  # In a file a fixed name, so that every new session writes the same page of the same state.
   page <- gear_page(state, if (!is.null(file)) "gear")
   if (is.null(file)) return(page)
   write_whole(file, function(path) {

@@ -36,7 +36,7 @@ join_lines <- function(lines) {
 # Means of x over groups 1, 2, ..., none of them empty.
 weighted_means <- function(x, weight, group) {
   sums <- rowsum(cbind(x * weight, weight), group)
-  sums[, 1] / sums[, 2]
+  as.vector(sums[, 1] / sums[, 2])
 }
 
 bars_of_part <- function(state, part) which(state$lattice$bar_part == part)

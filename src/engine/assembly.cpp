@@ -242,6 +242,7 @@ double Assembly::largest_tension(const double* x) {
     largest = std::max(largest,
                        line.multiplicity * twine_tension(*line.material, length, line.rest));
   }
+  if (model_.bars.count() > 0) return largest;
   for (int e = 0; e < model_.triangles.count(); ++e) {
     for (const Line<3>& line : {model_.triangles.u_line(e), model_.triangles.v_line(e)}) {
       const double length = line.vector(position_.data()).norm();

@@ -50,7 +50,8 @@ class Assembly {
   // Largest change of any line's vector over its rest length when nodes move by dx.
   double largest_rotation(const double* dx);
 
-  // Largest tension (N) of a rope, an equivalent bar or one twine of a triangle.
+  // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only triangles
+  // (a triangle may hold a fraction of a twine, whose tension says little).
   double largest_tension(const double* x);
 
   // Strain of every line at x, and its first-order change when nodes move from x by dx.

@@ -35,7 +35,7 @@ sheets_plan <- list(
     lower = list(edges = list("middle.lower", "tip.upper"))
   ),
   pieces = list(
-    floats = list(along = "head_line", number = 40, buoyancy = "10 N", diameter = 0.12,
+    floats = list(along = "head_line", number = 40, buoyancy = "5 N", diameter = 0.12,
       role = "float"),
     board = list(at = "top.upper_left", mass = 20, density = 7850, area = 1, lift_coefficient = 1,
       lift_direction = "port", role = "otter_board"),
