@@ -61,13 +61,15 @@ check_trawl <- function(fields) {
   if (fields$panels > 2 && is.null(fields$side_lines)) {
     abort_field("side_lines", NULL, "given where a trawl has side panels", "is missing")
   }
-  sections <- names(fields$sections)
-  for (name in names(fields$cross_ropes)) {
-    behind <- fields$cross_ropes[[name]]$behind
-    if (!behind %in% sections) {
-      path <- paste0("cross_ropes.", name, ".behind")
-      abort_reference(behind, behind, sections, "section", path)
+  check_section <- function(name, path) {
+    sections <- names(fields$sections)
+    if (!is.null(name) && !name %in% sections) {
+      abort_reference(name, name, sections, "section", path)
     }
+  }
+  check_section(fields$belly_lines$until, "belly_lines.until")
+  for (name in names(fields$cross_ropes)) {
+    check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
   }
   if (!is.null(fields$wings) && fields$panels == 6) {
     abort_field("wings", "given", "left out in a trawl of 6 panels; describe it as an assembly")
@@ -149,11 +151,14 @@ trawl_net <- function(fields, plan, ring) {
     ropes[[name]] <- line(given, role, along)
   }
   if (!is.null(plan$belly_lines)) {
+    until <- first_of(plan$belly_lines$until, last)
+    covered <- sections[seq_len(match(until, sections))]
+    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
     for (k in seq_len(n)) {
       panel <- after[k]
-      along <- c(outer[[panel]], paste0(vapply(sections, id, "", panel = panel), ".left"))
+      along <- c(outer[[panel]], paste0(vapply(covered, id, "", panel = panel), ".left"))
       ropes[[paste("belly_line", around[k], after[k], sep = "_")]] <-
-        line(plan$belly_lines, "belly_line", unname(along))
+        line(given, "belly_line", unname(along))
     }
   }
   for (name in names(plan$cross_ropes)) {

@@ -108,7 +108,7 @@ si_panel <- function(panel, path, fields, law) {
       paste0(path, ".knot_diameter"), panel$knot_diameter
     )
   }
-  knot <- if (panel$knotted) first_of(panel$knot_diameter, 2.5 * twine$diameter) else 0
+  knot <- if (panel$knotted) first_of(panel$knot_diameter, 2 * twine$diameter) else 0
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(
     mesh_size = panel$mesh_size,

@@ -52,13 +52,14 @@ gear_page <- function(state, element) {
   whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
   if (state$si$water$density > 0) whole[2, 3] <- max(whole[2, 3], 0)
   net <- net_to_enlarge(drawing, whole)
-  scene <- gear_scene(state, drawing, scales, whole, if (is.null(net)) whole else net)
+  scene <- gear_scene(state, drawing, scales, whole, net)
   gear_widget(scene, page_legend(state, drawing, scales), whole, net, element)
 }
 
-# The scene, drawn on a device of its own that needs no display. whole, focus: ranges of the gear
-# and of what to look at first, around whose middle the scene turns.
-gear_scene <- function(state, drawing, scales, whole, focus) {
+# The scene, drawn on a device of its own that needs no display. It turns around the middle of the
+# net's ranges where they are given, else of the whole's. Returns the scene with the object numbers
+# of its axes as `net_axes` and `whole_axes`.
+gear_scene <- function(state, drawing, scales, whole, net) {
   kept <- options(rgl.useNULL = TRUE)
   on.exit(options(kept))
   before <- rgl::cur3d()
@@ -68,21 +69,30 @@ gear_scene <- function(state, drawing, scales, whole, focus) {
     if (before > 0) rgl::set3d(before, silent = TRUE)
   }, add = TRUE, after = FALSE)
   rgl::bg3d("#F7FAFC")
-  size <- max(focus[2, ] - focus[1, ])
+  focus <- if (is.null(net)) whole else net
   scene_lines(drawing$netting, scales$netting, 1)
   scene_lines(drawing$ropes, scales$rope, 4)
-  scene_marks(drawing$marks, size)
-  scene_flow(flow_past(state), focus, size)
+  # To be seen from near and from far.
+  scene_marks(drawing$marks, (longest_side(focus)^2 * longest_side(whole))^(1 / 3))
   if (state$si$water$density > 0) scene_surface(whole)
-  scene_axes(focus, size)
+  # Axes lie around the box that the scene turns in.
+  rgl::par3d(ignoreExtent = TRUE)
+  whole_axes <- scene_axes(whole, flow_past(state))
+  net_axes <- if (!is.null(net)) scene_axes(net, flow_past(state))
+  rgl::par3d(ignoreExtent = FALSE)
   # A scene turns around the middle of its box: make the middle of the focus that of the box.
   middle <- colMeans(focus)
   reach <- reach_around(whole, focus)
   rgl::points3d(rbind(middle - reach, middle + reach), alpha = 0)
   rgl::aspect3d("iso")
   rgl::view3d(userMatrix = first_turn(), fov = 20, zoom = zoom_to(focus, reach))
-  rgl::scene3d(minimal = FALSE)
+  scene <- rgl::scene3d(minimal = FALSE)
+  scene$whole_axes <- whole_axes
+  scene$net_axes <- net_axes
+  scene
 }
+
+longest_side <- function(ranges) max(ranges[2, ] - ranges[1, ])
 
 # How far (m along x, y, z) the whole reaches from the middle of the focus.
 reach_around <- function(whole, focus) {
@@ -94,9 +104,11 @@ first_turn <- function() {
   rgl::rotationMatrix(-0.38 * pi, 1, 0, 0) %*% rgl::rotationMatrix(-0.12 * pi, 0, 0, 1)
 }
 
-# The zoom at which ranges fill the window: their share of the ball around the whole scene.
+# The zoom at which ranges fill a window half as wide again as it is high, with room for legends. At
+# zoom 1 the ball around the whole scene fills its height.
 zoom_to <- function(ranges, reach) {
-  0.72 * sqrt(sum((ranges[2, ] - ranges[1, ])^2)) / (2 * sqrt(sum(reach^2)))
+  half <- abs(first_turn()[1:2, 1:3]) %*% ((ranges[2, ] - ranges[1, ]) / 2)
+  max(half[1] / (0.82 * 1.5), half[2] / 0.7) / sqrt(sum(reach^2))
 }
 
 scene_lines <- function(lines, scale, width) {
@@ -118,13 +130,16 @@ scene_marks <- function(marks, size) {
     lit = TRUE, specular = "#303030")
 }
 
-# A square plate: upright and at 30 degrees to the flow where it lifts sideways, else across the
-# flow at 45 degrees. Its attitude is not part of a state.
+# A square plate: upright and at 30 degrees to the flow where it lifts sideways, else across it and
+# leaning 45 degrees to lift. Its attitude is not part of a state.
 scene_plate <- function(mark, size) {
   half <- max(if (is.na(mark$size)) 0 else mark$size, 0.02 * size) / 2
-  side <- switch(if (is.na(mark$direction)) "up" else mark$direction, port = 1, starboard = -1, 0)
-  first <- if (side != 0) c(cos(pi / 6), side * sin(pi / 6), 0) else c(0, 1, 0)
-  second <- if (side != 0) c(0, 0, 1) else c(1, 0, 1) / sqrt(2)
+  direction <- if (is.na(mark$direction)) "up" else mark$direction
+  # Two directions in the plate; the water is turned away from the lift.
+  first <- switch(direction,
+    port = c(cos(pi / 6), sin(pi / 6), 0), starboard = c(cos(pi / 6), -sin(pi / 6), 0), c(0, 1, 0)
+  )
+  second <- switch(direction, up = c(-1, 0, 1) / sqrt(2), down = c(1, 0, 1) / sqrt(2), c(0, 0, 1))
   corners <- rbind(-first - second, first - second, first + second, -first + second) * half
   centre <- c(mark$x, mark$y, mark$z)
   rgl::quads3d(t(t(corners) + centre), color = symbol_of(mark$role)$fill, lit = FALSE)
@@ -139,10 +154,43 @@ scene_surface <- function(ranges) {
     color = water_colour, cex = 0.9)
 }
 
+# Axes along three edges of the ranges, with about as many metres between ticks on each, and the
+# flow beside them. Returns the numbers of the objects drawn.
+scene_axes <- function(ranges, flow) {
+  size <- longest_side(ranges)
+  low <- ranges[1, ]
+  high <- ranges[2, ]
+  # Where each axis starts, and the way out of the box from it.
+  from <- rbind(low, low, c(high[1], low[2], low[3]))
+  out <- rbind(c(0, -1, 0), c(-1, 0, 0), c(0.7, -0.7, 0))
+  colour <- "#404448"
+  drawn <- lapply(1:3, function(axis) {
+    at <- ticks_between(ranges[, axis], max(2, 8 * (high - low)[axis] / size))
+    on_axis <- matrix(from[axis, ], length(at), 3L, byrow = TRUE)
+    on_axis[, axis] <- at
+    away <- function(share) sweep(on_axis, 2L, share * size * out[axis, ], "+")
+    end <- from[axis, ]
+    end[axis] <- high[axis]
+    title <- if (axis == 3L) end + c(0, 0, 0.03 * size) else {
+      (from[axis, ] + end) / 2 + 0.11 * size * out[axis, ]
+    }
+    c(
+      rgl::segments3d(
+        rbind(from[axis, ], end, matrix(t(cbind(on_axis, away(0.012))), ncol = 3L, byrow = TRUE)),
+        color = colour, lwd = 1, lit = FALSE
+      ),
+      rgl::texts3d(away(0.035), texts = as.character(if (axis == 3L) 0 - at else at),
+        color = colour, cex = 0.75),
+      rgl::texts3d(matrix(title, 1L), texts = plane_labels[axis], color = colour, cex = 0.85)
+    )
+  })
+  unname(c(unlist(drawn), scene_flow(flow, ranges, size)))
+}
+
 # An arrow beside the port side of the ranges, at mid depth.
 scene_flow <- function(flow, ranges, size) {
   speed <- sqrt(sum(flow^2))
-  if (speed == 0) return(invisible())
+  if (speed == 0) return(NULL)
   long <- 0.1 * size
   along <- c(flow, 0) / speed
   side <- c(-along[2], along[1], 0)
@@ -150,37 +198,11 @@ scene_flow <- function(flow, ranges, size) {
   tip <- start + long * along
   barbs <- tip - 0.25 * long * along
   ends <- rbind(start, tip, tip, barbs + 0.12 * long * side, tip, barbs - 0.12 * long * side)
-  rgl::segments3d(ends, color = water_colour, lwd = 3, lit = FALSE)
-  rgl::texts3d(matrix(start + 0.5 * long * along, 1), texts = sprintf("flow %.2f m/s", speed),
-    adj = c(0.5, -0.6), color = water_colour, cex = 0.9)
-}
-
-# Axes along three edges of the ranges, with about as many metres between ticks on each.
-scene_axes <- function(ranges, size) {
-  low <- ranges[1, ]
-  high <- ranges[2, ]
-  # Where each axis starts, and the way out of the box from it.
-  from <- rbind(low, low, c(high[1], low[2], low[3]))
-  out <- rbind(c(0, -1, 0), c(-1, 0, 0), c(0.7, -0.7, 0))
-  colour <- "#404448"
-  for (axis in 1:3) {
-    at <- ticks_between(ranges[, axis], max(1, 8 * (high - low)[axis] / size))
-    on_axis <- matrix(from[axis, ], length(at), 3L, byrow = TRUE)
-    on_axis[, axis] <- at
-    away <- function(share) sweep(on_axis, 2L, share * size * out[axis, ], "+")
-    end <- from[axis, ]
-    end[axis] <- high[axis]
-    rgl::segments3d(
-      rbind(from[axis, ], end, matrix(t(cbind(on_axis, away(0.012))), ncol = 3L, byrow = TRUE)),
-      color = colour, lwd = 1, lit = FALSE
-    )
-    rgl::texts3d(away(0.035), texts = as.character(if (axis == 3L) 0 - at else at),
-      color = colour, cex = 0.75)
-    end <- from[axis, ] + 0.11 * size * out[axis, ]
-    end[axis] <- if (axis == 3L) high[3] + 0.03 * size else mean(ranges[, axis])
-    if (axis == 3L) end[1:2] <- from[3, 1:2]
-    rgl::texts3d(matrix(end, 1L), texts = plane_labels[axis], color = colour, cex = 0.85)
-  }
+  c(
+    rgl::segments3d(ends, color = water_colour, lwd = 3, lit = FALSE),
+    rgl::texts3d(matrix(start + 0.5 * long * along, 1), texts = sprintf("flow %.2f m/s", speed),
+      adj = c(0.5, -0.6), color = water_colour, cex = 0.9)
+  )
 }
 
 # The scene as a widget that fills its window, with the legends laid over it and, where the net is
@@ -197,6 +219,8 @@ gear_widget <- function(scene, legend, whole, net, element) {
   if (!is.null(net)) {
     data$move <- unname(colMeans(net) - colMeans(whole))
     data$zoom <- zoom_to(whole, reach_around(whole, net))
+    data$whole_axes <- scene$whole_axes
+    data$net_axes <- scene$net_axes
   }
   htmlwidgets::onRender(widget, paste(script, collapse = "\n"), data = data)
 }

@@ -18,21 +18,31 @@ tension_scale <- function(tension, kind) {
   taut <- tension[tension > 0]
   if (!length(taut)) return(NULL)
   top <- max(taut)
-  logarithmic <- stats::median(taut) < top / 10
   per_unit <- if (top >= 1000) 1000 else 1
-  if (logarithmic) {
-    bottom <- max(stats::quantile(taut, 0.02, names = FALSE), top / 1000)
-    limits <- c(bottom, top)
-    ticks <- grDevices::axisTicks(log10(limits / per_unit), log = TRUE, nint = 5)
-  } else {
-    ticks <- pretty(c(0, top / per_unit), 5)
-    limits <- c(0, max(ticks) * per_unit)
-  }
-  ticks <- ticks[ticks * per_unit >= limits[1] * 0.999 & ticks * per_unit <= limits[2] * 1.001]
-  list(
-    colours = tension_palette(kind), log = logarithmic, limits = limits,
-    unit = if (per_unit == 1000) "kN" else "N", per_unit = per_unit, ticks = ticks
+  scale <- list(
+    colours = tension_palette(kind), log = stats::median(taut) < top / 10,
+    unit = if (per_unit == 1000) "kN" else "N", per_unit = per_unit
   )
+  if (scale$log) {
+    scale$limits <- c(max(stats::quantile(taut, 0.02, names = FALSE), top / 1000), top)
+    scale$ticks <- decade_ticks(scale)
+  } else {
+    scale$ticks <- pretty(c(0, top / per_unit), 5)
+    scale$limits <- c(0, max(scale$ticks) * per_unit)
+  }
+  scale
+}
+
+# Ticks of a logarithmic scale, as many as leave room for their labels.
+decade_ticks <- function(scale) {
+  limits <- scale$limits / scale$per_unit
+  decades <- 10^seq(floor(log10(limits[1])), floor(log10(limits[2])))
+  for (digits in list(c(1, 2, 5), c(1, 3))) {
+    ticks <- as.vector(outer(digits, decades))
+    ticks <- ticks[ticks >= limits[1] & ticks <= limits[2]]
+    if (all(diff(scale_share(scale, ticks * scale$per_unit)) >= 0.11)) break
+  }
+  ticks
 }
 
 # Where tensions (N) lie on a scale, 0..1.

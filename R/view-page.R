@@ -13,8 +13,8 @@ tallest_views <- c(9, 4.5)
 # Views beside a tall view from astern are stretched up to this.
 shortest_column <- 4.5
 
-# The views that a drawing needs: list(plane, region ("whole" or "net"), enlarged (whether the net is
-# drawn again), across, up (ranges, m), boxes (ranges of what is drawn again)).
+# The views that a drawing needs: list(plane, region ("whole" or "net"), enlarged (whether the net
+# is drawn again), across, up (ranges, m), boxes (ranges of what is drawn again)).
 plane_views <- function(drawing, planes, enlarge) {
   whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
   net <- if (enlarge) net_to_enlarge(drawing, whole)
@@ -108,11 +108,11 @@ natural_height <- function(views, width) {
 }
 
 # Frames (left, bottom, right, top) of the title, the legends and every view on a page. On a page
-# too low for them the views are narrower, so that they keep their proportions.
+# rather too low for them the views are narrower, so that they keep their proportions.
 page_frames <- function(views, page) {
-  widths <- page[1] * seq(1, 0.5, by = -0.02)
+  widths <- page[1] * seq(1, 0.6, by = -0.02)
   fits <- vapply(widths, natural_height, 0, views = views) <= page[2] + 1e-6
-  width <- if (any(fits)) widths[which(fits)[1]] else min(widths)
+  width <- if (any(fits)) widths[which(fits)[1]] else page[1]
   heights <- page_heights(views, width)
   rows <- heights$rows
   fit <- (page[2] - title_height - legend_height) / (sum(heights$strips) + heights$lower)

@@ -1,13 +1,13 @@
 #' Plane figures of a state
 #'
-#' Draws the gear from above (XY), from the port side (XZ) and from astern (YZ), each at one scale on
-#' both axes. Ropes are thick and netting is thin; both are coloured by tension, with a legend each.
-#' Where the warps make the gear much longer than its net, the net is drawn again, enlarged, if the
-#' page is high enough.
+#' Draws the gear from above (XY), from the port side (XZ) and from astern (YZ), each at one scale
+#' on both axes. Ropes are thick and netting is thin; both are coloured by tension, with a legend
+#' each. Where the warps make the gear much longer than its net, the net is drawn again, enlarged,
+#' if the page is high enough.
 #'
-#' Netting of triangles is drawn as the two twine directions through its cells, which are larger than
-#' the meshes; of a net too fine for the page every second, third, ... line is drawn, its tension the
-#' mean around it.
+#' Netting of triangles is drawn as the two twine directions through its cells, which are larger
+#' than the meshes. Of a net too fine for the page every second, third, ... line is drawn; where it
+#' is of triangles, with the mean tension around it.
 #'
 #' @param x A state, from [settle()].
 #' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.
@@ -27,7 +27,8 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
     abort_view("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.",
       list(planes = planes, known = known))
   }
-  for (side in list(list("width", width), list("height", height))) check_inches(side[[1]], side[[2]])
+  check_inches("width", width)
+  if (!is.null(height)) check_inches("height", height)
   extension <- if (!is.null(file)) picture_extension(file, c("png", "pdf", "svg"))
   figure <- plane_figure(x, intersect(known, planes))
   if (is.null(file)) {
@@ -53,8 +54,8 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
 }
 
 check_inches <- function(name, value) {
-  if (name == "height" && is.null(value)) return(invisible())
-  if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value >= 3 && value <= 100)) {
+  one <- is.numeric(value) && length(value) == 1L && is.finite(value)
+  if (!(one && value >= 3 && value <= 100)) {
     abort_view("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.",
       list(name = name, value = value))
   }
@@ -87,16 +88,29 @@ state_conditions <- function(state) {
 }
 
 draw_figure <- function(figure, page) {
+  views <- views_for_page(figure, page)
+  frames <- page_frames(views, page)
+  check_room(frames$views, page)
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
   # The size of text first: margins are laid out in lines of it.
   graphics::par(family = "sans", bg = "white", cex = 0.8)
   graphics::plot.new()
-  views <- views_for_page(figure, page)
-  frames <- page_frames(views, page)
   for (k in seq_along(views)) draw_plane(figure, views[[k]], frames$views[[k]], page)
   draw_title(figure, frames$title, page)
   draw_legends(figure, frames$legend, page)
+}
+
+check_room <- function(frames, page) {
+  across <- min(vapply(frames, function(f) f[3] - f[1], 0)) - room_across
+  up <- min(vapply(frames, function(f) f[4] - f[2], 0)) - room_up
+  if (across < 0.3 || up < 0.1) {
+    abort_view(
+      "A page of {page[1]} by {page[2]} inches is too small for its {length(frames)}
+      figure{?s}; make it larger or draw fewer planes.",
+      list(page = round(page, 1), frames = frames)
+    )
+  }
 }
 
 # Opens a plotting region on part of the page; frame and margins in inches (left, bottom, right, top
@@ -125,7 +139,9 @@ draw_plane <- function(figure, view, frame, page) {
   if (axes[2] == 3L && figure$in_water && usr[4] > 0) {
     graphics::rect(usr[1], 0, usr[2], usr[4], col = "white", border = NA)
     graphics::segments(usr[1], 0, usr[2], 0, col = water_colour, lwd = 1)
-    graphics::text(usr[2], 0, "water surface ", adj = c(1, -0.35), col = water_colour, cex = 0.75)
+    above <- usr[4] > 0.16 * diff(usr[3:4]) / graphics::par("pin")[2]
+    graphics::text(usr[2], 0, "water surface ", adj = c(1, if (above) -0.35 else 1.35),
+      col = water_colour, cex = 0.75)
   }
   thin <- if (view$region == "whole" && view$enlarged) 0.35 else 0.6
   draw_lines(figure$drawing$netting, figure$scales$netting, axes, thin)

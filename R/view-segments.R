@@ -85,13 +85,14 @@ netting_lines <- function(state, points, limit) {
 }
 
 # The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tensions of
-# the triangles inside. Twines of diamond meshes run along a cell's diagonals, those of square meshes
-# along its sides.
+# the triangles inside. Twines of diamond meshes run along a cell's diagonals, those of square
+# meshes along its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
   panel <- state$si$panels[[name]]
   grid <- state$lattice$panels[[name]]$grid
   mine <- which(state$lattice$triangle_part == part)
-  cell <- triangle_cells(panel, matrix(state$lattice$engine$triangles$twine, 6L)[, mine, drop = FALSE])
+  twine <- matrix(state$lattice$engine$triangles$twine, 6L)
+  cell <- triangle_cells(panel, twine[, mine, drop = FALSE])
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L

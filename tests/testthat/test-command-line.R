@@ -12,7 +12,8 @@ command <- function(...) {
   on.exit(unlink(c(out, err)))
   status <- system2(
     file.path(R.home("bin"), "Rscript"), shQuote(c(script, ...)), stdout = out, stderr = err,
-    env = paste0("R_LIBS=", shQuote(libraries))
+    # without a locale, as in most containers
+    env = c(paste0("R_LIBS=", shQuote(libraries)), "LC_ALL=C")
   )
   list(status = status, out = readLines(out), err = readLines(err))
 }

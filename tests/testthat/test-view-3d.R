@@ -18,7 +18,7 @@ test_that("the scene holds the state's own coordinates at one scale", {
   drawing <- state_drawing(state)
   ranges <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
   scales <- list(rope = tension_scale(drawing$ropes$tension, "rope"), netting = NULL)
-  scene <- gear_scene(state, drawing, scales, ranges, ranges)
+  scene <- gear_scene(state, drawing, scales, ranges, NULL)
   n <- 2 * length(drawing$ropes$tension)
   lines <- Filter(function(o) o$type == "lines" && nrow(o$vertices) == n, scene$objects)
   # rgl keeps coordinates in single precision, 6e-8 of their size.
@@ -39,7 +39,12 @@ test_that("the scene turns around the net where it is far behind its ship", {
   net <- drawn_ranges(list(drawing$netting), NULL)
   scene <- attr(page, "origScene")
   box <- matrix(scene$rootSubscene$par3d$bbox, 2L)
+  # The box also holds what is drawn around the outermost points.
   expect_equal(colMeans(box), unname(colMeans(net)), tolerance = 0.02)
+  buttons <- page$jsHooks$render[[1]]$data
+  ids <- vapply(scene$objects, `[[`, 0, "id")
+  expect_true(all(c(buttons$net_axes, buttons$whole_axes) %in% ids))
+  expect_length(intersect(buttons$net_axes, buttons$whole_axes), 0)
 })
 
 test_that("the file is one page that asks nothing of the network", {
@@ -52,8 +57,8 @@ test_that("the file is one page that asks nothing of the network", {
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")
   expect_match(html, "rglWebGL", fixed = TRUE)
   expect_match(html, "webgl", fixed = TRUE)
-  asked <- regmatches(html, gregexpr("(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*", html))[[1]]
-  expect_equal(asked, character())
+  asking <- "(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*"
+  expect_equal(regmatches(html, gregexpr(asking, html))[[1]], character())
   expect_false(grepl("src=[\"'](?!data:)", html, perl = TRUE))
   # The name reaches the page as text, never as markup.
   expect_match(html, "Sheets &lt;&amp; ", fixed = TRUE)
@@ -78,9 +83,10 @@ test_that("legends in the page name units, slack netting and symbols", {
 test_that("wrong arguments and a missing pandoc are clear errors that leave nothing", {
   state <- unsettled("crossing_cables")
   folder <- test_folder()
-  expect_error(view(state, file = file.path(folder, "a.htm")), class = "codend_error_argument")
-  expect_error(view(state, file = file.path(folder, "no", "a.html")), class = "codend_error_argument")
-  expect_error(view(list()), class = "codend_error_argument")
+  wrong <- function(...) expect_error(view(...), class = "codend_error_argument")
+  wrong(state, file = file.path(folder, "a.htm"))
+  wrong(state, file = file.path(folder, "no", "a.html"))
+  wrong(list())
   path <- Sys.getenv("PATH")
   studio <- Sys.getenv("RSTUDIO_PANDOC")
   on.exit(Sys.setenv(PATH = path, RSTUDIO_PANDOC = studio))

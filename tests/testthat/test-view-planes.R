@@ -3,9 +3,10 @@ test_that("plot gives its state back, on the current device or in a file", {
   grDevices::pdf(NULL)
   device <- grDevices::dev.cur()
   on.exit(grDevices::dev.off(device))
-  before <- graphics::par(no.readonly = TRUE)
+  parameters <- function() graphics::par(no.readonly = TRUE)[c("mai", "cex", "xpd")]
+  before <- parameters()
   expect_identical(withVisible(plot(state)), list(value = state, visible = FALSE))
-  expect_equal(graphics::par(no.readonly = TRUE)[c("mai", "cex", "xpd")], before[c("mai", "cex", "xpd")])
+  expect_equal(parameters(), before)
   folder <- test_folder()
   plot(state, file = file.path(folder, "a.png"))
   expect_equal(grDevices::dev.cur(), device)
@@ -50,6 +51,7 @@ test_that("wrong arguments are one clear error and leave nothing", {
   wrong(file = c("a.png", "b.png"))
   wrong(width = 0)
   wrong(height = NA_real_, file = file.path(folder, "a.png"))
+  wrong(width = 3, height = 3, file = file.path(folder, "a.png"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
 })
 
