@@ -8,6 +8,10 @@ engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }
 
+engine_march <- function(lattice, position, velocity, step, steps, tolerance, substitutions) {
+  .Call(`_codend_engine_march`, lattice, position, velocity, step, steps, tolerance, substitutions)
+}
+
 engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
 }

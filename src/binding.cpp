@@ -6,6 +6,7 @@
 #include "engine/evaluate.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
+#include "engine/solve/substitution.hpp"
 
 using namespace cpp11;
 namespace writable = cpp11::writable;
@@ -165,6 +166,24 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
       "triangle_drag"_nm = as_doubles(e.triangle_drag),
       "sphere_drag"_nm = as_doubles(e.sphere_drag),
       "lift_force"_nm = as_doubles(e.lift_force),
+  });
+}
+
+[[cpp11::register]]
+list engine_march(list lattice, doubles position, doubles velocity, double step, int steps,
+                  double tolerance, int substitutions) {
+  codend::Model model = read_model(lattice);
+  model.connect();
+  codend::Assembly assembly(model);
+  std::vector<double> x(position.begin(), position.end()), v(velocity.begin(), velocity.end());
+  const codend::SubstitutionReport report = codend::march_by_substitution(
+      assembly, step, steps, tolerance, substitutions, x.data(), v.data());
+  return writable::list({
+      "position"_nm = as_doubles(x),
+      "velocity"_nm = as_doubles(v),
+      "converged"_nm = report.converged,
+      "steps"_nm = report.steps,
+      "substitutions"_nm = static_cast<double>(report.substitutions),
   });
 }
 

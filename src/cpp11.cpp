@@ -20,6 +20,13 @@ extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP veloci
   END_CPP11
 }
 // binding.cpp
+list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
+extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
+  END_CPP11
+}
+// binding.cpp
 doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
 extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
   BEGIN_CPP11
@@ -31,6 +38,7 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_evaluate", (DL_FUNC) &_codend_engine_evaluate, 3},
     {"_codend_engine_lay_out",  (DL_FUNC) &_codend_engine_lay_out,  6},
+    {"_codend_engine_march",    (DL_FUNC) &_codend_engine_march,    7},
     {"_codend_engine_settle",   (DL_FUNC) &_codend_engine_settle,   5},
     {NULL, NULL, 0}
 };

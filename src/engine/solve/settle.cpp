@@ -13,8 +13,12 @@ namespace {
 // shape counts as found.
 constexpr double most_turning = 1.0;
 constexpr double found_turning = 0.02;
-// Parameter of the tension path below which the law itself takes over.
+// Parameter of the tension path below which the law itself takes over once the shape is found;
+// where it is not found by path_least, the path starts again at path_again, and slower.
 constexpr double path_end = 1e-7;
+constexpr double path_least = 1e-13;
+constexpr double path_again = 1e-8;
+constexpr double path_slower = 0.7;
 
 // CPU seconds into a total, from construction to destruction.
 class Stopwatch {
@@ -41,7 +45,8 @@ class Settling {
         damping_(free_.size()),
         values_(9 * assembly.pattern().column.size()),
         reach_(0.02 * extent() + 1e-3),
-        path_(assembly.model(), total_load()) {
+        load_(total_load()),
+        path_(assembly.model(), load_) {
     Stopwatch watch(report_.seconds_analysis);
     std::vector<double> coordinates(3 * free_.size());
     for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -66,6 +71,7 @@ class Settling {
     double scale = report_.largest_tension;
     if (scale == 0.0) {  // a gear without any tension is measured by its loads
       for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
+      if (scale == 0.0) scale = load_;  // a weightless gear, all slack at the moment
     }
     report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale;
   }
@@ -75,11 +81,11 @@ class Settling {
   // One Newton step; false where its matrix is singular (the next one is held back more).
   bool step() {
     const bool on_path = path_.parameter() > path_end || !found();
-    if (on_path && was_exact_) {
+    if (on_path && left_path_) {
       assembly_.strain(x_, strain_);
       path_.return_to(strain_);
     }
-    was_exact_ = !on_path;
+    left_path_ = !on_path;
     if (on_path) {
       Stopwatch watch(report_.seconds_forces);
       assembly_.strain(x_, strain_);
@@ -121,7 +127,13 @@ class Settling {
     if (on_path) {
       assembly_.strain_change(x_, dx_.data(), strain_);
       path_.advance(strain_, share);
-      if (share > 0.3) path_.reduce(turning_ < 0.1 ? 0.4 : 0.7);
+      if (share > 0.3) path_.reduce(std::pow(turning_ < 0.1 ? 0.4 : 0.7, pace_));
+      if (path_.parameter() < path_least && !found()) {
+        path_.restart(path_again);
+        pace_ *= path_slower;
+        left_path_ = true;
+        pseudo_step_ = std::min(pseudo_step_, 1.0);
+      }
     }
     for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
     pseudo_step_ = std::min(pseudo_step_ * std::clamp(1.0 / turning_, 0.3, 3.0), 1e12);
@@ -153,10 +165,13 @@ class Settling {
   double* x_;
   std::vector<double> force_, dx_, right_, damping_, values_, strain_;
   double reach_;
+  double load_;  // N
   TensionPath path_;
   BlockLU lu_;
-  double pseudo_step_ = 1.0, turning_ = 1.0;
-  bool was_exact_ = false;
+  double pseudo_step_ = 1.0;  // s
+  double turning_ = 1.0;
+  double pace_ = 1.0;         // power of the path's reductions
+  bool left_path_ = false;    // tensions must be made anew from the strains
 };
 
 }  // namespace

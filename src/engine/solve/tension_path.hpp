@@ -34,6 +34,7 @@ class TensionPath {
   // mu, as a share of its scale in every line.
   double parameter() const { return parameter_; }
   void reduce(double factor) { parameter_ *= factor; }
+  void restart(double parameter) { parameter_ = parameter; }
 
  private:
   std::vector<double> stiffness_, scale_, mismatch_;

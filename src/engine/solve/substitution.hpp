@@ -1,0 +1,36 @@
+// Motion by the implicit trapezoid rule, solved by substitution.
+//
+// For y = (x, v) and dy/dt = f = (v, M^-1 F), F the net force, M mass and added mass where F acts:
+//
+//   y[k+1] = y[k] + h/2 (f(y[k]) + f(y[k+1])),
+//
+// the right side repeated with its own result until it stands still (Li et al., Modeling of the
+// Midwater Trawl Dynamical Behavior Based on R Language, eqs. 11 and 14). The first guess is that
+// of the non-self-starting Heun method, y[k-1] + 2 h f(y[k]) (Chapra and Canale, Numerical Methods
+// for Engineers, 26.2), and y[k] + h f(y[k]) in the first step.
+//
+// Substitution converges only where h omega < 2 for every natural frequency omega: the rule is
+// implicit, but its steps are as short as an explicit method's.
+#pragma once
+
+#include "../assembly.hpp"
+
+namespace codend {
+
+struct SubstitutionReport {
+  bool converged = true;       // every step did
+  int steps = 0;               // done
+  long long substitutions = 0; // of all steps, the one that failed included
+  double time = 0.0;           // s, reached
+};
+
+// Marches `steps` steps of length `step` (s). A step is found when a substitution changes no
+// velocity by more than `tolerance` (m/s) and no position by more than `tolerance * step`; where
+// that takes more than `substitutions` of them, or numbers overflow, the march ends before that
+// step and says so.
+// x (m), v (m/s): 3 per node, the start on entry and the last step found on return; held nodes keep
+// their velocity. Throws std::invalid_argument where a free node has no mass.
+SubstitutionReport march_by_substitution(Assembly& assembly, double step, int steps,
+                                         double tolerance, int substitutions, double* x, double* v);
+
+}  // namespace codend

@@ -1,0 +1,159 @@
+// Random models and states, for tests that hold one side of the engine against another.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "assembly.hpp"
+
+namespace codend {
+
+// The same numbers with every compiler, unlike std::uniform_real_distribution.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : source_(seed) {}
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(source_() >> 11) * 0x1p-53;
+  }
+  int below(int n) { return static_cast<int>(source_() % static_cast<std::uint64_t>(n)); }
+  // Each component within +-size.
+  Vector vector(double size) {
+    return {between(-size, size), between(-size, size), between(-size, size)};
+  }
+
+ private:
+  std::mt19937_64 source_;
+};
+
+struct Ingredients {
+  int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
+  CylinderLaw law;
+  SlackDrag slack = SlackDrag::curved;
+  double diameter = 0.002;       // m, of lines
+  double axial_stiffness = 1.0;  // N
+  double density = 1025.0;       // kg/m3, of the water
+  double current = 1.0;          // m/s, each component at most
+  bool layered = false;          // a current that varies with depth
+};
+
+// Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
+// elements between random points. Lines are taut or slack by 3 % at least, so that a small
+// difference does not step over their kink.
+class Specimen {
+ public:
+  Specimen(Random& random, const Ingredients& wanted) {
+    model.nodes = 12;
+    model.held.assign(model.nodes, 0);
+    model.held[3] = model.held[8] = 1;
+    model.ties = {{0, 1, 0.3}, {3, 4, 0.6}, {8, 3, 0.5}, {5, 9, 0.125}};
+    model.slack = wanted.slack;
+    model.water.density = wanted.density;
+    model.water.current = {horizontal(random, wanted.current)};
+    if (wanted.layered) {
+      model.water.depth = {0.4, 0.9, 1.7};
+      for (int k = 0; k < 2; ++k) model.water.current.push_back(horizontal(random, wanted.current));
+    }
+    model.load.assign(3 * static_cast<std::size_t>(model.points()), 0.0);
+    model.mass.assign(model.points(), 0.0);
+    for (int n = 0; n < model.nodes; ++n) {
+      const Vector place = random.vector(1.0) - Vector::UnitZ();
+      const Vector speed = random.vector(0.7);
+      x.insert(x.end(), place.data(), place.data() + 3);
+      v.insert(v.end(), speed.data(), speed.data() + 3);
+    }
+    TwineMaterial material;
+    material.axial_stiffness = wanted.axial_stiffness;
+    material.diameter = wanted.diameter;
+    material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
+    material.added_mass_tangential = 0.15;
+    material.law = wanted.law;
+    model.materials = {material};
+    fill(random, wanted);
+    model.connect();
+    stretch(random);
+  }
+  Specimen(const Specimen&) = delete;
+
+  Model model;
+  std::vector<double> x, v;
+
+ private:
+  static Vector horizontal(Random& random, double size) {
+    return {random.between(-size, size), random.between(-size, size), 0.0};
+  }
+
+  void points(Random& random, int count, std::vector<int>& out) {
+    const std::size_t first = out.size();
+    while (out.size() < first + static_cast<std::size_t>(count)) {
+      const int point = random.below(model.points());
+      if (std::find(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), point) ==
+          out.end()) {
+        out.push_back(point);
+      }
+    }
+  }
+
+  void fill(Random& random, const Ingredients& wanted) {
+    for (int b = 0; b < wanted.bars; ++b) {
+      points(random, 2, model.bars.node);
+      model.bars.multiplicity.push_back(random.between(0.5, 4.0));
+    }
+    model.bars.rest.assign(wanted.bars, 1.0);
+    model.bars.material.assign(wanted.bars, 0);
+    for (int e = 0; e < wanted.triangles; ++e) {
+      points(random, 3, model.triangles.node);
+      const double turn = random.between(0.0, 6.28);
+      for (const double angle : {turn, turn + 1.6, turn + 3.9}) {
+        model.triangles.twine.push_back(3.0 * std::cos(angle));
+        model.triangles.twine.push_back(3.0 * std::sin(angle));
+      }
+      model.triangles.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    model.triangles.rest.assign(wanted.triangles, 1.0);
+    model.triangles.material.assign(wanted.triangles, 0);
+    for (int s = 0; s < wanted.bodies + wanted.knots; ++s) {
+      points(random, 1, model.spheres.node);
+      model.spheres.drag_area.push_back(random.between(0.01, 0.1));
+      model.spheres.diameter.push_back(s < wanted.bodies ? 0.0 : random.between(1e-5, 1e-2));
+      model.spheres.added_mass.push_back(random.between(0.0, 0.01));
+    }
+    for (int s = 0; s < wanted.lifts_up + wanted.lifts_sideways; ++s) {
+      points(random, 1, model.lifts.node);
+      model.lifts.lift_area.push_back(random.between(-0.1, 0.1));
+      model.lifts.direction.push_back(s < wanted.lifts_up ? 0 : 1);
+    }
+  }
+
+  void stretch(Random& random) {
+    Assembly assembly(model);
+    std::vector<double> strain;
+    assembly.strain(x.data(), strain);  // of lines with rest 1: length - 1
+    auto clear = [&](std::initializer_list<double> lengths) {
+      const double low = *std::min_element(lengths.begin(), lengths.end());
+      const double high = *std::max_element(lengths.begin(), lengths.end());
+      for (;;) {
+        const double rest = random.between(0.7 * low, 2.0 * high);
+        bool ok = true;
+        for (const double length : lengths) ok = ok && std::abs(length / rest - 1.0) > 0.03;
+        if (ok) return rest;
+      }
+    };
+    for (int b = 0; b < model.bars.count(); ++b) model.bars.rest[b] = clear({1.0 + strain[b]});
+    for (int e = 0; e < model.triangles.count(); ++e) {
+      const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
+      model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});
+    }
+  }
+};
+
+// The four laws of cylinders, each with its own numbers.
+inline std::vector<CylinderLaw> cylinder_laws() {
+  return {{CylinderLawKind::constant, 1.2, 0.1, 0.02, 0.0},
+          {CylinderLawKind::takagi, 0.0, 0.0, 0.0, 0.0},
+          {CylinderLawKind::choo_casarella, 0.0, 0.0, 0.0, 0.0},
+          {CylinderLawKind::cifuentes_kim, 0.0, 0.0, 0.0, 0.15}};
+}
+
+}  // namespace codend

@@ -1,0 +1,172 @@
+// What the water does to a body: it takes energy from it, and stays finite at every
+// state where a direction is lost.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "random_model.hpp"
+
+namespace {
+
+using namespace codend;
+
+struct Power {
+  double total, size;
+};
+
+// Power of all forces on the nodes, and the sum of its terms' sizes.
+Power power(Specimen& s) {
+  Assembly assembly(s.model);
+  std::vector<double> force(s.x.size());
+  assembly.residual(s.x.data(), s.v.data(), force.data());
+  Power out{0.0, 0.0};
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    out.total += force[k] * s.v[k];
+    out.size += std::abs(force[k] * s.v[k]);
+  }
+  return out;
+}
+
+// Without tension, so that only the water acts.
+Ingredients still_water() {
+  Ingredients wanted;
+  wanted.axial_stiffness = 0.0;
+  wanted.current = 0.0;
+  return wanted;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  for (const double value : values) {
+    if (!std::isfinite(value)) return false;
+  }
+  return true;
+}
+
+// Forces, derivatives and masses of a model at a state.
+bool is_finite(Specimen& s) {
+  Assembly assembly(s.model);
+  std::vector<double> force(s.x.size()), values(9 * assembly.pattern().column.size()),
+      mass(3 * s.x.size());
+  assembly.residual(s.x.data(), s.v.data(), force.data());
+  assembly.jacobian(s.x.data(), s.v.data(), {1.0, 1.0}, values.data());
+  assembly.mass(s.x.data(), s.v.data(), mass.data());
+  return all_finite(force) && all_finite(values) && all_finite(mass);
+}
+
+template <class Check>
+void each_law(Check check) {
+  for (const CylinderLaw& law : cylinder_laws()) {
+    for (const SlackDrag slack : {SlackDrag::curved, SlackDrag::straight}) {
+      CAPTURE(static_cast<int>(law.kind));
+      CAPTURE(static_cast<int>(slack));
+      check(law, slack);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("drag in still water takes energy from every line") {
+  Random random(20260421);
+  each_law([&](const CylinderLaw& law, SlackDrag slack) {
+    // One line each, so that no line can hide behind another; Re from 1e-2 to 2e6.
+    for (const double diameter : {1e-8, 1e-5, 1e-4, 1e-3, 0.03, 0.3, 2.0}) {
+      for (int repeat = 0; repeat < 10; ++repeat) {
+        Ingredients wanted = still_water();
+        wanted.law = law;
+        wanted.slack = slack;
+        wanted.diameter = diameter;
+        wanted.bars = repeat % 2;
+        wanted.triangles = 1 - repeat % 2;
+        Specimen s(random, wanted);
+        CAPTURE(diameter);
+        CHECK(power(s).total < 0.0);
+      }
+    }
+  });
+}
+
+TEST_CASE("drag in still water takes energy from bodies and knots") {
+  Random random(20260422);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    Ingredients wanted = still_water();
+    wanted.bodies = repeat % 2;
+    wanted.knots = 1 - repeat % 2;
+    Specimen s(random, wanted);
+    CHECK(power(s).total < 0.0);
+  }
+}
+
+TEST_CASE("lift in still water does no work") {
+  Random random(20260423);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    Ingredients wanted = still_water();
+    wanted.lifts_up = repeat % 2;
+    wanted.lifts_sideways = 1 - repeat % 2;
+    Specimen s(random, wanted);
+    const Power p = power(s);
+    CHECK(std::abs(p.total) <= 1e-14 * p.size);  // a dozen operations of 1.1e-16 each
+  }
+}
+
+TEST_CASE("forces, derivatives and masses are finite where directions are lost") {
+  struct Extreme {
+    const char* name;
+    double current;  // m/s
+    void (*move)(double* x, double* v);  // of one node
+  };
+  // 1e-50: cubes of speeds are still numbers.
+  const Extreme extremes[] = {
+      {"no flow", 0.0, [](double*, double* v) { v[0] = v[1] = v[2] = 0.0; }},
+      {"flow along all lines", 0.0,
+       [](double* x, double* v) {
+         x[1] = x[2] = v[1] = v[2] = 0.0;
+         v[0] = 1.0;
+       }},
+      {"flow straight up", 0.0,
+       [](double*, double* v) {
+         v[0] = v[1] = 0.0;
+         v[2] = -1.0;
+       }},
+      {"all points in one place", 1.0, [](double* x, double*) { x[0] = x[1] = x[2] = 0.5; }},
+      {"very fast", 1.0, [](double*, double* v) { v[0] *= 1e6; }},
+      {"very slow", 0.0,
+       [](double*, double* v) {
+         for (int k = 0; k < 3; ++k) v[k] *= 1e-50;
+       }},
+  };
+  Random random(20260424);
+  for (const Extreme& extreme : extremes) {
+    CAPTURE(extreme.name);
+    each_law([&](const CylinderLaw& law, SlackDrag slack) {
+      Ingredients wanted;
+      wanted.bars = 10;
+      wanted.triangles = 6;
+      wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
+      wanted.law = law;
+      wanted.slack = slack;
+      wanted.current = extreme.current;
+      Specimen s(random, wanted);
+      for (int n = 0; n < s.model.nodes; ++n) extreme.move(&s.x[3 * n], &s.v[3 * n]);
+      CHECK(is_finite(s));
+    });
+  }
+}
+
+TEST_CASE("drag does not jump where a line goes slack or loses its length") {
+  TwineMaterial material;
+  material.diameter = 0.002;
+  const Water water;
+  const Vector u(0.4, -0.3, 1.0), axis = Vector(1.0, 2.0, -0.5).normalized();
+  for (const CylinderLaw& law : cylinder_laws()) {
+    material.law = law;
+    auto drag = [&](double length) {
+      return twine_drag(material, water, SlackDrag::curved, length * axis, 1.0, u, false).force;
+    };
+    const double size = drag(1.0).norm();
+    CHECK((drag(1.0 + 1e-9) - drag(1.0 - 1e-9)).norm() < 1e-8 * size);
+    CHECK((drag(1e-9) - drag(0.0)).norm() < 1e-8 * size);
+    // Without length there is no axis: drag is along the flow.
+    CHECK(drag(0.0).cross(u).norm() < 1e-12 * size);
+  }
+}

@@ -1,0 +1,219 @@
+// Derivatives of every kind of element against differences of its forces, through the assembly.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "random_model.hpp"
+
+namespace {
+
+using namespace codend;
+
+// Differences of fourth order, (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12h. At h = 2e-5 (m, m/s)
+// rounding leaves 1.5 x 2.2e-16 |F| / h = 1.7e-11 |F|, some ten times that where terms of F cancel,
+// and truncation h^4/30 f^(5), below 1e-10 of f' where F changes over 0.02 m or m/s or more; the
+// least distances in these models are of that size. 1e-8 leaves room for both.
+constexpr double difference = 2e-5;
+constexpr double tolerance = 1e-8;
+
+using Dense = Eigen::MatrixXd;
+
+Dense dense(const Assembly& assembly, const std::vector<double>& values) {
+  const BlockPattern& pattern = assembly.pattern();
+  Dense out = Dense::Zero(3 * pattern.n, 3 * pattern.n);
+  for (int row = 0; row < pattern.n; ++row) {
+    for (int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
+      out.block<3, 3>(3 * row, 3 * pattern.column[static_cast<std::size_t>(k)]) =
+          Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(k)]);
+    }
+  }
+  return out;
+}
+
+// -dF/dy on the free nodes by differences; y is x or v, force(F) fills 3 per node.
+template <class Force>
+Dense by_differences(const Assembly& assembly, std::vector<double>& y, Force force) {
+  const std::vector<int>& free = assembly.free_nodes();
+  const std::size_t size = y.size();
+  Dense out(3 * free.size(), 3 * free.size());
+  std::vector<double> f[4] = {std::vector<double>(size), std::vector<double>(size),
+                              std::vector<double>(size), std::vector<double>(size)};
+  const double steps[4] = {1.0, -1.0, 2.0, -2.0}, weights[4] = {8.0, -8.0, -1.0, 1.0};
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    for (int c = 0; c < 3; ++c) {
+      double& moved = y[3 * static_cast<std::size_t>(free[j]) + c];
+      const double before = moved;
+      for (int k = 0; k < 4; ++k) {
+        moved = before + steps[k] * difference;
+        force(f[k]);
+      }
+      moved = before;
+      for (std::size_t i = 0; i < free.size(); ++i) {
+        for (int r = 0; r < 3; ++r) {
+          double sum = 0.0;
+          for (int k = 0; k < 4; ++k) {
+            sum += weights[k] * f[k][3 * static_cast<std::size_t>(free[i]) + r];
+          }
+          out(3 * i + r, 3 * j + c) = -sum / (12.0 * difference);
+        }
+      }
+    }
+  }
+  return out;
+}
+
+// Largest error of any column, over the column's largest entry and the largest force per metre.
+double error(const Dense& found, const Dense& expected, double force) {
+  double worst = 0.0;
+  for (int j = 0; j < found.cols(); ++j) {
+    const double scale = expected.col(j).cwiseAbs().maxCoeff() + force;
+    if (scale == 0.0) continue;
+    worst = std::max(worst, (found.col(j) - expected.col(j)).cwiseAbs().maxCoeff() / scale);
+  }
+  return worst;
+}
+
+double largest(const std::vector<double>& values) {
+  double out = 0.0;
+  for (const double value : values) out = std::max(out, std::abs(value));
+  return out;
+}
+
+void check_derivatives(Random& random, const Ingredients& wanted) {
+  Specimen s(random, wanted);
+  Assembly assembly(s.model);
+  auto force = [&](std::vector<double>& out) {
+    assembly.residual(s.x.data(), s.v.data(), out.data());
+  };
+  std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
+  force(f);
+  REQUIRE(largest(f) > 0.0);
+
+  assembly.jacobian(s.x.data(), s.v.data(), {1.0, 0.0}, values.data());
+  const Dense stiffness = dense(assembly, values);
+  CHECK(error(stiffness, by_differences(assembly, s.x, force), largest(f)) < tolerance);
+
+  assembly.jacobian(s.x.data(), s.v.data(), {0.0, 1.0}, values.data());
+  const Dense damping = dense(assembly, values);
+  CHECK(error(damping, by_differences(assembly, s.v, force), largest(f)) < tolerance);
+
+  // A request for both is their sum; 1e-14 for the order of additions.
+  assembly.jacobian(s.x.data(), s.v.data(), {0.7, 2.5}, values.data());
+  CHECK(error(dense(assembly, values), 0.7 * stiffness + 2.5 * damping, 0.0) < 1e-14);
+}
+
+// Tensions of the same size as drag: what is wrong with either shows.
+constexpr double stiffness_per_diameter = 500.0;
+
+void check_lines(int bars, int triangles) {
+  Random random(20260401);
+  for (const CylinderLaw& law : cylinder_laws()) {
+    // Reynolds numbers of about 10, 100, 2000 and 3e5: every branch of the laws.
+    for (const double diameter : {1e-5, 1e-4, 2e-3, 0.3}) {
+      for (const SlackDrag slack : {SlackDrag::curved, SlackDrag::straight}) {
+        for (const bool layered : {false, true}) {
+          CAPTURE(static_cast<int>(law.kind));
+          CAPTURE(diameter);
+          CAPTURE(static_cast<int>(slack));
+          CAPTURE(layered);
+          Ingredients wanted;
+          wanted.bars = bars;
+          wanted.triangles = triangles;
+          wanted.law = law;
+          wanted.diameter = diameter;
+          wanted.axial_stiffness = stiffness_per_diameter * diameter;
+          wanted.slack = slack;
+          wanted.layered = layered;
+          check_derivatives(random, wanted);
+        }
+      }
+    }
+  }
+}
+
+template <class Count>
+void check_points(Count count) {
+  Random random(20260402);
+  for (const bool layered : {false, true}) {
+    for (int repeat = 0; repeat < 5; ++repeat) {
+      CAPTURE(layered);
+      Ingredients wanted;
+      wanted.layered = layered;
+      count(wanted) = 12;
+      check_derivatives(random, wanted);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("derivatives of bars") { check_lines(20, 0); }
+
+TEST_CASE("derivatives of netting triangles") { check_lines(0, 10); }
+
+TEST_CASE("derivatives of bodies and knots") {
+  SUBCASE("bodies") { check_points([](Ingredients& i) -> int& { return i.bodies; }); }
+  SUBCASE("knots") { check_points([](Ingredients& i) -> int& { return i.knots; }); }
+}
+
+TEST_CASE("derivatives of lifting surfaces") {
+  SUBCASE("up") { check_points([](Ingredients& i) -> int& { return i.lifts_up; }); }
+  SUBCASE("sideways") { check_points([](Ingredients& i) -> int& { return i.lifts_sideways; }); }
+}
+
+TEST_CASE("derivatives of tensions that a solver carries") {
+  Random random(20260403);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Ingredients wanted;
+    wanted.bars = 12;
+    wanted.triangles = 8;
+    wanted.layered = true;
+    Specimen s(random, wanted);
+    Assembly assembly(s.model);
+    CarriedTension carried;
+    std::vector<double> start, strain;
+    assembly.strain(s.x.data(), start);
+    for (std::size_t k = 0; k < start.size(); ++k) {
+      carried.tension.push_back(random.between(0.5, 2.0));
+      carried.modulus.push_back(random.between(0.1, 5.0));
+    }
+    // Carried tensions follow their strain with the modulus.
+    auto force = [&](std::vector<double>& out) {
+      CarriedTension moved = carried;
+      assembly.strain(s.x.data(), strain);
+      for (std::size_t k = 0; k < strain.size(); ++k) {
+        moved.tension[k] += moved.modulus[k] * (strain[k] - start[k]);
+      }
+      assembly.residual(s.x.data(), s.v.data(), out.data(), &moved);
+    };
+    std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
+    force(f);
+    assembly.jacobian(s.x.data(), s.v.data(), {1.0, 0.0}, values.data(), &carried);
+    CHECK(error(dense(assembly, values), by_differences(assembly, s.x, force), largest(f)) <
+          tolerance);
+  }
+}
+
+TEST_CASE("strains change as their first-order change says") {
+  Random random(20260404);
+  Ingredients wanted;
+  wanted.bars = 12;
+  wanted.triangles = 8;
+  Specimen s(random, wanted);
+  Assembly assembly(s.model);
+  std::vector<double> dx, up, down, change;
+  for (std::size_t k = 0; k < s.x.size(); ++k) dx.push_back(random.between(-1.0, 1.0));
+  assembly.strain_change(s.x.data(), dx.data(), change);
+  // Second order at h = 1e-5: h^2/6 of the third derivative, 2e-11, and 2e-16/h = 2e-11.
+  const double h = 1e-5;
+  auto moved = [&](double share, std::vector<double>& out) {
+    std::vector<double> y = s.x;
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] += share * dx[k];
+    assembly.strain(y.data(), out);
+  };
+  moved(h, up);
+  moved(-h, down);
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    CHECK((up[k] - down[k]) / (2.0 * h) == doctest::Approx(change[k]).epsilon(1e-8).scale(1.0));
+  }
+}

@@ -1,0 +1,264 @@
+# Cables against closed forms: reference/analytic_benchmarks.csv says how each value was found.
+
+benchmark <- local({
+  table <- utils::read.csv(test_path("reference", "analytic_benchmarks.csv"), comment.char = "#")
+  function(case, quantity) table$value[table$case == case & table$quantity == quantity]
+})
+
+weight_per_metre <- function(newton) newton / 9.81
+
+# A rope that neither weighs nor floats nor drags unless told otherwise.
+line <- function(from, to, length, ..., diameter = 0.02, mass_per_length = 0) {
+  rope(
+    from = from, to = to, length = length, diameter = diameter, volume_per_length = 0,
+    mass_per_length = mass_per_length, ...
+  )
+}
+
+no_drag <- list(normal = 0, tangential = 0, skin = 0)
+air <- list(density = 0)
+
+# Order of convergence from errors at one resolution and at the double.
+order_of <- function(error) log2(error[-length(error)] / error[-1])
+
+reaction <- function(state, name) {
+  table <- as.data.frame(state, what = "reactions")
+  1000 * unlist(table[table$point == name, c("x_kN", "y_kN", "z_kN")], use.names = FALSE)
+}
+node_at <- function(state, name) state$position[, state$lattice$points[[name]]]
+
+hanging_catenary <- function(segments) {
+  settle(gear("Catenary",
+    water = air, low = point(c(0, 0, 0), "fixed"), high = point(c(80, 0, 20), "fixed"),
+    chain = line("low", "high", 100, axial_stiffness = 1e5,
+      mass_per_length = weight_per_metre(20), segments = segments)
+  ))
+}
+
+test_that("a chain approaches the elastic catenary as segments^-2", {
+  h <- benchmark("elastic_catenary", "horizontal_tension")
+  v <- benchmark("elastic_catenary", "lower_vertical_tension")
+  # Elastic catenary at its middle, s = 50 m of 100 m, from the lower end's tension (Irvine 1981).
+  vs <- v + 20 * 50
+  middle <- c(
+    h * 50 / 1e5 + h / 20 * (asinh(vs / h) - asinh(v / h)),
+    (vs^2 - v^2) / (2 * 1e5 * 20) + (sqrt(h^2 + vs^2) - sqrt(h^2 + v^2)) / 20
+  )
+  errors <- vapply(c(16, 32, 64, 128), function(n) {
+    state <- hanging_catenary(n)
+    low <- reaction(state, "low")
+    high <- reaction(state, "high")
+    x <- state$position[, state$lattice$ropes$chain$node[n / 2 + 1]]
+    c(
+      h = -low[1] - h, v = -low[3] - v,
+      top = sqrt(sum(high^2)) - benchmark("elastic_catenary", "largest_tension"),
+      x = x[1] - middle[1], z = x[3] - middle[2]
+    )
+  }, numeric(5))
+  # lumped masses and straight bars are both second order; 0.1 is for the next order at 16 segments
+  for (quantity in rownames(errors)) {
+    expect_equal(order_of(abs(errors[quantity, ])), rep(2, 3), tolerance = 0.05, label = quantity)
+  }
+  # of 1400 N and 50 m: what segments^-2 leaves at 128
+  expect_lt(max(abs(errors[1:3, 4])), 0.1)
+  expect_lt(max(abs(errors[4:5, 4])), 0.005)
+})
+
+test_that("the catenary's lowest point is where the closed form has it", {
+  state <- hanging_catenary(128)
+  x <- state$position[, state$lattice$ropes$chain$node]
+  k <- which.min(x[3, ])
+  fit <- stats::lm(z ~ x + I(x^2), data.frame(x = x[1, k + (-1:1)], z = x[3, k + (-1:1)]))
+  b <- unname(stats::coef(fit))
+  at <- -b[2] / (2 * b[3])
+  # second order again: the same 5 mm as at the middle
+  expect_lt(abs(at - benchmark("elastic_catenary", "lowest_x")), 0.005)
+  expect_lt(abs(b[1] + b[2] * at + b[3] * at^2 - benchmark("elastic_catenary", "lowest_z")), 0.005)
+})
+
+test_that("an isolated cable yields under its load as two exact catenaries do", {
+  settled_at <- function(load) {
+    part <- function(from, to, length) {
+      line(from, to, length, axial_stiffness = 548.4e-6 * 131.0e9,
+        mass_per_length = weight_per_metre(46.12), segments = 60)
+    }
+    node_at(settle(gear("Isolated cable",
+      water = air, left = point(c(0, 0, 0), "fixed"), right = point(c(304.8, 0, 0), "fixed"),
+      node = point(load = c(0, 0, -load)), short = part("left", "node", 125.847),
+      long = part("node", "right", 186.855)
+    )), "node")
+  }
+  hanging <- settled_at(0)
+  # the unstretched lengths are known to 0.5 mm, which moves a cable of this sag by some 2 mm
+  expect_lt(max(abs(hanging[c(1, 3)] - c(121.92, -29.276))), 0.002)
+  moved <- settled_at(35586) - c(121.92, 0, -29.276)
+  expect_lt(abs(moved[1] - benchmark("isolated_cable", "displacement_x")), 0.002)
+  expect_lt(abs(moved[3] - benchmark("isolated_cable", "displacement_z")), 0.002)
+})
+
+test_that("a towed cable without tangential drag hangs straight at its critical angle", {
+  cases <- data.frame(
+    d = c(0.0173, 0.032, 0.012), w = c(8.89, 35, 0.5), normal = c(1.5, 1.2, 1.2),
+    speed = c(6 * 1852 / 3600, 2.315, 1)
+  )
+  for (k in 1:3) {
+    of <- cases[k, ]
+    state <- settle(gear("Critical angle",
+      towing = list(speed = of$speed), ship = point(c(0, 0, 0), "moved"), tail = point(),
+      cable = line("ship", "tail", 50, diameter = of$d, axial_stiffness = 1e7,
+        mass_per_length = weight_per_metre(of$w), segments = 10,
+        coefficients = list(normal = of$normal, tangential = 0, skin = 0))
+    ))
+    x <- state$position[, state$lattice$ropes$cable$node]
+    angle <- atan2(-diff(x[3, ]), diff(x[1, ])) * 180 / pi
+    # every element has the same balance, so there is no error of division; the first case's speed
+    # is 6 knot to six digits of a knot, and the solver ends at 1e-8 of the tension
+    expect_equal(angle, rep(benchmark(paste0("critical_angle_", k), "angle"), 10),
+      tolerance = 1e-6)
+  }
+})
+
+test_that("a towed cable with a body approaches the steady cable equations", {
+  wanted <- c(
+    benchmark("towed_cable_body", "layback"), benchmark("towed_cable_body", "depth"),
+    benchmark("towed_cable_body", "top_tension"), benchmark("towed_cable_body", "top_angle")
+  )
+  found <- vapply(c(25, 50, 100), function(n) {
+    # the table's weight to all its digits: 8.89 N/m
+    state <- settle(update(read_gear("towed_cable"),
+      ropes.cable.volume_per_length = (1.12 - 8.89 / 9.81) / 1025, ropes.cable.segments = n
+    ))
+    x <- node_at(state, "body")
+    pull <- reaction(state, "ship")
+    c(x[1], -x[3], sqrt(sum(pull^2)), atan2(pull[3], -pull[1]) * 180 / pi)
+  }, numeric(4))
+  # second order: 16 times less from 25 to 100, where 6e-5 is left
+  error <- abs(found - wanted) / wanted
+  expect_lt(max(error[, 3]), 6e-5)
+  expect_gt(min(error[, 1] / error[, 3]), 10)
+})
+
+test_that("a neutrally buoyant cable with normal drag alone has one tension, and is a catenary", {
+  # R sin^2 across the cable alone keeps T constant: a catenary of parameter c = T / R across the
+  # flow, half length c sinh(b / c) for a half span b.
+  drag <- 0.5 * 1025 * 1.2 * 0.02 * 1.5^2
+  c <- 30 / uniroot(function(u) sinh(u) / u - 40 / 30, c(0.1, 5), tol = 1e-14)$root
+  spread <- vapply(c(20, 40, 80), function(n) {
+    state <- settle(gear("Neutral cable",
+      towing = list(speed = 1.5), port = point(c(0, -30, -10), "moved"),
+      starboard = point(c(0, 30, -10), "moved"),
+      cable = line("port", "starboard", 80, axial_stiffness = 1e9,
+        coefficients = list(normal = 1.2, tangential = 0, skin = 0), segments = n)
+    ))
+    tension <- state$bar_tension
+    bight <- state$position[1, state$lattice$ropes$cable$node[n / 2 + 1]]
+    c(
+      diff(range(tension)) / mean(tension), mean(tension) / (drag * c) - 1,
+      bight / (c * (cosh(30 / c) - 1)) - 1
+    )
+  }, numeric(3))
+  for (k in 1:3) expect_equal(order_of(abs(spread[k, ])), rep(2, 2), tolerance = 0.1)
+  # what segments^-2 leaves at 80
+  expect_lt(max(abs(spread[, 3])), 2e-3)
+})
+
+test_that("a hanging sphere stands in the current at atan(D / W)", {
+  state <- settle(gear("Hanging sphere",
+    water = list(current = list(speed = 1.2, toward = "30 deg")),
+    buoy = point(c(0, 0, -5), "fixed"), ball = point(),
+    line = line("buoy", "ball", 10, axial_stiffness = 1e6, coefficients = no_drag, segments = 4),
+    sphere = piece(at = "ball", mass = 100, diameter = 0.4, drag_coefficient = 0.47)
+  ))
+  drag <- 0.5 * 1025 * 1.2^2 * 0.47 * pi / 4 * 0.4^2
+  weight <- 9.81 * (100 - 1025 * pi / 6 * 0.4^3)
+  tension <- sqrt(drag^2 + weight^2)
+  pull <- reaction(state, "buoy")
+  # exact statics: what is left is the solver's 1e-8 of the tension
+  expect_equal(pull, c(-drag * cos(pi / 6), -drag * 0.5, weight), tolerance = 1e-7)
+  expect_equal(max(state$bar_tension), tension, tolerance = 1e-7)
+  run <- 10 * (1 + tension / 1e6) / tension * c(drag * cos(pi / 6), drag * 0.5, -weight)
+  expect_equal(node_at(state, "ball") - c(0, 0, -5), run, tolerance = 1e-7)
+})
+
+test_that("a kite on a weightless line stands at atan(L / D)", {
+  state <- settle(gear("Kite",
+    towing = list(speed = 2), winch = point(c(0, 0, -100), "moved"), end = point(),
+    line = line("winch", "end", 20, axial_stiffness = 1e7, coefficients = no_drag, segments = 4),
+    kite = piece(at = "end", area = 5, lift_coefficient = 1.16, drag_coefficient = 0.35,
+      lift_direction = "up")
+  ))
+  pull <- reaction(state, "winch")
+  # the table has 7 digits; the solver's 1e-8 of the tension is less
+  expect_equal(atan2(-pull[3], -pull[1]) * 180 / pi, benchmark("kite_line", "angle"),
+    tolerance = 1e-7)
+})
+
+# Steady cable in a current that turns with depth: integrated from the body up to the ship in the
+# unstretched length, with the body's depth found by shooting. Classical fourth-order Runge-Kutta.
+shoot_cable <- function(water_at, cable, body, steps) {
+  rho <- 1025
+  line_drag <- function(z, t) {
+    u <- water_at(z)
+    u_t <- sum(u * t) * t
+    u_n <- u - u_t
+    0.5 * rho * cable$d *
+      (cable$normal * sqrt(sum(u_n^2)) * u_n + cable$tangential * sqrt(sum(u_t^2)) * u_t)
+  }
+  rise <- function(y) {
+    tension <- sqrt(sum(y[4:6]^2))
+    t <- y[4:6] / tension
+    c((1 + tension / cable$ea) * t, -line_drag(y[3], t) - c(0, 0, -cable$w))
+  }
+  integrate_from <- function(z) {
+    u <- water_at(z)
+    on_body <- 0.5 * rho * body$drag_area * sqrt(sum(u^2)) * u - c(0, 0, body$w)
+    y <- c(0, 0, z, -on_body)
+    h <- cable$length / steps
+    for (k in seq_len(steps)) {
+      k1 <- rise(y)
+      k2 <- rise(y + h / 2 * k1)
+      k3 <- rise(y + h / 2 * k2)
+      k4 <- rise(y + h * k3)
+      y <- y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    }
+    y
+  }
+  z <- uniroot(function(z) integrate_from(z)[3], c(-cable$length, -1), tol = 1e-9)$root
+  y <- integrate_from(z)
+  list(body = c(-y[1:2], z), tension = y[4:6])
+}
+
+test_that("a current that turns with depth moves a towed cable as shooting says", {
+  layers <- list(
+    list(depth = 0, speed = 0.2, toward = "0 deg"),
+    list(depth = 120, speed = 0.8, toward = "90 deg"),
+    list(depth = 300, speed = 0.3, toward = "200 deg")
+  )
+  tow <- function(segments) {
+    settle(gear("Cable in a shear",
+      water = list(current = layers), towing = list(speed = 1.5),
+      ship = point(c(0, 0, 0), "moved"), body = point(),
+      cable = line("ship", "body", 400, diameter = 0.015, axial_stiffness = 5e6,
+        mass_per_length = weight_per_metre(6), segments = segments,
+        coefficients = list(normal = 1.3, tangential = 0.03, skin = 0)),
+      sphere = piece(at = "body", mass = 300, drag_area = 0.3)
+    ))
+  }
+  depth <- c(0, 120, 300)
+  toward <- c(0, 90, 200) * pi / 180
+  speed <- c(0.2, 0.8, 0.3)
+  water_at <- function(z) {
+    at <- function(v) stats::approx(depth, v, -z, rule = 2)$y
+    c(1.5 + at(speed * cos(toward)), at(speed * sin(toward)), 0)
+  }
+  exact <- shoot_cable(
+    water_at, list(d = 0.015, ea = 5e6, w = 6, length = 400, normal = 1.3, tangential = 0.03),
+    list(w = 300 * 9.81, drag_area = 0.3), steps = 400
+  )
+  found <- lapply(c(50, 100), tow)
+  error <- vapply(found, function(s) max(abs(node_at(s, "body") - exact$body)), 0)
+  # second order but for the kinks of the profile, which fall anywhere in an element
+  expect_lt(error[2], 0.02)
+  expect_gt(error[1] / error[2], 2.5)
+  expect_equal(-reaction(found[[2]], "ship"), -exact$tension, tolerance = 1e-4)
+})

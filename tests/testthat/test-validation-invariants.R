@@ -1,0 +1,68 @@
+# What every settled gear must satisfy: mirror symmetry, balance of forces, the same bytes again,
+# and a plain error where there is no balance to find.
+
+shipped <- gears()$name
+quick <- function(name, ...) {
+  if (name == "midwater_trawl") settled(name, nodes = 400, ...) else settled(name, ...)
+}
+
+test_that("port and starboard of the midwater trawl are mirror images", {
+  for (netting in c("triangles", "bars")) {
+    x <- quick("midwater_trawl", netting = netting)$position
+    # every node's image, (x, -y, z), must lie on a node
+    apart <- vapply(seq_len(ncol(x)), function(k) {
+      min(colSums((x - x[, k] * c(1, -1, 1))^2))
+    }, 0)
+    # forces are left at 1e-8 of the largest tension, some 2e5 N, so at 2 mN; a node of this gear
+    # resists a move across its twines with its tension over an element's length, at least 2 kN/m
+    expect_lt(sqrt(max(apart)), 1e-6, label = netting)
+  }
+})
+
+test_that("supports carry the sum of all external forces", {
+  cases <- c(lapply(shipped, list), list(list("midwater_trawl", netting = "bars")))
+  for (case in cases) {
+    state <- do.call(quick, case)
+    e <- state$lattice$engine
+    external <- rowSums(matrix(e$load, 3L)) + rowSums(state$bar_drag) +
+      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force)
+    reactions <- -rowSums(state$force[, e$held, drop = FALSE])
+    # every free node may keep 1e-8 of the largest tension, at random signs
+    left <- 1e-8 * state$report$largest_tension * sqrt(e$nodes)
+    expect_lt(max(abs(reactions + external)), left, label = paste(case, collapse = " "))
+  }
+})
+
+test_that("a plan written, read and settled again gives the same bytes", {
+  for (name in shipped) {
+    file <- tempfile(fileext = ".yaml")
+    write_gear(read_gear(name), file)
+    nodes <- if (name == "midwater_trawl") 400 else 1500
+    first <- settle(read_gear(name), nodes = nodes)
+    for (gear in list(read_gear(file), read_gear(name))) {
+      again <- settle(gear, nodes = nodes)
+      expect_identical(again$position, first$position)
+      expect_identical(again$bar_tension, first$bar_tension)
+      expect_identical(again$u_tension, first$u_tension)
+    }
+  }
+})
+
+with_settle_iterations <- function(iterations, code) {
+  allowed <- getFromNamespace("settle_iterations", "codend")
+  on.exit(assignInNamespace("settle_iterations", allowed, "codend"))
+  assignInNamespace("settle_iterations", iterations, "codend")
+  code
+}
+
+test_that("a gear that does not settle is an error that names its part and place", {
+  # no solve of this gear ends in one step
+  error <- with_settle_iterations(1L, {
+    tryCatch(settle(read_gear("towed_cable")), codend_error_not_converged = identity)
+  })
+  expect_s3_class(error, c("codend_error_not_converged", "codend_error"), exact = FALSE)
+  expect_match(conditionMessage(error), "rope `cable`", fixed = TRUE)
+  expect_match(conditionMessage(error), "near x = [-0-9.]+ m, y = [-0-9.]+ m, z = [-0-9.]+ m")
+  expect_false(error$report$converged)
+  expect_gt(error$report$residual, 1e-8)
+})
