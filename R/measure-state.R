@@ -112,7 +112,8 @@ tension_measures <- function(state) {
 
 depth_measures <- function(state) {
   depth <- -range(state$position[3, ])
-  c(least_depth_m = depth[2], greatest_depth_m = depth[1])
+  # adding 0 turns the -0 of a node at the surface into 0
+  c(least_depth_m = depth[2], greatest_depth_m = depth[1]) + 0
 }
 
 # Units of measures as their names spell them, longest first, with the units as printed.

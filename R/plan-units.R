@@ -27,9 +27,10 @@ plan_units <- list(
   mass_per_length = c("kg/m" = 1, "g/m" = 1e-3, "kg/100 m" = 1e-2),
   viscosity = c("m2/s" = 1),
   stress = c(Pa = 1, kPa = 1e3, MPa = 1e6, GPa = 1e9),
-  angle = c(
-    rad = 1, radian = 1, radians = 1,
-    deg = pi / 180, degree = pi / 180, degrees = pi / 180, "\u00b0" = pi / 180
+  # Named through setNames(): as an argument's name the degree sign is lost in a C locale.
+  angle = stats::setNames(
+    c(1, 1, 1, pi / 180, pi / 180, pi / 180, pi / 180),
+    c("rad", "radian", "radians", "deg", "degree", "degrees", "\u00b0")
   ),
   time = c(
     s = 1, second = 1, seconds = 1, min = 60, minute = 60, minutes = 60,

@@ -67,7 +67,7 @@ test_that("a towed cable measures as the cable equations say", {
   state <- settled("towed_cable")
   found <- measures(state)
   # one percent of a 5 m bar
-  expect_lt(abs(found[["layback_m"]] - sqrt(835.6825^2 + 503.2749^2)), 0.05)
+  expect_lt(abs(found[["distance_m"]] - sqrt(835.6825^2 + 503.2749^2)), 0.05)
   expect_lt(abs(found[["body_depth_m"]] - 503.2749), 0.05)
   # the first bar tells the tension and angle at its middle, 2.5 m down the cable, where the cable
   # pulls less by at most its weight in water and drag along it, 8.89 and 0.1 N/m

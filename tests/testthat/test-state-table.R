@@ -1,5 +1,5 @@
 test_that("tensions have a row per bar and per family of every triangle", {
-  state <- shipped_state("midwater_trawl")
+  state <- settled("midwater_trawl", nodes = 500, netting = "triangles")
   table <- as.data.frame(state)
   engine <- state$lattice$engine
   expect_equal(nrow(table), length(engine$bars$rest) + 2 * length(engine$triangles$rest))

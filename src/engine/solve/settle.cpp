@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "tension_path.hpp"
 
@@ -78,6 +79,9 @@ class Settling {
 
   bool found() const { return turning_ < found_turning; }
 
+  // Whether the net forces are no more than what rounding of the positions makes.
+  bool at_rounding() const { return report_.worst_force <= rounding_; }
+
   // One Newton step; false where its matrix is singular (the next one is held back more).
   bool step() {
     const bool on_path = path_.parameter() > path_end || !found();
@@ -139,6 +143,20 @@ class Settling {
     pseudo_step_ = std::min(pseudo_step_ * std::clamp(1.0 / turning_, 0.3, 3.0), 1e12);
   }
 
+  // Net force (N) that a stiff line shows when its ends move by their rounding.
+  double rounding_force() const {
+    double far = 0.0;
+    for (int n = 0; n < assembly_.model().nodes; ++n) far = std::max(far, at(x_, n).norm());
+    double stiffest = 0.0;
+    assembly_.model().each_line([&](const auto& line) {
+      double arm = 0.0;
+      for (const double a : line.shape) arm = std::max(arm, std::abs(a));
+      stiffest = std::max(stiffest, line.multiplicity * arm * arm *
+                                        line.material->axial_stiffness / line.rest);
+    });
+    return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
+  }
+
   double extent() const {
     Vector low = Vector::Constant(1e300), high = Vector::Constant(-1e300);
     for (int n = 0; n < assembly_.model().nodes; ++n) {
@@ -166,6 +184,7 @@ class Settling {
   std::vector<double> force_, dx_, right_, damping_, values_, strain_;
   double reach_;
   double load_;  // N
+  double rounding_ = rounding_force();  // N
   TensionPath path_;
   BlockLU lu_;
   double pseudo_step_ = 1.0;  // s
@@ -187,8 +206,9 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     settling.measure();
     if (!std::isfinite(report.residual)) return report;
     if (control.watch && !control.watch({report.iterations, report.residual})) return report;
-    report.converged = report.residual <= control.tolerance &&
-                       (settling.found() || report.worst_force == 0.0);
+    report.converged =
+        (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
+        report.worst_force == 0.0;
     if (report.converged || report.iterations >= control.iterations) return report;
     settling.step();
   }

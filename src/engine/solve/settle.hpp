@@ -20,7 +20,7 @@ struct SettleProgress {
 };
 
 struct SettleControl {
-  double tolerance = 1e-8;   // on the residual
+  double tolerance = 1e-8;   // on the residual; where rounding alone makes more, that is enough
   int iterations = 500;      // at most
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
