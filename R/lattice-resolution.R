@@ -42,6 +42,14 @@ bar_grouping <- function(panel, h) {
   list(lambda = lambda, segments = as.integer(segments))
 }
 
+# Twines of one family that end on each edge of a panel at most, ungrouped: an edge that runs i
+# meshes across and j deep is crossed by |i - j| twines of one family and i + j of the other.
+edge_twines <- function(panel) {
+  lost <- abs(panel$upper - panel$lower) * c(panel$taper_left, panel$taper_right)
+  side <- if (panel$orientation == "square") pmax(lost, panel$deep) else lost + panel$deep
+  c(panel$upper, panel$lower, side)
+}
+
 # Counts of every piece (integer vector) at element length h.
 piece_counts <- function(panels, pieces, bars, h) {
   sizes <- vapply(panels, open_size, c(0, 0))
@@ -60,7 +68,7 @@ piece_counts <- function(panels, pieces, bars, h) {
   count <- pmax(1L, as.integer(round(wanted)))
   if (any(bars)) {
     grouping <- vapply(panels, function(p) bar_grouping(p, h)$lambda, 0)
-    meshes <- unlist(lapply(panels, function(p) c(p$upper, p$lower, p$deep, p$deep)))
+    meshes <- unlist(lapply(panels, edge_twines))
     twines <- pmax(1L, as.integer(floor(share * meshes[pieces$edge] / grouping[panel] + 1e-9)))
     is_bar <- bars[panel]
     # Between panels of bars the coarser side rules, so that every node of the seam is held.

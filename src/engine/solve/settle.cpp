@@ -20,6 +20,11 @@ constexpr double path_end = 1e-7;
 constexpr double path_least = 1e-13;
 constexpr double path_again = 1e-8;
 constexpr double path_slower = 0.7;
+// Slack netting makes the way to the shape chaotic: most starts are through in a hundred steps, a
+// few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
+constexpr int attempt_steps = 400;
+constexpr int attempts = 5;
+constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5};
 
 // CPU seconds into a total, from construction to destruction.
 class Stopwatch {
@@ -54,6 +59,14 @@ class Settling {
       at(coordinates.data(), static_cast<int>(i)) = at(x_, free_[i]);
     }
     lu_.analyse(assembly.pattern(), coordinates.data());
+  }
+
+  // Back to a start that the caller has put into x.
+  void begin(double pseudo_step) {
+    path_ = TensionPath(assembly_.model(), load_);
+    pseudo_step_ = pseudo_step;
+    turning_ = pace_ = 1.0;
+    left_path_ = false;
   }
 
   // Net forces of the law itself.
@@ -201,15 +214,22 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     report.converged = true;
     return report;
   }
+  const std::vector<double> start(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes));
   Settling settling(assembly, v, x, report);
-  for (;; ++report.iterations) {
+  for (int attempt = 0, steps = 0;; ++report.iterations, ++steps) {
     settling.measure();
-    if (!std::isfinite(report.residual)) return report;
     if (control.watch && !control.watch({report.iterations, report.residual})) return report;
     report.converged =
         (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
         report.worst_force == 0.0;
     if (report.converged || report.iterations >= control.iterations) return report;
+    if (steps == attempt_steps || !std::isfinite(report.residual)) {
+      if (++attempt == attempts) return report;
+      std::copy(start.begin(), start.end(), x);
+      settling.begin(first_pseudo_steps[attempt]);
+      settling.measure();
+      steps = 0;
+    }
     settling.step();
   }
 }
