@@ -36,7 +36,7 @@ settle <- function(gear, nodes = 1500, netting = NULL) {
 }
 
 settle_tolerance <- 1e-8
-settle_iterations <- 2000L
+settle_iterations <- 3200L
 
 check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {

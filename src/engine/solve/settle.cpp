@@ -23,8 +23,8 @@ constexpr double path_slower = 0.7;
 // Slack netting makes the way to the shape chaotic: most starts are through in a hundred steps, a
 // few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
 constexpr int attempt_steps = 400;
-constexpr int attempts = 5;
-constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5};
+constexpr int attempts = 8;
+constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
 // CPU seconds into a total, from construction to destruction.
 class Stopwatch {
