@@ -71,6 +71,9 @@ check_trawl <- function(fields) {
   for (name in names(fields$cross_ropes)) {
     check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
   }
+  if (fields$panels == 2 && is.null(fields$wings) && !is.null(fields$side_lines)) {
+    abort_field("side_lines", "given", "left out in a trawl of 2 panels without wings")
+  }
   if (!is.null(fields$wings) && fields$panels == 6) {
     abort_field("wings", "given", "left out in a trawl of 6 panels; describe it as an assembly")
   }

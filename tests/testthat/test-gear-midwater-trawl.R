@@ -1,0 +1,86 @@
+# A small trawl in the short form; `...` replaces fields.
+small_trawl <- function(panels, ...) {
+  fields <- list(
+    panels = panels,
+    towing = list(speed = "3 knot"),
+    warps = list(length = "150 m", diameter = "14 mm", material = "steel_wire", spacing = "5 m"),
+    otter_boards = list(area = "3 m2", mass = "600 kg", density = "7850 kg/m3",
+      lift_coefficient = 1.4, drag_coefficient = 0.6),
+    hand_ropes = list(
+      upper = list(length = "40 m", diameter = "12 mm", material = "hmpe"),
+      lower = list(length = "40 m", diameter = "12 mm", material = "hmpe")
+    ),
+    head_line = list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe"),
+    footrope = list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe"),
+    side_lines = if (panels > 2) {
+      list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe")
+    },
+    hammers = list(mass = "300 kg", density = "7850 kg/m3", drag_area = "0.1 m2"),
+    floats = list(number = 40L, buoyancy = "10 kgf", diameter = "300 mm"),
+    sections = list(
+      front = list(mesh_size = "1600 mm", meshes = list(upper = 96 / panels, lower = 72 / panels,
+        deep = 12), twine = list(diameter = "4 mm", material = "PE")),
+      rear = list(mesh_size = "400 mm", meshes = list(upper = 280 / panels, lower = 120 / panels,
+        deep = 60), twine = list(diameter = "3 mm", material = "PE"))
+    ),
+    catch = list(drag_area = "0.5 m2")
+  )
+  fields <- modifyList(Filter(Negate(is.null), fields), list(...))
+  do.call(gear, c(list(name = "Small trawl", kind = "midwater_trawl"), fields))
+}
+
+test_that("the short form stands for nets of 2, 4 and 6 panels, and each settles", {
+  for (panels in c(2, 4, 6)) {
+    trawl <- small_trawl(panels)
+    parts <- assembly(trawl)$plan
+    expect_length(parts$panels, 2 * panels)
+    # every front panel is joined to its neighbours and to the one behind it, once around the net
+    expect_length(parts$seams, 2 * panels + panels + 1)
+    found <- measures(settle(trawl, nodes = 300))
+    expect_gt(found[["door_spread_m"]], 10)
+    expect_gt(found[["net_mouth_height_m"]], 3)
+    expect_equal(found[["warp_tension_port_kN"]], found[["warp_tension_starboard_kN"]],
+      tolerance = 1e-6)
+  }
+})
+
+test_that("the assembly of a short form is the same gear", {
+  trawl <- read_gear("midwater_trawl")
+  expect_identical(
+    settle(trawl, nodes = 500)$position, settle(assembly(trawl), nodes = 500)$position
+  )
+})
+
+test_that("the shipped trawl meets the three published figures within 5 %", {
+  found <- measures(settle(read_gear("midwater_trawl")))
+  expect_lt(abs(found[["net_mouth_height_m"]] / 105 - 1), 0.05)
+  expect_lt(abs(found[["wing_end_spread_m"]] / 113 - 1), 0.05)
+  expect_lt(abs(found[["door_spread_m"]] / 151.89 - 1), 0.05)
+})
+
+test_that("the shipped trawl settles at half and twice its speed and warp length", {
+  trawl <- read_gear("midwater_trawl")
+  for (netting in c("bars", "triangles")) {
+    for (warp in c(350, 1400)) {
+      for (speed in c("2.25 knot", "9 knot")) {
+        changed <- update(trawl, towing.speed = speed, warps.length = warp)
+        report <- settle(changed, nodes = 500, netting = netting)$report
+        expect_lte(report$residual, 1e-8)
+      }
+    }
+  }
+})
+
+test_that("what a trawl lacks or names wrongly is told", {
+  expect_error(small_trawl(4, side_lines = NULL), "side_lines", class = "codend_error_plan")
+  line <- list(length = "12 m", diameter = "14 mm", material = "hmpe")
+  expect_error(small_trawl(2, side_lines = line), "side_lines", class = "codend_error_plan")
+  expect_error(
+    small_trawl(4, cross_ropes = list(a = list(behind = "fronts", hanging_ratio = 0.4,
+      diameter = "8 mm", material = "PE"))),
+    "cross_ropes.a.behind.*front", class = "codend_error_plan"
+  )
+  wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 20, deep = 4),
+    twine = list(diameter = "4 mm", material = "PE"))
+  expect_error(small_trawl(4, wings = wings), "wings.meshes.base", class = "codend_error_plan")
+})
