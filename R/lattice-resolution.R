@@ -42,6 +42,13 @@ bar_grouping <- function(panel, h) {
   list(lambda = lambda, segments = as.integer(segments))
 }
 
+# bar_grouping() of every panel of bars, NULL for the others.
+bar_groupings <- function(panels, bars, h) {
+  groupings <- vector("list", length(panels))
+  groupings[bars] <- lapply(panels[bars], bar_grouping, h = h)
+  groupings
+}
+
 # Twines of one family that end on each edge of a panel at most, ungrouped: an edge that runs i
 # meshes across and j deep is crossed by |i - j| twines of one family and i + j of the other.
 edge_twines <- function(panel) {
@@ -50,8 +57,9 @@ edge_twines <- function(panel) {
   c(panel$upper, panel$lower, side)
 }
 
-# Counts of every piece (integer vector) at element length h.
-piece_counts <- function(panels, pieces, bars, h) {
+# Counts of every piece (integer vector) at element length h; grouping: `bar_grouping()` of every
+# panel of bars there.
+piece_counts <- function(panels, pieces, bars, h, grouping) {
   sizes <- vapply(panels, open_size, c(0, 0))
   panel <- (pieces$edge - 1L) %/% 4L + 1L
   across <- (pieces$edge - 1L) %% 4L < 2L
@@ -67,9 +75,10 @@ piece_counts <- function(panels, pieces, bars, h) {
   }
   count <- pmax(1L, as.integer(round(wanted)))
   if (any(bars)) {
-    grouping <- vapply(panels, function(p) bar_grouping(p, h)$lambda, 0)
+    lambda <- rep(Inf, length(panels))
+    lambda[bars] <- vapply(grouping[bars], function(g) g$lambda, 0)
     meshes <- unlist(lapply(panels, edge_twines))
-    twines <- pmax(1L, as.integer(floor(share * meshes[pieces$edge] / grouping[panel] + 1e-9)))
+    twines <- pmax(1L, as.integer(floor(share * meshes[pieces$edge] / lambda[panel] + 1e-9)))
     is_bar <- bars[panel]
     # Between panels of bars the coarser side rules, so that every node of the seam is held.
     only_bars <- !pieces$class %in% pieces$class[!is_bar]
@@ -93,13 +102,14 @@ rope_counts <- function(ropes, h) {
 
 # About how many nodes a division at h has.
 count_nodes <- function(panels, ropes, pieces, bars, h) {
-  count <- piece_counts(panels, pieces, bars, h)
+  groupings <- bar_groupings(panels, bars, h)
+  count <- piece_counts(panels, pieces, bars, h, groupings)
   per_edge <- tapply(count, factor(pieces$edge, levels = seq_len(4L * length(panels))), sum)
   in_panels <- vapply(seq_along(panels), function(p) {
     e <- 4L * (p - 1L)
     if (!bars[p]) return(as.numeric(per_edge[e + 1L]) * per_edge[e + 3L])
     panel <- panels[[p]]
-    grouping <- bar_grouping(panel, h)
+    grouping <- groupings[[p]]
     cells <- (panel$upper + panel$lower) / 2 * panel$deep / grouping$lambda^2
     square <- panel$orientation == "square"
     cells * (if (square) 1 + 2 * (grouping$segments - 1) else 2 + 4 * (grouping$segments - 1))

@@ -116,7 +116,7 @@ division_frame <- function(si, linked) {
 }
 
 divide_at <- function(si, frame, bars, h) {
-  counts <- piece_counts(si$panels, frame$pieces, bars, h)
+  counts <- piece_counts(si$panels, frame$pieces, bars, h, bar_groupings(si$panels, bars, h))
   divide(si, frame$pieces, counts, rope_counts(si$ropes, h), bars, frame$chains)
 }
 
