@@ -67,8 +67,8 @@ triangle_elements <- function(panel, grid, across, deep) {
 # lies on an edge is tied to the edge's nodes. Lengths at slanted edges are so only nearly right;
 # multiplicities are scaled to the panel's exact length of twine.
 #
-# Returns points (kind: knot or middle of a bar; i, j; edge 0 or 1..4 and the fraction along it) and
-# bars between them.
+# Returns points (knots and cut ends: i, j, edge 0 or 1..4 and the fraction along it, knots) and the
+# bars between them, with the middles of bars as further points `between`.
 bar_elements <- function(panel, lambda, segments) {
   square <- panel$orientation == "square"
   rows <- max(1L, as.integer(round((if (square) 1 else 2) * panel$deep / lambda)))
@@ -108,48 +108,38 @@ bar_elements <- function(panel, lambda, segments) {
   }
   u <- pair(step_u, FALSE)
   v <- pair(step_v, square)
-  family <- rep(1:2, c(length(u$from), length(v$from)))
   from <- c(u$from, v$from)
   to <- c(u$to, v$to)
   some <- kept[from] | kept[to]
   from <- from[some]
   to <- to[some]
-  family <- family[some]
   # A twine on the edge of square netting belongs half to each neighbour.
   on_edge <- function(k) edge[k] > 0L | (square & (q[k] == 0L | q[k] == rows))
 
   whole <- kept[from] & kept[to]
   along_edge <- whole & on_edge(from) & on_edge(to) &
-    ((edge[from] == edge[to] & edge[from] > 0L) | (square & q[from] == q[to] & (q[from] == 0L | q[from] == rows)))
+    ((edge[from] == edge[to] & edge[from] > 0L) |
+      (square & q[from] == q[to] & (q[from] == 0L | q[from] == rows)))
   points <- list(i = i[kept], j = j[kept], edge = edge[kept])
   # Twines that leave: cut where they meet the side.
-  cut <- which(!whole)
-  if (length(cut)) {
-    inner <- ifelse(kept[from[cut]], from[cut], to[cut])
-    outer <- ifelse(kept[from[cut]], to[cut], from[cut])
-    ends <- edge[inner] > 0L
-    cut <- cut[!ends]
-    inner <- inner[!ends]
-    outer <- outer[!ends]
-    side <- ifelse(i[outer] < left[outer], 3L, 4L)
-    gap <- function(k) ifelse(side == 3L, i[k] - left[k], right[k] - i[k])
-    fraction <- gap(inner) / (gap(inner) - gap(outer))
-    n <- length(points$i)
-    points$i <- c(points$i, i[inner] + fraction * (i[outer] - i[inner]))
-    points$j <- c(points$j, j[inner] + fraction * (j[outer] - j[inner]))
-    points$edge <- c(points$edge, side)
-    bars <- list(
-      from = c(index[from[whole]], index[inner]),
-      to = c(index[to[whole]], n + seq_along(cut)),
-      length = c(rep(1, sum(whole)), fraction),
-      weight = c(ifelse(along_edge[whole], 0.5, 1), rep(1, length(cut)))
-    )
-  } else {
-    bars <- list(
-      from = index[from[whole]], to = index[to[whole]], length = rep(1, sum(whole)),
-      weight = ifelse(along_edge[whole], 0.5, 1)
-    )
-  }
+  starts_inside <- kept[from]
+  inner <- ifelse(starts_inside, from, to)
+  outer <- ifelse(starts_inside, to, from)
+  cut <- !whole & edge[inner] == 0L
+  inner <- inner[cut]
+  outer <- outer[cut]
+  side <- ifelse(i[outer] < left[outer], 3L, 4L)
+  gap <- function(k) ifelse(side == 3L, i[k] - left[k], right[k] - i[k])
+  fraction <- gap(inner) / (gap(inner) - gap(outer))
+  bars <- list(
+    from = c(index[from[whole]], index[inner]),
+    to = c(index[to[whole]], length(points$i) + seq_along(inner)),
+    length = c(rep(1, sum(whole)), fraction),
+    weight = c(ifelse(along_edge[whole], 0.5, 1), rep(1, length(inner)))
+  )
+  points$i <- c(points$i, i[inner] + fraction * (i[outer] - i[inner]))
+  points$j <- c(points$j, j[inner] + fraction * (j[outer] - j[inner]))
+  points$edge <- c(points$edge, side)
   points$edge[points$edge == 0L & points$j <= 1e-9 * panel$deep] <- 1L
   points$edge[points$edge == 0L & points$j >= panel$deep * (1 - 1e-9)] <- 2L
   points$fraction <- ifelse(points$edge <= 2L,
@@ -165,9 +155,10 @@ bar_elements <- function(panel, lambda, segments) {
   exact <- 2 * panel_bars(panel) * panel$mesh_size / 2
   bars$multiplicity <- lambda * bars$weight
   bars$multiplicity <- bars$multiplicity * exact / sum(bars$multiplicity * bars$rest)
-  points$knots <- rep(panel_bars(panel), length(points$i)) *
-    (points_weight <- ifelse(points$edge > 0L, 0.5, 1)) / sum(points_weight)
-  list(points = points, bars = split_bars(points, bars, segments), lambda = lambda)
+  # A knot on an edge belongs half to the neighbour.
+  knot_weight <- ifelse(points$edge > 0L, 0.5, 1)
+  points$knots <- panel_bars(panel) * knot_weight / sum(knot_weight)
+  list(points = points, bars = split_bars(points, bars, segments))
 }
 
 # Bars cut into equal segments by nodes of their own (the middles of the mesh bars).

@@ -75,7 +75,7 @@ add_bar_panel <- function(build, panel, division, p, part, grouping) {
     volume = half * panel$volume_per_length)
   add_knots(build, panel, id[seq_along(points$i)], points$knots, part)
   list(
-    netting = "bars", node = c(id), i = c(points$i, b$between$i), j = c(points$j, b$between$j)
+    netting = "bars", node = id, i = c(points$i, b$between$i), j = c(points$j, b$between$j)
   )
 }
 

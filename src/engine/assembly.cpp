@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace codend {
 namespace {
@@ -22,12 +23,6 @@ void shares_of(const Model& model, const std::vector<int>& unknown, int point,
   const Tie& tie = model.ties[point - model.nodes];
   if (unknown[tie.first] >= 0) out.push_back({unknown[tie.first], 1.0 - tie.share});
   if (unknown[tie.second] >= 0) out.push_back({unknown[tie.second], tie.share});
-}
-
-int find_block(const BlockPattern& pattern, int row, int column) {
-  const auto begin = pattern.column.begin() + pattern.row_start[row];
-  const auto end = pattern.column.begin() + pattern.row_start[row + 1];
-  return static_cast<int>(std::lower_bound(begin, end, column) - pattern.column.begin());
 }
 
 }  // namespace
@@ -52,14 +47,15 @@ class Assembly::Sink : public BlockSink {
             slots_.push_back(-1);
           } else if (rows.size() == 1 && columns.size() == 1 && rows[0].weight == 1.0 &&
                      columns[0].weight == 1.0) {
-            slots_.push_back(find_block(pattern, rows[0].unknown, columns[0].unknown));
+            slots_.push_back(static_cast<int>(
+                find_block(pattern, rows[0].unknown, columns[0].unknown)));
           } else {
             slots_.push_back(-2 - static_cast<int>(list_start_.size()));
             list_start_.push_back(weighted_.size());
             for (const Share& r : rows) {
               for (const Share& c : columns) {
-                weighted_.push_back(
-                    {find_block(pattern, r.unknown, c.unknown), r.weight * c.weight});
+                weighted_.push_back({static_cast<int>(find_block(pattern, r.unknown, c.unknown)),
+                                     r.weight * c.weight});
               }
             }
           }
@@ -111,7 +107,6 @@ Assembly::Assembly(const Model& model)
   }
   const int n = unknowns();
   std::vector<std::vector<int>> neighbours(n);
-  for (int i = 0; i < n; ++i) neighbours[i].push_back(i);
   std::vector<Share> rows, columns;
   for (const ElementKind* kind : model.kinds()) {
     const int width = kind->nodes_per_element();
@@ -128,15 +123,7 @@ Assembly::Assembly(const Model& model)
       }
     }
   }
-  pattern_.n = n;
-  pattern_.row_start.assign(1, 0);
-  for (std::vector<int>& row : neighbours) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    pattern_.column.insert(pattern_.column.end(), row.begin(), row.end());
-    pattern_.row_start.push_back(static_cast<int64_t>(pattern_.column.size()));
-    std::vector<int>().swap(row);
-  }
+  pattern_ = block_pattern(std::move(neighbours));
   for (int i = 0; i < n; ++i) diagonal_.push_back(find_block(pattern_, i, i));
   for (const ElementKind* kind : model.kinds()) {
     sinks_.push_back(std::make_unique<Sink>(model, unknown_, pattern_, *kind));

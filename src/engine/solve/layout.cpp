@@ -1,6 +1,7 @@
 #include "layout.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "../geometry.hpp"
 #include "block_lu.hpp"
@@ -19,26 +20,15 @@ void lay_out(const StringNet& net, double* x) {
   const int n = static_cast<int>(free.size());
   if (n == 0) return;
   std::vector<std::vector<int>> row(n);
-  for (int i = 0; i < n; ++i) row[i].push_back(i);
   for (std::size_t s = 0; s < strings; ++s) {
     const int i = unknown[net.ends[2 * s]], j = unknown[net.ends[2 * s + 1]];
     if (i < 0 || j < 0) continue;
     row[i].push_back(j);
     row[j].push_back(i);
   }
-  BlockPattern pattern;
-  pattern.n = n;
-  pattern.row_start.assign(1, 0);
-  for (auto& r : row) {
-    std::sort(r.begin(), r.end());
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-    pattern.column.insert(pattern.column.end(), r.begin(), r.end());
-    pattern.row_start.push_back(static_cast<int64_t>(pattern.column.size()));
-  }
+  const BlockPattern pattern = block_pattern(std::move(row));
   auto block = [&](int i, int j) {
-    const auto begin = pattern.column.begin() + pattern.row_start[i];
-    const auto end = pattern.column.begin() + pattern.row_start[i + 1];
-    return 9 * static_cast<std::size_t>(std::lower_bound(begin, end, j) - pattern.column.begin());
+    return static_cast<std::size_t>(9 * find_block(pattern, i, j));
   };
   // The shape is not known yet: the order of the nodes must do as coordinates.
   std::vector<double> coordinates(3 * static_cast<std::size_t>(n), 0.0);

@@ -1,17 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-namespace codend {
+#include "block_pattern.hpp"
 
-// Pattern of a square matrix of 3x3 blocks, one block row per node. Structurally symmetric, columns
-// of a row sorted, diagonal present.
-struct BlockPattern {
-  int n = 0;                        // nodes
-  std::vector<int64_t> row_start;   // n + 1: row i holds column[row_start[i] .. row_start[i + 1])
-  std::vector<int> column;
-};
+namespace codend {
 
 // A tree of separators. Its vertices are numbered so that each comes after its descendants, and a
 // node of the mesh touches only nodes of its own vertex, of that vertex's descendants or ancestors.

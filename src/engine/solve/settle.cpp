@@ -95,20 +95,17 @@ class Settling {
   // Whether the net forces are no more than what rounding of the positions makes.
   bool at_rounding() const { return report_.worst_force <= rounding_; }
 
-  // One Newton step; false where its matrix is singular (the next one is held back more).
-  bool step() {
+  // One Newton step; where its matrix is singular none, and the next one is held back more.
+  void step() {
     const bool on_path = path_.parameter() > path_end || !found();
-    if (on_path && left_path_) {
-      assembly_.strain(x_, strain_);
-      path_.return_to(strain_);
-    }
-    left_path_ = !on_path;
     if (on_path) {
       Stopwatch watch(report_.seconds_forces);
       assembly_.strain(x_, strain_);
+      if (left_path_) path_.return_to(strain_);
       path_.prepare(strain_);
       assembly_.residual(x_, v_, force_.data(), &path_.predicted());
     }
+    left_path_ = !on_path;
     {
       Stopwatch watch(report_.seconds_jacobian);
       assembly_.jacobian(x_, v_, {1.0, 0.0}, values_.data(), on_path ? &path_.current() : nullptr);
@@ -124,12 +121,11 @@ class Settling {
       ++report_.factorisations;
       if (!lu_.factorise(values_.data())) {
         pseudo_step_ *= 0.1;
-        return false;
+        return;
       }
       lu_.solve(right_.data(), right_.data());
     }
     move(on_path);
-    return true;
   }
 
  private:
