@@ -62,10 +62,14 @@ check_seams <- function(si) {
     seam <- si$seams[[name]]
     path <- paste0("seams.", name)
     gathered <- !is.null(seam$gathered_at)
-    if (length(seam$edges) < 2 && !gathered) {
+    if (length(seam$edges) < 2 && !gathered && is.null(seam$held_between)) {
       abort_plan(
         sprintf(
-          "Plan field `%s.edges` has one chain; it must have at least two, or `gathered_at`.", path
+          paste(
+            "Plan field `%s.edges` has one chain; it must have at least two, or `gathered_at` or",
+            "`held_between`."
+          ),
+          path
         ),
         paste0(path, ".edges"), 1
       )
@@ -92,6 +96,7 @@ check_seams <- function(si) {
         paste0(path, ".edges"), size
       )
     }
+    if (!is.null(seam$held_between)) check_held_between(si, seam$held_between, min(size), path)
     for (edge in unlist(seam$edges, recursive = FALSE)) {
       key <- paste0(edge$panel, ".", edge$edge)
       for (other in taken[[key]]) {
@@ -107,6 +112,36 @@ check_seams <- function(si) {
       }
       taken[[key]] <- c(taken[[key]], list(list(seam = name, from = edge$from, to = edge$to)))
     }
+  }
+}
+
+# No twine stretches by half.
+greatest_held_stretch <- 1.5
+
+# size: stretched length (m) of the shortest of the chains that are held.
+check_held_between <- function(si, between, size, path) {
+  held <- names(held_points(si))
+  loose <- which(!between %in% held)[1]
+  if (!is.na(loose)) {
+    abort_field(
+      sprintf("%s.held_between[%d]", path, loose), between[loose],
+      paste("a held point, one of", word_list(held))
+    )
+  }
+  path <- paste0(path, ".held_between")
+  apart <- sqrt(sum((si$points[[between[1]]]$position - si$points[[between[2]]]$position)^2))
+  if (apart == 0) abort_field(path, between, "two points at different positions")
+  if (apart > greatest_held_stretch * size) {
+    abort_plan(
+      sprintf(
+        paste(
+          "Plan field `%s` holds netting of stretched length %s between points %s apart; they may",
+          "be at most %s times the stretched length apart."
+        ),
+        path, format_si(size, "length"), format_si(apart, "length"), format(greatest_held_stretch)
+      ),
+      path, between
+    )
   }
 }
 
@@ -129,7 +164,8 @@ check_joined <- function(si) {
   }
   for (seam in si$seams) {
     gathered <- if (!is.null(seam$gathered_at)) body(seam$gathered_at)
-    links <- c(links, list(c(gathered, unlist(lapply(seam$edges, panels_of)))))
+    held <- prefixed("points.", seam$held_between)
+    links <- c(links, list(c(gathered, held, unlist(lapply(seam$edges, panels_of)))))
   }
   bodies <- c(
     prefixed("points.", names(si$points)), prefixed("ropes.", names(si$ropes)),
@@ -173,8 +209,8 @@ check_places <- function(si) {
     own <- paste0("seam ", name, c(" start", " end"))
     ends <- vapply(seam$edges, chain_ends, c("", ""), otherwise = own)
     if (is.null(seam$gathered_at)) {
-      do.call(link, as.list(ends[1, ]))
-      do.call(link, as.list(ends[2, ]))
+      do.call(link, as.list(c(ends[1, ], seam$held_between[1])))
+      do.call(link, as.list(c(ends[2, ], seam$held_between[2])))
     } else {
       do.call(link, as.list(c(seam$gathered_at, ends)))
     }

@@ -114,14 +114,18 @@ panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = N
 
 #' @param edges The chains of panel edges that a seam joins, as a list.
 #' @param gathered_at The one place that all meshes of a seam are gathered at.
+#' @param held_between Two held points: the meshes of a seam are held evenly along the straight line
+#'   from the first to the second, as on a rigid bar or frame.
 #' @rdname gear
 #' @export
-seam <- function(edges = NULL, gathered_at = NULL) {
+seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
   component("seams", as.list(environment()))
 }
 
 #' @param share From which to which fraction of that length (two numbers).
 #' @param number How many pieces.
+#' @param end_to_end Whether one piece sits at each end and the others at equal distances between;
+#'   where not, they are spread evenly over the whole length.
 #' @param mass,volume,density Mass in air and displaced volume of each, or its density instead of
 #'   the volume.
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
@@ -133,11 +137,11 @@ seam <- function(edges = NULL, gathered_at = NULL) {
 #' @param added_mass_kg Added mass of each piece.
 #' @rdname gear
 #' @export
-piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, mass = NULL, volume = NULL,
-                  density = NULL, material = NULL, buoyancy = NULL, diameter = NULL, area = NULL,
-                  drag_coefficient = NULL, drag_area = NULL, lift_coefficient = NULL,
-                  lift_area = NULL, lift_direction = NULL, added_mass = NULL,
-                  added_mass_kg = NULL, role = NULL) {
+piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_end = NULL,
+                  mass = NULL, volume = NULL, density = NULL, material = NULL, buoyancy = NULL,
+                  diameter = NULL, area = NULL, drag_coefficient = NULL, drag_area = NULL,
+                  lift_coefficient = NULL, lift_area = NULL, lift_direction = NULL,
+                  added_mass = NULL, added_mass_kg = NULL, role = NULL) {
   component("pieces", as.list(environment()))
 }
 

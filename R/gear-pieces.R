@@ -9,6 +9,9 @@ si_piece <- function(piece, path, fields, known) {
   if (!is.null(share) && share[1] >= share[2]) {
     abort_field(paste0(path, ".share"), piece$share, "a smaller fraction, then a larger one")
   }
+  if (piece$end_to_end && piece$number < 2) {
+    abort_field(paste0(path, ".number"), piece$number, "at least 2 with `end_to_end`")
+  }
   water <- fields$water$density
   body <- piece_body(piece, path, fields)
   drag <- piece_area(piece, path, "drag",
@@ -25,7 +28,7 @@ si_piece <- function(piece, path, fields, known) {
     )
   }
   list(
-    at = place, along = along, share = share, number = piece$number,
+    at = place, along = along, share = share, number = piece$number, end_to_end = piece$end_to_end,
     mass = body$mass, volume = body$volume,
     area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
     lift_direction = first_of(piece$lift_direction, NA_character_),

@@ -7,8 +7,8 @@ gear_gravity <- 9.81
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
 # seams, pieces, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
-# leave out and has no default is NULL (position, at, from, to, along, segments, columns, rows) or,
-# of single numbers and texts, NA.
+# leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
+# columns, rows) or, of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
   if (identical(plan_cache$plan, gear$plan)) return(plan_cache$si)
@@ -172,5 +172,15 @@ si_seam <- function(seam, path, known) {
   gathered <- if (!is.null(seam$gathered_at)) {
     find_place(seam$gathered_at, paste0(path, ".gathered_at"), known)
   }
-  list(edges = edges, gathered_at = gathered)
+  between <- vapply(seam$held_between, find_place, "",
+    path = paste0(path, ".held_between"), known = known, USE.NAMES = FALSE)
+  if (!is.null(gathered) && length(between)) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` has both `gathered_at` and `held_between`; it must have one of them.", path
+      ),
+      path, seam
+    )
+  }
+  list(edges = edges, gathered_at = gathered, held_between = if (length(between)) between)
 }

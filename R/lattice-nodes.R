@@ -76,6 +76,12 @@ divide <- function(si, pieces, counts, rope_count, bars, chains) {
     for (chain in seam[-1]) same(first, on_chain(chain)$node)
   }
 
+  held_edges <- lapply(chains$held, function(held) {
+    run <- on_chain(held$chain)
+    same(run$node[c(1L, length(run$node))], unname(point_id[held$between]))
+    c(run, held["between"])
+  })
+
   ropes <- lapply(seq_along(si$ropes), function(r) {
     rope <- si$ropes[[r]]
     if (!is.null(rope$along)) {
@@ -131,6 +137,10 @@ divide <- function(si, pieces, counts, rope_count, bars, chains) {
     edge_nodes = lapply(edge_nodes, renumber),
     grids = lapply(grids, function(g) if (is.null(g)) NULL else renumber(g)),
     ropes = lapply(ropes, function(r) list(node = renumber(r$node), at = r$at)),
+    held_edges = lapply(held_edges, function(edge) {
+      edge$node <- renumber(edge$node)
+      edge
+    }),
     laced = function(chain) {
       found <- on_chain(chain)
       list(node = renumber(found$node), at = found$at)

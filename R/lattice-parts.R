@@ -87,7 +87,20 @@ lift_directions <- list(
 add_piece <- function(build, piece, run, place, density, part) {
   if (is.null(run)) {
     node <- place(piece$at)
-    share <- 1
+    n <- piece$number
+  } else if (piece$end_to_end) {
+    # One piece at each end of the share; one between two nodes is shared by them.
+    at <- seq(piece$share[1], piece$share[2], length.out = piece$number)
+    cell <- findInterval(at, run$at, all.inside = TRUE)
+    second <- (at - run$at[cell]) / pmax(run$at[cell + 1L] - run$at[cell], 1e-300)
+    n <- numeric(length(run$node))
+    for (k in seq_along(at)) {
+      n[cell[k] + 0:1] <- n[cell[k] + 0:1] + c(1 - second[k], second[k])
+    }
+    # a piece at a node leaves rounding at the next
+    some <- n > 1e-9
+    node <- run$node[some]
+    n <- n[some]
   } else {
     # Each node takes the stretch halfway to its neighbours, cut to the piece's share of the rope.
     middle <- (run$at[-1L] + run$at[-length(run$at)]) / 2
@@ -95,9 +108,8 @@ add_piece <- function(build, piece, run, place, density, part) {
     to <- pmin(c(middle, 1), piece$share[2])
     inside <- to > from
     node <- run$node[inside]
-    share <- ((to - from) / diff(piece$share))[inside]
+    n <- piece$number * ((to - from) / diff(piece$share))[inside]
   }
-  n <- piece$number * share
   k <- length(node)
   build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume)
   build$add("spheres", node = node, drag_area = n * piece$drag_area, diameter = rep(0, k),
@@ -122,6 +134,28 @@ gear_supports <- function(si, division) {
       held[node] <- TRUE
       position[, node] <- point$position
     }
+  }
+  for (name in names(division$held_edges)) {
+    edge <- division$held_edges[[name]]
+    inner <- -c(1L, length(edge$node))
+    node <- edge$node[inner]
+    if (any(held[node])) {
+      path <- paste0("seams.", name, ".held_between")
+      abort_plan(
+        sprintf(
+          paste(
+            "Plan field `%s` runs through a place that is held already: end the seam there and",
+            "hold the rest by another."
+          ),
+          path
+        ),
+        path, edge$between
+      )
+    }
+    first <- si$points[[edge$between[1]]]$position
+    second <- si$points[[edge$between[2]]]$position
+    held[node] <- TRUE
+    position[, node] <- first + outer(second - first, edge$at[inner])
   }
   list(held = held, position = position, load = load)
 }

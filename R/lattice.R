@@ -10,8 +10,9 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, triangle_part, sphere_part,
 # lift_part = rows of parts per element, ropes = nodes along each rope with their fraction of its
-# length, points = node of each point, place = function from a parsed place to a node, panels =
-# what the views draw of each panel, totals).
+# length, points = node of each point, place = function from a parsed place to a node,
+# held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
+# its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL) {
   panels <- si$panels
   bars <- vapply(panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
@@ -78,12 +79,13 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
       bar_part = collected$bars$part, triangle_part = collected$triangles$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
       ropes = division$ropes, points = division$points, place = division$place,
-      panels = drawn, h = h
+      held_edges = division$held_edges, panels = drawn, h = h
     ),
     class = "codend_lattice"
   )
   check_totals(lattice, si)
   lattice$start <- lay_out(si, division, lattice, if (!any(bars)) frame)
+  lattice$start[, which(supports$held)] <- supports$position[, supports$held]
   lattice
 }
 
@@ -107,6 +109,12 @@ division_frame <- function(si, linked) {
     pieces = edge_pieces(si$panels, joined, breaks, linked),
     chains = list(
       joined = joined, laced = laced, run = run,
+      held = Filter(Negate(is.null), Map(
+        function(chains, seam) {
+          if (!is.null(seam$held_between)) list(chain = chains[[1]], between = seam$held_between)
+        },
+        chains, si$seams
+      )),
       gathered = Map(
         function(chains, seam) list(chains = chains, at = seam$gathered_at),
         gathered_chains, unname(si$seams[gathered])

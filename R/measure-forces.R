@@ -92,11 +92,19 @@ drag_totals <- function(drag) {
 }
 
 # Force of every support on the gear: a row per held point, in kN along x (aft), y (starboard) and
-# z (up). The vessel's pull on a warp points forward, so its x is negative.
+# z (up). The vessel's pull on a warp points forward, so its x is negative. What pulls at an edge
+# held between two points they share as the supports of a beam do.
 reaction_table <- function(state) {
   held <- Filter(function(point) !is.na(point$held), state$si$points)
   node <- vapply(names(held), function(name) state$lattice$points[[name]], 0L)
   force <- -state$force[, node, drop = FALSE] / 1000
+  for (edge in state$lattice$held_edges) {
+    inner <- -c(1L, length(edge$node))
+    on_edge <- -state$force[, edge$node[inner], drop = FALSE] / 1000
+    share <- rbind(1 - edge$at[inner], edge$at[inner])
+    at <- match(edge$between, names(held))
+    force[, at] <- force[, at] + on_edge %*% t(share)
+  }
   data.frame(point = names(held), x_kN = force[1, ], y_kN = force[2, ], z_kN = force[3, ],
     row.names = NULL)
 }
