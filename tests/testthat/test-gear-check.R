@@ -94,3 +94,31 @@ test_that("an edge held at both ends by one seam is not held twice, two held end
   # the whole upper edge is gathered, so its corners are one place
   expect_match(text_error(twice)$message, "already holds", fixed = TRUE)
 })
+
+framed <- paste0(sub("seams:.*", "", small_plan), "seams:
+  top: {edges: [net.upper], held_between: [ship, post]}
+")
+framed <- sub("knot: {}", "knot: {}\n  post: {position: [0, 0.6, 0], held: fixed}", framed,
+  fixed = TRUE)
+
+test_that("an edge is held between two held points no further apart than netting stretches", {
+  expect_s3_class(read_text(framed), "codend_gear")
+  e <- function(...) expect_plan_error(..., plan = framed)
+  e("[ship, post]", "[ship, pots]", "seams.top.held_between", "did you mean `post`?")
+  e("[ship, post]", "[ship]", "seams.top.held_between", "a list of 2 (each a place)")
+  e("[ship, post]", "[ship, knot]", "seams.top.held_between[2]",
+    "is \"knot\"; it must be a held point, one of ship, post")
+  e("[ship, post]", "[net.upper_left, post]", "seams.top.held_between[1]", "a held point")
+  e("[ship, post]", "[ship, ship]", "seams.top.held_between", "two points at different positions")
+  # the upper edge: 10 meshes of 100 mm
+  e("0.6", "1.6", "seams.top.held_between", "stretched length 1 m between points 1.6 m apart")
+  e("held_between: ", "gathered_at: knot, held_between: ", "seams.top",
+    "has both `gathered_at` and `held_between`")
+})
+
+test_that("an edge is not held between points of which one holds another corner of it", {
+  expect_plan_error(
+    "knot: {}", "knot: {}\n  nail: {at: net.upper_left, position: [1, 0, 0], held: fixed}",
+    "points.nail", "already holds", plan = framed
+  )
+})

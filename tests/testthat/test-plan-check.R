@@ -103,3 +103,13 @@ test_that("a field may choose only between values that differ in shape", {
   for (kind in names(plan_schema()$kinds)) check(plan_schema()$kinds[[kind]], kind)
   expect_identical(clashes, character())
 })
+
+test_that("pieces from end to end are two or more along something", {
+  e <- function(fields, ...) {
+    expect_plan_error("seams:", paste0("pieces:\n  p: {", fields, "}\nseams:"), ...)
+  }
+  e("along: warp, mass: 5, end_to_end: yes", "pieces.p.number", "at least 2 with `end_to_end`")
+  e("at: knot, mass: 5, number: 2, end_to_end: yes", "pieces.p.along",
+    "is missing; it must be given with `end_to_end`")
+  e("along: warp, mass: 5, number: 2, end_to_end: 2", "pieces.p.end_to_end", "must be yes or no")
+})

@@ -1,0 +1,129 @@
+# Edges held on a line and pieces from end to end, by hand.
+
+# Two panels side by side on one beam, of 30 and 10 meshes, in air.
+beam_plan <- function(netting, orientation = "diamond") {
+  panel <- function(upper) {
+    list(
+      mesh_size = 0.1, meshes = list(upper = upper, lower = upper, deep = 12),
+      orientation = orientation,
+      twine = list(diameter = 0.002, axial_stiffness = 1e3, mass_per_length = 0.01)
+    )
+  }
+  list(
+    codend = 1, name = "Panels on a beam", netting = netting, water = list(density = 0),
+    points = list(
+      port = list(position = c(1, -1, 5), held = "fixed"),
+      starboard = list(position = c(2, 1, 6), held = "fixed"),
+      corner = list(at = "small.lower_right", load = c(0, 0, -20))
+    ),
+    panels = list(large = panel(30), small = panel(10)),
+    seams = list(
+      beam = list(
+        edges = list(list("large.upper", "small.upper")), held_between = c("port", "starboard")
+      ),
+      middle = list(edges = list("large.right", "small.left"))
+    )
+  )
+}
+
+test_that("meshes are held evenly on the line between the points, in both nettings", {
+  for (netting in c("triangles", "bars")) {
+    si <- gear_si(as_gear(beam_plan(netting)))
+    lattice <- build_lattice(si, nodes = 400)
+    edge <- lattice$held_edges$beam
+    expect_identical(sum(lattice$engine$held), length(edge$node))
+    expect_identical(edge$node[c(1, length(edge$node))], unname(lattice$points[1:2]))
+    # 30 and 10 meshes: the corner between the panels is three quarters of the way
+    expect_equal(edge$at[edge$node == lattice$place("small.upper_left")], 0.75, tolerance = 1e-12)
+    expect_equal(
+      lattice$start[, edge$node], c(1, -1, 5) + outer(c(1, 2, 1), edge$at), tolerance = 1e-12
+    )
+    expect_gt(length(edge$node), 8)
+  }
+})
+
+test_that("the points of a beam bear what hangs from it, with its moments", {
+  for (netting in c("triangles", "bars")) {
+    state <- settle(as_gear(beam_plan(netting)), nodes = 200)
+    reactions <- as.data.frame(state, what = "reactions")
+    expect_identical(reactions$point, c("port", "starboard"))
+    pull <- 1000 * t(as.matrix(reactions[c("x_kN", "y_kN", "z_kN")]))
+    at <- cbind(c(1, -1, 5), c(2, 1, 6))
+    weight <- 9.81 * c(state$lattice$engine$mass)
+    # 40 meshes across, 12 deep: 4 bars of 50 mm each, 10 g/m
+    expect_equal(sum(weight), 9.81 * 40 * 12 * 4 * 0.05 * 0.01, tolerance = 1e-12)
+    points <- state_points(state)
+    moment <- function(r, f) {
+      rowSums(rbind(
+        r[2, ] * f[3, ] - r[3, ] * f[2, ], r[3, ] * f[1, ] - r[1, ] * f[3, ],
+        r[1, ] * f[2, ] - r[2, ] * f[1, ]
+      ))
+    }
+    corner <- state$position[, state$lattice$points[["corner"]], drop = FALSE]
+    arms <- cbind(at, points, corner)
+    forces <- cbind(pull, rbind(0, 0, -weight), c(0, 0, -20))
+    # 1e-8 of a tension of some 10 N on some 200 nodes, with arms of some 5 m
+    expect_lt(max(abs(rowSums(forces))), 1e-4)
+    expect_lt(max(abs(moment(arms, forces))), 5e-4)
+  }
+})
+
+test_that("four edges held on a frame hold all but the inside", {
+  at <- function(y, z) list(position = c(0, y, z), held = "moved")
+  frame <- as_gear(list(
+    codend = 1, name = "Netting on a frame", towing = list(speed = 1),
+    points = list(a = at(-0.5, 0), b = at(0.5, 0), c = at(-0.5, -1), d = at(0.5, -1)),
+    panels = list(net = list(
+      mesh_size = 0.1, meshes = list(upper = 20, lower = 20, deep = 20), orientation = "square",
+      # as heavy as water
+      twine = list(
+        diameter = 0.002, axial_stiffness = 4000, mass_per_length = 1025 * pi * 0.001^2
+      ),
+      knotted = FALSE, netting = "bars", columns = 8, bar_segments = 1
+    )),
+    seams = list(
+      upper = list(edges = list("net.upper"), held_between = c("a", "b")),
+      lower = list(edges = list("net.lower"), held_between = c("c", "d")),
+      left = list(edges = list("net.left"), held_between = c("a", "c")),
+      right = list(edges = list("net.right"), held_between = c("b", "d"))
+    )
+  ))
+  state <- settle(frame)
+  expect_identical(sum(state$lattice$engine$held), 32L)
+  remainder <- utils::tail(balance_table(state), 1)
+  # kN: 1e-8 of a tension of some 10 N on 49 free knots
+  expect_lt(max(abs(remainder[-1])), 1e-8)
+  # a square frame across the flow: each corner bears a quarter
+  pull <- as.data.frame(state, what = "reactions")$x_kN
+  expect_equal(pull, rep(sum(pull) / 4, 4), tolerance = 1e-6)
+})
+
+test_that("a beam does not run through a place that is held already", {
+  plan <- beam_plan("triangles")
+  plan$points$post <- list(at = "small.upper_left", position = c(0, 0, 5), held = "fixed")
+  error <- tryCatch(settle(as_gear(plan)), codend_error_plan = identity)
+  expect_s3_class(error, "codend_error_plan")
+  expect_identical(error$path, "seams.beam.held_between")
+  expect_match(conditionMessage(error), "held already", fixed = TRUE)
+})
+
+test_that("pieces from end to end sit one at each end and evenly between", {
+  chain <- function(number, share = NULL) {
+    si <- gear_si(gear("Floats",
+      port = point(c(0, -1, 0), "fixed"), starboard = point(c(0, 1, 0), "fixed"),
+      line = rope("port", "starboard", length = 3, diameter = 0.01, axial_stiffness = 1e5,
+        mass_per_length = 0, segments = 6),
+      floats = piece(along = "line", share = share, number = number, end_to_end = TRUE,
+        mass = 2, drag_area = 0.1)
+    ))
+    lattice <- build_lattice(si)
+    expect_equal(sum(lattice$engine$spheres$drag_area), 0.1 * number, tolerance = 1e-14)
+    lattice$engine$mass[lattice$ropes$line$node]
+  }
+  expect_equal(chain(7), rep(2, 7), tolerance = 1e-14)
+  expect_equal(chain(2), c(2, 0, 0, 0, 0, 0, 2), tolerance = 1e-14)
+  # at 0, 1.5, 3, 4.5 and 6 of six segments
+  expect_equal(chain(5), c(2, 1, 1, 2, 1, 1, 2), tolerance = 1e-14)
+  # at 2, 2.5 and 3 of six segments
+  expect_equal(chain(3, c(1 / 3, 1 / 2)), c(0, 0, 3, 3, 0, 0, 0), tolerance = 1e-14)
+})

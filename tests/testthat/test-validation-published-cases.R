@@ -1,0 +1,213 @@
+# Two small cases that programs for mooring lines and nets can all run, against their equations
+# written again here: a towed warp as a continuum, and a square net knot by knot.
+
+case_gear <- function(name, ...) update(read_gear(test_path("plans", paste0(name, ".yaml"))), ...)
+
+# Drag of the water at velocity u (n x 2 or n x 3 rows) on one metre of cylinders of diameter d
+# along the unit vectors t, C_n = 1.2 on d and C_t = 0.01 on pi d.
+cylinder_drag <- function(t, u, d) {
+  along <- rowSums(u * t) * t
+  normal <- u - along
+  0.5 * 1025 * d * (1.2 * sqrt(rowSums(normal^2)) * normal +
+    0.01 * pi * sqrt(rowSums(along^2)) * along)
+}
+
+# The warp integrated from the clump up, in unstretched length, where the clump's weight and drag
+# give the first tension; classical fourth-order Runge-Kutta. The water moves alike everywhere, so
+# nothing has to be guessed.
+# Returns the clump's x and z from the upper end (m) and the tension there (N).
+integrate_warp <- function(steps) {
+  d <- 0.028
+  u <- cbind(2, 0)
+  weight <- 9.81 * c(3 - 1025 * pi / 4 * d^2, 500 - 1025 * 0.0637)
+  rise <- function(y) {
+    tension <- sqrt(sum(y[3:4]^2))
+    t <- y[3:4] / tension
+    c((1 + tension / 35e6) * t, -cylinder_drag(rbind(t), u, d) + c(0, weight[1]))
+  }
+  y <- c(0, 0, -0.5 * 1025 * 0.1 * 2^2, weight[2])
+  h <- 1000 / steps
+  for (k in seq_len(steps)) {
+    k1 <- rise(y)
+    k2 <- rise(y + h / 2 * k1)
+    k3 <- rise(y + h / 2 * k2)
+    k4 <- rise(y + h * k3)
+    y <- y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+  }
+  c(x = -y[1], z = -y[2], tension = sqrt(sum(y[3:4]^2)))
+}
+
+test_that("a warp with a clump approaches the continuum as segments^-2", {
+  wanted <- integrate_warp(2000)
+  # m and N: a thousand times less than the errors below
+  expect_lt(max(abs(wanted - integrate_warp(1000))), 1e-5)
+  # shooting by others, to the digits that they print
+  expect_lt(max(abs(wanted[1:2] - c(799.121, -581.965))), 0.0005)
+  expect_lt(abs(wanted[3] - 18965.0), 0.05)
+
+  segments <- c(50, 100, 200)
+  error <- vapply(segments, function(n) {
+    state <- settle(case_gear("towed_warp", ropes.warp.segments = n))
+    points <- state$lattice$points
+    run <- state$position[, points[["lower_end"]]] - state$position[, points[["upper_end"]]]
+    c(run[c(1, 3)], sqrt(sum(state$force[, points[["upper_end"]]]^2))) - wanted
+  }, numeric(3))
+  # lumped masses and straight bars are both second order; the tolerance is for the next order, of
+  # which less is left at 200 segments
+  for (k in 1:3) {
+    order <- log2(abs(error[k, -3] / error[k, -1]))
+    expect_equal(order, c(2, 2), tolerance = 0.04)
+    expect_lt(abs(order[2] - 2), abs(order[1] - 2))
+  }
+  # what other lumped-mass programs reach with 200 segments
+  expect_lt(sqrt(sum(error[1:2, 3]^2)), 0.04)
+})
+
+# The balance of a square net of n x n knots 0.5 m apart whose upper row is held; knots are numbered
+# along each row, from the upper edge down.
+# Returns functions of the knots' positions (n^2 x 3): the net force on every free knot (N, a row
+# each) and its derivative, and the free knots.
+square_net_balance <- function(n) {
+  knot <- matrix(seq_len(n * n), n, n)
+  # bars down, and across below the upper edge
+  from <- c(knot[, -n], knot[-n, -1])
+  to <- c(knot[, -1], knot[-1, -1])
+  free <- as.vector(knot[, -1])
+  start <- stop <- matrix(0, n * n, length(from))
+  start[cbind(from, seq_along(from))] <- stop[cbind(to, seq_along(to))] <- 1
+  load <- matrix(0, n * n, 3)
+  load[, 3] <- -9.81 * 0.25 * (0.014326 - 1025 * pi / 4 * 0.004^2) * rowSums(start + stop)
+  load[knot[, n], 3] <- load[knot[, n], 3] - 9.81 * (1 - 1025 * 1.274e-4)
+  # of every bar along e: its pull on its first knot, and half its drag
+  bar_force <- function(e) {
+    long <- sqrt(rowSums(e^2))
+    list(
+      pull = 12e3 * pmax(0, long / 0.5 - 1) * e / long,
+      drag = 0.25 * cylinder_drag(e / long, cbind(0.5, 0 * long, 0 * long), 0.004)
+    )
+  }
+  list(
+    free = free,
+    force = function(x) {
+      f <- bar_force(x[to, ] - x[from, ])
+      ((start - stop) %*% f$pull + (start + stop) %*% f$drag + load)[free, ]
+    },
+    slope = function(x) {
+      e <- x[to, ] - x[from, ]
+      f <- bar_force(e)
+      by <- lapply(1:3, function(k) {
+        moved <- e
+        moved[, k] <- moved[, k] + 1e-7
+        g <- bar_force(moved)
+        do.call(rbind, lapply(1:3, function(i) {
+          pull <- (g$pull - f$pull)[, i] / 1e-7
+          drag <- (g$drag - f$drag)[, i] / 1e-7
+          (((start - stop) %*% diag(pull) + (start + stop) %*% diag(drag)) %*% t(stop - start))[
+            free, free]
+        }))
+      })
+      do.call(cbind, by)
+    }
+  )
+}
+
+# Positions of the knots (n^2 x 3), from flat, upright and at rest: Newton's method with a
+# pseudo-time step that grows.
+solve_square_net <- function(n) {
+  balance <- square_net_balance(n)
+  free <- balance$free
+  x <- cbind(0, rep((seq_len(n) - (n + 1) / 2) / 2, n), rep(-10 - (seq_len(n) - 1) / 2, each = n))
+  pseudo_step <- 1e-3
+  before <- Inf
+  for (iteration in 1:300) {
+    net <- balance$force(x)
+    now <- max(abs(net))
+    if (now < 1e-8) return(x)
+    pseudo_step <- pseudo_step * (if (now < before) 1.5 else 0.5)
+    before <- now
+    step <- solve(diag(1 / pseudo_step, length(net)) - balance$slope(x), as.vector(net))
+    x[free, ] <- x[free, ] + step * min(1, 0.25 / max(abs(step)))
+  }
+  stop("the net written by hand does not settle")
+}
+
+square_net <- function(n) {
+  knot <- matrix(seq_len(n * n), n, n)
+  # bars down, and across below the upper edge
+  from <- c(knot[, -n], knot[-n, -1])
+  to <- c(knot[, -1], knot[-1, -1])
+  free <- as.vector(knot[, -1])
+  bars <- seq_along(from)
+  start <- stop <- matrix(0, n * n, length(bars))
+  start[cbind(from, bars)] <- stop[cbind(to, bars)] <- 1
+  load <- matrix(0, n * n, 3)
+  load[, 3] <- -9.81 * 0.25 * (0.014326 - 1025 * pi / 4 * 0.004^2) * rowSums(start + stop)
+  load[knot[, n], 3] <- load[knot[, n], 3] - 9.81 * (1 - 1025 * 1.274e-4)
+  # pull on the first end and drag, of every bar along e
+  force <- function(e) {
+    long <- sqrt(rowSums(e^2))
+    list(
+      pull = 12e3 * pmax(0, long / 0.5 - 1) * e / long,
+      drag = 0.5 * cylinder_drag(e / long, cbind(0.5, 0 * long, 0 * long), 0.004)
+    )
+  }
+  gather <- function(f) (start - stop) %*% f$pull + (start + stop) %*% (f$drag / 2)
+  x <- cbind(0, rep((seq_len(n) - (n + 1) / 2) / 2, n), rep(-10 - (seq_len(n) - 1) / 2, each = n))
+  pseudo_step <- 1e-3
+  size <- Inf
+  repeat {
+    e <- x[to, ] - x[from, ]
+    f <- force(e)
+    net <- (gather(f) + load)[free, ]
+    if (max(abs(net)) < 1e-8) return(t(x))
+    if (pseudo_step > 1e12) stop("the net does not settle")
+    pseudo_step <- pseudo_step * (if (max(abs(net)) < size) 1.5 else 0.5)
+    size <- max(abs(net))
+    slope <- lapply(1:3, function(k) {
+      moved <- e
+      moved[, k] <- moved[, k] + 1e-7
+      g <- force(moved)
+      lapply(1:3, function(i) {
+        bar <- (start - stop) %*% diag((g$pull - f$pull)[, i] / 1e-7) +
+          (start + stop) %*% diag((g$drag - f$drag)[, i] / 2e-7)
+        (bar %*% t(stop - start))[free, free]
+      })
+    })
+    jacobian <- do.call(cbind, lapply(slope, do.call, what = rbind))
+    step <- solve(diag(1 / pseudo_step, 3 * length(free)) - jacobian, as.vector(net))
+    x[free, ] <- x[free, ] + step * min(1, 0.25 / max(abs(step)))
+  }
+}
+
+square_net <- function(n) {
+  half <- (n - 1) / 4
+  case_gear("square_net",
+    panels.net.meshes = list(upper = n - 1, lower = n - 1, deep = n - 1),
+    panels.net.columns = n - 1, pieces.sinkers.number = n,
+    points.port.position = c(0, -half, -10), points.starboard.position = c(0, half, -10)
+  )
+}
+
+# Positions of a state's knots, numbered as above.
+knots_of <- function(state) {
+  drawn <- state$lattice$panels$net
+  t(state$position[, drawn$node[order(round(drawn$j), round(drawn$i))]])
+}
+
+test_that("a square net stands as the balance of its knots says", {
+  state <- settle(square_net(8))
+  found <- knots_of(state)
+  # settle() leaves 1e-8 of some 80 N, where a knot that bears 1 N on 0.5 m moves by 1e-6 m at most
+  expect_lt(max(abs(found - solve_square_net(8))), 1e-6)
+  # other programs, to the digits that they print
+  expect_lt(max(abs(colMeans(found[57:64, ]) - c(0.81516, 0, -13.37759))), 5e-6)
+})
+
+test_that("larger square nets are in that balance too", {
+  for (n in c(20, 40)) {
+    state <- settle(square_net(n))
+    net <- square_net_balance(n)$force(knots_of(state))
+    # what settle() promises, and rounding of 24 kN/m times positions
+    expect_lt(max(abs(net)), 1e-8 * max(state$bar_tension) + 1e-9)
+  }
+})
