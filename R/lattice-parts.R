@@ -145,7 +145,7 @@ gear_supports <- function(si, division) {
         sprintf(
           paste(
             "Plan field `%s` runs through a place that is held already: end the seam there and",
-            "hold the rest by another."
+            "hold the rest by another seam."
           ),
           path
         ),

@@ -34,7 +34,8 @@
 #'   - `"drag"`: a row per rope, panel and piece: `part`, `kind`, `role`, hydrodynamic force as
 #'     `drag_kN` (along the flow), `side_kN` (to starboard of it) and `lift_kN` (up), and
 #'     `weight_in_water_kN` (weight less buoyancy).
-#'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`.
+#'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. The two
+#'     points of an edge held between them share what pulls at it, as the supports of a beam do.
 #' @param ... Not used.
 #' @return A data frame.
 #' @examples
