@@ -26,7 +26,7 @@ CompressedGraph compress(const BlockPattern& pattern) {
   std::vector<int> weight(n, node_weight), place(n, -1), seen(n, -1);
   graph.node.resize(n);
   std::iota(graph.node.begin(), graph.node.end(), 0);
-  for (bool first_round = true;; first_round = false) {
+  while (true) {
     const size_t before = graph.eliminated.size();
     // place: of an eliminated node in graph.eliminated; a neighbour of one waits for the next round
     for (const int i : graph.node) {
@@ -34,7 +34,7 @@ CompressedGraph compress(const BlockPattern& pattern) {
       if (degree == 0 || degree > 2 || seen[i] >= 0) continue;
       const int a = neighbour[first[i]], b = degree == 2 ? neighbour[first[i] + 1] : -1;
       place[i] = static_cast<int>(graph.eliminated.size());
-      graph.eliminated.push_back({i, {a, b}, first_round});
+      graph.eliminated.push_back({i, {a, b}});
       seen[a] = 0;
       if (b >= 0) seen[b] = 0;
       weight[a] += b >= 0 ? weight[i] / 2 : weight[i];
@@ -80,72 +80,56 @@ SeparatorTree expand(const CompressedGraph& graph, const SeparatorTree& tree) {
   const int vertices = static_cast<int>(tree.parent.size());
   const int eliminated = static_cast<int>(graph.eliminated.size());
   const int n = static_cast<int>(graph.node.size()) + eliminated;
-  std::vector<int> owner(n), depth(vertices, 0);
-  std::vector<char> leaf(vertices, 1);
+  // vertex `vertices + k` holds the k-th eliminated node, as a child of the deeper of its two
+  // neighbours' vertices: one of them is the other's ancestor
+  std::vector<int> owner(n), depth(vertices + eliminated, 0);
+  std::vector<int> first_below(vertices + eliminated, -1), next(eliminated, -1);
   for (int t = vertices - 1; t >= 0; --t) {
     for (int i = tree.first_node[t]; i < tree.first_node[t + 1]; ++i)
       owner[graph.node[tree.node[i]]] = t;
-    if (tree.parent[t] < 0) continue;
-    depth[t] = depth[tree.parent[t]] + 1;
-    leaf[tree.parent[t]] = 0;
+    if (tree.parent[t] >= 0) depth[t] = depth[tree.parent[t]] + 1;
   }
-  // members of a vertex, and vertices below it, as lists through `next`: an eliminated node k is
-  // vertex `vertices + k` if it becomes one
-  std::vector<int> first_member(vertices, -1), first_below(vertices + eliminated, -1);
-  std::vector<int> next(eliminated, -1);
-  depth.resize(vertices + eliminated, 0);
   for (int k = eliminated - 1; k >= 0; --k) {
-    const CompressedGraph::Eliminated& e = graph.eliminated[k];
-    int above = owner[e.neighbours[0]];
-    if (e.neighbours[1] >= 0 && depth[owner[e.neighbours[1]]] > depth[above])
-      above = owner[e.neighbours[1]];
-    if (e.first_round && above < vertices && leaf[above]) {
-      owner[e.node] = above;
-      next[k] = first_member[above];
-      first_member[above] = k;
-    } else {
-      owner[e.node] = vertices + k;
-      depth[vertices + k] = depth[above] + 1;
-      next[k] = first_below[above];
-      first_below[above] = k;
-    }
+    const auto& [node, neighbours] = graph.eliminated[k];
+    int above = owner[neighbours[0]];
+    if (neighbours[1] >= 0 && depth[owner[neighbours[1]]] > depth[above])
+      above = owner[neighbours[1]];
+    owner[node] = vertices + k;
+    depth[vertices + k] = depth[above] + 1;
+    next[k] = first_below[above];
+    first_below[above] = k;
   }
+
   SeparatorTree result;
   result.node.reserve(n);
-  result.first_node.push_back(0);
-  std::vector<int> number(vertices);
-  std::vector<int> orphans;
-  const auto close = [&] {
-    result.first_node.push_back(static_cast<int>(result.node.size()));
-    result.parent.push_back(-1);
-    return static_cast<int>(result.parent.size()) - 1;
-  };
+  result.parent.reserve(vertices + eliminated);
+  result.first_node.assign(1, 0);
+  std::vector<int> number(vertices), orphans;
   struct Open {
     int vertex;
-    int child;       // to come next
-    size_t orphans;  // below it
+    int below;       // the next eliminated node to be numbered before it
+    size_t orphans;  // finished vertices that have no parent yet, from here on its own
   };
   std::vector<Open> open;
   for (int t = 0; t < vertices; ++t) {
-    const size_t below = orphans.size();
-    open.assign(1, {t, first_below[t], below});
+    open.assign(1, {t, first_below[t], 0});
     while (!open.empty()) {
       Open& top = open.back();
-      if (top.child >= 0) {
-        const int k = top.child;
-        top.child = next[k];
+      if (top.below >= 0) {
+        const int k = top.below;
+        top.below = next[k];
         open.push_back({vertices + k, first_below[vertices + k], orphans.size()});
         continue;
       }
+      const int mine = static_cast<int>(result.parent.size());
       if (top.vertex >= vertices) {
         result.node.push_back(graph.eliminated[top.vertex - vertices].node);
       } else {
-        for (int k = first_member[t]; k >= 0; k = next[k])
-          result.node.push_back(graph.eliminated[k].node);
         for (int i = tree.first_node[t]; i < tree.first_node[t + 1]; ++i)
           result.node.push_back(graph.node[tree.node[i]]);
       }
-      const int mine = close();
+      result.first_node.push_back(static_cast<int>(result.node.size()));
+      result.parent.push_back(-1);
       for (size_t i = top.orphans; i < orphans.size(); ++i) result.parent[orphans[i]] = mine;
       orphans.resize(top.orphans);
       if (top.vertex < vertices)

@@ -15,7 +15,6 @@ struct CompressedGraph {
   struct Eliminated {
     int node;
     int neighbours[2];  // of the pattern, at the time; the second is -1 where there was one
-    bool first_round;
   };
   std::vector<int> node;        // of the pattern
   std::vector<int> weight;      // with their share of what was eliminated
@@ -27,8 +26,7 @@ struct CompressedGraph {
 CompressedGraph compress(const BlockPattern& pattern);
 
 // tree: of the compressed graph, whose nodes are places in graph.node. Returns the tree of the
-// pattern: a node eliminated in the first round joins a leaf, if one of its neighbours is there;
-// others become vertices below.
+// pattern, in which each eliminated node is a vertex of its own.
 SeparatorTree expand(const CompressedGraph& graph, const SeparatorTree& tree);
 
 }  // namespace codend

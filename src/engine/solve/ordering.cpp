@@ -17,9 +17,9 @@ namespace {
 
 // Parts of at most this many nodes are not cut further. Small, because the assembly tree merges
 // vertices again where one larger front is cheaper.
-constexpr int leaf_nodes = 8;
-// Places along a direction where a cut is tried.
-constexpr int slices = 128;
+constexpr int leaf_nodes = 6;
+// Places along a direction where a cut is tried, at most.
+constexpr int most_slices = 128;
 // A cut leaves each side at least this share of the weight, where it can.
 constexpr double least_share = 0.25;
 
@@ -138,6 +138,7 @@ class Dissector {
   void bisect(const Part& part, int begin, int end) {
     total_ = 0;
     for (int p = begin; p < end; ++p) total_ += part.weight[p];
+    slices_ = std::clamp((end - begin) / 2, 6, most_slices);
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&] {
       const auto [cost, slice] = cheapest_slice(part, begin, end);
@@ -160,7 +161,7 @@ class Dissector {
   bool slice_by_coordinate(const Part& part, int begin, int end, int axis) {
     const float* x = part.place.data() + axis;
     sample_.clear();
-    const int stride = std::max(1, (end - begin) / 64);
+    const int stride = std::max(1, (end - begin) / 32);
     for (int p = begin; p < end; p += stride) sample_.push_back(x[3 * static_cast<size_t>(p)]);
     std::sort(sample_.begin(), sample_.end());
     float low = sample_[sample_.size() / 5];
@@ -170,11 +171,11 @@ class Dissector {
       high = sample_.back();
       if (!(high > low)) return false;
     }
-    const float scale = static_cast<float>(slices - 2) / (high - low);
+    const float scale = static_cast<float>(slices_ - 2) / (high - low);
+    const auto last = static_cast<float>(slices_ - 1);
     for (int p = begin; p < end; ++p) {
-      const float at = (x[3 * static_cast<size_t>(p)] - low) * scale;
-      key_[p] = static_cast<unsigned char>(
-          at < 0 ? 0 : at >= slices - 2 ? slices - 1 : 1 + static_cast<int>(at));
+      const float at = 1 + (x[3 * static_cast<size_t>(p)] - low) * scale;
+      key_[p] = static_cast<unsigned char>(std::min(last, std::max(0.0f, at)));
     }
     return true;
   }
@@ -204,13 +205,12 @@ class Dissector {
         if (moved_[p] < 0) reach_from(p);
     }
     for (int i = 0; i < size; ++i)
-      key_[queue_[i]] = static_cast<unsigned char>(static_cast<int64_t>(i) * slices / size);
+      key_[queue_[i]] = static_cast<unsigned char>(static_cast<int64_t>(i) * slices_ / size);
   }
 
   // The slice behind which to cut, and what that costs.
   std::pair<double, int> cheapest_slice(const Part& part, int begin, int end) {
-    std::array<int64_t, slices + 1> weight{};
-    std::array<int, slices + 1> near{}, far{};
+    std::fill_n(tally_.begin(), slices_ + 1, Tally{});
     for (int p = begin; p < end; ++p) {
       const int mine = key_[p];
       int lowest = mine, highest = mine;
@@ -219,20 +219,20 @@ class Dissector {
         lowest = std::min(lowest, other);
         highest = std::max(highest, other);
       }
-      weight[mine] += part.weight[p];
+      tally_[mine].weight += part.weight[p];
       // touches the other side of every cut behind slices [mine, highest) and [lowest, mine)
-      ++near[mine];
-      --near[highest];
-      ++far[lowest];
-      --far[mine];
+      ++tally_[mine].near;
+      --tally_[highest].near;
+      ++tally_[lowest].far;
+      --tally_[mine].far;
     }
     std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
     int64_t before = 0;
     int near_touching = 0, far_touching = 0;
-    for (int s = 0; s + 1 < slices; ++s) {
-      before += weight[s];
-      near_touching += near[s];
-      far_touching += far[s];
+    for (int s = 0; s + 1 < slices_; ++s) {
+      before += tally_[s].weight;
+      near_touching += tally_[s].near;
+      far_touching += tally_[s].far;
       if (before == 0 || before == total_) continue;
       const double cost = cost_of(std::min(near_touching, far_touching), before);
       if (cost < best.first) best = {cost, s};
@@ -249,13 +249,22 @@ class Dissector {
     return cost;
   }
 
+  // Of a slice: its weight, and how much more nodes on either side of it than one slice before
+  // touch the other side.
+  struct Tally {
+    int64_t weight;
+    int near, far;
+  };
+
   int nodes_;
   std::array<Part, 2> part_;  // a part lies in one and its halves in the other
   SeparatorTree tree_;
   std::vector<int> orphans_;  // finished vertices that have no parent yet
   std::vector<Side> side_;
   std::vector<int> moved_;
+  int slices_ = 0;
   std::vector<unsigned char> key_;  // slice
+  std::array<Tally, most_slices + 1> tally_;
   std::vector<int> queue_;
   std::vector<float> sample_;
   VertexCut cut_;
