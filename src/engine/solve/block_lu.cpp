@@ -47,7 +47,7 @@ void BlockLU::lay_out_factors() {
     layout_[f].upper = size;
     size += aligned(rows * k);
   }
-  factor_.assign(size, 0);
+  factor_.resize(size);
   const size_t rows = 3 * tree_.order.size();
   reciprocal_.assign(rows, 0);
   exchange_.assign(rows, 0);
@@ -75,7 +75,7 @@ void BlockLU::lay_out_stack() {
   }
   for (int f = 0; f < fronts; ++f)
     if (end[f] == 1) layout_[f].update = size - layout_[f].update - update_size(f);
-  stack_.assign(size, 0);
+  stack_.resize(size);
 }
 
 void BlockLU::map_entries(const BlockPattern& pattern) {
@@ -118,14 +118,14 @@ void BlockLU::measure() {
   figures_ = {};
   figures_.fronts = tree_.fronts();
   figures_.largest_front = static_cast<int>(local_.size());
-  figures_.stack_entries = static_cast<int64_t>(stack_.size());
+  figures_.stack_entries = stack_.size();
   for (int f = 0; f < tree_.fronts(); ++f) {
     const double k = 3.0 * tree_.pivots(f), b = 3.0 * tree_.boundary_nodes(f);
     figures_.factor_entries += static_cast<int64_t>(k * (k + 2 * b));
     figures_.flops += 2 * (k * k * k / 3 + k * k * b + k * b * b);
   }
-  figures_.bytes = bytes_of(layout_) + bytes_of(entry_) + bytes_of(exchange_) + bytes_of(factor_) +
-                   bytes_of(reciprocal_) + bytes_of(stack_) + bytes_of(ordered_) +
+  figures_.bytes = bytes_of(layout_) + bytes_of(entry_) + bytes_of(exchange_) + 8 * (factor_.size() + stack_.size()) +
+                   bytes_of(reciprocal_) + bytes_of(ordered_) +
                    bytes_of(local_) + bytes_of(tree_.order) + bytes_of(tree_.position) +
                    bytes_of(tree_.first_pivot) + bytes_of(tree_.parent) +
                    bytes_of(tree_.first_boundary) + bytes_of(tree_.boundary) +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "assembly_tree.hpp"
@@ -47,6 +48,22 @@ class BlockLU {
     int64_t to;    // in factor_
   };
 
+  // Doubles that nobody has set: a front clears its own, so that the analysis touches none.
+  class Store {
+   public:
+    void resize(int64_t size) {
+      data_.reset();
+      data_.reset(new double[size]);
+      size_ = size;
+    }
+    double* data() const { return data_.get(); }
+    int64_t size() const { return size_; }
+
+   private:
+    std::unique_ptr<double[]> data_;
+    int64_t size_ = 0;
+  };
+
   struct Layout {
     int64_t lower;        // in factor_
     int64_t upper;        // in factor_
@@ -65,7 +82,8 @@ class BlockLU {
   std::vector<Layout> layout_;
   std::vector<Entry> entry_;
   std::vector<int> exchange_;
-  std::vector<double> factor_, reciprocal_, stack_;
+  Store factor_, stack_;
+  std::vector<double> reciprocal_;
   mutable std::vector<double> ordered_, local_;  // work space of solve()
   bool factorised_ = false;
   BlockLUFigures figures_;

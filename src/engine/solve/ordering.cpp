@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "compressed_graph.hpp"
+#include "vertex_cut.hpp"
 
 namespace codend {
 
@@ -13,249 +17,258 @@ namespace {
 
 // Parts of at most this many nodes are not cut further. Small, because the assembly tree merges
 // vertices again where one larger front is cheaper.
-constexpr int leaf_nodes = 4;
+constexpr int leaf_nodes = 6;
+// Places along a direction where a cut is tried, at most.
+constexpr int most_slices = 128;
+// A cut leaves each side at least this share of the weight, where it can.
+constexpr double least_share = 0.25;
+
+// A part of the graph under dissection: nodes are numbered as they lie here, which a part's own
+// nodes do without gaps.
+struct Part {
+  std::vector<int> node;      // of the compressed graph
+  std::vector<float> place;   // 3 coordinates
+  std::vector<int> weight;
+  std::vector<int> first;     // into neighbour
+  std::vector<int> last;
+  std::vector<int> neighbour; // places in the part
+
+  void resize(size_t nodes, size_t edges) {
+    node.resize(nodes);
+    place.resize(3 * nodes);
+    weight.resize(nodes);
+    first.resize(nodes);
+    last.resize(nodes);
+    neighbour.resize(edges);
+  }
+};
 
 class Dissector {
  public:
-  Dissector(const BlockPattern& pattern, const double* coordinates)
-      : pattern_(pattern),
-        coordinates_(coordinates),
-        node_(pattern.n),
-        side_(pattern.n, -1),
-        mate_(pattern.n, -1),
-        level_(pattern.n, -1),
-        cursor_(pattern.n, 0) {
-    std::iota(node_.begin(), node_.end(), 0);
-    candidate_.reserve(pattern.n);
-    best_.reserve(pattern.n);
+  Dissector(const CompressedGraph& graph, const double* coordinates)
+      : nodes_(static_cast<int>(graph.weight.size())),
+        side_(nodes_),
+        moved_(nodes_),
+        key_(nodes_),
+        queue_(nodes_),
+        cut_(nodes_) {
+    const size_t edges = graph.neighbour.size();
+    for (Part& part : part_) part.resize(nodes_, edges);
+    Part& whole = part_[0];
+    for (int i = 0; i < nodes_; ++i) {
+      whole.node[i] = i;
+      for (int k = 0; k < 3; ++k)
+        whole.place[3 * static_cast<size_t>(i) + k] =
+            static_cast<float>(coordinates[3 * static_cast<int64_t>(graph.node[i]) + k]);
+      whole.weight[i] = graph.weight[i];
+      whole.first[i] = graph.first[i];
+      whole.last[i] = graph.first[i + 1];
+    }
+    whole.neighbour = graph.neighbour;
     tree_.first_node.push_back(0);
-    tree_.node.reserve(pattern.n);
+    tree_.node.reserve(nodes_);
   }
 
   SeparatorTree run() {
-    dissect(0, pattern_.n);
+    dissect(0, nodes_, 0);
     return std::move(tree_);
   }
 
  private:
-  void dissect(int begin, int end) {
+  // Dissects the nodes that lie at [begin, end) of part_[which].
+  void dissect(int begin, int end, int which) {
     if (begin == end) return;
     const size_t orphans_before = orphans_.size();
-    int separator = begin;
+    int separator = begin, owner = which;
     if (end - begin > leaf_nodes) {
-      const auto [middle, last] = bisect(begin, end);
+      bisect(part_[which], begin, end);
+      const auto [middle, last] = divide(begin, end, which);
       separator = last;
-      dissect(begin, middle);
-      dissect(middle, separator);
+      owner = 1 - which;
+      dissect(begin, middle, owner);
+      dissect(middle, separator, owner);
     }
     if (separator == end) return;  // nothing to own: the parts become children of the vertex above
     const int vertex = static_cast<int>(tree_.parent.size());
     tree_.parent.push_back(-1);
-    tree_.node.insert(tree_.node.end(), node_.begin() + separator, node_.begin() + end);
+    const std::vector<int>& node = part_[owner].node;
+    tree_.node.insert(tree_.node.end(), node.begin() + separator, node.begin() + end);
     tree_.first_node.push_back(static_cast<int>(tree_.node.size()));
     for (size_t i = orphans_before; i < orphans_.size(); ++i) tree_.parent[orphans_[i]] = vertex;
     orphans_.resize(orphans_before);
     orphans_.push_back(vertex);
   }
 
-  // Rearranges node_[begin, end) into one side, the other side and their separator; returns where
-  // the second and the third begin.
-  std::array<int, 2> bisect(int begin, int end) {
-    const int size = end - begin;
-    const int half = size / 2;
-    int64_t least = -1;
-    const auto consider = [&] {
-      const int64_t cut = cut_size(half);
-      if (least >= 0 && cut >= least) return;
-      least = cut;
-      best_.swap(candidate_);
-    };
-    for (int axis : axes_by_extent(begin, end)) {
-      candidate_.assign(node_.begin() + begin, node_.begin() + end);
-      std::nth_element(candidate_.begin(), candidate_.begin() + half, candidate_.end(),
-                       [&](int a, int b) {
-                         const double xa = coordinates_[3 * static_cast<int64_t>(a) + axis];
-                         const double xb = coordinates_[3 * static_cast<int64_t>(b) + axis];
-                         return xa < xb || (xa == xb && a < b);
-                       });
-      consider();
+  // Moves a part whose nodes have their sides into the other store: one side, the other, their
+  // separator. Returns where the second and the third begin.
+  std::array<int, 2> divide(int begin, int end, int which) {
+    const Part& from = part_[which];
+    Part& to = part_[1 - which];
+    std::array<int, 3> next{begin, begin, begin};
+    for (int p = begin; p < end; ++p) {
+      next[1] += side_[p] == near_side;
+      next[2] += side_[p] != separator_side;
     }
-    order_by_distance(begin, end);
-    consider();
-
-    mark_sides(best_, half);
-    cover_cut_edges(half);
-    const auto place = [&](int at, int side) {
-      for (int node : best_)
-        if (side_[node] == side) node_[at++] = node;
-      return at;
-    };
-    const int middle = place(begin, near_);
-    const int separator = place(middle, far_);
-    place(separator, cover_);
-    return {middle, separator};
-  }
-
-  // The axes along which the part has any extent, the longest first.
-  std::vector<int> axes_by_extent(int begin, int end) const {
-    std::array<double, 3> extent{};
-    for (int axis = 0; axis < 3; ++axis) {
-      double low = coordinates_[3 * static_cast<int64_t>(node_[begin]) + axis], high = low;
-      for (int i = begin; i < end; ++i) {
-        const double x = coordinates_[3 * static_cast<int64_t>(node_[i]) + axis];
-        low = std::min(low, x);
-        high = std::max(high, x);
+    const std::array<int, 2> ends{next[1], next[2]};
+    for (int p = begin; p < end; ++p) {
+      const int q = next[side_[p]]++;
+      moved_[p] = q;
+      to.node[q] = from.node[p];
+    }
+    // nodes of a side keep their order, so that edges can be written one after the other
+    int edge = begin == end ? 0 : from.first[begin];
+    for (const Side side : {near_side, far_side})
+      for (int p = begin; p < end; ++p) {
+        if (side_[p] != side) continue;
+        const int q = moved_[p];
+        to.weight[q] = from.weight[p];
+        for (int k = 0; k < 3; ++k)
+          to.place[3 * static_cast<size_t>(q) + k] = from.place[3 * static_cast<size_t>(p) + k];
+        to.first[q] = edge;
+        for (int e = from.first[p]; e < from.last[p]; ++e) {
+          const int other = from.neighbour[e];
+          if (side_[other] == side) to.neighbour[edge++] = moved_[other];
+        }
+        to.last[q] = edge;
       }
-      extent[axis] = high - low;
-    }
-    std::vector<int> axes;
-    for (int axis = 0; axis < 3; ++axis)
-      if (extent[axis] > 0) axes.push_back(axis);
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return extent[a] > extent[b]; });
-    return axes;
+    return ends;
   }
 
-  // Fills candidate_ with the part's nodes by distance along the graph from one of its ends.
-  void order_by_distance(int begin, int end) {
-    int start = node_[begin];
+  // Gives every node of [begin, end) its side.
+  void bisect(const Part& part, int begin, int end) {
+    total_ = 0;
+    for (int p = begin; p < end; ++p) total_ += part.weight[p];
+    slices_ = std::clamp((end - begin) / 2, 6, most_slices);
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&] {
+      const auto [cost, slice] = cheapest_slice(part, begin, end);
+      if (cost >= least) return;
+      least = cost;
+      for (int p = begin; p < end; ++p) side_[p] = key_[p] <= slice ? near_side : far_side;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+      if (slice_by_coordinate(part, begin, end, axis)) consider();
+    slice_by_distance(part, begin, end);
+    consider();
+    const CutGraph graph{part.first.data(), part.last.data(), part.neighbour.data(),
+                         part.weight.data()};
+    const int layers = 2 + static_cast<int>(0.03 * std::sqrt(static_cast<double>(end - begin)));
+    cut_.separate(graph, begin, end, total_, layers, least_share, side_.data());
+  }
+
+  // Cuts the middle of the part's extent along an axis into slices; false if it has none. What lies
+  // before and behind, where no cut can be balanced, goes into the first and the last.
+  bool slice_by_coordinate(const Part& part, int begin, int end, int axis) {
+    const float* x = part.place.data() + axis;
+    sample_.clear();
+    const int stride = std::max(1, (end - begin) / 32);
+    for (int p = begin; p < end; p += stride) sample_.push_back(x[3 * static_cast<size_t>(p)]);
+    std::sort(sample_.begin(), sample_.end());
+    float low = sample_[sample_.size() / 5];
+    float high = sample_[sample_.size() - 1 - sample_.size() / 5];
+    if (!(high > low)) {
+      low = sample_.front();
+      high = sample_.back();
+      if (!(high > low)) return false;
+    }
+    const float scale = static_cast<float>(slices_ - 2) / (high - low);
+    const auto last = static_cast<float>(slices_ - 1);
+    for (int p = begin; p < end; ++p) {
+      const float at = 1 + (x[3 * static_cast<size_t>(p)] - low) * scale;
+      key_[p] = static_cast<unsigned char>(std::min(last, std::max(0.0f, at)));
+    }
+    return true;
+  }
+
+  // Slices by distance along the graph from one of the part's ends.
+  void slice_by_distance(const Part& part, int begin, int end) {
+    int start = begin;
+    const int size = end - begin;
     for (int sweep = 0; sweep < 2; ++sweep) {
-      const int inside = ++stamp_;
-      for (int i = begin; i < end; ++i) side_[node_[i]] = inside;
-      const int reached = ++stamp_;
-      candidate_.clear();
-      const auto reach_from = [&](int node) {
-        size_t next = candidate_.size();
-        candidate_.push_back(node);
-        side_[node] = reached;
-        for (; next < candidate_.size(); ++next)
-          for_each_neighbour(candidate_[next], [&](int neighbour) {
-            if (side_[neighbour] != inside) return;
-            side_[neighbour] = reached;
-            candidate_.push_back(neighbour);
-          });
+      for (int p = begin; p < end; ++p) moved_[p] = -1;
+      int reached = 0;
+      const auto reach_from = [&](int root) {
+        int next = reached;
+        queue_[reached++] = root;
+        moved_[root] = 0;
+        for (; next < reached; ++next)
+          for (int e = part.first[queue_[next]]; e < part.last[queue_[next]]; ++e) {
+            const int other = part.neighbour[e];
+            if (moved_[other] >= 0) continue;
+            moved_[other] = 0;
+            queue_[reached++] = other;
+          }
       };
       reach_from(start);
-      start = candidate_.back();
-      for (int i = begin; i < end; ++i)
-        if (side_[node_[i]] == inside) reach_from(node_[i]);
+      start = queue_[reached - 1];
+      for (int p = begin; p < end && reached < size; ++p)
+        if (moved_[p] < 0) reach_from(p);
     }
+    for (int i = 0; i < size; ++i)
+      key_[queue_[i]] = static_cast<unsigned char>(static_cast<int64_t>(i) * slices_ / size);
   }
 
-  void mark_sides(const std::vector<int>& nodes, int half) {
-    near_ = ++stamp_;
-    far_ = ++stamp_;
-    cover_ = ++stamp_;
-    for (size_t i = 0; i < nodes.size(); ++i)
-      side_[nodes[i]] = static_cast<int>(i) < half ? near_ : far_;
-  }
-
-  // Nodes that touch the other side, on the side that has fewer of them: a bound on the separator.
-  int64_t cut_size(int half) {
-    mark_sides(candidate_, half);
-    std::array<int64_t, 2> touching{};
-    for (size_t i = 0; i < candidate_.size(); ++i) {
-      const int other = static_cast<int>(i) < half ? far_ : near_;
-      touching[other == near_] += touches(candidate_[i], other);
-    }
-    return std::min(touching[0], touching[1]);
-  }
-
-  bool touches(int node, int side) const {
-    for (int64_t e = pattern_.row_start[node]; e < pattern_.row_start[node + 1]; ++e)
-      if (side_[pattern_.column[e]] == side) return true;
-    return false;
-  }
-
-  template <class Visit>
-  void for_each_neighbour(int node, Visit visit) const {
-    for (int64_t e = pattern_.row_start[node]; e < pattern_.row_start[node + 1]; ++e)
-      visit(pattern_.column[e]);
-  }
-
-  // Moves into side cover_ the least set of nodes that covers every edge between near_ and far_.
-  void cover_cut_edges(int half) {
-    near_cut_.clear();
-    far_cut_.clear();
-    for (size_t i = 0; i < best_.size(); ++i) {
-      const int node = best_[i];
-      const bool near = static_cast<int>(i) < half;
-      if (!touches(node, near ? far_ : near_)) continue;
-      (near ? near_cut_ : far_cut_).push_back(node);
-      mate_[node] = -1;
-    }
-    while (layer_from_unmatched()) {
-      for (int node : near_cut_) cursor_[node] = pattern_.row_start[node];
-      for (int node : near_cut_)
-        if (mate_[node] < 0) augment_from(node);
-    }
-    // Koenig: near nodes that no alternating path reaches, and far nodes that one does
-    for (int node : near_cut_)
-      if (level_[node] < 0) side_[node] = cover_;
-    for (int node : far_cut_)
-      if (level_[node] >= 0) side_[node] = cover_;
-  }
-
-  // Breadth-first layers of alternating paths from unmatched near nodes; true if one of them ends
-  // at an unmatched far node.
-  bool layer_from_unmatched() {
-    queue_.clear();
-    for (int node : far_cut_) level_[node] = -1;
-    for (int node : near_cut_) {
-      level_[node] = mate_[node] < 0 ? 0 : -1;
-      if (mate_[node] < 0) queue_.push_back(node);
-    }
-    bool open = false;
-    for (size_t next = 0; next < queue_.size(); ++next) {
-      const int node = queue_[next];
-      for_each_neighbour(node, [&](int neighbour) {
-        if (side_[neighbour] != far_ || level_[neighbour] >= 0) return;
-        level_[neighbour] = level_[node] + 1;
-        const int behind = mate_[neighbour];
-        if (behind < 0) {
-          open = true;
-        } else {
-          level_[behind] = level_[neighbour] + 1;
-          queue_.push_back(behind);
-        }
-      });
-    }
-    return open;
-  }
-
-  void augment_from(int root) {
-    path_.assign(1, root);
-    while (!path_.empty()) {
-      const int node = path_.back();
-      if (cursor_[node] == pattern_.row_start[node + 1]) {
-        path_.pop_back();
-        continue;
+  // The slice behind which to cut, and what that costs.
+  std::pair<double, int> cheapest_slice(const Part& part, int begin, int end) {
+    std::fill_n(tally_.begin(), slices_ + 1, Tally{});
+    for (int p = begin; p < end; ++p) {
+      const int mine = key_[p];
+      int lowest = mine, highest = mine;
+      for (int e = part.first[p]; e < part.last[p]; ++e) {
+        const int other = key_[part.neighbour[e]];
+        lowest = std::min(lowest, other);
+        highest = std::max(highest, other);
       }
-      const int neighbour = pattern_.column[cursor_[node]++];
-      if (side_[neighbour] != far_ || level_[neighbour] != level_[node] + 1) continue;
-      const int behind = mate_[neighbour];
-      if (behind >= 0) {
-        if (level_[behind] == level_[neighbour] + 1) path_.push_back(behind);
-        continue;
-      }
-      int free = neighbour;
-      for (size_t i = path_.size(); i-- > 0;) {
-        std::swap(mate_[path_[i]], free);
-        mate_[mate_[path_[i]]] = path_[i];
-      }
-      return;
+      tally_[mine].weight += part.weight[p];
+      // touches the other side of every cut behind slices [mine, highest) and [lowest, mine)
+      ++tally_[mine].near;
+      --tally_[highest].near;
+      ++tally_[lowest].far;
+      --tally_[mine].far;
     }
+    std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
+    int64_t before = 0;
+    int near_touching = 0, far_touching = 0;
+    for (int s = 0; s + 1 < slices_; ++s) {
+      before += tally_[s].weight;
+      near_touching += tally_[s].near;
+      far_touching += tally_[s].far;
+      if (before == 0 || before == total_) continue;
+      const double cost = cost_of(std::min(near_touching, far_touching), before);
+      if (cost < best.first) best = {cost, s};
+    }
+    return best;
   }
 
-  const BlockPattern& pattern_;
-  const double* coordinates_;
+  // What a separator of so many nodes costs that leaves `side` of the weight on one side.
+  double cost_of(int separator, int64_t side) const {
+    const double uneven = static_cast<double>(2 * side - total_) / static_cast<double>(total_);
+    const double share = (1 - std::fabs(uneven)) / 2;
+    double cost = (separator + 0.5) * (1 + uneven * uneven);
+    if (share < least_share) cost *= 1 + 100 * (least_share - share);
+    return cost;
+  }
+
+  // Of a slice: its weight, and how much more nodes on either side of it than one slice before
+  // touch the other side.
+  struct Tally {
+    int64_t weight;
+    int near, far;
+  };
+
+  int nodes_;
+  std::array<Part, 2> part_;  // a part lies in one and its halves in the other
   SeparatorTree tree_;
-  std::vector<int> node_;      // permuted in place; each call owns a range
-  std::vector<int> orphans_;   // finished vertices that have no parent yet
-  std::vector<int> candidate_, best_;
-  std::vector<int> side_;      // the last stamp each node was given
-  int stamp_ = -1, near_ = -1, far_ = -1, cover_ = -1;
-  std::vector<int> near_cut_, far_cut_, mate_, level_, queue_, path_;
-  std::vector<int64_t> cursor_;
+  std::vector<int> orphans_;  // finished vertices that have no parent yet
+  std::vector<Side> side_;
+  std::vector<int> moved_;
+  int slices_ = 0;
+  std::vector<unsigned char> key_;  // slice
+  std::array<Tally, most_slices + 1> tally_;
+  std::vector<int> queue_;
+  std::vector<float> sample_;
+  VertexCut cut_;
+  int64_t total_ = 0;  // weight of the part that is being cut
 };
 
 [[noreturn]] void refuse(int row, const char* fault) {
@@ -265,9 +278,9 @@ class Dissector {
 }  // namespace
 
 SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates) {
-  return Dissector(pattern, coordinates).run();
+  const CompressedGraph graph = compress(pattern);
+  return expand(graph, Dissector(graph, coordinates).run());
 }
-
 void check_pattern(const BlockPattern& pattern) {
   if (pattern.n < 0 || pattern.row_start.size() != static_cast<size_t>(pattern.n) + 1 ||
       pattern.row_start.front() != 0 ||

@@ -14,10 +14,9 @@ struct SeparatorTree {
   std::vector<int> node;         // every node of the mesh once
 };
 
-// Nested dissection (George 1973) of the graph of a pattern. Each part is halved at the median of
-// one coordinate, or of the distance along the graph from one of its ends, whichever cuts it more
-// cheaply; the separator is the least set of nodes that covers every cut edge (Koenig's theorem on
-// a maximum matching by Hopcroft and Karp 1973).
+// Nested dissection (George 1973) of the graph of a pattern, compressed first. Each part is cut
+// where few nodes touch the cut and the sides are about equal: across one coordinate, or across the
+// distance along the graph from one of its ends. The separator is then a least one near that cut.
 //
 // pattern: valid (see check_pattern); coordinates: 3n doubles, x y z of each node. They only guide
 // the cuts: nodes may coincide, and the order stays usable when all of them do.
