@@ -1,0 +1,33 @@
+#include "line_kernels.hpp"
+
+// Windows is left out: GCC there misaligns 32-byte spills to the stack (GCC bug 54412).
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(_WIN32)
+
+#include <immintrin.h>
+
+// After every other header, so that only the kernels of this file use these instructions.
+#pragma GCC target("avx2,fma")
+
+namespace codend {
+
+namespace {
+
+constexpr int lanes = 4;
+
+#include "line_kernels.inl"
+
+Pack root(Pack x) { return _mm256_sqrt_pd(x); }
+
+}  // namespace
+
+const LineKernels* avx2_line_kernels() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernels : nullptr;
+}
+
+}  // namespace codend
+
+#else
+
+const codend::LineKernels* codend::avx2_line_kernels() { return nullptr; }
+
+#endif
