@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "geometry.hpp"
-
 namespace codend {
 
 struct BlockSink {
@@ -17,20 +15,26 @@ struct BlockSink {
   const double* list_weight;
   double* values;                   // 9 per block, row-major
 
-  // a and b are places in the element's own list of points.
-  void add(std::int64_t element, int a, int b, const Matrix& block) const {
+  // a and b are places in the element's own list of points; block(i, j) gives its numbers.
+  template <class Block>
+  void add(std::int64_t element, int a, int b, const Block& block) const {
     const std::int64_t s = slot[(element * width + a) * width + b];
     if (s >= 0) {
-      place(s) += block;
+      add_scaled(s, 1.0, block);
     } else if (s <= -2) {
       for (std::int64_t k = list_start[-2 - s]; k < list_start[-1 - s]; ++k) {
-        place(list_block[k]) += list_weight[k] * block;
+        add_scaled(list_block[k], list_weight[k], block);
       }
     }
   }
 
  private:
-  Eigen::Map<Block> place(std::int64_t block) const { return Eigen::Map<Block>(values + 9 * block); }
+  template <class Block>
+  void add_scaled(std::int64_t place, double weight, const Block& block) const {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) values[9 * place + 3 * i + j] += weight * block(i, j);
+    }
+  }
 };
 
 }  // namespace codend

@@ -31,4 +31,14 @@ void Bars::add_force(const LineArrays& lines, const double* tension, double* for
   }
 }
 
+void Bars::add_added_mass(const LineArrays& lines, double* mass) const {
+  for (int b = 0; b < count(); ++b) {
+    const Block share = added_mass(lines, b);
+    for (int k = 0; k < 2; ++k) {
+      const std::ptrdiff_t point = node[2 * static_cast<std::size_t>(b) + k];
+      Eigen::Map<Block>(mass + 9 * point) += share;
+    }
+  }
+}
+
 }  // namespace codend

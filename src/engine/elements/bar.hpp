@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "line.hpp"
-#include "line_kernels.hpp"
 
 namespace codend {
 
@@ -29,6 +28,8 @@ class Bars {
   void vectors(const double* x, int begin, int end, double* const e[3]) const;
   // Adds drag, and pull by given tensions of one line each (N), to the points of all bars.
   void add_force(const LineArrays& lines, const double* tension, double* force) const;
+  // Adds added mass (kg, 9 per point) to the points of all bars.
+  void add_added_mass(const LineArrays& lines, double* mass) const;
 };
 
 }  // namespace codend

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../geometry.hpp"
+#include "line_kernels.hpp"
 #include "twine.hpp"
 
 namespace codend {
@@ -22,5 +23,14 @@ struct Line {
     return e;
   }
 };
+
+// Added mass of a line, a point's share, kg.
+inline Block added_mass(const LineArrays& lines, int line) {
+  const Vector t =
+      lines.inverse_length[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);
+  Block mass = (lines.added_tangential[line] - lines.added_normal[line]) * (t * t.transpose());
+  mass.diagonal().array() += lines.added_normal[line];
+  return mass;
+}
 
 }  // namespace codend

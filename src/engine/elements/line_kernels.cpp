@@ -23,6 +23,13 @@ Pack root(Pack x) {
 }
 #endif
 
+void store_across(Pack a, Pack b, Pack c, Pack d, double* out, int step) {
+  store(out, Pack{a[0], b[0]});
+  store(out + 2, Pack{c[0], d[0]});
+  store(out + step, Pack{a[1], b[1]});
+  store(out + step + 2, Pack{c[1], d[1]});
+}
+
 }  // namespace
 
 const LineKernels& portable_line_kernels() { return kernels; }

@@ -16,6 +16,7 @@ struct LineArrays {
   double* stiffness;     // EA, N
   double* multiplicity;
   double* drag_weight;   // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
+  double *added_normal, *added_tangential;  // added mass, a point's share, kg
   double *normal, *tangential, *skin;  // C_n, C_t, C_f
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
@@ -48,6 +49,8 @@ struct LineRequest {
 
 // The inner loops, compiled once per set of processor instructions.
 struct LineKernels {
+  // From U all else of the flow but its slope, for lines [begin, end).
+  void (*flow)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
   // From e and the flow all that follows from them, for lines [begin, end).
   void (*evaluate)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
   // Changes of strain, to first order, when the vectors of lines [begin, end) change by change[.];

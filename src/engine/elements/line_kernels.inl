@@ -1,36 +1,41 @@
 // Bodies of the line kernels: not a header of its own. Each line_kernels*.cpp includes it once,
 // inside an unnamed namespace that defines `lanes`, the doubles in one register of its processor,
-// and root() after it. Nothing here may use std:: or a function of another header: the linker could
+// and after it root() and store_across(). Nothing here may use std:: or a function of another header: the linker could
 // then hand a copy compiled for AVX2 to a processor without it.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
 using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
 inline Pack root(Pack x);
+// out[step * l ..] = {a[l], b[l], c[l], d[l]}
+inline void store_across(Pack a, Pack b, Pack c, Pack d, double* out, int step);
 
-inline Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
-inline void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
+// Packs passed through memory would cost more than the arithmetic.
+#define INLINE inline __attribute__((always_inline))
+
+INLINE Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
+INLINE void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
 
 // Of an array that ends after `left` numbers; what is beyond reads as zero.
-inline Pack load_before_end(const double* p, std::int64_t left) {
+INLINE Pack load_before_end(const double* p, std::int64_t left) {
   if (left >= lanes) return load(p);
   Pack x = {};
   for (int l = 0; l < left; ++l) x[l] = p[l];
   return x;
 }
 
-inline Pack size(Pack x) { return x < 0.0 ? -x : x; }
-inline Pack inverse_or_zero(Pack x) { return x > 0.0 ? 1.0 / x : Pack{}; }
+INLINE Pack size(Pack x) { return x < 0.0 ? -x : x; }
+INLINE Pack inverse_or_zero(Pack x) { return x > 0.0 ? 1.0 / x : Pack{}; }
 
 // One vector per lane.
 struct Triple {
   Pack x, y, z;
 };
-inline Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Triple operator-(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Triple operator*(Pack k, Triple a) { return {k * a.x, k * a.y, k * a.z}; }
-inline Pack dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Triple load(const double* const p[3], std::int64_t i) {
+INLINE Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+INLINE Triple operator-(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+INLINE Triple operator*(Pack k, Triple a) { return {k * a.x, k * a.y, k * a.z}; }
+INLINE Pack dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+INLINE Triple load(const double* const p[3], std::int64_t i) {
   return {load(p[0] + i), load(p[1] + i), load(p[2] + i)};
 }
 
@@ -38,43 +43,97 @@ inline Triple load(const double* const p[3], std::int64_t i) {
 struct Tensor {
   Triple x, y, z;
 };
-inline Tensor operator+(const Tensor& a, const Tensor& b) {
+INLINE Tensor operator+(const Tensor& a, const Tensor& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-inline Tensor operator-(const Tensor& a, const Tensor& b) {
+INLINE Tensor operator-(const Tensor& a, const Tensor& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-inline Tensor operator*(Pack k, const Tensor& a) { return {k * a.x, k * a.y, k * a.z}; }
-inline Tensor outer(Triple a, Triple b) { return {a.x * b, a.y * b, a.z * b}; }
+INLINE Tensor operator*(Pack k, const Tensor& a) { return {k * a.x, k * a.y, k * a.z}; }
+INLINE Tensor outer(Triple a, Triple b) { return {a.x * b, a.y * b, a.z * b}; }
 // k I + a
-inline Tensor add_diagonal(Pack k, Tensor a) {
+INLINE Tensor add_diagonal(Pack k, Tensor a) {
   a.x.x += k;
   a.y.y += k;
   a.z.z += k;
   return a;
 }
-inline void store(double* p, const Tensor& a) {
-  store(p, a.x.x);
-  store(p + lanes, a.x.y);
-  store(p + 2 * lanes, a.x.z);
-  store(p + 3 * lanes, a.y.x);
-  store(p + 4 * lanes, a.y.y);
-  store(p + 5 * lanes, a.y.z);
-  store(p + 6 * lanes, a.z.x);
-  store(p + 7 * lanes, a.z.y);
-  store(p + 8 * lanes, a.z.z);
+// Numbers from one block to the next among those of all lanes: whole registers.
+constexpr int block_step = 12;
+
+// The matrix of lane l at p[block_step * l ..], row-major.
+INLINE void store(double* p, const Tensor& a) {
+  store_across(a.x.x, a.x.y, a.x.z, a.y.x, p, block_step);
+  store_across(a.y.y, a.y.z, a.z.x, a.z.y, p + 4, block_step);
+  double last[lanes];
+  store(last, a.z.z);
+  for (int l = 0; l < lanes; ++l) p[block_step * l + 8] = last[l];
 }
 
-// Drag of straight lines over their weight, by_u U + by_t t with t the unit vector along them, and
-// the coefficients of cylinder_law.hpp in it.
+// As CylinderCoefficients.
+struct Coefficients {
+  Pack a, a_n, b, b_n, b_t, c;
+};
+
+INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q_n, Pack q_t) {
+  Coefficients k;
+  k.a_n = load(lines.normal + i);
+  k.a = k.a_n * q_n;
+  k.b_t = load(lines.tangential + i);
+  k.b = k.b_t * q_t;
+  k.b_n = Pack{};
+  k.c = load(lines.skin + i);
+  if (lines.speed_law) {
+    // By way of memory, so that registers hold the packs where no line has such a law.
+    double q[2][lanes], out[5][lanes];
+    store(q[0], q_n);
+    store(q[1], q_t);
+    store(out[0], k.a);
+    store(out[1], k.a_n);
+    store(out[2], k.b);
+    store(out[3], k.b_n);
+    store(out[4], k.b_t);
+    for (int l = 0; l < lanes; ++l) {
+      if (!lines.speed_law[i + l]) continue;
+      double found[5];
+      speed_coefficients(*lines.speed_law[i + l], q[0][l], q[1][l], lines.viscosity, found);
+      for (int c = 0; c < 5; ++c) out[c][l] = found[c];
+    }
+    k.a = load(out[0]);
+    k.a_n = load(out[1]);
+    k.b = load(out[2]);
+    k.b_n = load(out[3]);
+    k.b_t = load(out[4]);
+  }
+  return k;
+}
+
+void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
+  // Means over all directions of a line: of sin^3 of its angle to the flow, and of |cos|^3.
+  constexpr double mean_normal = 3.0 * 3.14159265358979323846 / 16.0, mean_tangential = 0.25;
+  for (std::int64_t i = begin; i < end; i += lanes) {
+    const Triple u = load(lines.u, i);
+    const Pack speed = root(dot(u, u));
+    const Coefficients k = coefficients(lines, i, speed, speed);
+    const Pack weight = load(lines.drag_weight + i);
+    store(lines.speed + i, speed);
+    store(lines.loose + i,
+          weight * (mean_normal * k.a + mean_tangential * k.b + k.c * speed));
+    store(lines.loose_slope + i,
+          weight * (mean_normal * k.a_n + mean_tangential * (k.b_n + k.b_t) + k.c));
+    store(lines.drag_scale + i, weight * (k.a + k.c * speed));
+  }
+}
+
+// Drag of straight lines over their weight, by_u U + by_t t with t the unit vector along them.
 struct StraightDrag {
   Triple u, t, across;         // across: U_n
   Pack speed, along, q_n;      // along: U.t
-  Pack a, a_n, b, b_n, b_t, c;
+  Coefficients k;
   Pack by_u, by_t;
 };
 
-inline StraightDrag straight_drag(const LineArrays& lines, std::int64_t i, Triple e,
+INLINE StraightDrag straight_drag(const LineArrays& lines, std::int64_t i, Triple e,
                                   Pack inverse_length) {
   StraightDrag s;
   s.u = load(lines.u, i);
@@ -83,32 +142,14 @@ inline StraightDrag straight_drag(const LineArrays& lines, std::int64_t i, Tripl
   s.along = dot(s.u, s.t);
   s.across = s.u - s.along * s.t;
   s.q_n = root(dot(s.across, s.across));
-  const Pack q_t = size(s.along);
-  s.a_n = load(lines.normal + i);
-  s.a = s.a_n * s.q_n;
-  s.b_t = load(lines.tangential + i);
-  s.b = s.b_t * q_t;
-  s.b_n = Pack{};
-  s.c = load(lines.skin + i);
-  if (lines.speed_law) {
-    for (int l = 0; l < lanes; ++l) {
-      if (!lines.speed_law[i + l]) continue;
-      double k[5];
-      speed_coefficients(*lines.speed_law[i + l], s.q_n[l], q_t[l], lines.viscosity, k);
-      s.a[l] = k[0];
-      s.a_n[l] = k[1];
-      s.b[l] = k[2];
-      s.b_n[l] = k[3];
-      s.b_t[l] = k[4];
-    }
-  }
-  s.by_u = s.a + s.c * s.speed;
-  s.by_t = (s.b - s.a) * s.along;
+  s.k = coefficients(lines, i, s.q_n, size(s.along));
+  s.by_u = s.k.a + s.k.c * s.speed;
+  s.by_t = (s.k.b - s.k.a) * s.along;
   return s;
 }
 
 // The share of a line's drag that is taken as straight.
-inline Pack straight_share(const LineArrays& lines, Pack strain) {
+INLINE Pack straight_share(const LineArrays& lines, Pack strain) {
   const Pack one = Pack{} + 1.0;
   return lines.curved ? (strain < 0.0 ? one + strain : one) : one;
 }
@@ -169,7 +210,7 @@ struct LineSlopes {
 };
 
 template <bool with_everywhere>
-inline LineSlopes line_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t i,
+INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t i,
                               double point_share) {
   const Triple e = load(lines.e, i);
   const Pack inverse_length = load(lines.inverse_length + i);
@@ -191,9 +232,9 @@ inline LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack share = straight_share(lines, strain);
   const Pack inverse_q_n = inverse_or_zero(s.q_n);
   const Pack fall = s.along * inverse_q_n;
-  const Pack u_slope = -s.a_n * fall;
+  const Pack u_slope = -s.k.a_n * fall;
   const Pack t_slope =
-      (s.b - s.a) + s.along * fall * (s.a_n - s.b_n) + s.b_t * size(s.along);
+      (s.k.b - s.k.a) + s.along * fall * (s.k.a_n - s.k.b_n) + s.k.b_t * size(s.along);
   const Pack turning = request.stiffness * share * weight * inverse_length;
   const Pack aside = turning * s.by_t;
   Triple along_t = (-aside) * s.t;
@@ -210,10 +251,10 @@ inline LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
     const Pack inverse_speed = inverse_or_zero(s.speed);
     const Pack by_identity = straight * s.by_u + curled * load(lines.loose + i);
     const Pack by_flow =
-        inverse_speed * (straight * s.c + curled * load(lines.loose_slope + i));
-    const Pack by_axis = straight * (s.b + s.b_t * size(s.along) - s.a);
+        inverse_speed * (straight * s.k.c + curled * load(lines.loose_slope + i));
+    const Pack by_axis = straight * (s.k.b + s.k.b_t * size(s.along) - s.k.a);
     const Triple by_across =
-        (straight * inverse_q_n) * (s.a_n * s.across + (s.b_n * s.along) * s.t);
+        (straight * inverse_q_n) * (s.k.a_n * s.across + (s.k.b_n * s.along) * s.t);
     const Tensor by_velocity =
         add_diagonal(by_identity, outer(by_flow * s.u, s.u) + outer(by_axis * s.t, s.t) +
                                       outer(by_across, s.across));
@@ -230,18 +271,21 @@ inline LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   return out;
 }
 
-// Adds lane `lane` of a block stored by store(), times k.
-inline void add_block(double* values, const double* block, int lane, double k) {
-  for (int c = 0; c < 9; ++c) values[c] += k * block[c * lanes + lane];
+// values += k * block, 9 each
+INLINE void add_scaled(double* values, double k, const double* block) {
+  store(values, load(values) + k * load(block));
+  if (lanes == 2) store(values + 2, load(values + 2) + k * load(block + 2));
+  store(values + 4, load(values + 4) + k * load(block + 4));
+  if (lanes == 2) store(values + 6, load(values + 6) + k * load(block + 6));
+  values[8] += k * block[8];
 }
 
-inline void add_block(const BlockSink& sink, std::int64_t slot, const double* block, int lane,
-                      double k) {
+INLINE void add_block(const BlockSink& sink, std::int64_t slot, const double* block) {
   if (slot >= 0) {
-    add_block(sink.values + 9 * slot, block, lane, k);
+    add_scaled(sink.values + 9 * slot, 1.0, block);
   } else if (slot <= -2) {
     for (std::int64_t j = sink.list_start[-2 - slot]; j < sink.list_start[-1 - slot]; ++j)
-      add_block(sink.values + 9 * sink.list_block[j], block, lane, k * sink.list_weight[j]);
+      add_scaled(sink.values + 9 * sink.list_block[j], sink.list_weight[j], block);
   }
 }
 
@@ -249,7 +293,7 @@ template <bool with_everywhere>
 void add_bars(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
               const BlockSink& sink) {
   // a = (-1, 1): without `everywhere` the second column is minus the first.
-  alignas(64) double block[4][9 * lanes];
+  alignas(64) double block[4][block_step * lanes];
   for (std::int64_t i = 0; i < bars; i += lanes) {
     const LineSlopes s = line_slopes<with_everywhere>(lines, request, i, 0.5);
     const Tensor first = s.pull + s.turn, second = s.pull - s.turn;
@@ -268,7 +312,7 @@ void add_bars(const LineArrays& lines, const LineRequest& request, std::int64_t 
     const int here = bars - i < lanes ? static_cast<int>(bars - i) : lanes;
     for (int l = 0; l < here; ++l) {
       const std::int64_t* slot = sink.slot + 4 * (i + l);
-      for (int k = 0; k < 4; ++k) add_block(sink, slot[k], block[k], l, 1.0);
+      for (int k = 0; k < 4; ++k) add_block(sink, slot[k], block[k] + block_step * l);
     }
   }
 }
@@ -284,7 +328,7 @@ void add_bar_blocks(const LineArrays& lines, const LineRequest& request, std::in
 template <bool with_everywhere>
 void add_triangles(const LineArrays& lines, const LineRequest& request, std::int64_t first,
                    std::int64_t triangles, const double* const shape[6], const BlockSink& sink) {
-  alignas(64) double block[9][9 * lanes];
+  alignas(64) double block[9][block_step * lanes];
   for (std::int64_t i = 0; i < triangles; i += lanes) {
     const LineSlopes u = line_slopes<with_everywhere>(lines, request, first + i, 1.0 / 3.0);
     const LineSlopes v =
@@ -301,7 +345,7 @@ void add_triangles(const LineArrays& lines, const LineRequest& request, std::int
     const int here = triangles - i < lanes ? static_cast<int>(triangles - i) : lanes;
     for (int l = 0; l < here; ++l) {
       const std::int64_t* slot = sink.slot + 9 * (i + l);
-      for (int k = 0; k < 9; ++k) add_block(sink, slot[k], block[k], l, 1.0);
+      for (int k = 0; k < 9; ++k) add_block(sink, slot[k], block[k] + block_step * l);
     }
   }
 }
@@ -315,4 +359,6 @@ void add_triangle_blocks(const LineArrays& lines, const LineRequest& request, st
     add_triangles<false>(lines, request, first, triangles, shape, sink);
 }
 
-constexpr LineKernels kernels{evaluate, change, add_bar_blocks, add_triangle_blocks};
+#undef INLINE
+
+constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_triangle_blocks};

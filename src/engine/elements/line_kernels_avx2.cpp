@@ -18,6 +18,15 @@ constexpr int lanes = 4;
 
 Pack root(Pack x) { return _mm256_sqrt_pd(x); }
 
+void store_across(Pack a, Pack b, Pack c, Pack d, double* out, int step) {
+  const Pack ab_even = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
+  const Pack cd_even = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
+  store(out, _mm256_permute2f128_pd(ab_even, cd_even, 0x20));
+  store(out + step, _mm256_permute2f128_pd(ab_odd, cd_odd, 0x20));
+  store(out + 2 * step, _mm256_permute2f128_pd(ab_even, cd_even, 0x31));
+  store(out + 3 * step, _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31));
+}
+
 }  // namespace
 
 const LineKernels* avx2_line_kernels() {

@@ -18,25 +18,24 @@ std::size_t column_length(int lines) {
 }  // namespace
 
 Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water,
-             SlackDrag slack)
+             SlackDrag slack, const LineKernels& kernels)
     : bars_(bars),
       triangles_(triangles),
       water_(water),
       count_(bars.count() + 2 * triangles.count()),
-      material_(count_) {
+      kernels_(kernels) {
   LineArrays& a = arrays_;
   const bool layered = !water.uniform();
   std::vector<double**> columns{
-      &a.inverse_rest, &a.stiffness, &a.multiplicity,   &a.drag_weight, &a.normal,
-      &a.tangential,   &a.skin,      &a.u[0],           &a.u[1],        &a.u[2],
-      &a.speed,        &a.loose,     &a.loose_slope,    &a.drag_scale,  &a.e[0],
-      &a.e[1],         &a.e[2],      &a.inverse_length, &a.strain,      &a.tension,
-      &a.drag[0],      &a.drag[1],   &a.drag[2]};
+      &a.inverse_rest, &a.stiffness,  &a.multiplicity,   &a.drag_weight, &a.added_normal,
+      &a.added_tangential, &a.normal, &a.tangential,     &a.skin,        &a.u[0],
+      &a.u[1],         &a.u[2],       &a.speed,          &a.loose,       &a.loose_slope,
+      &a.drag_scale,   &a.e[0],       &a.e[1],           &a.e[2],        &a.inverse_length,
+      &a.strain,       &a.tension,    &a.drag[0],        &a.drag[1],     &a.drag[2]};
   if (layered) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
   for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
-  speed_law_.assign(length, nullptr);
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
@@ -50,44 +49,38 @@ template <int N>
 void Lines::describe(const Line<N>& line) {
   const TwineMaterial& m = *line.material;
   const std::size_t k = static_cast<std::size_t>(line.index);
-  material_[k] = &m;
   arrays_.inverse_rest[k] = 1.0 / line.rest;
   arrays_.stiffness[k] = m.axial_stiffness;
   arrays_.multiplicity[k] = line.multiplicity;
   arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
+  const double water =
+      water_.density * m.volume_per_length * line.rest * line.multiplicity / N;
+  arrays_.added_normal[k] = m.added_mass_normal * water;
+  arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential;
     arrays_.skin[k] = m.law.skin;
   } else {
+    speed_law_.resize(column_length(count_));
     speed_law_[k] = &m;
     arrays_.speed_law = speed_law_.data();
   }
 }
 
 template <int N>
-void Lines::set_flow(const Field& field, const int* node, std::size_t line) {
+void Lines::set_velocity(const Field& field, const int* node, std::size_t line) {
+  Vector u = Vector::Zero();
   double z = 0.0;
-  Vector v = Vector::Zero();
   for (int k = 0; k < N; ++k) {
-    z += at(field.position, node[k]).z() / N;
-    v += at(field.velocity, node[k]) / N;
+    u -= at(field.velocity, node[k]);
+    z += at(field.position, node[k]).z();
   }
-  Vector u, slope;
-  water_.velocity(z, u, slope);
-  u -= v;
-  const double speed = u.norm();
-  const TwineMaterial& m = *material_[line];
-  const CylinderCoefficients k =
-      cylinder_coefficients(m.law, speed, speed, m.diameter, water_.viscosity);
-  const double weight = arrays_.drag_weight[line];
-  // The mean of sin^3 over all directions, of which U_n has 2/3 |U| U at right angles.
-  constexpr double mean_sin3 = 3.0 * 3.14159265358979323846 / 16.0;
+  u *= 1.0 / N;
+  Vector current, slope;
+  water_.velocity(z * (1.0 / N), current, slope);
+  u += current;
   for (int c = 0; c < 3; ++c) arrays_.u[c][line] = u[c];
-  arrays_.speed[line] = speed;
-  arrays_.loose[line] = weight * (mean_sin3 * k.a + 0.25 * k.b + k.c * speed);
-  arrays_.loose_slope[line] = weight * (mean_sin3 * k.a_n + 0.25 * (k.b_n + k.b_t) + k.c);
-  arrays_.drag_scale[line] = weight * (k.a + k.c * speed);
   if (arrays_.slope[0]) {
     for (int c = 0; c < 3; ++c) arrays_.slope[c][line] = slope[c];
   }
@@ -95,12 +88,13 @@ void Lines::set_flow(const Field& field, const int* node, std::size_t line) {
 
 void Lines::set_flow(const Field& field) {
   const std::size_t bars = static_cast<std::size_t>(bars_.count());
-  for (std::size_t b = 0; b < bars; ++b) set_flow<2>(field, &bars_.node[2 * b], b);
+  for (std::size_t b = 0; b < bars; ++b) set_velocity<2>(field, &bars_.node[2 * b], b);
   const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
   for (std::size_t e = 0; e < triangles; ++e) {
-    set_flow<3>(field, &triangles_.node[3 * e], bars + e);
-    set_flow<3>(field, &triangles_.node[3 * e], bars + triangles + e);
+    set_velocity<3>(field, &triangles_.node[3 * e], bars + e);
+    set_velocity<3>(field, &triangles_.node[3 * e], bars + triangles + e);
   }
+  kernels_.flow(arrays_, 0, count_);
 }
 
 template <class Visit>
@@ -142,24 +136,8 @@ void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
 }
 
 void Lines::add_added_mass(double* mass) const {
-  auto add = [&](const auto& line, const int points) {
-    const std::size_t k = static_cast<std::size_t>(line.index);
-    const TwineMaterial& m = *line.material;
-    const double water =
-        water_.density * m.volume_per_length * line.rest * line.multiplicity / points;
-    const Vector t = arrays_.inverse_length[k] *
-                     Vector(arrays_.e[0][k], arrays_.e[1][k], arrays_.e[2][k]);
-    Matrix share = (m.added_mass_tangential - m.added_mass_normal) * water * (t * t.transpose());
-    share.diagonal().array() += m.added_mass_normal * water;
-    for (int n = 0; n < points; ++n) {
-      Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(line.nodes[n])) += share;
-    }
-  };
-  for (int b = 0; b < bars_.count(); ++b) add(bars_.line(b), 2);
-  for (int e = 0; e < triangles_.count(); ++e) {
-    add(triangles_.u_line(e), 3);
-    add(triangles_.v_line(e), 3);
-  }
+  bars_.add_added_mass(arrays_, mass);
+  triangles_.add_added_mass(arrays_, mass);
 }
 
 void Lines::add_drag_scale(double* scale) const {

@@ -15,7 +15,8 @@ namespace codend {
 class Lines {
  public:
   // What is passed must outlive this and not change.
-  Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water, SlackDrag slack);
+  Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water, SlackDrag slack,
+        const LineKernels& kernels = line_kernels());
   Lines(const Lines&) = delete;
 
   int count() const { return count_; }
@@ -45,7 +46,7 @@ class Lines {
   template <int N>
   void describe(const Line<N>& line);
   template <int N>
-  void set_flow(const Field& field, const int* node, std::size_t line);
+  void set_velocity(const Field& field, const int* node, std::size_t line);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);
@@ -55,9 +56,9 @@ class Lines {
   const Water& water_;
   int count_;
   std::vector<double> numbers_;
-  std::vector<const TwineMaterial*> material_, speed_law_;
+  std::vector<const TwineMaterial*> speed_law_;
   LineArrays arrays_{};
-  const LineKernels& kernels_ = line_kernels();
+  const LineKernels& kernels_;
 };
 
 }  // namespace codend

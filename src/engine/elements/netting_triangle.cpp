@@ -59,4 +59,15 @@ void NettingTriangles::add_force(const LineArrays& lines, const double* tension,
   }
 }
 
+void NettingTriangles::add_added_mass(const LineArrays& lines, double* mass) const {
+  for (int e = 0; e < count(); ++e) {
+    const int u = first_line + e, v = u + count();
+    const Block share = added_mass(lines, u) + added_mass(lines, v);
+    for (int k = 0; k < 3; ++k) {
+      const std::ptrdiff_t point = node[3 * static_cast<std::size_t>(e) + k];
+      Eigen::Map<Block>(mass + 9 * point) += share;
+    }
+  }
+}
+
 }  // namespace codend

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "line.hpp"
-#include "line_kernels.hpp"
 
 namespace codend {
 
@@ -39,6 +38,8 @@ class NettingTriangles {
   void vectors(const double* x, int begin, int end, double* const u[3], double* const v[3]) const;
   // Adds drag, and pull by given tensions of one line each (N), to the points of all triangles.
   void add_force(const LineArrays& lines, const double* tension, double* force) const;
+  // Adds added mass (kg, 9 per point) to the points of all triangles.
+  void add_added_mass(const LineArrays& lines, double* mass) const;
 
  private:
   Line<3> family(int triangle, int which) const {
