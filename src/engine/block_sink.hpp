@@ -7,13 +7,14 @@
 namespace codend {
 
 struct BlockSink {
-  int width;                        // points per element
-  const std::int64_t* slot;         // width x width per element: a block >= 0; -1: nowhere, for a
-                                    // held node; -2 - k: list k of weighted blocks, for a tied point
-  const std::int64_t* list_start;   // list k is [list_start[k], list_start[k + 1])
+  int width;  // points per element
+  // width x width per element. A block >= 0; -1: nowhere, for a held node; -2 - k: the blocks of
+  // list k by their weights, for a tied point.
+  const std::int64_t* slot;
+  const std::int64_t* list_start;  // list k is [list_start[k], list_start[k + 1])
   const std::int64_t* list_block;
   const double* list_weight;
-  double* values;                   // 9 per block, row-major
+  double* values;  // 9 per block, row-major
 
   // a and b are places in the element's own list of points; block(i, j) gives its numbers.
   template <class Block>

@@ -1,7 +1,7 @@
 // Bodies of the line kernels: not a header of its own. Each line_kernels*.cpp includes it once,
 // inside an unnamed namespace that defines `lanes`, the doubles in one register of its processor,
-// and after it root() and store_across(). Nothing here may use std:: or a function of another header: the linker could
-// then hand a copy compiled for AVX2 to a processor without it.
+// and after it root() and store_across(). Nothing here may use std:: or an inline function of
+// another header: the linker could then hand a copy compiled for AVX2 to a processor without it.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
 using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
@@ -58,6 +58,7 @@ INLINE Tensor add_diagonal(Pack k, Tensor a) {
   a.z.z += k;
   return a;
 }
+
 // Numbers from one block to the next among those of all lanes: whole registers.
 constexpr int block_step = 12;
 

@@ -27,11 +27,11 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& w
   LineArrays& a = arrays_;
   const bool layered = !water.uniform();
   std::vector<double**> columns{
-      &a.inverse_rest, &a.stiffness,  &a.multiplicity,   &a.drag_weight, &a.added_normal,
-      &a.added_tangential, &a.normal, &a.tangential,     &a.skin,        &a.u[0],
-      &a.u[1],         &a.u[2],       &a.speed,          &a.loose,       &a.loose_slope,
-      &a.drag_scale,   &a.e[0],       &a.e[1],           &a.e[2],        &a.inverse_length,
-      &a.strain,       &a.tension,    &a.drag[0],        &a.drag[1],     &a.drag[2]};
+      &a.inverse_rest, &a.stiffness, &a.multiplicity, &a.drag_weight, &a.added_normal,
+      &a.added_tangential, &a.normal, &a.tangential, &a.skin,
+      &a.u[0], &a.u[1], &a.u[2], &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
+      &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
+      &a.drag[0], &a.drag[1], &a.drag[2]};
   if (layered) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
