@@ -1,136 +1,31 @@
 #include "assembly.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace codend {
-namespace {
-
-// A point as weighted unknowns: itself, or the free ones among the two nodes that it is tied to.
-struct Share {
-  int unknown;
-  double weight;
-};
-
-void shares_of(const Model& model, const std::vector<int>& unknown, int point,
-               std::vector<Share>& out) {
-  out.clear();
-  if (point < model.nodes) {
-    if (unknown[point] >= 0) out.push_back({unknown[point], 1.0});
-    return;
-  }
-  const Tie& tie = model.ties[point - model.nodes];
-  if (unknown[tie.first] >= 0) out.push_back({unknown[tie.first], 1.0 - tie.share});
-  if (unknown[tie.second] >= 0) out.push_back({unknown[tie.second], tie.share});
-}
-
-}  // namespace
-
-// Sends the blocks of one kind to their places. A slot >= 0 is a block; -1 goes nowhere (a held
-// node); -2 - k is the k-th list of weighted blocks (a tied point).
-class Assembly::Sink : public BlockSink {
- public:
-  Sink(const Model& model, const std::vector<int>& unknown, const BlockPattern& pattern,
-       const ElementKind& kind)
-      : width_(kind.nodes_per_element()) {
-    const std::vector<int>& nodes = kind.nodes();
-    const std::size_t elements = nodes.size() / width_;
-    slots_.reserve(elements * width_ * width_);
-    std::vector<Share> rows, columns;
-    for (std::size_t e = 0; e < elements; ++e) {
-      for (int a = 0; a < width_; ++a) {
-        shares_of(model, unknown, nodes[e * width_ + a], rows);
-        for (int b = 0; b < width_; ++b) {
-          shares_of(model, unknown, nodes[e * width_ + b], columns);
-          if (rows.empty() || columns.empty()) {
-            slots_.push_back(-1);
-          } else if (rows.size() == 1 && columns.size() == 1 && rows[0].weight == 1.0 &&
-                     columns[0].weight == 1.0) {
-            slots_.push_back(static_cast<int>(
-                find_block(pattern, rows[0].unknown, columns[0].unknown)));
-          } else {
-            slots_.push_back(-2 - static_cast<int>(list_start_.size()));
-            list_start_.push_back(weighted_.size());
-            for (const Share& r : rows) {
-              for (const Share& c : columns) {
-                weighted_.push_back({static_cast<int>(find_block(pattern, r.unknown, c.unknown)),
-                                     r.weight * c.weight});
-              }
-            }
-          }
-        }
-      }
-    }
-    list_start_.push_back(weighted_.size());
-  }
-
-  void into(double* values) { values_ = values; }
-
-  void add(int element, int a, int b, const Matrix& block) override {
-    const int slot = slots_[(static_cast<std::size_t>(element) * width_ + a) * width_ + b];
-    if (slot >= 0) {
-      place(slot) += block;
-    } else if (slot <= -2) {
-      const std::size_t list = static_cast<std::size_t>(-2 - slot);
-      for (std::size_t k = list_start_[list]; k < list_start_[list + 1]; ++k) {
-        place(weighted_[k].unknown) += weighted_[k].weight * block;
-      }
-    }
-  }
-
- private:
-  Eigen::Map<Block> place(int slot) {
-    return Eigen::Map<Block>(values_ + 9 * static_cast<std::ptrdiff_t>(slot));
-  }
-
-  int width_;
-  std::vector<int> slots_;
-  std::vector<std::size_t> list_start_;
-  std::vector<Share> weighted_;  // `unknown` is a block here
-  double* values_ = nullptr;
-};
 
 Assembly::Assembly(const Model& model)
     : model_(model),
-      unknown_(model.nodes, -1),
-      position_(3 * model.points()),
-      velocity_(3 * model.points()),
-      force_(3 * model.points()),
-      change_(3 * model.points()),
-      masses_(9 * static_cast<std::size_t>(model.points())),
-      scale_(model.points()) {
-  for (int n = 0; n < model.nodes; ++n) {
-    if (model.held[n]) continue;
-    unknown_[n] = static_cast<int>(free_.size());
-    free_.push_back(n);
+      kinds_(model.kinds()),
+      free_(model),
+      lines_(model.bars, model.triangles, model.water, model.slack),
+      position_(3 * static_cast<std::size_t>(model.points())),
+      velocity_(position_.size()),
+      load_(position_.size()),
+      force_(position_.size()),
+      moved_(position_.size()),
+      masses_(3 * position_.size()),
+      scale_(static_cast<std::size_t>(model.points())) {
+  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node}};
+  for (const ElementKind* kind : kinds_) {
+    elements.push_back({kind->nodes_per_element(), kind->nodes()});
   }
-  const int n = unknowns();
-  std::vector<std::vector<int>> neighbours(n);
-  std::vector<Share> rows, columns;
-  for (const ElementKind* kind : model.kinds()) {
-    const int width = kind->nodes_per_element();
-    const std::vector<int>& nodes = kind->nodes();
-    for (std::size_t e = 0; e + width <= nodes.size(); e += width) {
-      for (int a = 0; a < width; ++a) {
-        shares_of(model, unknown_, nodes[e + a], rows);
-        for (int b = 0; b < width; ++b) {
-          shares_of(model, unknown_, nodes[e + b], columns);
-          for (const Share& r : rows) {
-            for (const Share& c : columns) neighbours[r.unknown].push_back(c.unknown);
-          }
-        }
-      }
-    }
-  }
-  pattern_ = block_pattern(std::move(neighbours));
-  for (int i = 0; i < n; ++i) diagonal_.push_back(find_block(pattern_, i, i));
-  for (const ElementKind* kind : model.kinds()) {
-    sinks_.push_back(std::make_unique<Sink>(model, unknown_, pattern_, *kind));
-  }
+  pattern_ = pattern_of(free_, elements);
+  for (const ElementPoints& kind : elements) places_.emplace_back(free_, pattern_, kind);
+  diagonal_.reserve(free_nodes().size());
+  for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
+  change_.strain.resize(static_cast<std::size_t>(lines_.count()));
 }
-
-Assembly::~Assembly() = default;
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
   std::copy(nodes, nodes + 3 * static_cast<std::ptrdiff_t>(model_.nodes), points.begin());
@@ -154,34 +49,36 @@ void Assembly::hand_on(double* values, int width) const {
   }
 }
 
-Field Assembly::field(const double* x, const double* v) {
+void Assembly::move_to(const double* x, const double* v) {
+  const std::ptrdiff_t size = 3 * static_cast<std::ptrdiff_t>(model_.nodes);
+  const bool same_flow =
+      flow_known_ && model_.water.uniform() && std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
-  spread(v, velocity_);
-  return {position_.data(), velocity_.data(), &model_.water, model_.slack};
+  if (!same_flow) {
+    spread(v, velocity_);
+    lines_.set_flow(field());
+    flow_known_ = true;
+  }
+  lines_.move_to(position_.data());
+  std::copy(model_.load.begin(), model_.load.end(), load_.begin());
+  for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
 }
 
-void Assembly::residual(const double* x, const double* v, double* force,
-                        const CarriedTension* carried) {
-  Field where = field(x, v);
-  if (carried) where.tension = carried->tension.data();
-  std::copy(model_.load.begin(), model_.load.end(), force_.begin());
-  for (const ElementKind* kind : model_.kinds()) kind->add_force(where, force_.data());
+void Assembly::residual(double* force, const CarriedTension* carried) {
+  std::copy(load_.begin(), load_.end(), force_.begin());
+  lines_.add_force(carried ? carried->tension.data() : lines().tension, force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
 }
 
-void Assembly::jacobian(const double* x, const double* v, const JacobianRequest& request,
-                        double* values, const CarriedTension* carried) {
-  Field where = field(x, v);
-  if (carried) {
-    where.tension = carried->tension.data();
-    where.modulus = carried->modulus.data();
-  }
+void Assembly::jacobian(const JacobianRequest& request, double* values,
+                        const CarriedTension* carried) const {
   std::fill(values, values + 9 * pattern_.column.size(), 0.0);
-  const std::vector<const ElementKind*> kinds = model_.kinds();
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    sinks_[k]->into(values);
-    kinds[k]->add_jacobian(where, request, *sinks_[k]);
+  lines_.add_jacobian(request, carried ? carried->tension.data() : lines().tension,
+                      carried ? carried->modulus.data() : nullptr, places_[0].into(values),
+                      places_[1].into(values));
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    kinds_[k]->add_jacobian(field(), request, places_[k + 2].into(values));
   }
 }
 
@@ -192,71 +89,44 @@ void Assembly::add_diagonal(const double* numbers, double* values) const {
   }
 }
 
-void Assembly::mass(const double* x, const double* v, double* mass) {
-  const Field where = field(x, v);
+void Assembly::mass(double* mass) {
   std::fill(masses_.begin(), masses_.end(), 0.0);
   for (int p = 0; p < model_.points(); ++p) {
     for (int k = 0; k < 3; ++k) masses_[9 * static_cast<std::size_t>(p) + 4 * k] = model_.mass[p];
   }
-  for (const ElementKind* kind : model_.kinds()) kind->add_added_mass(where, masses_.data());
+  lines_.add_added_mass(masses_.data());
+  for (const ElementKind* kind : kinds_) kind->add_added_mass(field(), masses_.data());
   hand_on(masses_.data(), 9);
   std::copy(masses_.begin(), masses_.begin() + 9 * static_cast<std::ptrdiff_t>(model_.nodes), mass);
 }
 
-void Assembly::pseudo_damping(const double* x, const double* v, double* damping) {
-  const Field where = field(x, v);
-  for (int p = 0; p < model_.points(); ++p) scale_[p] = model_.mass[p];
-  for (const ElementKind* kind : model_.kinds()) kind->add_drag_scale(where, scale_.data());
+void Assembly::pseudo_damping(double* damping) {
+  std::copy(model_.mass.begin(), model_.mass.end(), scale_.begin());
+  lines_.add_drag_scale(scale_.data());
+  for (const ElementKind* kind : kinds_) kind->add_drag_scale(field(), scale_.data());
   hand_on(scale_.data(), 1);
-  for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_[i]];
+  for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]];
 }
 
-double Assembly::largest_rotation(const double* dx) {
-  spread(dx, change_);
+double Assembly::largest_tension() const {
+  const bool has_bars = model_.bars.count() > 0;
+  const int lines = has_bars ? model_.bars.count() : lines_.count();
   double largest = 0.0;
-  model_.each_line([&](const auto& line) {
-    largest = std::max(largest, line.vector(change_.data()).norm() / line.rest);
-  });
-  return largest;
-}
-
-double Assembly::largest_tension(const double* x) {
-  spread(x, position_);
-  double largest = 0.0;
-  for (int b = 0; b < model_.bars.count(); ++b) {
-    const Line<2> line = model_.bars.line(b);
-    const double length = line.vector(position_.data()).norm();
-    largest = std::max(largest,
-                       line.multiplicity * twine_tension(*line.material, length, line.rest));
-  }
-  if (model_.bars.count() > 0) return largest;
-  for (int e = 0; e < model_.triangles.count(); ++e) {
-    for (const Line<3>& line : {model_.triangles.u_line(e), model_.triangles.v_line(e)}) {
-      const double length = line.vector(position_.data()).norm();
-      largest = std::max(largest, twine_tension(*line.material, length, line.rest));
-    }
+  for (int k = 0; k < lines; ++k) {
+    const double many = has_bars ? this->lines().multiplicity[k] : 1.0;
+    largest = std::max(largest, many * this->lines().tension[k]);
   }
   return largest;
 }
 
-void Assembly::strain(const double* x, std::vector<double>& values) {
-  spread(x, position_);
-  values.resize(model_.lines());
-  model_.each_line([&](const auto& line) {
-    values[line.index] = line.vector(position_.data()).norm() / line.rest - 1.0;
-  });
+void Assembly::strain(std::vector<double>& values) const {
+  values.assign(lines().strain, lines().strain + lines_.count());
 }
 
-void Assembly::strain_change(const double* x, const double* dx, std::vector<double>& values) {
-  spread(x, position_);
-  spread(dx, change_);
-  values.resize(model_.lines());
-  model_.each_line([&](const auto& line) {
-    const Vector e = line.vector(position_.data());
-    const double length = e.norm();
-    values[line.index] =
-        length > 0.0 ? e.dot(line.vector(change_.data())) / (length * line.rest) : 0.0;
-  });
+const LineChange& Assembly::line_change(const double* dx) {
+  spread(dx, moved_);
+  change_.rotation = lines_.change(moved_.data(), change_.strain.data());
+  return change_;
 }
 
 }  // namespace codend

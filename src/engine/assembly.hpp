@@ -1,11 +1,11 @@
 // Residual and Jacobian of a model in its free nodes: what a solver sees.
 #pragma once
 
-#include <memory>
 #include <vector>
 
+#include "block_places.hpp"
+#include "elements/lines.hpp"
 #include "model.hpp"
-#include "solve/block_lu.hpp"
 
 namespace codend {
 
@@ -14,61 +14,74 @@ struct CarriedTension {
   std::vector<double> tension, modulus;
 };
 
+// How lines change, to first order, when nodes move.
+struct LineChange {
+  double rotation = 0.0;       // largest change of any line's vector over its rest length
+  std::vector<double> strain;  // change of strain, per line
+};
+
 class Assembly {
  public:
   // The model must outlive the assembly and not change.
   explicit Assembly(const Model& model);
-  ~Assembly();
+  Assembly(const Assembly&) = delete;
 
   const Model& model() const { return model_; }
   // Free nodes, in the order of the unknowns.
-  const std::vector<int>& free_nodes() const { return free_; }
-  int unknowns() const { return static_cast<int>(free_.size()); }
+  const std::vector<int>& free_nodes() const { return free_.nodes(); }
+  int unknowns() const { return static_cast<int>(free_nodes().size()); }
   const BlockPattern& pattern() const { return pattern_; }
 
+  // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
+  // what all the following share, which speak of them.
+  void move_to(const double* x, const double* v);
+
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
-  // x (m), v (m/s): 3 per node, in the frame of the gear. carried: tensions that a solver carries.
-  void residual(const double* x, const double* v, double* force,
-                const CarriedTension* carried = nullptr);
+  // carried: tensions that a solver carries, instead of the law's.
+  void residual(double* force, const CarriedTension* carried = nullptr);
 
   // stiffness * (-dF/dx) + damping * (-dF/dv) on the free nodes, 9 per block of the pattern.
-  void jacobian(const double* x, const double* v, const JacobianRequest& request, double* values,
-                const CarriedTension* carried = nullptr);
+  void jacobian(const JacobianRequest& request, double* values,
+                const CarriedTension* carried = nullptr) const;
 
   // Adds a number per free node to the diagonal of its block.
   void add_diagonal(const double* numbers, double* values) const;
 
-  // Mass and added mass, 9 per node (row-major), at x.
-  void mass(const double* x, const double* v, double* mass);
+  // Mass and added mass, 9 per node (row-major).
+  void mass(double* mass);
 
   // Pseudo-time damping per free node, N s/m: drag at the present speed, or mass per second.
-  void pseudo_damping(const double* x, const double* v, double* damping);
-
-  // Positions and velocities of all points, tied ones included; valid until the next call.
-  Field field(const double* x, const double* v);
-
-  // Largest change of any line's vector over its rest length when nodes move by dx.
-  double largest_rotation(const double* dx);
+  void pseudo_damping(double* damping);
 
   // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only triangles
   // (a triangle may hold a fraction of a twine, whose tension says little).
-  double largest_tension(const double* x);
+  double largest_tension() const;
 
-  // Strain of every line at x, and its first-order change when nodes move from x by dx.
-  void strain(const double* x, std::vector<double>& values);
-  void strain_change(const double* x, const double* dx, std::vector<double>& values);
+  // Strain of every line.
+  void strain(std::vector<double>& values) const;
+
+  // How lines change when nodes move by dx (m, 3 per node); valid until the next call.
+  const LineChange& line_change(const double* dx);
+
+  // For readers: what is known of every line, and of all points, tied ones included; valid until
+  // the next move_to().
+  const LineArrays& lines() const { return lines_.arrays(); }
+  Field field() const { return {position_.data(), velocity_.data(), &model_.water}; }
 
  private:
-  class Sink;
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;
-  std::vector<int> free_;           // unknown -> node
-  std::vector<int> unknown_;        // node -> unknown, or -1
+  const std::vector<const ElementKind*> kinds_;
+  const FreePoints free_;
+  Lines lines_;
   BlockPattern pattern_;
-  std::vector<int64_t> diagonal_;   // place of every diagonal block in the pattern
-  std::vector<std::unique_ptr<Sink>> sinks_;  // one per kind
-  std::vector<double> position_, velocity_, force_, change_, masses_, scale_;
+  std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
+  std::vector<BlockPlaces> places_;     // of bars, of triangles, then one per kind
+  bool flow_known_ = false;
+  LineChange change_;
+  // Per point; load_: the model's and the forces of all kinds but lines.
+  std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };
 
 }  // namespace codend

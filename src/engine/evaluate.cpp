@@ -1,18 +1,23 @@
 #include "evaluate.hpp"
 
+#include <cmath>
+
 namespace codend {
 namespace {
 
-template <int N>
-void read_line(const Line<N>& line, const Field& field, std::vector<double>& tension,
-               std::vector<double>& length, Eigen::Map<Vector> drag) {
-  const Vector e = line.vector(field.position);
-  length.push_back(e.norm());
-  tension.push_back(twine_tension(*line.material, e.norm(), line.rest));
-  Vector u, slope;
-  line.relative_velocity(field, u, slope);
-  drag += line.multiplicity *
-          twine_drag(*line.material, *field.water, field.slack, e, line.rest, u, false).force;
+// One family of lines of `points` points each: its numbers are [first, first + count).
+void read_lines(const LineArrays& lines, int points, int first, int count,
+                std::vector<double>& tension, std::vector<double>& length,
+                std::vector<double>& drag) {
+  tension.assign(lines.tension + first, lines.tension + first + count);
+  length.resize(static_cast<std::size_t>(count));
+  drag.resize(3 * static_cast<std::size_t>(count), 0.0);
+  for (int k = 0; k < count; ++k) {
+    const int line = first + k;
+    length[k] = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).norm();
+    at(drag.data(), k) += points * Vector(lines.drag[0][line], lines.drag[1][line],
+                                          lines.drag[2][line]);
+  }
 }
 
 // Force of every one-point element: the kind is asked once, with one place per element.
@@ -30,22 +35,17 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   Evaluation out;
   out.force.resize(3 * static_cast<std::size_t>(model.nodes));
   out.mass.resize(9 * static_cast<std::size_t>(model.nodes));
-  assembly.residual(x, v, out.force.data());
-  assembly.mass(x, v, out.mass.data());
-  const Field field = assembly.field(x, v);
-  out.bar_drag.assign(3 * static_cast<std::size_t>(model.bars.count()), 0.0);
-  for (int b = 0; b < model.bars.count(); ++b) {
-    read_line(model.bars.line(b), field, out.bar_tension, out.bar_length,
-              at(out.bar_drag.data(), b));
-  }
-  out.triangle_drag.assign(3 * static_cast<std::size_t>(model.triangles.count()), 0.0);
-  for (int e = 0; e < model.triangles.count(); ++e) {
-    const Eigen::Map<Vector> drag = at(out.triangle_drag.data(), e);
-    read_line(model.triangles.u_line(e), field, out.u_tension, out.u_length, drag);
-    read_line(model.triangles.v_line(e), field, out.v_tension, out.v_length, drag);
-  }
-  out.sphere_drag = point_forces(model.spheres, field);
-  out.lift_force = point_forces(model.lifts, field);
+  assembly.move_to(x, v);
+  assembly.residual(out.force.data());
+  assembly.mass(out.mass.data());
+  const int bars = model.bars.count(), triangles = model.triangles.count();
+  const LineArrays& lines = assembly.lines();
+  read_lines(lines, 2, 0, bars, out.bar_tension, out.bar_length, out.bar_drag);
+  read_lines(lines, 3, bars, triangles, out.u_tension, out.u_length, out.triangle_drag);
+  read_lines(lines, 3, bars + triangles, triangles, out.v_tension, out.v_length,
+             out.triangle_drag);
+  out.sphere_drag = point_forces(model.spheres, assembly.field());
+  out.lift_force = point_forces(model.lifts, assembly.field());
   return out;
 }
 

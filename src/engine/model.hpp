@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/kind.hpp"
 #include "elements/lifting_surface.hpp"
 #include "elements/netting_triangle.hpp"
 #include "elements/sphere.hpp"
@@ -35,13 +36,16 @@ struct Model {
   LiftingSurfaces lifts;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  std::vector<const ElementKind*> kinds() const { return {&bars, &triangles, &spheres, &lifts}; }
+  // All elements but the lines of bars and triangles.
+  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts}; }
   // Call once after filling; copies of a Model need it again.
   void connect() {
     bars.materials = triangles.materials = &materials;
     triangles.first_line = bars.count();
+    triangles.prepare();
   }
-  // One family of parallel twines each: the bars, then two of every triangle.
+  // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
+  // lines. each_line() visits them in another order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count(); }
   template <class Visit>
   void each_line(Visit visit) const {

@@ -15,11 +15,14 @@ struct Water {
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
 
+  // The same current at all depths.
+  bool uniform() const { return depth.size() == 1; }
+
   // Water velocity at height z (m, up, 0 at the surface) and its derivative by z (1/s).
   void velocity(double z, Vector& value, Vector& slope) const {
     const double d = -z;
     slope.setZero();
-    if (depth.size() == 1 || d <= depth.front()) {
+    if (uniform() || d <= depth.front()) {
       value = current.front();
       return;
     }

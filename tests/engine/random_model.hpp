@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assembly.hpp"
+#include "evaluate.hpp"
 
 namespace codend {
 
@@ -129,7 +130,8 @@ class Specimen {
   void stretch(Random& random) {
     Assembly assembly(model);
     std::vector<double> strain;
-    assembly.strain(x.data(), strain);  // of lines with rest 1: length - 1
+    assembly.move_to(x.data(), v.data());
+    assembly.strain(strain);  // of lines with rest 1: length - 1
     auto clear = [&](std::initializer_list<double> lengths) {
       const double low = *std::min_element(lengths.begin(), lengths.end());
       const double high = *std::max_element(lengths.begin(), lengths.end());
@@ -147,6 +149,25 @@ class Specimen {
     }
   }
 };
+
+// Drag (N) of one line of vector e (m) and rest length 1 m in water that flows past it at u (m/s).
+inline Vector line_drag(const TwineMaterial& material, const Vector& e, const Vector& u) {
+  Model model;
+  model.nodes = 2;
+  model.held = {1, 1};
+  model.load.assign(6, 0.0);
+  model.mass.assign(2, 0.0);
+  model.water.current = {u};
+  model.materials = {material};
+  model.bars.node = {0, 1};
+  model.bars.rest = model.bars.multiplicity = {1.0};
+  model.bars.material = {0};
+  model.connect();
+  Assembly assembly(model);
+  const double x[6] = {0.0, 0.0, 0.0, e.x(), e.y(), e.z()}, v[6] = {};
+  const Evaluation found = evaluate(assembly, x, v);
+  return at(found.bar_drag.data(), 0);
+}
 
 // The four laws of cylinders, each with its own numbers.
 inline std::vector<CylinderLaw> cylinder_laws() {

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elements/sphere.hpp"
-#include "elements/twine.hpp"
+#include "random_model.hpp"
 
 namespace {
 
@@ -26,8 +25,8 @@ Coefficients at_angle(const CylinderLaw& law, double alpha) {
   const double speed = 1.7;
   const Vector axis(std::cos(alpha), std::sin(alpha), 0.0);
   const Vector force =
-      twine_drag(material, water, SlackDrag::curved, axis, 1.0, speed * Vector::UnitX(), false)
-          .force / (0.5 * water.density * material.diameter * speed * speed);
+      line_drag(material, axis, speed * Vector::UnitX()) /
+      (0.5 * water.density * material.diameter * speed * speed);
   CHECK(force.z() == 0.0);
   // Lift is on the side to which the flow pushes the line: here away from its upper end.
   return {force.x(), -force.y()};
@@ -194,11 +193,8 @@ TEST_CASE("a line without length takes the mean drag over all directions") {
   TwineMaterial material;
   material.diameter = 0.01;
   material.law = {CylinderLawKind::constant, 1.2, 0.1, 0.02, 0.0};
-  const Water water;
   const Vector u(0.0, 0.0, 1.3);
-  auto drag = [&](const Vector& e) {
-    return twine_drag(material, water, SlackDrag::curved, e, 1.0, u, false).force;
-  };
+  auto drag = [&](const Vector& e) { return line_drag(material, e, u); };
   // Directions evenly spread in height (and any angle about the flow): midpoint rule, whose error
   // at the kink of |cos| is about the square of a step of 1/500.
   const int n = 1000;
@@ -228,7 +224,7 @@ TEST_CASE("drag of knots by Reynolds number, White's fit for spheres") {
     const double speed = row[0] * water.viscosity / 0.01;
     water.current = {Vector(0.0, speed, 0.0)};
     Vector force = Vector::Zero();
-    knots.add_element_force(0, {x, v, &water, SlackDrag::curved}, force.data());
+    knots.add_element_force(0, {x, v, &water}, force.data());
     CHECK(std::abs(force.y() / (0.5 * water.density * 0.5 * speed * speed) - row[1]) < 5.1e-5);
   }
 }

@@ -96,8 +96,9 @@ Totals totals(Panel& panel, const CylinderLaw& law, const Vector& current) {
   Assembly assembly(m);
   const std::vector<double> v(panel.x.size(), 0.0);
   std::vector<double> force(panel.x.size()), mass(3 * panel.x.size());
-  assembly.residual(panel.x.data(), v.data(), force.data());
-  assembly.mass(panel.x.data(), v.data(), mass.data());
+  assembly.move_to(panel.x.data(), v.data());
+  assembly.residual(force.data());
+  assembly.mass(mass.data());
   Totals out;
   for (int n = 0; n < m.nodes; ++n) {
     out.force += at(force.data(), n);

@@ -83,23 +83,26 @@ void check_derivatives(Random& random, const Ingredients& wanted) {
   Specimen s(random, wanted);
   Assembly assembly(s.model);
   auto force = [&](std::vector<double>& out) {
-    assembly.residual(s.x.data(), s.v.data(), out.data());
+    assembly.move_to(s.x.data(), s.v.data());
+    assembly.residual(out.data());
   };
   std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
   force(f);
   REQUIRE(largest(f) > 0.0);
+  auto jacobian = [&](const JacobianRequest& request) {
+    assembly.move_to(s.x.data(), s.v.data());
+    assembly.jacobian(request, values.data());
+    return dense(assembly, values);
+  };
 
-  assembly.jacobian(s.x.data(), s.v.data(), {1.0, 0.0}, values.data());
-  const Dense stiffness = dense(assembly, values);
+  const Dense stiffness = jacobian({1.0, 0.0});
   CHECK(error(stiffness, by_differences(assembly, s.x, force), largest(f)) < tolerance);
 
-  assembly.jacobian(s.x.data(), s.v.data(), {0.0, 1.0}, values.data());
-  const Dense damping = dense(assembly, values);
+  const Dense damping = jacobian({0.0, 1.0});
   CHECK(error(damping, by_differences(assembly, s.v, force), largest(f)) < tolerance);
 
   // A request for both is their sum; 1e-14 for the order of additions.
-  assembly.jacobian(s.x.data(), s.v.data(), {0.7, 2.5}, values.data());
-  CHECK(error(dense(assembly, values), 0.7 * stiffness + 2.5 * damping, 0.0) < 1e-14);
+  CHECK(error(jacobian({0.7, 2.5}), 0.7 * stiffness + 2.5 * damping, 0.0) < 1e-14);
 }
 
 // Tensions of the same size as drag: what is wrong with either shows.
@@ -172,7 +175,8 @@ TEST_CASE("derivatives of tensions that a solver carries") {
     Assembly assembly(s.model);
     CarriedTension carried;
     std::vector<double> start, strain;
-    assembly.strain(s.x.data(), start);
+    assembly.move_to(s.x.data(), s.v.data());
+    assembly.strain(start);
     for (std::size_t k = 0; k < start.size(); ++k) {
       carried.tension.push_back(random.between(0.5, 2.0));
       carried.modulus.push_back(random.between(0.1, 5.0));
@@ -180,15 +184,16 @@ TEST_CASE("derivatives of tensions that a solver carries") {
     // Carried tensions follow their strain with the modulus.
     auto force = [&](std::vector<double>& out) {
       CarriedTension moved = carried;
-      assembly.strain(s.x.data(), strain);
+      assembly.move_to(s.x.data(), s.v.data());
+      assembly.strain(strain);
       for (std::size_t k = 0; k < strain.size(); ++k) {
         moved.tension[k] += moved.modulus[k] * (strain[k] - start[k]);
       }
-      assembly.residual(s.x.data(), s.v.data(), out.data(), &moved);
+      assembly.residual(out.data(), &moved);
     };
     std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
     force(f);
-    assembly.jacobian(s.x.data(), s.v.data(), {1.0, 0.0}, values.data(), &carried);
+    assembly.jacobian({1.0, 0.0}, values.data(), &carried);
     CHECK(error(dense(assembly, values), by_differences(assembly, s.x, force), largest(f)) <
           tolerance);
   }
@@ -201,15 +206,17 @@ TEST_CASE("strains change as their first-order change says") {
   wanted.triangles = 8;
   Specimen s(random, wanted);
   Assembly assembly(s.model);
-  std::vector<double> dx, up, down, change;
+  std::vector<double> dx, up, down;
   for (std::size_t k = 0; k < s.x.size(); ++k) dx.push_back(random.between(-1.0, 1.0));
-  assembly.strain_change(s.x.data(), dx.data(), change);
+  assembly.move_to(s.x.data(), s.v.data());
+  const std::vector<double> change = assembly.line_change(dx.data()).strain;
   // Second order at h = 1e-5: h^2/6 of the third derivative, 2e-11, and 2e-16/h = 2e-11.
   const double h = 1e-5;
   auto moved = [&](double share, std::vector<double>& out) {
     std::vector<double> y = s.x;
     for (std::size_t k = 0; k < y.size(); ++k) y[k] += share * dx[k];
-    assembly.strain(y.data(), out);
+    assembly.move_to(y.data(), s.v.data());
+    assembly.strain(out);
   };
   moved(h, up);
   moved(-h, down);

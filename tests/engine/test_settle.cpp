@@ -72,7 +72,8 @@ struct Structure {
     Assembly assembly(model);
     const std::vector<double> v(x.size(), 0.0);
     std::vector<double> f(x.size());
-    assembly.residual(x.data(), v.data(), f.data());
+    assembly.move_to(x.data(), v.data());
+    assembly.residual(f.data());
     return at(f.data(), node);
   }
   double tension(int bar) const {

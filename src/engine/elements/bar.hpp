@@ -3,11 +3,13 @@
 // in parallel; that keeps mass, weight, projected area and stiffness of the netting.
 #pragma once
 
+#include <vector>
+
 #include "line.hpp"
 
 namespace codend {
 
-class Bars : public ElementKind {
+class Bars {
  public:
   std::vector<int> node;             // 2 per bar
   std::vector<double> rest;          // unstretched length, m
@@ -17,17 +19,17 @@ class Bars : public ElementKind {
 
   int count() const { return static_cast<int>(rest.size()); }
   Line<2> line(int bar) const {
-    return {&node[2 * static_cast<std::size_t>(bar)], {-1.0, 1.0}, 0.5, rest[bar],
-            multiplicity[bar], &(*materials)[material[bar]], bar};
+    return {&node[2 * static_cast<std::size_t>(bar)], {-1.0, 1.0}, rest[bar], multiplicity[bar],
+            &(*materials)[material[bar]], bar};
   }
 
-  int nodes_per_element() const override { return 2; }
-  const std::vector<int>& nodes() const override { return node; }
-  void add_force(const Field& field, double* force) const override;
-  void add_jacobian(const Field& field, const JacobianRequest& request,
-                    BlockSink& sink) const override;
-  void add_added_mass(const Field& field, double* mass) const override;
-  void add_drag_scale(const Field& field, double* scale) const override;
+  // Differences between the ends of bars [begin, end) of a quantity x (3 per point), by component
+  // into e[.][0 .. end - begin).
+  void vectors(const double* x, int begin, int end, double* const e[3]) const;
+  // Adds drag, and pull by given tensions of one line each (N), to the points of all bars.
+  void add_force(const LineArrays& lines, const double* tension, double* force) const;
+  // Adds added mass (kg, 9 per point) to the points of all bars.
+  void add_added_mass(const LineArrays& lines, double* mass) const;
 };
 
 }  // namespace codend

@@ -1,12 +1,12 @@
-// What every kind of element offers to the assembly: its nodes, its forces and their derivatives.
-// A new kind of element is a new class here and one line in Model::kinds().
+// What every kind of element but lines offers to the assembly: its nodes, its forces and their
+// derivatives. A new kind of element is a new class here and one line in Model::kinds().
 #pragma once
 
 #include <vector>
 
+#include "../block_sink.hpp"
 #include "../geometry.hpp"
 #include "../water.hpp"
-#include "twine.hpp"
 
 namespace codend {
 
@@ -15,11 +15,6 @@ struct Field {
   const double* position;  // 3 per point, m
   const double* velocity;  // 3 per point, m/s
   const Water* water;
-  SlackDrag slack;
-  // Tension (N) and its change per strain (N) of one twine of every line, where a solver carries
-  // them; else null, and they follow from the lines' lengths.
-  const double* tension = nullptr;
-  const double* modulus = nullptr;
 
   // Velocity of the water relative to a point (m/s), and how it changes with height (1/s).
   void relative_velocity(int point, Vector& u, Vector& slope) const {
@@ -34,13 +29,6 @@ struct JacobianRequest {
   double damping = 0.0;
 };
 
-// Receives the 3x3 blocks of one kind; a and b are places in the element's own list of nodes.
-class BlockSink {
- public:
-  virtual ~BlockSink() = default;
-  virtual void add(int element, int a, int b, const Matrix& block) = 0;
-};
-
 class ElementKind {
  public:
   virtual ~ElementKind() = default;
@@ -50,7 +38,7 @@ class ElementKind {
   // Adds every element's force (N) to its points.
   virtual void add_force(const Field& field, double* force) const = 0;
   virtual void add_jacobian(const Field& field, const JacobianRequest& request,
-                            BlockSink& sink) const = 0;
+                            const BlockSink& sink) const = 0;
   // Adds structural-independent added mass (kg, 9 per point, row-major).
   virtual void add_added_mass(const Field& field, double* mass) const = 0;
   // Adds the drag's damping per point (N s/m) at the present speed: a scale for pseudo-time.

@@ -48,7 +48,8 @@ void LiftingSurfaces::add_force(const Field& field, double* force) const {
 }
 
 void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& request,
-                                   BlockSink& sink) const {
+                                   const BlockSink& sink) const {
+  if (request.damping == 0.0 && field.water->uniform()) return;  // it does not depend on x
   for (int e = 0; e < count(); ++e) {
     Vector u, du, value;
     Matrix by_velocity;

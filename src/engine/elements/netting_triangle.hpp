@@ -7,11 +7,14 @@
 // holds |d|/2 bars of each family and |d|/2 knots, times `multiplicity`.
 #pragma once
 
+#include <cmath>
+#include <vector>
+
 #include "line.hpp"
 
 namespace codend {
 
-class NettingTriangles : public ElementKind {
+class NettingTriangles {
  public:
   std::vector<int> node;             // 3 per triangle
   std::vector<double> twine;         // u1 v1 u2 v2 u3 v3 per triangle
@@ -19,23 +22,33 @@ class NettingTriangles : public ElementKind {
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
   const std::vector<TwineMaterial>* materials = nullptr;
-  int first_line = 0;  // number of its first line among the model's
+  int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
 
+  // a1 a2 a3 b1 b2 b3, one array each with room for 7 triangles more, and d; from prepare().
+  std::vector<double> shape[6], twice_bars;
+
+  // Call once after filling.
+  void prepare();
   int count() const { return static_cast<int>(rest.size()); }
-  Line<3> u_line(int triangle) const { return family(triangle, 1); }
-  Line<3> v_line(int triangle) const { return family(triangle, 0); }
+  Line<3> u_line(int triangle) const { return family(triangle, 0); }
+  Line<3> v_line(int triangle) const { return family(triangle, 1); }
 
-  int nodes_per_element() const override { return 3; }
-  const std::vector<int>& nodes() const override { return node; }
-  void add_force(const Field& field, double* force) const override;
-  void add_jacobian(const Field& field, const JacobianRequest& request,
-                    BlockSink& sink) const override;
-  void add_added_mass(const Field& field, double* mass) const override;
-  void add_drag_scale(const Field& field, double* scale) const override;
+  // Vectors of triangles [begin, end) made from a quantity x (3 per point) as e_u and e_v from
+  // positions, by component into u[.] and v[.][0 .. end - begin).
+  void vectors(const double* x, int begin, int end, double* const u[3], double* const v[3]) const;
+  // Adds drag, and pull by given tensions of one line each (N), to the points of all triangles.
+  void add_force(const LineArrays& lines, const double* tension, double* force) const;
+  // Adds added mass (kg, 9 per point) to the points of all triangles.
+  void add_added_mass(const LineArrays& lines, double* mass) const;
 
  private:
-  // across: which of (u, v) stays the same along the family's twines (1: v, so the u twines).
-  Line<3> family(int triangle, int across) const;
+  Line<3> family(int triangle, int which) const {
+    const std::size_t e = static_cast<std::size_t>(triangle);
+    const std::vector<double>* a = shape + 3 * which;
+    return {&node[3 * e], {a[0][e], a[1][e], a[2][e]}, rest[e],
+            0.5 * std::abs(twice_bars[e]) * multiplicity[e], &(*materials)[material[e]],
+            first_line + which * count() + triangle};
+  }
 };
 
 }  // namespace codend

@@ -23,7 +23,7 @@ class Spheres : public ElementKind {
   // Adds one element's force (N) to force[0..2].
   void add_element_force(int e, const Field& field, double* force) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
-                    BlockSink& sink) const override;
+                    const BlockSink& sink) const override;
   void add_added_mass(const Field& field, double* mass) const override;
   void add_drag_scale(const Field& field, double* scale) const override;
 

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <limits>
 
+#include "block_lu.hpp"
 #include "tension_path.hpp"
 
 namespace codend {
@@ -72,7 +73,8 @@ class Settling {
   // Net forces of the law itself.
   void measure() {
     Stopwatch watch(report_.seconds_forces);
-    assembly_.residual(x_, v_, force_.data());
+    assembly_.move_to(x_, v_);
+    assembly_.residual(force_.data());
     report_.worst_force = 0.0;
     for (const int node : free_) {
       const double f = at(force_.data(), node).norm();
@@ -81,7 +83,7 @@ class Settling {
         report_.worst_node = node;
       }
     }
-    report_.largest_tension = assembly_.largest_tension(x_);
+    report_.largest_tension = assembly_.largest_tension();
     double scale = report_.largest_tension;
     if (scale == 0.0) {  // a gear without any tension is measured by its loads
       for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
@@ -100,16 +102,16 @@ class Settling {
     const bool on_path = path_.parameter() > path_end || !found();
     if (on_path) {
       Stopwatch watch(report_.seconds_forces);
-      assembly_.strain(x_, strain_);
+      assembly_.strain(strain_);
       if (left_path_) path_.return_to(strain_);
       path_.prepare(strain_);
-      assembly_.residual(x_, v_, force_.data(), &path_.predicted());
+      assembly_.residual(force_.data(), &path_.predicted());
     }
     left_path_ = !on_path;
     {
       Stopwatch watch(report_.seconds_jacobian);
-      assembly_.jacobian(x_, v_, {1.0, 0.0}, values_.data(), on_path ? &path_.current() : nullptr);
-      assembly_.pseudo_damping(x_, v_, damping_.data());
+      assembly_.jacobian({1.0, 0.0}, values_.data(), on_path ? &path_.current() : nullptr);
+      assembly_.pseudo_damping(damping_.data());
       for (double& d : damping_) d /= pseudo_step_;
       assembly_.add_diagonal(damping_.data(), values_.data());
     }
@@ -135,11 +137,11 @@ class Settling {
       at(dx_.data(), free_[i]) = at(right_.data(), static_cast<int>(i));
       movement = std::max(movement, at(right_.data(), static_cast<int>(i)).norm());
     }
-    turning_ = assembly_.largest_rotation(dx_.data());
+    const LineChange& change = assembly_.line_change(dx_.data());
+    turning_ = change.rotation;
     const double share = std::min({1.0, reach_ / movement, most_turning / turning_});
     if (on_path) {
-      assembly_.strain_change(x_, dx_.data(), strain_);
-      path_.advance(strain_, share);
+      path_.advance(change.strain, share);
       if (share > 0.3) path_.reduce(std::pow(turning_ < 0.1 ? 0.4 : 0.7, pace_));
       if (path_.parameter() < path_least && !found()) {
         path_.restart(path_again);
@@ -179,7 +181,8 @@ class Settling {
   double total_load() {
     CarriedTension none;
     none.tension.assign(static_cast<std::size_t>(assembly_.model().lines()), 0.0);
-    assembly_.residual(x_, v_, force_.data(), &none);
+    assembly_.move_to(x_, v_);
+    assembly_.residual(force_.data(), &none);
     double total = 0.0;
     for (const int node : free_) total += at(force_.data(), node).norm();
     return total > 0.0 ? total : 1.0;

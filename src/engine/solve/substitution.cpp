@@ -71,8 +71,9 @@ class March {
 
   void measure(const Phase& y, Phase& rate) {
     rate.x = y.v;
-    assembly_.residual(y.x.data(), y.v.data(), force_.data());
-    assembly_.mass(y.x.data(), y.v.data(), mass_.data());
+    assembly_.move_to(y.x.data(), y.v.data());
+    assembly_.residual(force_.data());
+    assembly_.mass(mass_.data());
     for (const int node : assembly_.free_nodes()) {
       at(rate.v.data(), node) = block(node).inverse() * at(force_.data(), node);
     }

@@ -1,0 +1,84 @@
+// The arithmetic of lines, many at a time: vectors in, tensions, drags and derivatives out.
+#pragma once
+
+#include <cstdint>
+
+#include "../block_sink.hpp"
+#include "twine.hpp"
+
+namespace codend {
+
+// Arrays by line number, each of which may be read and written up to 7 places beyond the lines.
+// With e the vector along a line, L its length, L0 its rest length, U the relative velocity.
+struct LineArrays {
+  // What the lines are.
+  double* inverse_rest;  // 1/L0, 1/m
+  double* stiffness;     // EA, N
+  double* multiplicity;
+  double* drag_weight;   // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
+  double *added_normal, *added_tangential;  // added mass, a point's share, kg
+  double *normal, *tangential, *skin;  // C_n, C_t, C_f
+  // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
+  const TwineMaterial* const* speed_law;
+  double viscosity;  // m2/s
+  bool curved;       // SlackDrag::curved
+
+  // The flow past them.
+  double *u[3], *speed;       // U and |U|, m/s
+  double *slope[3];           // dU/dz, 1/s; null where the current is the same everywhere
+  double *loose;              // drag of a curled-up line over U, a point's share, N s/m
+  double *loose_slope;        // its derivative by |U|
+  double *drag_scale;         // drag over U, a point's share, at right angles, N s/m
+
+  // Where they are.
+  double* e[3];              // m
+  double* inverse_length;    // 1/L; 1/L0 for a line without length
+  double* strain;            // L/L0 - 1
+  double* tension;           // of one line, by the law, N
+  double* drag[3];           // a point's share, N
+};
+
+// stiffness * (-dF/dx) + damping * (-dF/dv), as JacobianRequest; tension (N) and modulus (N) of one
+// line each, `lines` in all; without modulus, that of the law.
+struct LineRequest {
+  double stiffness, damping;
+  const double* tension;
+  const double* modulus;
+  std::int64_t lines;
+};
+
+// The inner loops, compiled once per set of processor instructions.
+struct LineKernels {
+  // From U all else of the flow but its slope, for lines [begin, end).
+  void (*flow)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
+  // From e and the flow all that follows from them, for lines [begin, end).
+  void (*evaluate)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
+  // Changes of strain, to first order, when the vectors of lines [begin, end) change by change[.];
+  // returns the largest (|change of e| / L0)^2. `change` and `strain` begin at line `begin`.
+  double (*change)(const LineArrays& lines, std::int64_t begin, std::int64_t end,
+                   const double* const change[3], double* strain);
+  // Adds the blocks of all bars, lines [0, bars).
+  void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
+                         const BlockSink& sink);
+  // Adds the blocks of all triangles, whose u lines begin at `first` and v lines at first +
+  // triangles. shape: a_1 a_2 a_3 b_1 b_2 b_3, readable up to 7 places beyond the triangles.
+  void (*add_triangle_blocks)(const LineArrays& lines, const LineRequest& request,
+                              std::int64_t first, std::int64_t triangles,
+                              const double* const shape[6], const BlockSink& sink);
+};
+
+// Coefficients of cylinder_law.hpp for a law that depends on speed: a, a_n, b, b_n, b_t.
+void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, double viscosity,
+                        double* out);
+
+// For any processor.
+const LineKernels& portable_line_kernels();
+
+// For x86-64 with AVX2 and FMA; null where the compiler or the running processor lacks them.
+const LineKernels* avx2_line_kernels();
+
+// The fastest that the running processor can execute. The choice is fixed for a machine; two
+// machines may differ in the last bits of a force.
+const LineKernels& line_kernels();
+
+}  // namespace codend

@@ -1,0 +1,178 @@
+#include "lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codend {
+namespace {
+
+constexpr int strip = 512;
+
+// A column of numbers per array. An odd number of cache lines each: the same place of all columns
+// then falls on different sets of the cache.
+std::size_t column_length(int lines) {
+  const std::size_t cache_lines = (static_cast<std::size_t>(lines) + 7) / 8 + 1;
+  return 8 * (cache_lines | 1);
+}
+
+}  // namespace
+
+Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water,
+             SlackDrag slack, const LineKernels& kernels)
+    : bars_(bars),
+      triangles_(triangles),
+      water_(water),
+      count_(bars.count() + 2 * triangles.count()),
+      kernels_(kernels) {
+  LineArrays& a = arrays_;
+  const bool layered = !water.uniform();
+  std::vector<double**> columns{
+      &a.inverse_rest, &a.stiffness, &a.multiplicity, &a.drag_weight, &a.added_normal,
+      &a.added_tangential, &a.normal, &a.tangential, &a.skin,
+      &a.u[0], &a.u[1], &a.u[2], &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
+      &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
+      &a.drag[0], &a.drag[1], &a.drag[2]};
+  if (layered) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  const std::size_t length = column_length(count_);
+  numbers_.assign(columns.size() * length, 0.0);
+  for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
+  a.viscosity = water.viscosity;
+  a.curved = slack == SlackDrag::curved;
+  for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
+  for (int e = 0; e < triangles.count(); ++e) {
+    describe(triangles.u_line(e));
+    describe(triangles.v_line(e));
+  }
+}
+
+template <int N>
+void Lines::describe(const Line<N>& line) {
+  const TwineMaterial& m = *line.material;
+  const std::size_t k = static_cast<std::size_t>(line.index);
+  arrays_.inverse_rest[k] = 1.0 / line.rest;
+  arrays_.stiffness[k] = m.axial_stiffness;
+  arrays_.multiplicity[k] = line.multiplicity;
+  arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
+  const double water =
+      water_.density * m.volume_per_length * line.rest * line.multiplicity / N;
+  arrays_.added_normal[k] = m.added_mass_normal * water;
+  arrays_.added_tangential[k] = m.added_mass_tangential * water;
+  if (m.law.kind == CylinderLawKind::constant) {
+    arrays_.normal[k] = m.law.normal;
+    arrays_.tangential[k] = m.law.tangential;
+    arrays_.skin[k] = m.law.skin;
+  } else {
+    speed_law_.resize(column_length(count_));
+    speed_law_[k] = &m;
+    arrays_.speed_law = speed_law_.data();
+  }
+}
+
+template <int N>
+void Lines::set_velocity(const Field& field, const int* node, std::size_t line) {
+  Vector u = Vector::Zero();
+  double z = 0.0;
+  for (int k = 0; k < N; ++k) {
+    u -= at(field.velocity, node[k]);
+    z += at(field.position, node[k]).z();
+  }
+  u *= 1.0 / N;
+  Vector current, slope;
+  water_.velocity(z * (1.0 / N), current, slope);
+  u += current;
+  for (int c = 0; c < 3; ++c) arrays_.u[c][line] = u[c];
+  if (arrays_.slope[0]) {
+    for (int c = 0; c < 3; ++c) arrays_.slope[c][line] = slope[c];
+  }
+}
+
+void Lines::set_flow(const Field& field) {
+  const std::size_t bars = static_cast<std::size_t>(bars_.count());
+  for (std::size_t b = 0; b < bars; ++b) set_velocity<2>(field, &bars_.node[2 * b], b);
+  const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
+  for (std::size_t e = 0; e < triangles; ++e) {
+    set_velocity<3>(field, &triangles_.node[3 * e], bars + e);
+    set_velocity<3>(field, &triangles_.node[3 * e], bars + triangles + e);
+  }
+  kernels_.flow(arrays_, 0, count_);
+}
+
+template <class Visit>
+void Lines::in_strips(int count, Visit visit) {
+  for (int begin = 0; begin < count; begin += strip) visit(begin, std::min(begin + strip, count));
+}
+
+void Lines::move_to(const double* position) {
+  const LineArrays& a = arrays_;
+  in_strips(bars_.count(), [&](int begin, int end) {
+    double* const e[3] = {a.e[0] + begin, a.e[1] + begin, a.e[2] + begin};
+    bars_.vectors(position, begin, end, e);
+    kernels_.evaluate(a, begin, end);
+  });
+  const int triangles = triangles_.count();
+  in_strips(triangles, [&](int begin, int end) {
+    const std::ptrdiff_t u = bars_.count() + begin, v = u + triangles;
+    double* const e_u[3] = {a.e[0] + u, a.e[1] + u, a.e[2] + u};
+    double* const e_v[3] = {a.e[0] + v, a.e[1] + v, a.e[2] + v};
+    triangles_.vectors(position, begin, end, e_u, e_v);
+    kernels_.evaluate(a, u, u + end - begin);
+    kernels_.evaluate(a, v, v + end - begin);
+  });
+}
+
+void Lines::add_force(const double* tension, double* force) const {
+  bars_.add_force(arrays_, tension, force);
+  triangles_.add_force(arrays_, tension, force);
+}
+
+void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
+                         const double* modulus, const BlockSink& bars,
+                         const BlockSink& triangles) const {
+  const LineRequest asked{request.stiffness, request.damping, tension, modulus, count_};
+  kernels_.add_bar_blocks(arrays_, asked, bars_.count(), bars);
+  const double* shape[6];
+  for (int k = 0; k < 6; ++k) shape[k] = triangles_.shape[k].data();
+  kernels_.add_triangle_blocks(arrays_, asked, bars_.count(), triangles_.count(), shape, triangles);
+}
+
+void Lines::add_added_mass(double* mass) const {
+  bars_.add_added_mass(arrays_, mass);
+  triangles_.add_added_mass(arrays_, mass);
+}
+
+void Lines::add_drag_scale(double* scale) const {
+  const double* c = arrays_.drag_scale;
+  const std::size_t bars = static_cast<std::size_t>(bars_.count());
+  for (std::size_t b = 0; b < bars; ++b) {
+    for (int k = 0; k < 2; ++k) scale[bars_.node[2 * b + k]] += c[b];
+  }
+  const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
+  for (std::size_t e = 0; e < triangles; ++e) {
+    const double both = c[bars + e] + c[bars + triangles + e];
+    for (int k = 0; k < 3; ++k) scale[triangles_.node[3 * e + k]] += both;
+  }
+}
+
+double Lines::change(const double* dx, double* strain) const {
+  // Whole registers are read at the end of a strip.
+  double u[3][strip + 7] = {}, v[3][strip + 7] = {};
+  double* const change_u[3] = {u[0], u[1], u[2]};
+  double* const change_v[3] = {v[0], v[1], v[2]};
+  double largest = 0.0;
+  in_strips(bars_.count(), [&](int begin, int end) {
+    bars_.vectors(dx, begin, end, change_u);
+    largest = std::max(largest, kernels_.change(arrays_, begin, end, change_u, strain + begin));
+  });
+  const int triangles = triangles_.count();
+  in_strips(triangles, [&](int begin, int end) {
+    const std::ptrdiff_t first = bars_.count() + begin, second = first + triangles;
+    triangles_.vectors(dx, begin, end, change_u, change_v);
+    largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
+                                                strain + first));
+    largest = std::max(largest, kernels_.change(arrays_, second, second + end - begin, change_v,
+                                                strain + second));
+  });
+  return std::sqrt(largest);
+}
+
+}  // namespace codend

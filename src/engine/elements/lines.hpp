@@ -1,0 +1,64 @@
+// All lines of a model, the bars' and the netting triangles', as structures of arrays: their
+// vectors, tensions and drags at the last positions, and the forces and derivatives from them.
+//
+// Line numbers: the bars, then the u lines of all triangles, then their v lines.
+#pragma once
+
+#include <vector>
+
+#include "bar.hpp"
+#include "kind.hpp"
+#include "netting_triangle.hpp"
+
+namespace codend {
+
+class Lines {
+ public:
+  // What is passed must outlive this and not change.
+  Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water, SlackDrag slack,
+        const LineKernels& kernels = line_kernels());
+  Lines(const Lines&) = delete;
+
+  int count() const { return count_; }
+  const LineArrays& arrays() const { return arrays_; }
+
+  // The flow past all lines: to be called where velocities, or depths in a current that varies with
+  // them, have changed; before move_to().
+  void set_flow(const Field& field);
+  // Vectors and what follows from them.
+  void move_to(const double* position);
+
+  // Adds drag, and pull by given tensions of one line each (N), to force (N, 3 per point).
+  void add_force(const double* tension, double* force) const;
+  // Adds blocks; tension and modulus (N) of one line each, modulus null for the law's.
+  void add_jacobian(const JacobianRequest& request, const double* tension, const double* modulus,
+                    const BlockSink& bars, const BlockSink& triangles) const;
+  // Adds added mass (kg, 9 per point).
+  void add_added_mass(double* mass) const;
+  // Adds the drag's damping (N s/m, 1 per point) of lines at right angles to the flow.
+  void add_drag_scale(double* scale) const;
+
+  // Largest |change of e| / L0 when points move by dx; changes of strain, to first order, into
+  // strain[0 .. count()).
+  double change(const double* dx, double* strain) const;
+
+ private:
+  template <int N>
+  void describe(const Line<N>& line);
+  template <int N>
+  void set_velocity(const Field& field, const int* node, std::size_t line);
+  // visit(begin, end) in strips whose arrays stay in the first-level cache.
+  template <class Visit>
+  static void in_strips(int count, Visit visit);
+
+  const Bars& bars_;
+  const NettingTriangles& triangles_;
+  const Water& water_;
+  int count_;
+  std::vector<double> numbers_;
+  std::vector<const TwineMaterial*> speed_law_;
+  LineArrays arrays_{};
+  const LineKernels& kernels_;
+};
+
+}  // namespace codend

@@ -1,0 +1,173 @@
+// Lines many at a time: every place in a register, and every set of kernels, says the same.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "random_model.hpp"
+
+namespace {
+
+using namespace codend;
+
+struct Found {
+  std::vector<double> force, carried_force, stiffness, both, strain, change, damping, mass;
+  double rotation = 0.0;
+};
+
+void append(std::vector<double>& to, const double* from, int count) {
+  to.insert(to.end(), from, from + count);
+}
+
+// Everything that lines tell, added to `out` where it is a sum over elements.
+void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
+         const BlockPattern& pattern, const std::vector<double>& points,
+         const std::vector<double>& speeds, const std::vector<double>& moved, Found& out) {
+  Lines lines(model.bars, model.triangles, model.water, model.slack, kernels);
+  lines.set_flow({points.data(), speeds.data(), &model.water});
+  lines.move_to(points.data());
+  std::vector<double> tension, modulus;  // that tell the lines' vectors from each other
+  for (int k = 0; k < lines.count(); ++k) {
+    tension.push_back(2.0 + lines.arrays().strain[k]);
+    modulus.push_back(5.0 + lines.arrays().strain[k]);
+  }
+  const BlockPlaces bars(free, pattern, {2, model.bars.node});
+  const BlockPlaces triangles(free, pattern, {3, model.triangles.node});
+  auto jacobian = [&](const JacobianRequest& request, const double* moduli,
+                      std::vector<double>& values) {
+    values.resize(9 * pattern.column.size());
+    lines.add_jacobian(request, tension.data(), moduli, bars.into(values.data()),
+                       triangles.into(values.data()));
+  };
+  out.force.resize(points.size());
+  out.carried_force.resize(points.size());
+  out.damping.resize(points.size() / 3);
+  out.mass.resize(3 * points.size());
+  lines.add_force(lines.arrays().tension, out.force.data());
+  lines.add_force(tension.data(), out.carried_force.data());
+  jacobian({1.0, 0.0}, nullptr, out.stiffness);
+  jacobian({0.7, 1.3}, modulus.data(), out.both);
+  lines.add_drag_scale(out.damping.data());
+  lines.add_added_mass(out.mass.data());
+  std::vector<double> change(static_cast<std::size_t>(lines.count()));
+  out.rotation = std::max(out.rotation, lines.change(moved.data(), change.data()));
+  append(out.strain, lines.arrays().strain, lines.count());
+  append(out.change, change.data(), lines.count());
+}
+
+// One element of a model, or all if it is -1.
+Model part(const Model& model, int bar, int triangle) {
+  Model out = model;
+  auto keep = [](auto& values, int width, int element) {
+    const auto begin = values.begin() + width * element;
+    values = {begin, begin + width};
+  };
+  if (bar >= 0) {
+    keep(out.bars.node, 2, bar);
+    keep(out.bars.rest, 1, bar);
+    keep(out.bars.multiplicity, 1, bar);
+    keep(out.bars.material, 1, bar);
+    out.triangles = {};
+  } else if (triangle >= 0) {
+    keep(out.triangles.node, 3, triangle);
+    keep(out.triangles.twine, 6, triangle);
+    keep(out.triangles.rest, 1, triangle);
+    keep(out.triangles.multiplicity, 1, triangle);
+    keep(out.triangles.material, 1, triangle);
+    out.bars = {};
+  }
+  out.connect();
+  return out;
+}
+
+// Visits models with every number of lines that a register can be left with, of every law, some
+// of them beside lines of another law.
+template <class Check>
+void each_model(Check check) {
+  Random random(20260451);
+  for (const CylinderLaw& law : cylinder_laws()) {
+    for (const bool layered : {false, true}) {
+      for (int count = 1; count <= 9; ++count) {
+        CAPTURE(static_cast<int>(law.kind));
+        CAPTURE(layered);
+        CAPTURE(count);
+        Ingredients wanted;
+        wanted.bars = count;
+        wanted.triangles = 9 - count;
+        wanted.law = law;
+        wanted.layered = layered;
+        wanted.slack = count % 2 ? SlackDrag::curved : SlackDrag::straight;
+        Specimen s(random, wanted);
+        s.model.materials.push_back(s.model.materials[0]);
+        s.model.materials[1].law = {};
+        s.model.bars.material[0] = 1;
+        Assembly assembly(s.model);
+        assembly.move_to(s.x.data(), s.v.data());
+        const std::size_t size = 3 * static_cast<std::size_t>(s.model.points());
+        const std::vector<double> points(assembly.field().position,
+                                         assembly.field().position + size);
+        const std::vector<double> speeds(assembly.field().velocity,
+                                         assembly.field().velocity + size);
+        std::vector<double> moved;
+        for (std::size_t k = 0; k < size; ++k) moved.push_back(random.between(-1.0, 1.0));
+        const FreePoints free(s.model);
+        auto all = [&](const Model& model, const LineKernels& kernels, Found& out) {
+          add(model, kernels, free, assembly.pattern(), points, speeds, moved, out);
+        };
+        check(s.model, all);
+      }
+    }
+  }
+}
+
+void check_places(const LineKernels& kernels) {
+  each_model([&](const Model& model, auto all) {
+    Found together, alone;
+    all(part(model, -1, -1), kernels, together);
+    for (int b = 0; b < model.bars.count(); ++b) all(part(model, b, -1), kernels, alone);
+    for (int e = 0; e < model.triangles.count(); ++e) all(part(model, -1, e), kernels, alone);
+    CHECK(together.force == alone.force);
+    CHECK(together.carried_force == alone.carried_force);
+    CHECK(together.stiffness == alone.stiffness);
+    CHECK(together.both == alone.both);
+    CHECK(together.damping == alone.damping);
+    CHECK(together.rotation == alone.rotation);
+  });
+}
+
+// 1.1e-16 an operation, some hundred operations, and ten times that where terms cancel.
+void check_close(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double scale = 0.0, worst = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    scale = std::max(scale, std::abs(a[k]));
+    worst = std::max(worst, std::abs(a[k] - b[k]));
+  }
+  CHECK(worst <= 1e-13 * scale);
+}
+
+}  // namespace
+
+TEST_CASE("a line is the same alone as among others") {
+  SUBCASE("portable kernels") { check_places(portable_line_kernels()); }
+  SUBCASE("AVX2 kernels") {
+    if (avx2_line_kernels()) check_places(*avx2_line_kernels());
+  }
+}
+
+TEST_CASE("all line kernels agree") {
+  if (!avx2_line_kernels()) return;
+  each_model([&](const Model& model, auto all) {
+    Found portable, wide;
+    const Model whole = part(model, -1, -1);
+    all(whole, portable_line_kernels(), portable);
+    all(whole, *avx2_line_kernels(), wide);
+    check_close(portable.force, wide.force);
+    check_close(portable.carried_force, wide.carried_force);
+    check_close(portable.stiffness, wide.stiffness);
+    check_close(portable.both, wide.both);
+    check_close(portable.strain, wide.strain);
+    check_close(portable.change, wide.change);
+    check_close(portable.damping, wide.damping);
+    check_close(portable.mass, wide.mass);
+  });
+}
