@@ -15,12 +15,16 @@ namespace {
 // shape counts as found.
 constexpr double most_turning = 1.0;
 constexpr double found_turning = 0.02;
-// Parameter of the tension path below which the law itself takes over once the shape is found;
-// where it is not found by path_least, the path starts again at path_again, and slower.
-constexpr double path_end = 1e-7;
-constexpr double path_least = 1e-13;
-constexpr double path_again = 1e-8;
-constexpr double path_slower = 0.7;
+// The law itself is tried once the shape is found and its residual is below law_residual; where it
+// does not close in within law_steps, the path goes on from where it was left, for path_steps.
+constexpr double law_residual = 0.1;
+constexpr double law_turning = 0.05;
+constexpr int law_steps = 6;
+constexpr int path_steps = 3;
+// Undamped steps may go round for ever between shapes: this many in a row that turn lines by more
+// than cycle_turning, without closing in, are damped again at the pace of their own stiffness.
+constexpr int cycle_steps = 3;
+constexpr double cycle_turning = 0.1;
 // Slack netting makes the way to the shape chaotic: most starts are through in a hundred steps, a
 // few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
 constexpr int attempt_steps = 400;
@@ -51,7 +55,6 @@ class Settling {
         right_(3 * free_.size()),
         damping_(free_.size()),
         values_(9 * assembly.pattern().column.size()),
-        reach_(0.02 * extent() + 1e-3),
         load_(total_load()),
         path_(assembly.model(), load_) {
     Stopwatch watch(report_.seconds_analysis);
@@ -66,8 +69,9 @@ class Settling {
   void begin(double pseudo_step) {
     path_ = TensionPath(assembly_.model(), load_);
     pseudo_step_ = pseudo_step;
-    turning_ = pace_ = 1.0;
-    left_path_ = false;
+    turning_ = last_turning_ = 1.0;
+    on_law_ = begun_ = false;
+    steps_to_law_ = cycle_ = 0;
   }
 
   // Net forces of the law itself.
@@ -99,18 +103,18 @@ class Settling {
 
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step() {
-    const bool on_path = path_.parameter() > path_end || !found();
-    if (on_path) {
+    choose_law();
+    {
       Stopwatch watch(report_.seconds_forces);
-      assembly_.strain(strain_);
-      if (left_path_) path_.return_to(strain_);
-      path_.prepare(strain_);
-      assembly_.residual(force_.data(), &path_.predicted());
+      if (!on_law_) {
+        assembly_.strain(strain_);
+        path_.prepare(strain_, reduction());
+        assembly_.residual(force_.data(), &path_.predicted());
+      }
     }
-    left_path_ = !on_path;
     {
       Stopwatch watch(report_.seconds_jacobian);
-      assembly_.jacobian({1.0, 0.0}, values_.data(), on_path ? &path_.current() : nullptr);
+      assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &path_.current());
       assembly_.pseudo_damping(damping_.data());
       for (double& d : damping_) d /= pseudo_step_;
       assembly_.add_diagonal(damping_.data(), values_.data());
@@ -127,31 +131,71 @@ class Settling {
       }
       lu_.solve(right_.data(), right_.data());
     }
-    move(on_path);
+    move();
   }
 
  private:
-  void move(bool on_path) {
-    double movement = 0.0;
+  // Whether the next step is the law's own or the path's.
+  void choose_law() {
+    const bool tried = law_steps_done_ >= law_steps;
+    if (on_law_ && (turning_ > law_turning ||
+                    (tried && !(report_.residual < 0.3 * residual_on_law_)))) {
+      on_law_ = false;
+      steps_to_law_ = path_steps;
+      std::copy(left_x_.begin(), left_x_.end(), x_);
+      path_ = left_path_;
+      pseudo_step_ = left_pseudo_step_;
+      measure();
+    } else if (!on_law_ && steps_to_law_ <= 0 && found() && report_.residual < law_residual) {
+      on_law_ = true;
+      law_steps_done_ = 0;
+      left_x_.assign(x_, x_ + force_.size());
+      left_path_ = path_;
+      left_pseudo_step_ = pseudo_step_;
+    }
+    if (on_law_) {
+      if (law_steps_done_ == 0 || tried) residual_on_law_ = report_.residual;
+      ++law_steps_done_;
+    }
+    --steps_to_law_;
+  }
+
+  // How far the path goes on in this step: far only while lines turn little.
+  double reduction() {
+    if (!begun_) {
+      begun_ = true;
+      return 1.0;
+    }
+    if (turning_ < 0.1) return 0.05;
+    if (turning_ < 0.5) return 0.5;
+    return turning_ < 1.0 ? 0.7 : 1.0;
+  }
+
+  void move() {
+    double damped = 0.0, driven = 0.0;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      at(dx_.data(), free_[i]) = at(right_.data(), static_cast<int>(i));
-      movement = std::max(movement, at(right_.data(), static_cast<int>(i)).norm());
+      const Vector dx = at(right_.data(), static_cast<int>(i));
+      at(dx_.data(), free_[i]) = dx;
+      damped += damping_[i] * dx.squaredNorm();
+      driven += dx.dot(at(force_.data(), free_[i]));
     }
     const LineChange& change = assembly_.line_change(dx_.data());
     turning_ = change.rotation;
-    const double share = std::min({1.0, reach_ / movement, most_turning / turning_});
-    if (on_path) {
-      path_.advance(change.strain, share);
-      if (share > 0.3) path_.reduce(std::pow(turning_ < 0.1 ? 0.4 : 0.7, pace_));
-      if (path_.parameter() < path_least && !found()) {
-        path_.restart(path_again);
-        pace_ *= path_slower;
-        left_path_ = true;
-        pseudo_step_ = std::min(pseudo_step_, 1.0);
-      }
-    }
+    const double share = std::min(1.0, most_turning / turning_);
+    if (!on_law_) path_.advance(change.strain, share);
     for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
+
+    // Pseudo time in which the step's stiffness alone would make it.
+    const double own = driven > damped ? pseudo_step_ * damped / (driven - damped) : 1e12;
+    const bool around = turning_ > cycle_turning && turning_ > 0.6 * last_turning_ &&
+                        pseudo_step_ > 10.0 * own;
+    cycle_ = around ? cycle_ + 1 : 0;
+    last_turning_ = turning_;
     pseudo_step_ = std::min(pseudo_step_ * std::clamp(1.0 / turning_, 0.3, 3.0), 1e12);
+    if (cycle_ == cycle_steps) {
+      pseudo_step_ = std::max(3.0 * own, 1e-3);
+      cycle_ = 0;
+    }
   }
 
   // Net force (N) that a stiff line shows when its ends move by their rounding.
@@ -166,15 +210,6 @@ class Settling {
                                         line.material->axial_stiffness / line.rest);
     });
     return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
-  }
-
-  double extent() const {
-    Vector low = Vector::Constant(1e300), high = Vector::Constant(-1e300);
-    for (int n = 0; n < assembly_.model().nodes; ++n) {
-      low = low.cwiseMin(at(x_, n));
-      high = high.cwiseMax(at(x_, n));
-    }
-    return (high - low).norm();
   }
 
   // Sum of the sizes of all loads that are not tensions.
@@ -194,15 +229,21 @@ class Settling {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, damping_, values_, strain_;
-  double reach_;
   double load_;  // N
   double rounding_ = rounding_force();  // N
   TensionPath path_;
   BlockLU lu_;
   double pseudo_step_ = 1.0;  // s
-  double turning_ = 1.0;
-  double pace_ = 1.0;         // power of the path's reductions
-  bool left_path_ = false;    // tensions must be made anew from the strains
+  double turning_ = 1.0, last_turning_ = 1.0;
+  bool begun_ = false;        // a step has been taken
+  int cycle_ = 0;             // undamped steps in a row that do not close in
+  bool on_law_ = false;
+  int law_steps_done_ = 0, steps_to_law_ = 0;
+  double residual_on_law_ = 0.0;
+  // Where the path was left for the law.
+  std::vector<double> left_x_;
+  TensionPath left_path_ = path_;
+  double left_pseudo_step_ = 1.0;  // s
 };
 
 }  // namespace

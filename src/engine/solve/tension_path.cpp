@@ -1,30 +1,48 @@
 #include "tension_path.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace codend {
+namespace {
 
-TensionPath::TensionPath(const Model& model, double load) {
+constexpr double first_parameter = 1e-2;
+constexpr double least_parameter = 1e-16;
+// First tensions over the lines' scales: taut enough that the first steps find the global shape.
+constexpr double first_tension = 10.0;
+// A step leaves at least this share of a tension or a shortfall.
+constexpr double least_share = 0.02;
+constexpr double least_tension = 1e-14;  // over a line's scale
+constexpr double least_shortfall = 1e-18, most_shortfall = 1e3;
+// T s is kept above this share of mu, so that no line leaves the path behind.
+constexpr double least_product = 1e-2;
+
+}  // namespace
+
+TensionPath::TensionPath(const Model& model, double load) : parameter_(first_parameter) {
   const std::size_t lines = static_cast<std::size_t>(model.lines());
   stiffness_.resize(lines);
   scale_.resize(lines);
+  shortfall_.assign(lines, first_parameter / first_tension);
+  centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = line.material->axial_stiffness;
     scale_[line.index] = std::min(0.01 * line.material->axial_stiffness, load);
   });
-  current_.tension = scale_;
+  current_.tension.resize(lines);
+  for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
   current_.modulus.resize(lines);
   predicted_ = current_;
 }
 
-void TensionPath::prepare(const std::vector<double>& strain) {
+void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
+  parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     const double t = current_.tension[k];
-    const double mu = parameter_ * scale_[k];
-    current_.modulus[k] = 1.0 / (1.0 / stiffness_[k] + mu / (t * t));
-    mismatch_[k] = strain[k] - t / stiffness_[k] + mu / t;
+    const double s = shortfall_[k];
+    current_.modulus[k] = 1.0 / (1.0 / stiffness_[k] + s / t);
+    centring_[k] = parameter_ * scale_[k] / t - s;
+    mismatch_[k] = strain[k] - t / stiffness_[k] + s + centring_[k];
     predicted_.tension[k] = t + current_.modulus[k] * mismatch_[k];
   }
 }
@@ -32,19 +50,13 @@ void TensionPath::prepare(const std::vector<double>& strain) {
 void TensionPath::advance(const std::vector<double>& strain_change, double share) {
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     double& t = current_.tension[k];
-    const double change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
-    t = std::max({t + share * change, 0.02 * t, 1e-12 * scale_[k]});
-  }
-}
-
-void TensionPath::return_to(const std::vector<double>& strain) {
-  for (std::size_t k = 0; k < scale_.size(); ++k) {
-    const double mu = parameter_ * scale_[k];
-    const double root = std::sqrt(strain[k] * strain[k] + 4.0 * mu / stiffness_[k]);
-    // The positive root of T/EA - strain = mu/T, without cancellation on the slack side.
-    const double t = strain[k] > 0.0 ? 0.5 * stiffness_[k] * (strain[k] + root)
-                                     : 2.0 * mu / (root - strain[k]);
-    current_.tension[k] = std::max(t, 1e-12 * scale_[k]);
+    double& s = shortfall_[k];
+    const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
+    const double s_change = centring_[k] - s / t * t_change;
+    t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
+    s = std::clamp(std::max(s + share * s_change, least_share * s), least_shortfall,
+                   most_shortfall);
+    s = std::max(s, least_product * parameter_ * scale_[k] / t);
   }
 }
 

@@ -1,10 +1,12 @@
 // Tension-only lines for a Newton method: an interior path to them.
 //
-// A line is taut or slack: T >= 0, s = T/EA - strain >= 0, T s = 0. Newton's method on T(strain)
-// itself cycles, because a line that a step makes taut answers with its whole EA only afterwards.
-// Here tensions are unknowns beside the positions and T s = mu: every line keeps a little tension,
-// and mu goes to zero while the shape is found (a primal-dual interior-point method; S. J. Wright,
-// Primal-Dual Interior-Point Methods, SIAM 1997). What is left at the end is the law itself.
+// A line is taut or slack: with the shortfall s = T/EA - strain, T >= 0, s >= 0 and T s = 0.
+// Newton's method on T(strain) itself cycles, because a line that a step makes taut answers with its
+// whole EA only afterwards. Here tensions and shortfalls are both unknowns beside the positions, and
+// T s = mu times a scale: every line keeps a little tension, and mu goes to zero while the shape is
+// found (a primal-dual interior-point method; S. J. Wright, Primal-Dual Interior-Point Methods,
+// SIAM 1997). What is left at the end is the law itself. Carrying s as well as T lets mu fall by
+// large factors: with s = mu/T eliminated, a step is good only while T changes by less than itself.
 #pragma once
 
 #include <vector>
@@ -18,28 +20,20 @@ class TensionPath {
   // load: the sum of the loads on the gear, N, which bounds the first guess of tensions.
   TensionPath(const Model& model, double load);
 
-  // Before a Newton step at strains: after it `current()` holds T and the modulus of the step's
-  // matrix, `predicted()` the tensions that its right side uses.
-  void prepare(const std::vector<double>& strain);
+  // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
+  // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
+  void prepare(const std::vector<double>& strain, double reduction);
   const CarriedTension& current() const { return current_; }
   const CarriedTension& predicted() const { return predicted_; }
 
-  // After the step: tensions follow the strains' first-order changes, taken `share` of the way,
-  // and stay positive.
+  // After the step: tensions and shortfalls follow the strains' first-order changes, taken `share`
+  // of the way, and stay positive.
   void advance(const std::vector<double>& strain_change, double share);
 
-  // Tensions on the path at given strains: after steps taken without the path.
-  void return_to(const std::vector<double>& strain);
-
-  // mu, as a share of its scale in every line.
-  double parameter() const { return parameter_; }
-  void reduce(double factor) { parameter_ *= factor; }
-  void restart(double parameter) { parameter_ = parameter; }
-
  private:
-  std::vector<double> stiffness_, scale_, mismatch_;
+  std::vector<double> stiffness_, scale_, shortfall_, centring_, mismatch_;
   CarriedTension current_, predicted_;
-  double parameter_ = 0.1;
+  double parameter_;  // mu
 };
 
 }  // namespace codend
