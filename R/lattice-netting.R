@@ -19,46 +19,78 @@ panel_bars <- function(panel) {
   if (panel$orientation == "square") area else 2 * area
 }
 
-triangle_elements <- function(panel, grid, across, deep) {
-  columns <- nrow(grid) - 1L
-  rows <- ncol(grid) - 1L
+# What a panel's elements depend on besides how it is divided.
+panel_shape <- c(
+  "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation"
+)
+
+# Elements of every panel; panels that are alike (the sides of a trawl) are divided once.
+#
+# division: of a panel of bars list(lambda, segments), of triangles list(across, deep).
+divide_panels <- function(panels, division, bars) {
+  found <- known <- list()
+  for (p in seq_along(panels)) {
+    key <- list(bars[[p]], division[[p]], panels[[p]][panel_shape])
+    same <- 0L
+    for (k in seq_along(known)) {
+      if (identical(known[[k]], key)) {
+        same <- k
+        break
+      }
+    }
+    known[[p]] <- key
+    found[[p]] <- if (same) {
+      found[[same]]
+    } else if (bars[[p]]) {
+      bar_elements(panels[[p]], division[[p]][[1]], division[[p]][[2]])
+    } else {
+      triangle_elements(panels[[p]], division[[p]][[1]], division[[p]][[2]])
+    }
+  }
+  found
+}
+
+# Triangles of a panel whose columns lie at the fractions `across` and rows at `deep`.
+#
+# Returns list(corner = three places in the panel's grid for each triangle, twine = u and v at each
+# of these, rest, multiplicity, bars = number of bars of one family inside).
+triangle_elements <- function(panel, across, deep) {
+  columns <- length(across) - 1L
+  rows <- length(deep) - 1L
   j <- rep(deep * panel$deep, each = columns + 1L)
   i <- panel_left(panel, j) + rep(across, rows + 1L) * (panel_right(panel, j) - panel_left(panel, j))
   square <- panel$orientation == "square"
   u <- if (square) i else i + j
   v <- if (square) j else j - i
 
-  at <- function(c, r) r * (columns + 1L) + c + 1L
-  cell_c <- rep(seq_len(columns) - 1L, rows)
-  cell_r <- rep(seq_len(rows) - 1L, each = columns)
-  a <- at(cell_c, cell_r)
-  b <- at(cell_c + 1L, cell_r)
-  c <- at(cell_c, cell_r + 1L)
-  d <- at(cell_c + 1L, cell_r + 1L)
+  cell_c <- rep.int(seq_len(columns) - 1L, rows)
+  a <- cell_c + rep(seq_len(rows) - 1L, each = columns) * (columns + 1L) + 1L
   # The diagonal changes sides at the panel's middle line, so that a panel's mirror image is
   # divided as its mirror image; a middle column carries both diagonals at half weight.
   side <- 2L * cell_c + 1L - columns
-  falling <- side < 0L
-  rising <- side > 0L
-  both <- side == 0L
+  falling <- a[side <= 0L]
+  rising <- a[side >= 0L]
+  below <- columns + 1L
   corner <- rbind(
-    cbind(a, b, d)[falling | both, , drop = FALSE], cbind(a, d, c)[falling | both, , drop = FALSE],
-    cbind(a, b, c)[rising | both, , drop = FALSE], cbind(b, d, c)[rising | both, , drop = FALSE]
+    c(falling, falling, rising, rising + 1L),
+    c(falling + 1L, falling + below + 1L, rising + 1L, rising + below + 1L),
+    c(falling + below + 1L, falling + below, rising + below, rising + below)
   )
-  weight <- rep(1, nrow(corner))
-  weight[c(rep(both[falling | both], 2L), rep(both[rising | both], 2L))] <- 0.5
-  area <- (u[corner[, 2]] - u[corner[, 1]]) * (v[corner[, 3]] - v[corner[, 1]]) -
-    (u[corner[, 3]] - u[corner[, 1]]) * (v[corner[, 2]] - v[corner[, 1]])
-  keep <- abs(area) > 1e-9 * max(abs(area))
-  corner <- corner[keep, , drop = FALSE]
+  weight <- rep.int(1, ncol(corner))
+  middle <- c(rep.int(side[side <= 0L] == 0L, 2L), rep.int(side[side >= 0L] == 0L, 2L))
+  weight[middle] <- 0.5
+  first <- corner[1L, ]
+  second <- corner[2L, ]
+  third <- corner[3L, ]
+  area <- (u[second] - u[first]) * (v[third] - v[first]) -
+    (u[third] - u[first]) * (v[second] - v[first])
+  area <- abs(area)
+  keep <- area > 1e-9 * max(area)
+  corner <- as.vector(corner[, keep])
   list(
-    node = matrix(grid[t(corner)], 3L),
-    twine = rbind(
-      u[corner[, 1]], v[corner[, 1]], u[corner[, 2]], v[corner[, 2]], u[corner[, 3]], v[corner[, 3]]
-    ),
-    rest = rep(panel$mesh_size / 2, nrow(corner)),
-    multiplicity = weight[keep],
-    bars = abs(area[keep]) / 2 * weight[keep]
+    corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
+    rest = rep.int(panel$mesh_size / 2, sum(keep)), multiplicity = weight[keep],
+    bars = area[keep] / 2 * weight[keep]
   )
 }
 
@@ -67,8 +99,9 @@ triangle_elements <- function(panel, grid, across, deep) {
 # lies on an edge is tied to the edge's nodes. Lengths at slanted edges are so only nearly right;
 # multiplicities are scaled to the panel's exact length of twine.
 #
-# Returns points (knots and cut ends: i, j, edge 0 or 1..4 and the fraction along it, knots) and the
-# bars between them, with the middles of bars as further points `between`.
+# Returns list(lambda, points = knots and cut ends: i, j, edge 0 or 1..4 and the fraction along it,
+# knots; between = i and j of the middles of bars, numbered on after the points; ends = two points
+# for each bar, rest, multiplicity).
 bar_elements <- function(panel, lambda, segments) {
   square <- panel$orientation == "square"
   rows <- max(1L, as.integer(round((if (square) 1 else 2) * panel$deep / lambda)))
@@ -77,106 +110,112 @@ bar_elements <- function(panel, lambda, segments) {
   meshes <- panel$upper / lambda
   half <- abs(meshes - round(meshes)) < 1e-6 && round(meshes) %% 2 == 1
   centre <- panel$upper / 2 + if (half) lambda / 2 else 0
-  reach <- ceiling((max(panel$upper, panel$lower) + panel$deep) / lambda) + 2L
+  # Columns of knots, with two beyond the panel on either side.
+  begin <- floor((min(0, panel_left(panel, panel$deep)) - centre) / lambda) - 2
+  width <- as.integer(
+    ceiling((max(panel$upper, panel_right(panel, panel$deep)) - centre) / lambda) + 3 - begin
+  )
 
-  q <- rep(0:rows, each = 2L * reach + 1L)
-  p <- rep(-reach:reach, rows + 1L)
-  i <- centre + lambda * (p + if (square) 0 else (q %% 2L) / 2)
+  q <- rep(0:rows, each = width)
+  odd <- if (square) 0L else q %% 2L
+  i <- centre + lambda * (rep.int(begin + seq_len(width) - 1, rows + 1L) + odd / 2)
   j <- q * row_step
   left <- panel_left(panel, j)
   right <- panel_right(panel, j)
-  inside <- pmin(i - left, right - i)
-  near <- lambda / 4
-  kept <- inside >= -near - 1e-9
-  edge <- ifelse(abs(i - left) <= near + 1e-9, 3L, ifelse(abs(i - right) <= near + 1e-9, 4L, 0L))
-  i[edge == 3L] <- left[edge == 3L]
-  i[edge == 4L] <- right[edge == 4L]
-  index <- integer(length(p))
-  index[kept] <- seq_len(sum(kept))
-  width <- 2L * reach + 1L
-  here <- seq_along(p)
+  from_left <- i - left
+  from_right <- right - i
+  near <- lambda / 4 + 1e-9
+  kept <- from_left >= -near & from_right >= -near
+  on_left <- abs(from_left) <= near
+  on_right <- abs(from_right) <= near & !on_left
+  i[on_left] <- left[on_left]
+  i[on_right] <- right[on_right]
+  edge <- 3L * on_left + 4L * on_right
+  index <- cumsum(kept)
 
-  # Twines run to the next row; those of square meshes also along the row.
-  step_u <- if (square) width else width + (q %% 2L)
-  step_v <- if (square) 1L else width + (q %% 2L) - 1L
-  pair <- function(step, last_row) {
-    from <- here[(if (last_row) q <= rows else q < rows)]
-    to <- from + (if (length(step) == 1L) step else step[from])
-    ok <- to >= 1L & to <= length(p)
-    ok[ok] <- abs(p[to[ok]] - p[from[ok]]) <= 1L
-    list(from = from[ok], to = to[ok])
+  # Twines run to the next row; those of square meshes also along the row. No knot is kept at the
+  # ends of a row, so none has a neighbour in another.
+  before_last <- seq_len(width * rows - 1L)
+  all <- seq_len(width * (rows + 1L) - 1L)
+  to_u <- before_last + width + if (square) 0L else odd[before_last]
+  from <- c(before_last, if (square) all else before_last)
+  to <- c(to_u, if (square) all + 1L else to_u - 1L)
+  from_kept <- kept[from]
+  to_kept <- kept[to]
+  whole <- from_kept & to_kept
+  cut <- from_kept != to_kept
+  inner <- to[cut]
+  outer <- from[cut]
+  starts <- from_kept[cut]
+  inner[starts] <- from[cut][starts]
+  outer[starts] <- to[cut][starts]
+  from <- from[whole]
+  to <- to[whole]
+  # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
+  # neighbour.
+  along_edge <- edge[from] == edge[to] & edge[from] > 0L
+  if (square) {
+    along_edge <- along_edge | (q[from] == q[to] & (q[from] == 0L | q[from] == rows))
   }
-  u <- pair(step_u, FALSE)
-  v <- pair(step_v, square)
-  from <- c(u$from, v$from)
-  to <- c(u$to, v$to)
-  some <- kept[from] | kept[to]
-  from <- from[some]
-  to <- to[some]
-  # A twine on the edge of square netting belongs half to each neighbour.
-  on_edge <- function(k) edge[k] > 0L | (square & (q[k] == 0L | q[k] == rows))
-
-  whole <- kept[from] & kept[to]
-  along_edge <- whole & on_edge(from) & on_edge(to) &
-    ((edge[from] == edge[to] & edge[from] > 0L) |
-      (square & q[from] == q[to] & (q[from] == 0L | q[from] == rows)))
-  points <- list(i = i[kept], j = j[kept], edge = edge[kept])
   # Twines that leave: cut where they meet the side.
-  starts_inside <- kept[from]
-  inner <- ifelse(starts_inside, from, to)
-  outer <- ifelse(starts_inside, to, from)
-  cut <- !whole & edge[inner] == 0L
-  inner <- inner[cut]
-  outer <- outer[cut]
-  side <- ifelse(i[outer] < left[outer], 3L, 4L)
-  gap <- function(k) ifelse(side == 3L, i[k] - left[k], right[k] - i[k])
-  fraction <- gap(inner) / (gap(inner) - gap(outer))
-  bars <- list(
-    from = c(index[from[whole]], index[inner]),
-    to = c(index[to[whole]], length(points$i) + seq_along(inner)),
-    length = c(rep(1, sum(whole)), fraction),
-    weight = c(ifelse(along_edge[whole], 0.5, 1), rep(1, length(inner)))
-  )
-  points$i <- c(points$i, i[inner] + fraction * (i[outer] - i[inner]))
-  points$j <- c(points$j, j[inner] + fraction * (j[outer] - j[inner]))
-  points$edge <- c(points$edge, side)
-  points$edge[points$edge == 0L & points$j <= 1e-9 * panel$deep] <- 1L
-  points$edge[points$edge == 0L & points$j >= panel$deep * (1 - 1e-9)] <- 2L
-  points$fraction <- ifelse(points$edge <= 2L,
-    (points$i - panel_left(panel, points$j)) /
-      pmax(panel_right(panel, points$j) - panel_left(panel, points$j), 1e-300),
-    points$j / panel$deep
-  )
-  used <- sort(unique(c(bars$from, bars$to)))
-  points <- lapply(points, function(x) x[used])
-  bars$from <- match(bars$from, used)
-  bars$to <- match(bars$to, used)
-  bars$rest <- bars$length * lambda * panel$mesh_size / 2
+  loose <- edge[inner] == 0L
+  inner <- inner[loose]
+  outer <- outer[loose]
+  leftwards <- i[outer] < left[outer]
+  gap <- function(k) {
+    across <- right[k] - i[k]
+    across[leftwards] <- (i[k] - left[k])[leftwards]
+    across
+  }
+  inside <- gap(inner)
+  fraction <- inside / (inside - gap(outer))
+
+  knots <- index[length(index)]
+  point_i <- c(i[kept], i[inner] + fraction * (i[outer] - i[inner]))
+  point_j <- c(j[kept], j[inner] + fraction * (j[outer] - j[inner]))
+  point_edge <- c(edge[kept], 4L - leftwards)
+  point_edge[point_edge == 0L & point_j <= 1e-9 * panel$deep] <- 1L
+  point_edge[point_edge == 0L & point_j >= panel$deep * (1 - 1e-9)] <- 2L
+  first <- c(index[from], index[inner])
+  second <- c(index[to], knots + seq_along(inner))
+  used <- logical(length(point_i))
+  used[first] <- used[second] <- TRUE
+  place <- cumsum(used)
+  points <- list(i = point_i[used], j = point_j[used], edge = point_edge[used])
+  points$fraction <- points$j / panel$deep
+  level <- points$edge <= 2L
+  left <- panel_left(panel, points$j[level])
+  across <- panel_right(panel, points$j[level]) - left
+  across[across < 1e-300] <- 1e-300
+  points$fraction[level] <- (points$i[level] - left) / across
+
+  rest <- c(rep.int(1, length(from)), fraction) * lambda * panel$mesh_size / 2
+  multiplicity <- lambda * c(1 - 0.5 * along_edge, rep.int(1, length(inner)))
   exact <- 2 * panel_bars(panel) * panel$mesh_size / 2
-  bars$multiplicity <- lambda * bars$weight
-  bars$multiplicity <- bars$multiplicity * exact / sum(bars$multiplicity * bars$rest)
+  multiplicity <- multiplicity * exact / sum(multiplicity * rest)
   # A knot on an edge belongs half to the neighbour.
-  knot_weight <- ifelse(points$edge > 0L, 0.5, 1)
+  knot_weight <- 1 - 0.5 * (points$edge > 0L)
   points$knots <- panel_bars(panel) * knot_weight / sum(knot_weight)
-  list(points = points, bars = split_bars(points, bars, segments))
+  c(
+    list(lambda = lambda, points = points),
+    split_bars(points, place[first], place[second], rest, multiplicity, segments)
+  )
 }
 
-# Bars cut into equal segments by nodes of their own (the middles of the mesh bars).
-split_bars <- function(points, bars, segments) {
-  n <- length(points$i)
-  m <- length(bars$from)
-  if (segments == 1L) return(c(bars, list(between = NULL)))
-  inner <- matrix(n + seq_len(m * (segments - 1L)), segments - 1L, m)
-  chain <- rbind(bars$from, inner, bars$to)
+# Bars cut into equal segments by points of their own (the middles of the mesh bars).
+split_bars <- function(points, first, second, rest, multiplicity, segments) {
+  if (segments == 1L) {
+    return(list(ends = as.vector(rbind(first, second)), rest = rest, multiplicity = multiplicity))
+  }
+  bars <- length(first)
+  inner <- matrix(length(points$i) + seq_len(bars * (segments - 1L)), segments - 1L, bars)
+  chain <- rbind(first, inner, second)
   share <- seq_len(segments - 1L) / segments
+  middle <- function(x) as.vector(outer(1 - share, x[first]) + outer(share, x[second]))
   list(
-    from = as.vector(chain[-(segments + 1L), ]),
-    to = as.vector(chain[-1L, ]),
-    rest = rep(bars$rest / segments, each = segments),
-    multiplicity = rep(bars$multiplicity, each = segments),
-    between = list(
-      i = as.vector(outer(1 - share, points$i[bars$from]) + outer(share, points$i[bars$to])),
-      j = as.vector(outer(1 - share, points$j[bars$from]) + outer(share, points$j[bars$to]))
-    )
+    between = list(i = middle(points$i), j = middle(points$j)),
+    ends = as.vector(rbind(as.vector(chain[-(segments + 1L), ]), as.vector(chain[-1L, ]))),
+    rest = rep(rest / segments, each = segments),
+    multiplicity = rep(multiplicity, each = segments)
   )
 }

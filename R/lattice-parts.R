@@ -24,24 +24,44 @@ add_knots <- function(build, panel, node, count, part) {
     added_mass = 0.5 * pi / 6 * panel$knot_diameter^3 * count, part = rep(part, length(node)))
 }
 
-add_triangle_panel <- function(build, panel, division, p, part) {
+# Adds all panels and returns what the views draw of each.
+#
+# grouping: `bar_grouping()` of all panels; ropes: number of parts before the panels.
+add_panels <- function(build, panels, division, bars, grouping, ropes) {
+  shapes <- lapply(panels, `[`, panel_shape)
+  divided <- lapply(seq_along(panels), function(p) {
+    e <- 4L * (p - 1L)
+    if (bars[p]) {
+      list(grouping$lambda[p], grouping$segments[p])
+    } else {
+      list(division$fractions[[e + 1L]], division$fractions[[e + 3L]])
+    }
+  })
+  found <- divide_panels(shapes, divided, bars)
+  drawn <- lapply(seq_along(panels), function(p) {
+    add <- if (bars[p]) add_bar_panel else add_triangle_panel
+    add(build, panels[[p]], found[[p]], division, p, ropes + p)
+  })
+  setNames(drawn, names(panels))
+}
+
+add_triangle_panel <- function(build, panel, found, division, p, part) {
   grid <- division$grids[[p]]
-  e <- 4L * (p - 1L)
-  t <- triangle_elements(panel, grid, division$fractions[[e + 1L]], division$fractions[[e + 3L]])
-  m <- length(t$rest)
-  build$add("triangles", node = as.vector(t$node), twine = as.vector(t$twine), rest = t$rest,
-    multiplicity = t$multiplicity, material = rep(part, m), part = rep(part, m))
-  third <- rep(t$bars / 3, each = 3L)
+  m <- length(found$rest)
+  node <- grid[found$corner]
+  build$add("triangles", node = node, twine = found$twine, rest = found$rest,
+    multiplicity = found$multiplicity, material = rep.int(part, m), part = rep.int(part, m))
+  third <- rep(found$bars / 3, each = 3L)
   twine <- 2 * third * panel$mesh_size / 2
-  build$add("masses", node = as.vector(t$node), mass = twine * panel$mass_per_length,
+  build$add("masses", node = node, mass = twine * panel$mass_per_length,
     volume = twine * panel$volume_per_length)
-  knots <- rowsum(third, as.vector(t$node), reorder = FALSE)
-  add_knots(build, panel, as.integer(rownames(knots)), as.vector(knots), part)
+  if (panel$knot_diameter > 0) {
+    add_knots(build, panel, unique(node), as.vector(rowsum(third, node, reorder = FALSE)), part)
+  }
   list(netting = "triangles", grid = grid)
 }
 
-add_bar_panel <- function(build, panel, division, p, part, grouping) {
-  found <- bar_elements(panel, grouping$lambda, grouping$segments)
+add_bar_panel <- function(build, panel, found, division, p, part) {
   points <- found$points
   id <- integer(length(points$i))
   free <- points$edge == 0L
@@ -51,31 +71,38 @@ add_bar_panel <- function(build, panel, division, p, part, grouping) {
     if (!length(on)) next
     f <- division$fractions[[4L * (p - 1L) + k]]
     nodes <- division$edge_nodes[[4L * (p - 1L) + k]]
-    at <- pmin(pmax(points$fraction[on], 0), 1)
-    cell <- pmin(findInterval(at, f, all.inside = TRUE), length(f) - 1L)
+    at <- points$fraction[on]
+    at[at < 0] <- 0
+    at[at > 1] <- 1
+    cell <- cell_of(at, f)
     share <- (at - f[cell]) / (f[cell + 1L] - f[cell])
     first <- nodes[cell]
     second <- nodes[cell + 1L]
     whole <- share < 1e-6 | share > 1 - 1e-6 | first == second
-    id[on[whole]] <- ifelse(share > 0.5, second, first)[whole]
-    if (any(!whole)) {
+    nearest <- first
+    beyond <- share > 0.5
+    nearest[beyond] <- second[beyond]
+    id[on[whole]] <- nearest[whole]
+    if (!all(whole)) {
       id[on[!whole]] <- build$tie(first[!whole], second[!whole], share[!whole])
     }
   }
-  inner <- length(found$bars$between$i)
+  inner <- length(found$between$i)
   id <- c(id, build$new_nodes(inner))
-  b <- found$bars
-  ends <- rbind(id[b$from], id[b$to])
-  keep <- ends[1, ] != ends[2, ]
-  m <- sum(keep)
-  build$add("bars", node = as.vector(ends[, keep]), rest = b$rest[keep],
-    multiplicity = b$multiplicity[keep], material = rep(part, m), part = rep(part, m))
-  half <- rep(b$rest * b$multiplicity / 2, each = 2L)
-  build$add("masses", node = as.vector(ends), mass = half * panel$mass_per_length,
+  ends <- id[found$ends]
+  second <- seq.int(2L, by = 2L, length.out = length(found$rest))
+  keep <- ends[second - 1L] != ends[second]
+  half <- rep(found$rest * found$multiplicity / 2, each = 2L)
+  build$add("masses", node = ends, mass = half * panel$mass_per_length,
     volume = half * panel$volume_per_length)
+  if (!all(keep)) ends <- ends[rep(keep, each = 2L)]
+  m <- sum(keep)
+  build$add("bars", node = ends, rest = found$rest[keep],
+    multiplicity = found$multiplicity[keep], material = rep.int(part, m), part = rep.int(part, m))
   add_knots(build, panel, id[seq_along(points$i)], points$knots, part)
   list(
-    netting = "bars", node = id, i = c(points$i, b$between$i), j = c(points$j, b$between$j)
+    netting = "bars", node = id, i = c(points$i, found$between$i), j = c(points$j, found$between$j),
+    lambda = found$lambda
   )
 }
 
@@ -83,10 +110,16 @@ lift_directions <- list(
   up = c(0L, 1), down = c(0L, -1), starboard = c(1L, 1), port = c(1L, -1)
 )
 
-# run: list(node, at) of the nodes that the piece is spread over, or NULL where it sits at a place.
-add_piece <- function(build, piece, run, place, density, part) {
+# The nodes that a piece is spread over: list(node, at), or NULL where it sits at a place.
+piece_run <- function(si, division, name) {
+  along <- si$pieces[[name]]$along
+  if (is.null(along)) return(NULL)
+  if (along$kind == "rope") division$ropes[[along$name]] else division$runs[[name]]
+}
+
+add_piece <- function(build, piece, run, places, density, part) {
   if (is.null(run)) {
-    node <- place(piece$at)
+    node <- places[[piece$at]]
     share <- 1
   } else {
     # Each node takes the stretch halfway to its neighbours, cut to the piece's share of the rope.
@@ -128,27 +161,18 @@ gear_supports <- function(si, division) {
 
 # The lattice must hold the plan's twine: an error names the panel where it does not.
 check_totals <- function(lattice, si) {
-  e <- lattice$engine
-  length_of <- numeric(nrow(lattice$parts))
-  add <- function(part, value) {
-    if (!length(part)) return()
-    s <- rowsum(value, part)
-    k <- as.integer(rownames(s))
-    length_of[k] <<- length_of[k] + s
-  }
-  add(lattice$bar_part, e$bars$rest * e$bars$multiplicity)
-  if (length(e$triangles$rest)) {
-    t <- matrix(e$triangles$twine, 6L)
-    d <- abs((t[3, ] - t[1, ]) * (t[6, ] - t[2, ]) - (t[5, ] - t[1, ]) * (t[4, ] - t[2, ]))
-    add(lattice$triangle_part, d * e$triangles$multiplicity * e$triangles$rest)
-  }
+  bars <- lattice$engine$bars
+  triangles <- lattice$engine$triangles
+  parts <- nrow(lattice$parts)
+  built <- sum_by(bars$rest * bars$multiplicity, lattice$bar_part, parts) +
+    sum_by(2 * triangle_bars(triangles) * triangles$rest, lattice$triangle_part, parts)
   for (p in seq_along(si$panels)) {
     planned <- 2 * panel_bars(si$panels[[p]]) * si$panels[[p]]$mesh_size / 2
-    built <- length_of[length(si$ropes) + p]
-    if (abs(built - planned) > 1e-6 * planned) {
+    held <- built[length(si$ropes) + p]
+    if (abs(held - planned) > 1e-6 * planned) {
       cli::cli_abort(
         "Panel {.field {names(si$panels)[p]}} has {signif(planned, 6)} m of twine in the plan and
-        {signif(built, 6)} m in the lattice.",
+        {signif(held, 6)} m in the lattice.",
         class = c("codend_error_lattice", "codend_error")
       )
     }

@@ -153,7 +153,7 @@ panel_bar_lines <- function(state, points, name, part, every) {
 on_every_twine <- function(state, name, ends, every) {
   panel <- state$si$panels[[name]]
   drawn <- state$lattice$panels[[name]]
-  lambda <- bar_grouping(panel, state$lattice$h)$lambda
+  lambda <- drawn$lambda
   node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)
