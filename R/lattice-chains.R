@@ -46,10 +46,11 @@ chain_table <- function(chains, panels) {
   first <- cumsum(rows) - rows + 1L
   start <- rep(0, length(edge))
   end <- rep(1, length(edge))
-  lengths <- if (any(rows > 1L)) edge_lengths(panels)
   for (chain in which(rows > 1L)) {
     mine <- seq.int(first[chain], length.out = rows[chain])
-    long <- abs(to[mine] - from[mine]) * lengths[edge[mine]]
+    long <- abs(to[mine] - from[mine]) * vapply(parsed[mine], function(e) {
+      edge_length(panels[[e$panel]], e$edge)
+    }, 0)
     if (sum(long) == 0) long[] <- 1
     reached <- cumsum(long) / sum(long)
     start[mine] <- c(0, reached[-length(reached)])

@@ -7,19 +7,15 @@ edge_number <- function(panels, panel, edge) {
   4L * (match(panel, names(panels)) - 1L) + match(edge, c("upper", "lower", "left", "right"))
 }
 
-# Stretched length of every edge, m, in the order of edge ids.
-edge_lengths <- function(panels) {
-  sides <- c("upper", "lower", "left", "right")
-  unlist(lapply(panels, function(p) vapply(sides, edge_length, 0, panel = p)), use.names = FALSE)
-}
-
 break_tolerance <- 1e-7
 
+# Known breaks, in order, with those of the new ones that are not known yet.
 merge_breaks <- function(known, new) {
   if (length(new) == length(known) && all(abs(new - known) <= break_tolerance)) return(known)
-  before <- length(known)
-  for (f in new) if (min(abs(f - known)) > break_tolerance) known <- c(known, f)
-  if (length(known) > before) sort.int(known) else known
+  for (f in new) {
+    if (min(abs(f - known)) > break_tolerance) known <- append(known, f, sum(known < f))
+  }
+  known
 }
 
 # Breaks (fractions) of every edge, carried through seams and across panels until nothing changes.
@@ -36,20 +32,16 @@ edge_breaks <- function(chains, linked) {
   for (row in which(abs(to - from) != 1)) {
     breaks[[edge[row]]] <- merge_breaks(breaks[[edge[row]]], c(from[row], to[row]))
   }
-  seams <- lapply(seq_along(chains$seams$first), function(seam) {
-    joined <- chains$seams$first[seam] + seq_len(chains$seams$count[seam]) - 1L
-    lapply(joined, function(k) chains$first[k] + seq_len(chains$rows[k]) - 1L)
-  })
-  edges_of <- lapply(seams, function(seam) edge[unlist(seam)])
-  touching <- vector("list", length(breaks))
-  for (seam in seq_along(seams)) {
-    for (e in edges_of[[seam]]) touching[[e]] <- c(touching[[e]], seam)
-  }
+  rows_of <- function(chain) chains$first[chain] + seq_len(chains$rows[chain]) - 1L
+  # Chains of seams come first in the table.
+  seam_of <- rep.int(seq_along(chains$seams$count), chains$seams$count)
+  seam_of <- rep.int(seam_of, chains$rows[seq_along(seam_of)])
+  joined_edge <- edge[seq_along(seam_of)]
   # Whatever has more breaks than its ends must tell its neighbours; a seam of one whole edge with
   # another has nothing to tell until then.
   waiting <- which(lengths(breaks) > 2L)
-  many <- lengths(edges_of) > chains$seams$count
-  waiting <- union(waiting, unlist(edges_of[many]))
+  many <- tabulate(seam_of, length(chains$seams$count)) > chains$seams$count
+  waiting <- union(waiting, joined_edge[many[seam_of]])
   give <- function(edge, fractions) {
     merged <- merge_breaks(breaks[[edge]], fractions)
     if (length(merged) > length(breaks[[edge]])) {
@@ -61,17 +53,19 @@ edge_breaks <- function(chains, linked) {
     e <- waiting[1L]
     waiting <- waiting[-1L]
     if (linked[(e - 1L) %/% 4L + 1L]) give(opposite_edge(e), breaks[[e]])
-    for (seam in seams[touching[[e]]]) {
-      on_seam <- lapply(seam, function(rows) {
-        unlist(lapply(rows, function(k) {
+    for (seam in unique(seam_of[joined_edge == e])) {
+      joined <- chains$seams$first[seam] + seq_len(chains$seams$count[seam]) - 1L
+      on_seam <- NULL
+      for (chain in joined) {
+        on_chain <- unlist(lapply(rows_of(chain), function(k) {
           f <- breaks[[edge[k]]]
           f <- f[f >= low[k] & f <= high[k]]
           start[k] + (f - from[k]) / (to[k] - from[k]) * (end[k] - start[k])
         }))
-      })
-      union <- Reduce(merge_breaks, on_seam)
-      for (k in unlist(seam)) {
-        s <- union[union > start[k] - break_tolerance & union < end[k] + break_tolerance]
+        on_seam <- if (is.null(on_seam)) on_chain else merge_breaks(on_seam, on_chain)
+      }
+      for (k in unlist(lapply(joined, rows_of))) {
+        s <- on_seam[on_seam > start[k] - break_tolerance & on_seam < end[k] + break_tolerance]
         give(edge[k], from[k] + (s - start[k]) / (end[k] - start[k]) * (to[k] - from[k]))
       }
     }

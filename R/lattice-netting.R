@@ -4,218 +4,252 @@
 # Mesh coordinates of a panel: i meshes across (from the left end of the upper edge), j meshes deep.
 # Twine coordinates: diamond and turned meshes u = i + j, v = j - i; square meshes u = i, v = j; one
 # unit is one bar.
-
-panel_left <- function(panel, j) {
-  panel$taper_left * (panel$upper - panel$lower) * j / panel$deep
-}
-
-panel_right <- function(panel, j) {
-  panel$upper - panel$taper_right * (panel$upper - panel$lower) * j / panel$deep
-}
-
-# Bars of one family in a panel (as many of the other), and knots, in the plan.
-panel_bars <- function(panel) {
-  area <- (panel$upper + panel$lower) / 2 * panel$deep
-  if (panel$orientation == "square") area else 2 * area
-}
-
-# What a panel's elements depend on besides how it is divided.
-panel_shape <- c(
-  "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation"
-)
-
-# Elements of every panel; panels that are alike (the sides of a trawl) are divided once.
 #
-# division: of a panel of bars list(lambda, segments), of triangles list(across, deep).
-divide_panels <- function(panels, division, bars) {
-  found <- known <- list()
-  for (p in seq_along(panels)) {
-    key <- list(bars[[p]], division[[p]], panels[[p]][panel_shape])
-    same <- 0L
-    for (k in seq_along(known)) {
-      if (identical(known[[k]], key)) {
-        same <- k
-        break
-      }
-    }
-    known[[p]] <- key
-    found[[p]] <- if (same) {
-      found[[same]]
-    } else if (bars[[p]]) {
-      bar_elements(panels[[p]], division[[p]][[1]], division[[p]][[2]])
-    } else {
-      triangle_elements(panels[[p]], division[[p]][[1]], division[[p]][[2]])
-    }
-  }
-  found
-}
+# Functions take several panels as a table (see panel_table()) and make the elements of one panel
+# after the other.
 
-# Triangles of a panel whose columns lie at the fractions `across` and rows at `deep`.
+# Triangles of panels whose nodes lie at these fractions across and deep.
 #
-# Returns list(corner = three places in the panel's grid for each triangle, twine = u and v at each
-# of these, rest, multiplicity, bars = number of bars of one family inside).
-triangle_elements <- function(panel, across, deep) {
-  columns <- length(across) - 1L
-  rows <- length(deep) - 1L
-  j <- rep(deep * panel$deep, each = columns + 1L)
-  i <- panel_left(panel, j) + rep(across, rows + 1L) * (panel_right(panel, j) - panel_left(panel, j))
-  square <- panel$orientation == "square"
-  u <- if (square) i else i + j
-  v <- if (square) j else j - i
+# across, deep: list(fraction, count), the fractions of all panels and how many each has.
+# Returns list(panel, corner = three places in the panels' grids, one grid after the other, for
+# each triangle, twine = u and v at each corner, rest, multiplicity, bars = number of bars of one
+# family inside).
+triangle_elements <- function(panels, across, deep) {
+  columns <- across$count
+  rows <- deep$count
+  nodes <- columns * rows
+  at <- rep.int(seq_along(columns), nodes)
+  k <- sequence(nodes) - 1L
+  column <- k %% columns[at]
+  row <- k %/% columns[at]
+  shape <- pick_panels(panels, at, side_fields)
+  j <- deep$fraction[(cumsum(rows) - rows)[at] + row + 1L] * shape$deep
+  left <- panel_left(shape, j)
+  i <- left + across$fraction[(cumsum(columns) - columns)[at] + column + 1L] *
+    (panel_right(shape, j) - left)
+  square <- is_square(panels)[at]
+  u <- i + j * !square
+  v <- j - i * !square
 
-  cell_c <- rep.int(seq_len(columns) - 1L, rows)
-  a <- cell_c + rep(seq_len(rows) - 1L, each = columns) * (columns + 1L) + 1L
+  a <- which(column < columns[at] - 1L & row < rows[at] - 1L)
   # The diagonal changes sides at the panel's middle line, so that a panel's mirror image is
   # divided as its mirror image; a middle column carries both diagonals at half weight.
-  side <- 2L * cell_c + 1L - columns
+  side <- 2L * column[a] + 2L - columns[at[a]]
   falling <- a[side <= 0L]
   rising <- a[side >= 0L]
-  below <- columns + 1L
-  corner <- rbind(
-    c(falling, falling, rising, rising + 1L),
-    c(falling + 1L, falling + below + 1L, rising + 1L, rising + below + 1L),
-    c(falling + below + 1L, falling + below, rising + below, rising + below)
-  )
-  weight <- rep.int(1, ncol(corner))
-  middle <- c(rep.int(side[side <= 0L] == 0L, 2L), rep.int(side[side >= 0L] == 0L, 2L))
-  weight[middle] <- 0.5
-  first <- corner[1L, ]
-  second <- corner[2L, ]
-  third <- corner[3L, ]
-  area <- (u[second] - u[first]) * (v[third] - v[first]) -
-    (u[third] - u[first]) * (v[second] - v[first])
-  area <- abs(area)
-  keep <- area > 1e-9 * max(area)
-  corner <- as.vector(corner[, keep])
+  below_falling <- falling + columns[at[falling]]
+  below_rising <- rising + columns[at[rising]]
+  first <- c(falling, falling, rising, rising + 1L)
+  second <- c(falling + 1L, below_falling + 1L, rising + 1L, below_rising + 1L)
+  third <- c(below_falling + 1L, below_falling, below_rising, below_rising)
+  weight <- 1 - 0.5 * c(rep.int(side[side <= 0L] == 0L, 2L), rep.int(side[side >= 0L] == 0L, 2L))
+  area <- abs((u[second] - u[first]) * (v[third] - v[first]) -
+    (u[third] - u[first]) * (v[second] - v[first]))
+  panel <- at[first]
+  largest <- vapply(split_runs(sort_by(area, panel), tabulate(panel, length(columns))), max, 0)
+  kept <- order(panel)
+  kept <- kept[(area > 1e-9 * largest[panel])[kept]]
+  corner <- as.vector(rbind(first[kept], second[kept], third[kept]))
   list(
-    corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
-    rest = rep.int(panel$mesh_size / 2, sum(keep)), multiplicity = weight[keep],
-    bars = area[keep] / 2 * weight[keep]
+    panel = panel[kept], corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
+    rest = (panels$mesh_size / 2)[panel[kept]], multiplicity = weight[kept],
+    bars = area[kept] / 2 * weight[kept]
   )
 }
 
-# Equivalent bars of a panel. Knots lie lambda bars apart along the twines; those within a quarter
+# Values in the order of their groups.
+sort_by <- function(x, group) x[order(group)]
+
+# Equivalent bars of panels. Knots lie lambda bars apart along the twines; those within a quarter
 # of an equivalent mesh of an edge are moved onto it, twines that cross an edge end there, and what
 # lies on an edge is tied to the edge's nodes. Lengths at slanted edges are so only nearly right;
 # multiplicities are scaled to the panel's exact length of twine.
 #
-# Returns list(lambda, points = knots and cut ends: i, j, edge 0 or 1..4 and the fraction along it,
-# knots; between = i and j of the middles of bars, numbered on after the points; ends = two points
-# for each bar, rest, multiplicity).
-bar_elements <- function(panel, lambda, segments) {
-  square <- panel$orientation == "square"
-  rows <- max(1L, as.integer(round((if (square) 1 else 2) * panel$deep / lambda)))
-  row_step <- panel$deep / rows
-  # A knot at the left end of the upper edge, or midway where that fits the width better.
-  meshes <- panel$upper / lambda
-  half <- abs(meshes - round(meshes)) < 1e-6 && round(meshes) %% 2 == 1
-  centre <- panel$upper / 2 + if (half) lambda / 2 else 0
-  # Columns of knots, with two beyond the panel on either side.
-  begin <- floor((min(0, panel_left(panel, panel$deep)) - centre) / lambda) - 2
-  width <- as.integer(
-    ceiling((max(panel$upper, panel_right(panel, panel$deep)) - centre) / lambda) + 3 - begin
-  )
+# Returns list(points, bars), see bar_points() and split_bars().
+bar_elements <- function(panels, grouping) {
+  rows <- at_least_one(round((2 - is_square(panels)) * panels$deep / grouping$lambda))
+  knots <- knot_rows(panels, grouping$lambda, rows)
+  twines <- knot_twines(knots, is_square(panels), rows)
+  lambda <- grouping$lambda
+  panel <- seq_along(rows)
 
-  q <- rep(0:rows, each = width)
-  odd <- if (square) 0L else q %% 2L
-  i <- centre + lambda * (rep.int(begin + seq_len(width) - 1, rows + 1L) + odd / 2)
-  j <- q * row_step
-  left <- panel_left(panel, j)
-  right <- panel_right(panel, j)
+  whole <- twines$from_kept & twines$to_kept
+  from <- twines$from[whole]
+  to <- twines$to[whole]
+  # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
+  # neighbour.
+  ends_row <- is_square(panels)[knots$panel] & (knots$row == 0L | knots$row == rows[knots$panel])
+  along_edge <- (knots$edge[from] == knots$edge[to] & knots$edge[from] > 0L) |
+    (ends_row[from] & knots$row[from] == knots$row[to])
+  cut <- cut_twines(knots, twines)
+
+  # Knots and cut ends of each panel follow each other.
+  kept <- which(knots$kept)
+  number <- cumsum(knots$kept)
+  of_points <- c(knots$panel[kept], knots$panel[cut$inner])
+  first <- c(number[from], number[cut$inner])
+  second <- c(number[to], length(kept) + seq_along(cut$inner))
+  used <- logical(length(of_points))
+  used[first] <- used[second] <- TRUE
+  order <- order(of_points)
+  order <- order[used[order]]
+  place <- integer(length(used))
+  place[order] <- seq_along(order)
+  points <- bar_points(panels, list(
+    panel = of_points[order], i = c(knots$i[kept], cut$i)[order],
+    j = c(knots$j[kept], cut$j)[order], edge = c(knots$edge[kept], cut$edge)[order]
+  ))
+
+  of_bars <- c(knots$panel[from], knots$panel[cut$inner])
+  rest <- c(rep.int(1, length(from)), cut$share) * lambda[of_bars] * panels$mesh_size[of_bars] / 2
+  multiplicity <- lambda[of_bars] * c(1 - 0.5 * along_edge, rep.int(1, length(cut$share)))
+  order <- order(of_bars)
+  of_bars <- of_bars[order]
+  rest <- rest[order]
+  multiplicity <- multiplicity[order]
+  exact <- 2 * panel_bars(panels) * panels$mesh_size / 2
+  built <- vapply(split_runs(multiplicity * rest, tabulate(of_bars, length(rows))), sum, 0)
+  multiplicity <- multiplicity * exact[of_bars] / built[of_bars]
+  list(points = points, bars = split_bars(
+    points, of_bars, place[first[order]], place[second[order]], rest, multiplicity,
+    grouping$segments
+  ))
+}
+
+# All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
+#
+# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, j, left, right =
+# i of the panel's sides there, edge = 3 or 4 where moved onto a side, kept; width, first = of every
+# panel, knots in a row and knots before its first).
+knot_rows <- function(panels, lambda, rows) {
+  # A knot at the left end of the upper edge, or midway where that fits the width better.
+  meshes <- round(panels$upper / lambda)
+  half <- abs(panels$upper / lambda - meshes) < 1e-6 & meshes %% 2 == 1
+  centre <- panels$upper / 2 + half * lambda / 2
+  low <- panel_left(panels, panels$deep)
+  low[low > 0] <- 0
+  high <- panel_right(panels, panels$deep)
+  beyond <- high < panels$upper
+  high[beyond] <- panels$upper[beyond]
+  begin <- floor((low - centre) / lambda) - 2
+  width <- as.integer(ceiling((high - centre) / lambda) + 3 - begin)
+  size <- width * (rows + 1L)
+
+  panel <- rep.int(seq_along(rows), size)
+  k <- sequence(size) - 1L
+  row <- k %/% width[panel]
+  shift <- row %% 2L * !is_square(panels)[panel]
+  i <- centre[panel] + lambda[panel] * (begin[panel] + k %% width[panel] + shift / 2)
+  j <- row * (panels$deep / rows)[panel]
+  shape <- pick_panels(panels, panel, side_fields)
+  left <- panel_left(shape, j)
+  right <- panel_right(shape, j)
   from_left <- i - left
   from_right <- right - i
-  near <- lambda / 4 + 1e-9
-  kept <- from_left >= -near & from_right >= -near
+  near <- (lambda / 4 + 1e-9)[panel]
   on_left <- abs(from_left) <= near
   on_right <- abs(from_right) <= near & !on_left
   i[on_left] <- left[on_left]
   i[on_right] <- right[on_right]
-  edge <- 3L * on_left + 4L * on_right
-  index <- cumsum(kept)
-
-  # Twines run to the next row; those of square meshes also along the row. No knot is kept at the
-  # ends of a row, so none has a neighbour in another.
-  before_last <- seq_len(width * rows - 1L)
-  all <- seq_len(width * (rows + 1L) - 1L)
-  to_u <- before_last + width + if (square) 0L else odd[before_last]
-  from <- c(before_last, if (square) all else before_last)
-  to <- c(to_u, if (square) all + 1L else to_u - 1L)
-  from_kept <- kept[from]
-  to_kept <- kept[to]
-  whole <- from_kept & to_kept
-  cut <- from_kept != to_kept
-  inner <- to[cut]
-  outer <- from[cut]
-  starts <- from_kept[cut]
-  inner[starts] <- from[cut][starts]
-  outer[starts] <- to[cut][starts]
-  from <- from[whole]
-  to <- to[whole]
-  # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
-  # neighbour.
-  along_edge <- edge[from] == edge[to] & edge[from] > 0L
-  if (square) {
-    along_edge <- along_edge | (q[from] == q[to] & (q[from] == 0L | q[from] == rows))
-  }
-  # Twines that leave: cut where they meet the side.
-  loose <- edge[inner] == 0L
-  inner <- inner[loose]
-  outer <- outer[loose]
-  leftwards <- i[outer] < left[outer]
-  gap <- function(k) {
-    across <- right[k] - i[k]
-    across[leftwards] <- (i[k] - left[k])[leftwards]
-    across
-  }
-  inside <- gap(inner)
-  fraction <- inside / (inside - gap(outer))
-
-  knots <- index[length(index)]
-  point_i <- c(i[kept], i[inner] + fraction * (i[outer] - i[inner]))
-  point_j <- c(j[kept], j[inner] + fraction * (j[outer] - j[inner]))
-  point_edge <- c(edge[kept], 4L - leftwards)
-  point_edge[point_edge == 0L & point_j <= 1e-9 * panel$deep] <- 1L
-  point_edge[point_edge == 0L & point_j >= panel$deep * (1 - 1e-9)] <- 2L
-  first <- c(index[from], index[inner])
-  second <- c(index[to], knots + seq_along(inner))
-  used <- logical(length(point_i))
-  used[first] <- used[second] <- TRUE
-  place <- cumsum(used)
-  points <- list(i = point_i[used], j = point_j[used], edge = point_edge[used])
-  points$fraction <- points$j / panel$deep
-  level <- points$edge <= 2L
-  left <- panel_left(panel, points$j[level])
-  across <- panel_right(panel, points$j[level]) - left
-  across[across < 1e-300] <- 1e-300
-  points$fraction[level] <- (points$i[level] - left) / across
-
-  rest <- c(rep.int(1, length(from)), fraction) * lambda * panel$mesh_size / 2
-  multiplicity <- lambda * c(1 - 0.5 * along_edge, rep.int(1, length(inner)))
-  exact <- 2 * panel_bars(panel) * panel$mesh_size / 2
-  multiplicity <- multiplicity * exact / sum(multiplicity * rest)
-  # A knot on an edge belongs half to the neighbour.
-  knot_weight <- 1 - 0.5 * (points$edge > 0L)
-  points$knots <- panel_bars(panel) * knot_weight / sum(knot_weight)
-  c(
-    list(lambda = lambda, points = points),
-    split_bars(points, place[first], place[second], rest, multiplicity, segments)
+  list(
+    panel = panel, row = row, shift = shift, i = i, j = j, left = left, right = right,
+    edge = 3L * on_left + 4L * on_right, kept = from_left >= -near & from_right >= -near,
+    width = width, first = cumsum(size) - size
   )
 }
 
-# Bars cut into equal segments by points of their own (the middles of the mesh bars).
-split_bars <- function(points, first, second, rest, multiplicity, segments) {
-  if (segments == 1L) {
-    return(list(ends = as.vector(rbind(first, second)), rest = rest, multiplicity = multiplicity))
+# Twines between knots of which one at least is kept: they run to the next row, those of square
+# meshes also along the row; first those of one family, then of the other. No knot is kept at the
+# ends of a row, so none has a neighbour in another row.
+knot_twines <- function(knots, square, rows) {
+  number <- length(knots$panel)
+  down <- seq_len(number)
+  below <- down + knots$width[knots$panel] + knots$shift
+  other <- below - 1L
+  along <- square[knots$panel]
+  other[along] <- down[along] + 1L
+  last_row <- knots$row == rows[knots$panel]
+  kept <- c(knots$kept, logical(max(knots$width, 0L) + 1L))
+  # Knots of the last row have none below.
+  u <- which(!last_row & (knots$kept | kept[below]))
+  v <- which((along | !last_row) & (knots$kept | kept[other]))
+  from <- c(u, v)
+  to <- c(below[u], other[v])
+  list(from = from, to = to, from_kept = knots$kept[from], to_kept = kept[to])
+}
+
+# Twines that leave over a side, cut where they meet it.
+#
+# Returns list(inner = the knot inside, i, j, edge = where the cut end lies, share = of the twine
+# that is left).
+cut_twines <- function(knots, twines) {
+  cut <- twines$from_kept != twines$to_kept
+  starts <- twines$from_kept[cut]
+  inner <- twines$to[cut]
+  outer <- twines$from[cut]
+  inner[starts] <- twines$from[cut][starts]
+  outer[starts] <- twines$to[cut][starts]
+  loose <- knots$edge[inner] == 0L
+  inner <- inner[loose]
+  outer <- outer[loose]
+  leftwards <- knots$i[outer] < knots$left[outer]
+  gap <- function(k) {
+    across <- knots$right[k] - knots$i[k]
+    across[leftwards] <- (knots$i[k] - knots$left[k])[leftwards]
+    across
   }
-  bars <- length(first)
-  inner <- matrix(length(points$i) + seq_len(bars * (segments - 1L)), segments - 1L, bars)
-  chain <- rbind(first, inner, second)
-  share <- seq_len(segments - 1L) / segments
-  middle <- function(x) as.vector(outer(1 - share, x[first]) + outer(share, x[second]))
+  inside <- gap(inner)
+  share <- inside / (inside - gap(outer))
   list(
-    between = list(i = middle(points$i), j = middle(points$j)),
-    ends = as.vector(rbind(as.vector(chain[-(segments + 1L), ]), as.vector(chain[-1L, ]))),
-    rest = rep(rest / segments, each = segments),
-    multiplicity = rep(multiplicity, each = segments)
+    inner = inner, share = share, edge = 4L - leftwards,
+    i = knots$i[inner] + share * (knots$i[outer] - knots$i[inner]),
+    j = knots$j[inner] + share * (knots$j[outer] - knots$j[inner])
+  )
+}
+
+# Knots and cut ends with the edge that each lies on (0: none), its fraction along that edge, and
+# how many knots of the plan it stands for.
+bar_points <- function(panels, points) {
+  deep <- panels$deep[points$panel]
+  points$edge[points$edge == 0L & points$j <= 1e-9 * deep] <- 1L
+  points$edge[points$edge == 0L & points$j >= deep * (1 - 1e-9)] <- 2L
+  points$fraction <- points$j / deep
+  level <- which(points$edge <= 2L)
+  shape <- pick_panels(panels, points$panel[level], side_fields)
+  left <- panel_left(shape, points$j[level])
+  across <- panel_right(shape, points$j[level]) - left
+  across[across < 1e-300] <- 1e-300
+  points$fraction[level] <- (points$i[level] - left) / across
+  # A knot on an edge belongs half to the neighbour.
+  weight <- 1 - 0.5 * (points$edge > 0L)
+  all <- sum_by(weight, points$panel, length(panels$deep))
+  points$knots <- panel_bars(panels)[points$panel] * weight / all[points$panel]
+  points
+}
+
+# Bars cut into equal segments by points of their own (the middles of the mesh bars).
+#
+# segments: of every panel.
+# Returns list(panel, ends = first and second end of each bar, numbers of points or, negative, of
+# those between, rest, multiplicity, between = list(panel, i, j)).
+split_bars <- function(points, panel, first, second, rest, multiplicity, segments) {
+  of_bar <- segments[panel]
+  inner <- of_bar - 1L
+  bar <- rep.int(seq_along(panel), inner)
+  share <- sequence(inner) / of_bar[bar]
+  between <- function(x) (1 - share) * x[first[bar]] + share * x[second[bar]]
+  part <- rep.int(seq_along(panel), of_bar)
+  step <- sequence(of_bar)
+  before <- (cumsum(inner) - inner)[part]
+  from <- -(before + step - 1L)
+  begins <- step == 1L
+  from[begins] <- first[part[begins]]
+  to <- -(before + step)
+  finishes <- step == of_bar[part]
+  to[finishes] <- second[part[finishes]]
+  list(
+    panel = panel[part], ends = as.vector(rbind(from, to)), rest = (rest / of_bar)[part],
+    multiplicity = multiplicity[part],
+    between = list(panel = panel[bar], i = between(points$i), j = between(points$j))
   )
 }

@@ -4,14 +4,16 @@
 # The division of a gear: for each panel its grid or its edges, for each rope its nodes; all in one
 # numbering 1..n of nodes. `bars` tells which panels are lattices of bars.
 #
-# Returns list(nodes, points = node of each point, fractions and edge_nodes = per edge, grids = per
-# panel of triangles, ropes = list(node, at = fraction of its length) by name, runs = the same of
+# Returns list(nodes, points = node of each point, fraction, edge_node = fractions of an edge at its
+# nodes, and these nodes, one edge after the other, count, before = of every edge, how many are its
+# own and before them, grids = per panel of triangles, ropes = list(node, at = fraction of its length) by name, runs = the same of
 # the chains that pieces are spread along, places = node of every point, panel corner and start,
 # middle and end of a rope, by its text).
 divide <- function(si, frame, counts, rope_count, bars) {
   chains <- frame$chains
-  fractions <- edge_fractions(frame$pieces, counts)
-  count <- lengths(fractions)
+  count <- tabulate(rep.int(frame$pieces$edge, counts), length(frame$pieces$count_of)) + 1L
+  before <- cumsum(count) - count
+  fraction <- edge_fractions(frame$pieces, counts)
   points <- length(si$points)
   on <- number_edges(count, bars, points)
   edge_node <- function(edge, k) on$offset[edge] + on$step[edge] * k
@@ -26,16 +28,16 @@ divide <- function(si, frame, counts, rope_count, bars) {
   }
 
   cover <- covered(chains, count, function(row) {
-    f <- fractions[[chains$edge[row]]]
+    f <- fraction[before[chains$edge[row]] + seq_len(count[chains$edge[row]])]
     f > min(chains$from[row], chains$to[row]) - break_tolerance &
       f < max(chains$from[row], chains$to[row]) + break_tolerance
   })
   # Where one edge of a chain ends and the next begins there are two names for one node.
   later <- seq_along(chains$edge)[-chains$first]
-  before <- later - 1L
+  sooner <- later - 1L
   same(
-    edge_node(chains$edge[before],
-      cover$begin[before] + cover$way[before] * (cover$number[before] - 1L)),
+    edge_node(chains$edge[sooner],
+      cover$begin[sooner] + cover$way[sooner] * (cover$number[sooner] - 1L)),
     edge_node(chains$edge[later], cover$begin[later])
   )
   cover$begin[later] <- cover$begin[later] + cover$way[later]
@@ -49,7 +51,7 @@ divide <- function(si, frame, counts, rope_count, bars) {
 
   row <- along$row
   at <- chains$start[row] +
-    (unlist(fractions)[(cumsum(count) - count)[along$edge] + along$k] - chains$from[row]) /
+    (fraction[before[along$edge] + along$k] - chains$from[row]) /
       (chains$to[row] - chains$from[row]) * (chains$end[row] - chains$start[row])
   run <- function(chain) {
     things <- things_of(along, chain)
@@ -88,8 +90,8 @@ divide <- function(si, frame, counts, rope_count, bars) {
   list(
     nodes = max(number, 0L),
     points = setNames(number[seq_len(points)], names(si$points)),
-    fractions = fractions,
-    edge_nodes = split_runs(number[sequence(count, on$offset + on$step, on$step)], count),
+    fraction = fraction, edge_node = number[sequence(count, on$offset + on$step, on$step)],
+    count = count, before = before,
     grids = grids,
     ropes = lapply(ropes, renumber),
     runs = lapply(chains$run, function(chain) renumber(run(chain))),
@@ -97,12 +99,37 @@ divide <- function(si, frame, counts, rope_count, bars) {
   )
 }
 
-# Fractions along every edge of its nodes, from its pieces' counts.
+# Fractions of its edge at every node of an edge, one edge after the other.
 edge_fractions <- function(pieces, counts) {
   within <- rep.int(pieces$from, counts) + rep.int(pieces$to - pieces$from, counts) *
     (sequence(counts) - 1L) / rep.int(counts, counts)
-  of <- rep.int(pieces$edge, counts)
-  lapply(split_runs(within, tabulate(of, length(pieces$count_of))), c, 1)
+  # Every edge ends at 1.
+  edges <- seq_along(pieces$count_of)
+  c(within, rep.int(1, length(edges)))[order(c(rep.int(pieces$edge, counts), edges))]
+}
+
+# Which of all nodes on edges begins the stretch between two nodes of its edge that each x (fraction
+# of the edge) lies in.
+cell_of <- function(x, edge, on) {
+  cell <- on$before[edge] + 1L
+  # Edges of one stretch need no search.
+  many <- which(on$count[edge] > 2L)
+  if (!length(many)) return(cell)
+  ends <- seq_along(on$fraction)
+  order <- order(
+    c(rep.int(seq_along(on$count), on$count), edge[many]), c(on$fraction, x[many]),
+    rep.int(0:1, c(length(ends), length(many)))
+  )
+  reached <- integer(length(order))
+  reached[order] <- cumsum(order <= length(ends))
+  found <- reached[-ends]
+  last <- (on$before + on$count - 1L)[edge[many]]
+  beyond <- found > last
+  found[beyond] <- last[beyond]
+  sooner <- found < cell[many]
+  found[sooner] <- cell[many][sooner]
+  cell[many] <- found
+  cell
 }
 
 # Consecutive runs of x, of these lengths.

@@ -5,55 +5,51 @@
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 
-mesh_unit <- function(panel) if (panel$orientation == "square") panel$mesh_size / 2 else panel$mesh_size
-
-# Open width and depth of a panel, m.
-open_size <- function(panel) {
-  if (panel$orientation == "square") {
-    return(mesh_unit(panel) * c(max(panel$upper, panel$lower), panel$deep))
-  }
-  mesh_unit(panel) * c(
-    nominal_hanging_ratio * max(panel$upper, panel$lower),
-    nominal_depth_ratio * panel$deep
+# Open width and depth of panels, m: list(width, depth).
+open_size <- function(panels) {
+  square <- is_square(panels)
+  unit <- mesh_unit(panels)
+  list(
+    width = unit * (ifelse(square, 1, nominal_hanging_ratio) * pmax(panels$upper, panels$lower)),
+    depth = unit * (ifelse(square, 1, nominal_depth_ratio) * panels$deep)
   )
 }
 
-# Twines of one family that end on each edge of a panel at most, ungrouped: an edge that runs i
-# meshes across and j deep is crossed by |i - j| twines of one family and i + j of the other.
-edge_twines <- function(panel) {
-  lost <- abs(panel$upper - panel$lower) * c(panel$taper_left, panel$taper_right)
-  side <- if (panel$orientation == "square") pmax(lost, panel$deep) else lost + panel$deep
-  c(panel$upper, panel$lower, side)
+# Twines of one family that end on each edge of panels at most, ungrouped, in the order of edges: an
+# edge that runs i meshes across and j deep is crossed by |i - j| twines of one family and i + j of
+# the other.
+edge_twines <- function(panels) {
+  lost <- abs(panels$upper - panels$lower)
+  side <- function(taper) {
+    ifelse(is_square(panels), pmax(lost * taper, panels$deep), lost * taper + panels$deep)
+  }
+  as.vector(rbind(panels$upper, panels$lower, side(panels$taper_left), side(panels$taper_right)))
 }
 
-# What the counts depend on besides h: a list of columns with an element per panel (upper ...), per
-# piece of an edge (panel ...) and per rope (own, length, segments). NA stands for what a plan leaves
-# open.
-resolution_table <- function(si, pieces, bars) {
-  panels <- si$panels
-  number <- function(of, field) {
-    vapply(of, function(x) if (is_given(x[[field]])) as.double(x[[field]]) else NA_real_, 0)
-  }
-  sizes <- vapply(panels, open_size, c(0, 0))
-  columns <- number(panels, "columns")
-  rows <- number(panels, "rows")
+# What the counts depend on besides h: the table of panels with more columns (bars ...), columns
+# with an element per piece of an edge (panel ...) and columns with one per rope (own, length,
+# segments).
+resolution_table <- function(si, panels, pieces, bars) {
+  size <- open_size(panels)
   panel <- (pieces$edge - 1L) %/% 4L + 1L
   across <- (pieces$edge - 1L) %% 4L < 2L
-  side <- cbind(panel, 2L - across)
   share <- pieces$to - pieces$from
-  list(
-    bars = bars, columns = columns, rows = rows,
-    square = vapply(panels, function(p) p$orientation == "square", NA),
-    upper = number(panels, "upper"), lower = number(panels, "lower"),
-    deep = number(panels, "deep"), mesh_size = number(panels, "mesh_size"),
-    bar_segments = number(panels, "bar_segments"),
-    area = apply(sizes, 2L, prod),
+  of_side <- function(width, depth) {
+    out <- depth[panel]
+    out[across] <- width[panel][across]
+    out
+  }
+  # NA stands for what a plan leaves open.
+  segments <- vapply(si$ropes, function(r) if (is.null(r$segments)) NA_real_ else r$segments, 0)
+  c(panels, list(
+    bars = bars, square = is_square(panels), size = size, area = size$width * size$depth,
     panel = panel, edge = pieces$edge, class = pieces$class,
-    reach = share * t(sizes)[side], asked = share * cbind(columns, rows)[side],
-    twines = share * unlist(lapply(panels, edge_twines))[pieces$edge],
+    reach = share * of_side(size$width, size$depth),
+    asked = share * of_side(panels$columns, panels$rows),
+    twines = share * edge_twines(panels)[pieces$edge],
     own = vapply(si$ropes, function(r) is.null(r$along), NA),
-    length = number(si$ropes, "length"), segments = number(si$ropes, "segments")
-  )
+    length = vapply(si$ropes, `[[`, 0, "length"), segments = segments
+  ))
 }
 
 # Meshes per equivalent mesh (lambda) of every panel were it of bars, and segments per equivalent
@@ -135,8 +131,8 @@ count_nodes <- function(of, h) {
 }
 
 # Element length h at which the gear has about `nodes` nodes.
-element_length <- function(si, of, nodes) {
-  size <- max(of$length, unlist(lapply(si$panels, open_size)), 0.1)
+element_length <- function(of, nodes) {
+  size <- max(of$length, unlist(of$size), 0.1)
   low <- log(size * 1e-6)
   high <- log(size * 10)
   for (step in seq_len(40L)) {

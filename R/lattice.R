@@ -13,32 +13,42 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # length, points = node of each point, place = function from a parsed place to a node, panels =
 # what the views draw of each panel, totals).
 build_lattice <- function(si, nodes = 1500, netting = NULL) {
-  panels <- si$panels
-  bars <- vapply(panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
+  bars <- vapply(si$panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
+  panels <- panel_table(si$panels)
   chains <- gear_chains(si)
   frame <- division_frame(chains, linked = !bars)
-  resolution <- resolution_table(si, frame$pieces, bars)
-  h <- element_length(si, resolution, nodes)
+  resolution <- resolution_table(si, panels, frame$pieces, bars)
+  h <- element_length(resolution, nodes)
   grouping <- bar_grouping(resolution, h)
   division <- divide(
     si, frame, piece_counts(resolution, h, grouping), rope_counts(resolution, h), bars
   )
 
   parts <- data.frame(
-    name = c(names(si$ropes), names(panels), names(si$pieces)),
-    kind = rep(c("rope", "netting", "piece"), c(length(si$ropes), length(panels), length(si$pieces))),
+    name = c(names(si$ropes), names(si$panels), names(si$pieces)),
+    kind = rep(c("rope", "netting", "piece"), lengths(si[c("ropes", "panels", "pieces")])),
     role = c(
-      vapply(si$ropes, `[[`, "", "role"), vapply(panels, `[[`, "", "part"),
+      vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
       vapply(si$pieces, `[[`, "", "role")
     ),
     row.names = NULL
   )
   build <- new_collection(division$nodes)
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
-  drawn <- add_panels(build, panels, division, bars, grouping, length(si$ropes))
+  drawn <- setNames(vector("list", length(bars)), names(si$panels))
+  of_bars <- which(bars)
+  of_triangles <- which(!bars)
+  if (length(of_bars)) {
+    drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
+      length(si$ropes) + of_bars, division, pick_panels(grouping, of_bars))
+  }
+  if (length(of_triangles)) {
+    drawn[of_triangles] <- add_triangle_panels(build, pick_panels(panels, of_triangles),
+      of_triangles, length(si$ropes) + of_triangles, division)
+  }
   for (k in seq_along(si$pieces)) {
     add_piece(build, si$pieces[[k]], piece_run(si, division, names(si$pieces)[k]), division$places,
-      si$water$density, length(si$ropes) + length(panels) + k)
+      si$water$density, length(si$ropes) + length(bars) + k)
   }
   collected <- build$collect()
   supports <- gear_supports(si, division)
@@ -56,7 +66,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     ),
     slack_twine = si$slack_twine,
     load = as.vector(loads), mass = collected$mass,
-    materials = twine_materials(c(si$ropes, panels)),
+    materials = twine_materials(c(si$ropes, si$panels)),
     bars = collected$bars[c("node", "rest", "multiplicity", "material")],
     triangles = collected$triangles[c("node", "twine", "rest", "multiplicity", "material")],
     spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass")],
@@ -72,8 +82,8 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     ),
     class = "codend_lattice"
   )
-  check_totals(lattice, si)
-  lattice$start <- lay_out(si, division, lattice, chains, if (!any(bars)) frame)
+  check_totals(lattice, panels, length(si$ropes))
+  lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
   lattice
 }
 
