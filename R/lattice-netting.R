@@ -11,9 +11,9 @@
 # Triangles of panels whose nodes lie at these fractions across and deep.
 #
 # across, deep: list(fraction, count), the fractions of all panels and how many each has.
-# Returns list(panel, corner = three places in the panels' grids, one grid after the other, for
-# each triangle, twine = u and v at each corner, rest, multiplicity, bars = number of bars of one
-# family inside).
+# Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's grid,
+# corner = three places in the panels' grids, one grid after the other, for each triangle, twine = u
+# and v at each corner, rest, multiplicity, bars = number of bars of one family inside).
 triangle_elements <- function(panels, across, deep) {
   columns <- across$count
   rows <- deep$count
@@ -46,19 +46,17 @@ triangle_elements <- function(panels, across, deep) {
   area <- abs((u[second] - u[first]) * (v[third] - v[first]) -
     (u[third] - u[first]) * (v[second] - v[first]))
   panel <- at[first]
-  largest <- vapply(split_runs(sort_by(area, panel), tabulate(panel, length(columns))), max, 0)
   kept <- order(panel)
+  largest <- vapply(split_runs(area[kept], tabulate(panel, length(columns))), max, 0)
   kept <- kept[(area > 1e-9 * largest[panel])[kept]]
   corner <- as.vector(rbind(first[kept], second[kept], third[kept]))
   list(
-    panel = panel[kept], corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
+    panel = panel[kept], cell = k[c(falling, falling, rising, rising)[kept]] + 1L,
+    corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
     rest = (panels$mesh_size / 2)[panel[kept]], multiplicity = weight[kept],
     bars = area[kept] / 2 * weight[kept]
   )
 }
-
-# Values in the order of their groups.
-sort_by <- function(x, group) x[order(group)]
 
 # Equivalent bars of panels. Knots lie lambda bars apart along the twines; those within a quarter
 # of an equivalent mesh of an edge are moved onto it, twines that cross an edge end there, and what

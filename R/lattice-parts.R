@@ -53,7 +53,12 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   first <- knotted[!duplicated(key)]
   add_knots(build, panels, parts, panel[first], node[first],
     as.vector(rowsum(third[knotted], key, reorder = FALSE)))
-  lapply(division$grids[numbers], function(grid) list(netting = "triangles", grid = grid))
+  .mapply(
+    function(...) list(netting = "triangles", ...), list(
+      grid = division$grids[numbers],
+      cell = split_runs(found$cell, tabulate(found$panel, length(numbers)))
+    ), NULL
+  )
 }
 
 add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
