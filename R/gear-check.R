@@ -57,7 +57,6 @@ check_points <- function(si) {
 
 # Chains of a seam must be alike in length, and no stretch of an edge may be in two seams.
 check_seams <- function(si) {
-  taken <- list()
   for (name in names(si$seams)) {
     seam <- si$seams[[name]]
     path <- paste0("seams.", name)
@@ -97,20 +96,29 @@ check_seams <- function(si) {
       )
     }
     if (!is.null(seam$held_between)) check_held_between(si, seam$held_between, min(size), path)
-    for (edge in unlist(seam$edges, recursive = FALSE)) {
-      key <- paste0(edge$panel, ".", edge$edge)
-      for (other in taken[[key]]) {
-        if (min(edge$to, other$to) - max(edge$from, other$from) > 1e-9) {
-          abort_plan(
-            sprintf(
-              "Plan field `%s` joins meshes of the edge `%s` that seam `%s` already joins.",
-              path, key, other$seam
-            ),
-            path, key
-          )
-        }
-      }
-      taken[[key]] <- c(taken[[key]], list(list(seam = name, from = edge$from, to = edge$to)))
+  }
+  check_taken(si$seams)
+}
+
+# No stretch of an edge may be in two seams.
+check_taken <- function(seams) {
+  edges <- lapply(seams, function(seam) unlist(seam$edges, recursive = FALSE))
+  name <- rep(names(seams), lengths(edges))
+  edges <- unlist(unname(edges), recursive = FALSE)
+  key <- paste0(vapply(edges, `[[`, "", "panel"), ".", vapply(edges, `[[`, "", "edge"))
+  from <- vapply(edges, `[[`, 0, "from")
+  to <- vapply(edges, `[[`, 0, "to")
+  for (k in which(duplicated(key))) {
+    others <- which(key[seq_len(k - 1L)] == key[k])
+    shared <- others[pmin(to[k], to[others]) - pmax(from[k], from[others]) > 1e-9]
+    if (length(shared)) {
+      abort_plan(
+        sprintf(
+          "Plan field `seams.%s` joins meshes of the edge `%s` that seam `%s` already joins.",
+          name[k], key[k], name[shared[1L]]
+        ),
+        paste0("seams.", name[k]), key[k]
+      )
     }
   }
 }
@@ -203,16 +211,16 @@ check_places <- function(si) {
     }
     link(paste0(name, ".middle"))
   }
-  for (name in names(si$panels)) lapply(paste0(name, ".", corners), link)
+  links <- c(links, as.list(paste0(rep(names(si$panels), each = 4L), ".", corners)))
   for (name in names(si$seams)) {
     seam <- si$seams[[name]]
     own <- paste0("seam ", name, c(" start", " end"))
     ends <- vapply(seam$edges, chain_ends, c("", ""), otherwise = own)
     if (is.null(seam$gathered_at)) {
-      do.call(link, as.list(c(ends[1, ], seam$held_between[1])))
-      do.call(link, as.list(c(ends[2, ], seam$held_between[2])))
+      link(ends[1, ], seam$held_between[1])
+      link(ends[2, ], seam$held_between[2])
     } else {
-      do.call(link, as.list(c(seam$gathered_at, ends)))
+      link(seam$gathered_at, ends)
     }
   }
   places <- unique(unlist(links))
@@ -244,20 +252,22 @@ check_places <- function(si) {
 
 # The corners where a chain begins and ends; `otherwise` where that is inside an edge.
 chain_ends <- function(chain, otherwise) {
-  corner <- function(edge, end) {
-    at <- if (end) edge$to else edge$from
-    if (!at %in% c(0, 1)) return(NA_character_)
-    along <- c(
-      upper = "upper_left upper_right", lower = "lower_left lower_right",
-      left = "upper_left lower_left", right = "upper_right lower_right"
-    )[[edge$edge]]
-    paste0(edge$panel, ".", strsplit(along, " ", fixed = TRUE)[[1]][at + 1])
+  corner <- function(edge, at, inside) {
+    if (at != 0 && at != 1) return(inside)
+    paste0(edge$panel, ".", edge_corners[[edge$edge]][at + 1])
   }
   first <- chain[[1]]
   last <- chain[[length(chain)]]
-  ends <- c(corner(first, first$reversed), corner(last, !last$reversed))
-  ifelse(is.na(ends), otherwise, ends)
+  c(
+    corner(first, if (first$reversed) first$to else first$from, otherwise[1]),
+    corner(last, if (last$reversed) last$from else last$to, otherwise[2])
+  )
 }
+
+edge_corners <- list(
+  upper = c("upper_left", "upper_right"), lower = c("lower_left", "lower_right"),
+  left = c("upper_left", "lower_left"), right = c("upper_right", "lower_right")
+)
 
 prefixed <- function(prefix, names) if (length(names)) paste0(prefix, names)
 

@@ -122,8 +122,8 @@ set_field <- function(gear, path, value) {
 
 set_plan_field <- function(plan, path, value) {
   steps <- strsplit(path, ".", fixed = TRUE)[[1]]
-  kind <- first_of(plan$kind, plan_schema()$default_kind)
-  set_at(plan, steps, value, plan_schema()$kinds[[kind]], "")
+  kind <- first_of(plan$kind, plan_schema$default_kind)
+  set_at(plan, steps, value, plan_schema$kinds[[kind]], "")
 }
 
 set_at <- function(tree, steps, value, node, path) {

@@ -31,21 +31,13 @@ new_collection <- function(nodes) {
       }
       join <- function(kind, fields, whole = character()) {
         out <- lapply(setNames(fields, fields), function(f) {
-          as.double(unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE))
+          all <- unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE)
+          if (f %in% whole) as.integer(all) else as.double(all)
         })
-        for (f in whole) out[[f]] <- as.integer(out[[f]])
         if (!is.null(out$node)) out$node <- final(out$node)
         out
       }
       masses <- join("masses", c("node", "mass", "volume"), "node")
-      sum_at <- function(values) {
-        total <- numeric(points)
-        if (length(values)) {
-          s <- rowsum(values, masses$node, reorder = FALSE)
-          total[as.integer(rownames(s))] <- s
-        }
-        total
-      }
       list(
         nodes = nodes,
         ties = join("ties", c("first", "second", "share"), c("first", "second")),
@@ -57,8 +49,16 @@ new_collection <- function(nodes) {
           c("node", "part")),
         lifts = join("lifts", c("node", "lift_area", "direction", "part"),
           c("node", "direction", "part")),
-        mass = sum_at(masses$mass), volume = sum_at(masses$volume)
+        mass = sum_by(masses$mass, masses$node, points),
+        volume = sum_by(masses$volume, masses$node, points)
       )
     }
   )
+}
+
+# Sums of x over groups 1..n, numbered by `group`.
+sum_by <- function(x, group, n) {
+  total <- numeric(n)
+  if (length(x)) total[unique(group)] <- rowsum(x, group, reorder = FALSE)
+  total
 }

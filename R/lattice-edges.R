@@ -7,83 +7,66 @@ edge_number <- function(panels, panel, edge) {
   4L * (match(panel, names(panels)) - 1L) + match(edge, c("upper", "lower", "left", "right"))
 }
 
-# Stretched length of every edge, m, in the order of edge ids.
-edge_lengths <- function(panels) {
-  sides <- c("upper", "lower", "left", "right")
-  unlist(lapply(panels, function(p) vapply(sides, edge_length, 0, panel = p)), use.names = FALSE)
-}
-
-# A parsed chain as a table: edge id, from and to (fractions of the edge, from > to where reversed),
-# and start and end (fractions of the chain's stretched length).
-chain_table <- function(chain, panels, lengths) {
-  edge <- vapply(chain, function(e) edge_number(panels, e$panel, e$edge), 0L)
-  from <- vapply(chain, function(e) if (e$reversed) e$to else e$from, 0)
-  to <- vapply(chain, function(e) if (e$reversed) e$from else e$to, 0)
-  long <- abs(to - from) * lengths[edge]
-  if (sum(long) == 0) long[] <- 1
-  end <- cumsum(long) / sum(long)
-  list(edge = edge, from = from, to = to, start = c(0, end[-length(end)]), end = end,
-       length = sum(long))
-}
-
 break_tolerance <- 1e-7
 
+# Known breaks, in order, with those of the new ones that are not known yet.
 merge_breaks <- function(known, new) {
-  before <- length(known)
-  for (f in new) if (min(abs(f - known)) > break_tolerance) known <- c(known, f)
-  if (length(known) > before) sort.int(known) else known
-}
-
-# Fractions of the chain at which its edges break.
-chain_breaks <- function(chain, breaks) {
-  unlist(lapply(seq_along(chain$edge), function(k) {
-    f <- breaks[[chain$edge[k]]]
-    lo <- min(chain$from[k], chain$to[k]) - break_tolerance
-    hi <- max(chain$from[k], chain$to[k]) + break_tolerance
-    f <- f[f >= lo & f <= hi]
-    chain$start[k] + (f - chain$from[k]) / (chain$to[k] - chain$from[k]) *
-      (chain$end[k] - chain$start[k])
-  }))
+  if (length(new) == length(known) && all(abs(new - known) <= break_tolerance)) return(known)
+  for (f in new) {
+    if (min(abs(f - known)) > break_tolerance) known <- append(known, f, sum(known < f))
+  }
+  known
 }
 
 # Breaks (fractions) of every edge, carried through seams and across panels until nothing changes.
-# laced: chains that break edges where they begin and end, but join nothing.
 # linked: TRUE for panels whose opposite edges must be divided alike.
-edge_breaks <- function(panels, seams, laced, linked) {
-  breaks <- rep(list(c(0, 1)), 4L * length(panels))
-  for (chain in c(unlist(seams, recursive = FALSE), laced)) {
-    for (k in seq_along(chain$edge)) {
-      e <- chain$edge[k]
-      breaks[[e]] <- merge_breaks(breaks[[e]], c(chain$from[k], chain$to[k]))
-    }
+edge_breaks <- function(chains, linked) {
+  edge <- chains$edge
+  from <- chains$from
+  to <- chains$to
+  start <- chains$start
+  end <- chains$end
+  low <- pmin(from, to) - break_tolerance
+  high <- pmax(from, to) + break_tolerance
+  breaks <- rep(list(c(0, 1)), 4L * length(linked))
+  for (row in which(abs(to - from) != 1)) {
+    breaks[[edge[row]]] <- merge_breaks(breaks[[edge[row]]], c(from[row], to[row]))
   }
-  edges_of <- lapply(seams, function(seam) unlist(lapply(seam, `[[`, "edge")))
-  touching <- split(rep(seq_along(seams), lengths(edges_of)), unlist(edges_of))
+  rows_of <- function(chain) chains$first[chain] + seq_len(chains$rows[chain]) - 1L
+  # Chains of seams come first in the table.
+  seam_of <- rep.int(seq_along(chains$seams$count), chains$seams$count)
+  seam_of <- rep.int(seam_of, chains$rows[seq_along(seam_of)])
+  joined_edge <- edge[seq_along(seam_of)]
   # Whatever has more breaks than its ends must tell its neighbours; a seam of one whole edge with
   # another has nothing to tell until then.
   waiting <- which(lengths(breaks) > 2L)
-  many <- vapply(seams, function(seam) any(lengths(lapply(seam, `[[`, "edge")) > 1L), NA)
-  waiting <- union(waiting, unlist(edges_of[many]))
+  many <- tabulate(seam_of, length(chains$seams$count)) > chains$seams$count
+  waiting <- union(waiting, joined_edge[many[seam_of]])
+  give <- function(edge, fractions) {
+    merged <- merge_breaks(breaks[[edge]], fractions)
+    if (length(merged) > length(breaks[[edge]])) {
+      breaks[[edge]] <<- merged
+      if (!edge %in% waiting) waiting <<- c(waiting, edge)
+    }
+  }
   while (length(waiting)) {
     e <- waiting[1L]
     waiting <- waiting[-1L]
-    give <- function(edge, fractions) {
-      merged <- merge_breaks(breaks[[edge]], fractions)
-      if (length(merged) > length(breaks[[edge]])) {
-        breaks[[edge]] <<- merged
-        waiting <<- union(waiting, edge)
-      }
-    }
     if (linked[(e - 1L) %/% 4L + 1L]) give(opposite_edge(e), breaks[[e]])
-    for (seam in seams[touching[[as.character(e)]]]) {
-      union <- Reduce(merge_breaks, lapply(seam, chain_breaks, breaks = breaks))
-      for (chain in seam) {
-        for (k in seq_along(chain$edge)) {
-          s <- union[union > chain$start[k] - break_tolerance &
-                       union < chain$end[k] + break_tolerance]
-          give(chain$edge[k], chain$from[k] + (s - chain$start[k]) /
-            (chain$end[k] - chain$start[k]) * (chain$to[k] - chain$from[k]))
-        }
+    for (seam in unique(seam_of[joined_edge == e])) {
+      joined <- chains$seams$first[seam] + seq_len(chains$seams$count[seam]) - 1L
+      on_seam <- NULL
+      for (chain in joined) {
+        on_chain <- unlist(lapply(rows_of(chain), function(k) {
+          f <- breaks[[edge[k]]]
+          f <- f[f >= low[k] & f <= high[k]]
+          start[k] + (f - from[k]) / (to[k] - from[k]) * (end[k] - start[k])
+        }))
+        on_seam <- if (is.null(on_seam)) on_chain else merge_breaks(on_seam, on_chain)
+      }
+      for (k in unlist(lapply(joined, rows_of))) {
+        s <- on_seam[on_seam > start[k] - break_tolerance & on_seam < end[k] + break_tolerance]
+        give(edge[k], from[k] + (s - start[k]) / (end[k] - start[k]) * (to[k] - from[k]))
       }
     }
   }
@@ -113,34 +96,33 @@ joined_labels <- function(n, a, b) {
 }
 
 # Pieces of all edges between their breaks, grouped into classes that share one count.
-edge_pieces <- function(panels, seams, breaks, linked) {
-  pieces_of <- lengths(breaks) - 1L
-  first <- cumsum(c(0L, pieces_of[-length(pieces_of)]))
-  edge <- rep(seq_along(breaks), pieces_of)
-  from <- unlist(lapply(breaks, function(f) f[-length(f)]))
-  to <- unlist(lapply(breaks, function(f) f[-1L]))
-  a <- b <- integer()
-  for (p in which(linked)) {
-    e <- 4L * (p - 1L)
-    a <- c(a, first[e + 1L] + seq_len(pieces_of[e + 1L]), first[e + 3L] + seq_len(pieces_of[e + 3L]))
-    b <- c(b, first[e + 2L] + seq_len(pieces_of[e + 2L]), first[e + 4L] + seq_len(pieces_of[e + 4L]))
-  }
-  in_chain <- function(chain) {
-    unlist(lapply(seq_along(chain$edge), function(k) {
-      e <- chain$edge[k]
-      inside <- which(edge == e &
-                        from > min(chain$from[k], chain$to[k]) - break_tolerance &
-                        to < max(chain$from[k], chain$to[k]) + break_tolerance)
-      if (chain$from[k] > chain$to[k]) rev(inside) else inside
-    }))
-  }
-  for (seam in seams) {
-    first_chain <- in_chain(seam[[1]])
-    for (chain in seam[-1]) {
-      a <- c(a, first_chain)
-      b <- c(b, in_chain(chain))
-    }
-  }
-  list(edge = edge, from = from, to = to, first = first, count_of = pieces_of,
-       class = joined_labels(length(edge), a, b))
+#
+# Returns list(edge, from, to, class = of every piece; first, count_of = of every edge, the number of
+# pieces before its own and of its own).
+edge_pieces <- function(chains, breaks, linked) {
+  count_of <- lengths(breaks) - 1L
+  first <- cumsum(count_of) - count_of
+  edge <- rep.int(seq_along(breaks), count_of)
+  all <- as.double(unlist(breaks))
+  last <- cumsum(lengths(breaks))
+  from <- all[-last]
+  to <- all[-(last - count_of)]
+  upper <- 4L * (which(linked) - 1L) + 1L
+  one_side <- c(upper, upper + 2L)
+  along <- along_chains(chains, covered(chains, count_of, function(row) {
+    mine <- first[chains$edge[row]] + seq_len(count_of[chains$edge[row]])
+    from[mine] > min(chains$from[row], chains$to[row]) - break_tolerance &
+      to[mine] < max(chains$from[row], chains$to[row]) + break_tolerance
+  }))
+  piece <- first[along$edge] + along$k
+  joined <- joined_chains(chains$seams)
+  list(
+    edge = edge, from = from, to = to, first = first, count_of = count_of,
+    class = joined_labels(
+      length(edge),
+      c(sequence(count_of[one_side], first[one_side] + 1L), piece[things_of(along, joined$first)]),
+      c(sequence(count_of[one_side], first[one_side + 1L] + 1L),
+        piece[things_of(along, joined$other)])
+    )
+  )
 }

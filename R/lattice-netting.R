@@ -4,179 +4,250 @@
 # Mesh coordinates of a panel: i meshes across (from the left end of the upper edge), j meshes deep.
 # Twine coordinates: diamond and turned meshes u = i + j, v = j - i; square meshes u = i, v = j; one
 # unit is one bar.
+#
+# Functions take several panels as a table (see panel_table()) and make the elements of one panel
+# after the other.
 
-panel_left <- function(panel, j) {
-  panel$taper_left * (panel$upper - panel$lower) * j / panel$deep
-}
+# Triangles of panels whose nodes lie at these fractions across and deep.
+#
+# across, deep: list(fraction, count), the fractions of all panels and how many each has.
+# Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's grid,
+# corner = three places in the panels' grids, one grid after the other, for each triangle, twine = u
+# and v at each corner, rest, multiplicity, bars = number of bars of one family inside).
+triangle_elements <- function(panels, across, deep) {
+  columns <- across$count
+  rows <- deep$count
+  nodes <- columns * rows
+  at <- rep.int(seq_along(columns), nodes)
+  k <- sequence(nodes) - 1L
+  column <- k %% columns[at]
+  row <- k %/% columns[at]
+  shape <- pick_panels(panels, at, side_fields)
+  j <- deep$fraction[(cumsum(rows) - rows)[at] + row + 1L] * shape$deep
+  left <- panel_left(shape, j)
+  i <- left + across$fraction[(cumsum(columns) - columns)[at] + column + 1L] *
+    (panel_right(shape, j) - left)
+  square <- is_square(panels)[at]
+  u <- i + j * !square
+  v <- j - i * !square
 
-panel_right <- function(panel, j) {
-  panel$upper - panel$taper_right * (panel$upper - panel$lower) * j / panel$deep
-}
-
-# Bars of one family in a panel (as many of the other), and knots, in the plan.
-panel_bars <- function(panel) {
-  area <- (panel$upper + panel$lower) / 2 * panel$deep
-  if (panel$orientation == "square") area else 2 * area
-}
-
-triangle_elements <- function(panel, grid, across, deep) {
-  columns <- nrow(grid) - 1L
-  rows <- ncol(grid) - 1L
-  j <- rep(deep * panel$deep, each = columns + 1L)
-  i <- panel_left(panel, j) + rep(across, rows + 1L) * (panel_right(panel, j) - panel_left(panel, j))
-  square <- panel$orientation == "square"
-  u <- if (square) i else i + j
-  v <- if (square) j else j - i
-
-  at <- function(c, r) r * (columns + 1L) + c + 1L
-  cell_c <- rep(seq_len(columns) - 1L, rows)
-  cell_r <- rep(seq_len(rows) - 1L, each = columns)
-  a <- at(cell_c, cell_r)
-  b <- at(cell_c + 1L, cell_r)
-  c <- at(cell_c, cell_r + 1L)
-  d <- at(cell_c + 1L, cell_r + 1L)
+  a <- which(column < columns[at] - 1L & row < rows[at] - 1L)
   # The diagonal changes sides at the panel's middle line, so that a panel's mirror image is
   # divided as its mirror image; a middle column carries both diagonals at half weight.
-  side <- 2L * cell_c + 1L - columns
-  falling <- side < 0L
-  rising <- side > 0L
-  both <- side == 0L
-  corner <- rbind(
-    cbind(a, b, d)[falling | both, , drop = FALSE], cbind(a, d, c)[falling | both, , drop = FALSE],
-    cbind(a, b, c)[rising | both, , drop = FALSE], cbind(b, d, c)[rising | both, , drop = FALSE]
-  )
-  weight <- rep(1, nrow(corner))
-  weight[c(rep(both[falling | both], 2L), rep(both[rising | both], 2L))] <- 0.5
-  area <- (u[corner[, 2]] - u[corner[, 1]]) * (v[corner[, 3]] - v[corner[, 1]]) -
-    (u[corner[, 3]] - u[corner[, 1]]) * (v[corner[, 2]] - v[corner[, 1]])
-  keep <- abs(area) > 1e-9 * max(abs(area))
-  corner <- corner[keep, , drop = FALSE]
+  side <- 2L * column[a] + 2L - columns[at[a]]
+  falling <- a[side <= 0L]
+  rising <- a[side >= 0L]
+  below_falling <- falling + columns[at[falling]]
+  below_rising <- rising + columns[at[rising]]
+  first <- c(falling, falling, rising, rising + 1L)
+  second <- c(falling + 1L, below_falling + 1L, rising + 1L, below_rising + 1L)
+  third <- c(below_falling + 1L, below_falling, below_rising, below_rising)
+  weight <- 1 - 0.5 * c(rep.int(side[side <= 0L] == 0L, 2L), rep.int(side[side >= 0L] == 0L, 2L))
+  area <- abs((u[second] - u[first]) * (v[third] - v[first]) -
+    (u[third] - u[first]) * (v[second] - v[first]))
+  panel <- at[first]
+  kept <- order(panel)
+  largest <- vapply(split_runs(area[kept], tabulate(panel, length(columns))), max, 0)
+  kept <- kept[(area > 1e-9 * largest[panel])[kept]]
+  corner <- as.vector(rbind(first[kept], second[kept], third[kept]))
   list(
-    node = matrix(grid[t(corner)], 3L),
-    twine = rbind(
-      u[corner[, 1]], v[corner[, 1]], u[corner[, 2]], v[corner[, 2]], u[corner[, 3]], v[corner[, 3]]
-    ),
-    rest = rep(panel$mesh_size / 2, nrow(corner)),
-    multiplicity = weight[keep],
-    bars = abs(area[keep]) / 2 * weight[keep]
+    panel = panel[kept], cell = k[c(falling, falling, rising, rising)[kept]] + 1L,
+    corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
+    rest = (panels$mesh_size / 2)[panel[kept]], multiplicity = weight[kept],
+    bars = area[kept] / 2 * weight[kept]
   )
 }
 
-# Equivalent bars of a panel. Knots lie lambda bars apart along the twines; those within a quarter
+# Equivalent bars of panels. Knots lie lambda bars apart along the twines; those within a quarter
 # of an equivalent mesh of an edge are moved onto it, twines that cross an edge end there, and what
 # lies on an edge is tied to the edge's nodes. Lengths at slanted edges are so only nearly right;
 # multiplicities are scaled to the panel's exact length of twine.
 #
-# Returns points (knots and cut ends: i, j, edge 0 or 1..4 and the fraction along it, knots) and the
-# bars between them, with the middles of bars as further points `between`.
-bar_elements <- function(panel, lambda, segments) {
-  square <- panel$orientation == "square"
-  rows <- max(1L, as.integer(round((if (square) 1 else 2) * panel$deep / lambda)))
-  row_step <- panel$deep / rows
-  # A knot at the left end of the upper edge, or midway where that fits the width better.
-  meshes <- panel$upper / lambda
-  half <- abs(meshes - round(meshes)) < 1e-6 && round(meshes) %% 2 == 1
-  centre <- panel$upper / 2 + if (half) lambda / 2 else 0
-  reach <- ceiling((max(panel$upper, panel$lower) + panel$deep) / lambda) + 2L
+# Returns list(points, bars), see bar_points() and split_bars().
+bar_elements <- function(panels, grouping) {
+  rows <- at_least_one(round((2 - is_square(panels)) * panels$deep / grouping$lambda))
+  knots <- knot_rows(panels, grouping$lambda, rows)
+  twines <- knot_twines(knots, is_square(panels), rows)
+  lambda <- grouping$lambda
+  panel <- seq_along(rows)
 
-  q <- rep(0:rows, each = 2L * reach + 1L)
-  p <- rep(-reach:reach, rows + 1L)
-  i <- centre + lambda * (p + if (square) 0 else (q %% 2L) / 2)
-  j <- q * row_step
-  left <- panel_left(panel, j)
-  right <- panel_right(panel, j)
-  inside <- pmin(i - left, right - i)
-  near <- lambda / 4
-  kept <- inside >= -near - 1e-9
-  edge <- ifelse(abs(i - left) <= near + 1e-9, 3L, ifelse(abs(i - right) <= near + 1e-9, 4L, 0L))
-  i[edge == 3L] <- left[edge == 3L]
-  i[edge == 4L] <- right[edge == 4L]
-  index <- integer(length(p))
-  index[kept] <- seq_len(sum(kept))
-  width <- 2L * reach + 1L
-  here <- seq_along(p)
+  whole <- twines$from_kept & twines$to_kept
+  from <- twines$from[whole]
+  to <- twines$to[whole]
+  # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
+  # neighbour.
+  ends_row <- is_square(panels)[knots$panel] & (knots$row == 0L | knots$row == rows[knots$panel])
+  along_edge <- (knots$edge[from] == knots$edge[to] & knots$edge[from] > 0L) |
+    (ends_row[from] & knots$row[from] == knots$row[to])
+  cut <- cut_twines(knots, twines)
 
-  # Twines run to the next row; those of square meshes also along the row.
-  step_u <- if (square) width else width + (q %% 2L)
-  step_v <- if (square) 1L else width + (q %% 2L) - 1L
-  pair <- function(step, last_row) {
-    from <- here[(if (last_row) q <= rows else q < rows)]
-    to <- from + (if (length(step) == 1L) step else step[from])
-    ok <- to >= 1L & to <= length(p)
-    ok[ok] <- abs(p[to[ok]] - p[from[ok]]) <= 1L
-    list(from = from[ok], to = to[ok])
-  }
-  u <- pair(step_u, FALSE)
-  v <- pair(step_v, square)
-  from <- c(u$from, v$from)
-  to <- c(u$to, v$to)
-  some <- kept[from] | kept[to]
-  from <- from[some]
-  to <- to[some]
-  # A twine on the edge of square netting belongs half to each neighbour.
-  on_edge <- function(k) edge[k] > 0L | (square & (q[k] == 0L | q[k] == rows))
+  # Knots and cut ends of each panel follow each other.
+  kept <- which(knots$kept)
+  number <- cumsum(knots$kept)
+  of_points <- c(knots$panel[kept], knots$panel[cut$inner])
+  first <- c(number[from], number[cut$inner])
+  second <- c(number[to], length(kept) + seq_along(cut$inner))
+  used <- logical(length(of_points))
+  used[first] <- used[second] <- TRUE
+  order <- order(of_points)
+  order <- order[used[order]]
+  place <- integer(length(used))
+  place[order] <- seq_along(order)
+  points <- bar_points(panels, list(
+    panel = of_points[order], i = c(knots$i[kept], cut$i)[order],
+    j = c(knots$j[kept], cut$j)[order], edge = c(knots$edge[kept], cut$edge)[order]
+  ))
 
-  whole <- kept[from] & kept[to]
-  along_edge <- whole & on_edge(from) & on_edge(to) &
-    ((edge[from] == edge[to] & edge[from] > 0L) |
-      (square & q[from] == q[to] & (q[from] == 0L | q[from] == rows)))
-  points <- list(i = i[kept], j = j[kept], edge = edge[kept])
-  # Twines that leave: cut where they meet the side.
-  starts_inside <- kept[from]
-  inner <- ifelse(starts_inside, from, to)
-  outer <- ifelse(starts_inside, to, from)
-  cut <- !whole & edge[inner] == 0L
-  inner <- inner[cut]
-  outer <- outer[cut]
-  side <- ifelse(i[outer] < left[outer], 3L, 4L)
-  gap <- function(k) ifelse(side == 3L, i[k] - left[k], right[k] - i[k])
-  fraction <- gap(inner) / (gap(inner) - gap(outer))
-  bars <- list(
-    from = c(index[from[whole]], index[inner]),
-    to = c(index[to[whole]], length(points$i) + seq_along(inner)),
-    length = c(rep(1, sum(whole)), fraction),
-    weight = c(ifelse(along_edge[whole], 0.5, 1), rep(1, length(inner)))
-  )
-  points$i <- c(points$i, i[inner] + fraction * (i[outer] - i[inner]))
-  points$j <- c(points$j, j[inner] + fraction * (j[outer] - j[inner]))
-  points$edge <- c(points$edge, side)
-  points$edge[points$edge == 0L & points$j <= 1e-9 * panel$deep] <- 1L
-  points$edge[points$edge == 0L & points$j >= panel$deep * (1 - 1e-9)] <- 2L
-  points$fraction <- ifelse(points$edge <= 2L,
-    (points$i - panel_left(panel, points$j)) /
-      pmax(panel_right(panel, points$j) - panel_left(panel, points$j), 1e-300),
-    points$j / panel$deep
-  )
-  used <- sort(unique(c(bars$from, bars$to)))
-  points <- lapply(points, function(x) x[used])
-  bars$from <- match(bars$from, used)
-  bars$to <- match(bars$to, used)
-  bars$rest <- bars$length * lambda * panel$mesh_size / 2
-  exact <- 2 * panel_bars(panel) * panel$mesh_size / 2
-  bars$multiplicity <- lambda * bars$weight
-  bars$multiplicity <- bars$multiplicity * exact / sum(bars$multiplicity * bars$rest)
-  # A knot on an edge belongs half to the neighbour.
-  knot_weight <- ifelse(points$edge > 0L, 0.5, 1)
-  points$knots <- panel_bars(panel) * knot_weight / sum(knot_weight)
-  list(points = points, bars = split_bars(points, bars, segments))
+  of_bars <- c(knots$panel[from], knots$panel[cut$inner])
+  rest <- c(rep.int(1, length(from)), cut$share) * lambda[of_bars] * panels$mesh_size[of_bars] / 2
+  multiplicity <- lambda[of_bars] * c(1 - 0.5 * along_edge, rep.int(1, length(cut$share)))
+  order <- order(of_bars)
+  of_bars <- of_bars[order]
+  rest <- rest[order]
+  multiplicity <- multiplicity[order]
+  exact <- 2 * panel_bars(panels) * panels$mesh_size / 2
+  built <- vapply(split_runs(multiplicity * rest, tabulate(of_bars, length(rows))), sum, 0)
+  multiplicity <- multiplicity * exact[of_bars] / built[of_bars]
+  list(points = points, bars = split_bars(
+    points, of_bars, place[first[order]], place[second[order]], rest, multiplicity,
+    grouping$segments
+  ))
 }
 
-# Bars cut into equal segments by nodes of their own (the middles of the mesh bars).
-split_bars <- function(points, bars, segments) {
-  n <- length(points$i)
-  m <- length(bars$from)
-  if (segments == 1L) return(c(bars, list(between = NULL)))
-  inner <- matrix(n + seq_len(m * (segments - 1L)), segments - 1L, m)
-  chain <- rbind(bars$from, inner, bars$to)
-  share <- seq_len(segments - 1L) / segments
+# All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
+#
+# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, j, left, right =
+# i of the panel's sides there, edge = 3 or 4 where moved onto a side, kept; width, first = of every
+# panel, knots in a row and knots before its first).
+knot_rows <- function(panels, lambda, rows) {
+  # A knot at the left end of the upper edge, or midway where that fits the width better.
+  meshes <- round(panels$upper / lambda)
+  half <- abs(panels$upper / lambda - meshes) < 1e-6 & meshes %% 2 == 1
+  centre <- panels$upper / 2 + half * lambda / 2
+  low <- panel_left(panels, panels$deep)
+  low[low > 0] <- 0
+  high <- panel_right(panels, panels$deep)
+  beyond <- high < panels$upper
+  high[beyond] <- panels$upper[beyond]
+  begin <- floor((low - centre) / lambda) - 2
+  width <- as.integer(ceiling((high - centre) / lambda) + 3 - begin)
+  size <- width * (rows + 1L)
+
+  panel <- rep.int(seq_along(rows), size)
+  k <- sequence(size) - 1L
+  row <- k %/% width[panel]
+  shift <- row %% 2L * !is_square(panels)[panel]
+  i <- centre[panel] + lambda[panel] * (begin[panel] + k %% width[panel] + shift / 2)
+  j <- row * (panels$deep / rows)[panel]
+  shape <- pick_panels(panels, panel, side_fields)
+  left <- panel_left(shape, j)
+  right <- panel_right(shape, j)
+  from_left <- i - left
+  from_right <- right - i
+  near <- (lambda / 4 + 1e-9)[panel]
+  on_left <- abs(from_left) <= near
+  on_right <- abs(from_right) <= near & !on_left
+  i[on_left] <- left[on_left]
+  i[on_right] <- right[on_right]
   list(
-    from = as.vector(chain[-(segments + 1L), ]),
-    to = as.vector(chain[-1L, ]),
-    rest = rep(bars$rest / segments, each = segments),
-    multiplicity = rep(bars$multiplicity, each = segments),
-    between = list(
-      i = as.vector(outer(1 - share, points$i[bars$from]) + outer(share, points$i[bars$to])),
-      j = as.vector(outer(1 - share, points$j[bars$from]) + outer(share, points$j[bars$to]))
-    )
+    panel = panel, row = row, shift = shift, i = i, j = j, left = left, right = right,
+    edge = 3L * on_left + 4L * on_right, kept = from_left >= -near & from_right >= -near,
+    width = width, first = cumsum(size) - size
+  )
+}
+
+# Twines between knots of which one at least is kept: they run to the next row, those of square
+# meshes also along the row; first those of one family, then of the other. No knot is kept at the
+# ends of a row, so none has a neighbour in another row.
+knot_twines <- function(knots, square, rows) {
+  number <- length(knots$panel)
+  down <- seq_len(number)
+  below <- down + knots$width[knots$panel] + knots$shift
+  other <- below - 1L
+  along <- square[knots$panel]
+  other[along] <- down[along] + 1L
+  last_row <- knots$row == rows[knots$panel]
+  kept <- c(knots$kept, logical(max(knots$width, 0L) + 1L))
+  # Knots of the last row have none below.
+  u <- which(!last_row & (knots$kept | kept[below]))
+  v <- which((along | !last_row) & (knots$kept | kept[other]))
+  from <- c(u, v)
+  to <- c(below[u], other[v])
+  list(from = from, to = to, from_kept = knots$kept[from], to_kept = kept[to])
+}
+
+# Twines that leave over a side, cut where they meet it.
+#
+# Returns list(inner = the knot inside, i, j, edge = where the cut end lies, share = of the twine
+# that is left).
+cut_twines <- function(knots, twines) {
+  cut <- twines$from_kept != twines$to_kept
+  starts <- twines$from_kept[cut]
+  inner <- twines$to[cut]
+  outer <- twines$from[cut]
+  inner[starts] <- twines$from[cut][starts]
+  outer[starts] <- twines$to[cut][starts]
+  loose <- knots$edge[inner] == 0L
+  inner <- inner[loose]
+  outer <- outer[loose]
+  leftwards <- knots$i[outer] < knots$left[outer]
+  gap <- function(k) {
+    across <- knots$right[k] - knots$i[k]
+    across[leftwards] <- (knots$i[k] - knots$left[k])[leftwards]
+    across
+  }
+  inside <- gap(inner)
+  share <- inside / (inside - gap(outer))
+  list(
+    inner = inner, share = share, edge = 4L - leftwards,
+    i = knots$i[inner] + share * (knots$i[outer] - knots$i[inner]),
+    j = knots$j[inner] + share * (knots$j[outer] - knots$j[inner])
+  )
+}
+
+# Knots and cut ends with the edge that each lies on (0: none), its fraction along that edge, and
+# how many knots of the plan it stands for.
+bar_points <- function(panels, points) {
+  deep <- panels$deep[points$panel]
+  points$edge[points$edge == 0L & points$j <= 1e-9 * deep] <- 1L
+  points$edge[points$edge == 0L & points$j >= deep * (1 - 1e-9)] <- 2L
+  points$fraction <- points$j / deep
+  level <- which(points$edge <= 2L)
+  shape <- pick_panels(panels, points$panel[level], side_fields)
+  left <- panel_left(shape, points$j[level])
+  across <- panel_right(shape, points$j[level]) - left
+  across[across < 1e-300] <- 1e-300
+  points$fraction[level] <- (points$i[level] - left) / across
+  # A knot on an edge belongs half to the neighbour.
+  weight <- 1 - 0.5 * (points$edge > 0L)
+  all <- sum_by(weight, points$panel, length(panels$deep))
+  points$knots <- panel_bars(panels)[points$panel] * weight / all[points$panel]
+  points
+}
+
+# Bars cut into equal segments by points of their own (the middles of the mesh bars).
+#
+# segments: of every panel.
+# Returns list(panel, ends = first and second end of each bar, numbers of points or, negative, of
+# those between, rest, multiplicity, between = list(panel, i, j)).
+split_bars <- function(points, panel, first, second, rest, multiplicity, segments) {
+  of_bar <- segments[panel]
+  inner <- of_bar - 1L
+  bar <- rep.int(seq_along(panel), inner)
+  share <- sequence(inner) / of_bar[bar]
+  between <- function(x) (1 - share) * x[first[bar]] + share * x[second[bar]]
+  part <- rep.int(seq_along(panel), of_bar)
+  step <- sequence(of_bar)
+  before <- (cumsum(inner) - inner)[part]
+  from <- -(before + step - 1L)
+  begins <- step == 1L
+  from[begins] <- first[part[begins]]
+  to <- -(before + step)
+  finishes <- step == of_bar[part]
+  to[finishes] <- second[part[finishes]]
+  list(
+    panel = panel[part], ends = as.vector(rbind(from, to)), rest = (rest / of_bar)[part],
+    multiplicity = multiplicity[part],
+    between = list(panel = panel[bar], i = between(points$i), j = between(points$j))
   )
 }

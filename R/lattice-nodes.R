@@ -1,150 +1,185 @@
 # Nodes of a lattice: points, ropes and panels number their own, and seams, laced ropes and names
 # for one place make them the same.
 
-# Fractions along an edge of its nodes, from its pieces' counts.
-edge_fractions <- function(pieces, counts, edge) {
-  mine <- pieces$first[edge] + seq_len(pieces$count_of[edge])
-  f <- unlist(lapply(mine, function(k) {
-    pieces$from[k] + (pieces$to[k] - pieces$from[k]) * seq(0, counts[k] - 1L) / counts[k]
-  }))
-  c(f, 1)
-}
-
 # The division of a gear: for each panel its grid or its edges, for each rope its nodes; all in one
 # numbering 1..n of nodes. `bars` tells which panels are lattices of bars.
-divide <- function(si, pieces, counts, rope_count, bars, chains) {
-  panels <- si$panels
-  next_id <- 0L
-  take <- function(n) {
-    ids <- next_id + seq_len(n)
-    next_id <<- next_id + n
-    ids
-  }
-  point_id <- take(length(si$points))
-  names(point_id) <- names(si$points)
-
-  fractions <- lapply(seq_len(4L * length(panels)), edge_fractions, pieces = pieces, counts = counts)
-  edge_nodes <- vector("list", 4L * length(panels))
-  grids <- vector("list", length(panels))
+#
+# Returns list(nodes, points = node of each point, fraction, edge_node = fractions of an edge at its
+# nodes, and these nodes, one edge after the other, count, before = of every edge, how many are its
+# own and before them, grids = per panel of triangles, ropes = list(node, at = fraction of its
+# length) by name, held_edges = the same of every seam held on a line, with the names of its two
+# points (between), runs = the same of the chains that pieces are spread along, places = node of
+# every point, panel corner and start, middle and end of a rope, by its text).
+divide <- function(si, frame, counts, rope_count, bars) {
+  chains <- frame$chains
+  count <- tabulate(rep.int(frame$pieces$edge, counts), length(frame$pieces$count_of)) + 1L
+  before <- cumsum(count) - count
+  fraction <- edge_fractions(frame$pieces, counts)
+  points <- length(si$points)
+  on <- number_edges(count, bars, points)
+  edge_node <- function(edge, k) on$offset[edge] + on$step[edge] * k
+  ends <- list(
+    first = matrix(edge_node(seq_along(count), 1L), 4L),
+    last = matrix(edge_node(seq_along(count), count), 4L)
+  )
   a <- b <- list()
   same <- function(x, y) {
     a[[length(a) + 1L]] <<- x
     b[[length(b) + 1L]] <<- y
   }
-  for (p in seq_along(panels)) {
-    e <- 4L * (p - 1L)
-    if (bars[p]) {
-      for (k in 1:4) edge_nodes[[e + k]] <- take(length(fractions[[e + k]]))
-      ends <- function(k) edge_nodes[[e + k]][c(1L, length(edge_nodes[[e + k]]))]
-      same(ends(1)[1], ends(3)[1])
-      same(ends(1)[2], ends(4)[1])
-      same(ends(2)[1], ends(3)[2])
-      same(ends(2)[2], ends(4)[2])
-    } else {
-      columns <- length(fractions[[e + 1L]])
-      rows <- length(fractions[[e + 3L]])
-      grid <- matrix(take(columns * rows), columns, rows)
-      grids[[p]] <- grid
-      edge_nodes[[e + 1L]] <- grid[, 1L]
-      edge_nodes[[e + 2L]] <- grid[, rows]
-      edge_nodes[[e + 3L]] <- grid[1L, ]
-      edge_nodes[[e + 4L]] <- grid[columns, ]
-    }
-  }
-  on_chain <- function(chain) {
-    nodes <- lapply(seq_along(chain$edge), function(k) {
-      e <- chain$edge[k]
-      f <- fractions[[e]]
-      lo <- min(chain$from[k], chain$to[k])
-      hi <- max(chain$from[k], chain$to[k])
-      inside <- which(f > lo - break_tolerance & f < hi + break_tolerance)
-      if (chain$from[k] > chain$to[k]) inside <- rev(inside)
-      list(node = edge_nodes[[e]][inside],
-           at = chain$start[k] + (f[inside] - chain$from[k]) / (chain$to[k] - chain$from[k]) *
-             (chain$end[k] - chain$start[k]))
-    })
-    # Where one edge of a chain ends and the next begins there are two names for one node.
-    joints <- seq_len(length(nodes) - 1L)
-    for (k in joints) same(nodes[[k]]$node[length(nodes[[k]]$node)], nodes[[k + 1L]]$node[1L])
-    list(
-      node = c(nodes[[1]]$node, unlist(lapply(nodes[-1], function(n) n$node[-1L]))),
-      at = c(nodes[[1]]$at, unlist(lapply(nodes[-1], function(n) n$at[-1L])))
-    )
-  }
-  for (seam in chains$joined) {
-    first <- on_chain(seam[[1]])$node
-    for (chain in seam[-1]) same(first, on_chain(chain)$node)
-  }
 
-  held_edges <- lapply(chains$held, function(held) {
-    run <- on_chain(held$chain)
-    same(run$node[c(1L, length(run$node))], unname(point_id[held$between]))
-    c(run, held["between"])
+  cover <- covered(chains, count, function(row) {
+    f <- fraction[before[chains$edge[row]] + seq_len(count[chains$edge[row]])]
+    f > min(chains$from[row], chains$to[row]) - break_tolerance &
+      f < max(chains$from[row], chains$to[row]) + break_tolerance
   })
+  # Where one edge of a chain ends and the next begins there are two names for one node.
+  later <- seq_along(chains$edge)[-chains$first]
+  sooner <- later - 1L
+  same(
+    edge_node(chains$edge[sooner],
+      cover$begin[sooner] + cover$way[sooner] * (cover$number[sooner] - 1L)),
+    edge_node(chains$edge[later], cover$begin[later])
+  )
+  cover$begin[later] <- cover$begin[later] + cover$way[later]
+  cover$number[later] <- cover$number[later] - 1L
+  along <- along_chains(chains, cover)
+  node <- edge_node(along$edge, along$k)
+  joined <- joined_chains(chains$seams)
+  same(node[things_of(along, joined$first)], node[things_of(along, joined$other)])
+  same(ends$first[c(1L, 2L), bars], rbind(ends$first[3L, bars], ends$last[3L, bars]))
+  same(ends$last[c(1L, 2L), bars], rbind(ends$first[4L, bars], ends$last[4L, bars]))
 
-  ropes <- lapply(seq_along(si$ropes), function(r) {
-    rope <- si$ropes[[r]]
-    if (!is.null(rope$along)) {
-      return(on_chain(chains$laced[[names(si$ropes)[r]]]))
-    }
-    ids <- take(rope_count[r] + 1L)
+  row <- along$row
+  at <- chains$start[row] +
+    (fraction[before[along$edge] + along$k] - chains$from[row]) /
+      (chains$to[row] - chains$from[row]) * (chains$end[row] - chains$start[row])
+  run <- function(chain) {
+    things <- things_of(along, chain)
+    list(node = node[things], at = at[things])
+  }
+  held_edges <- lapply(chains$held, function(held) {
+    found <- run(held$chain)
+    same(found$node[c(1L, length(found$node))], match(held$between, names(si$points)))
+    c(found, held["between"])
+  })
+  last <- points + sum(on$size)
+  ropes <- lapply(setNames(seq_along(si$ropes), names(si$ropes)), function(r) {
+    if (!is.null(si$ropes[[r]]$along)) return(run(chains$laced[[names(si$ropes)[r]]]))
+    ids <- last + seq_len(rope_count[r] + 1L)
+    last <<- last + rope_count[r] + 1L
     list(node = ids, at = seq(0, 1, length.out = length(ids)))
   })
-  names(ropes) <- names(si$ropes)
-
-  place <- function(text) {
-    ref <- parse_place(text)
-    if (ref$kind == "point") return(point_id[[ref$name]])
-    if (ref$kind == "panel") {
-      e <- 4L * (match(ref$name, names(panels)) - 1L)
-      nodes <- edge_nodes[[e + if (startsWith(ref$place, "upper")) 1L else 2L]]
-      return(if (endsWith(ref$place, "left")) nodes[1L] else nodes[length(nodes)])
-    }
-    rope <- ropes[[ref$name]]
-    switch(ref$place,
-      start = rope$node[1L],
-      end = rope$node[length(rope$node)],
-      middle = rope$node[which.min(abs(rope$at - 0.5))]
-    )
-  }
+  places <- name_places(si, ends, ropes)
   for (r in names(ropes)) {
     rope <- si$ropes[[r]]
     if (is.null(rope$along)) {
-      same(ropes[[r]]$node[1L], place(rope$from))
-      same(ropes[[r]]$node[length(ropes[[r]]$node)], place(rope$to))
+      same(places[paste0(r, c(".start", ".end"))], places[c(rope$from, rope$to)])
     }
   }
   for (name in names(si$points)) {
-    ref <- si$points[[name]]$at
-    if (!is.null(ref)) same(point_id[[name]], place(ref))
+    if (!is.null(si$points[[name]]$at)) same(places[name], places[si$points[[name]]$at])
   }
-  for (gather in chains$gathered) {
-    target <- place(gather$at)
-    for (chain in gather$chains) {
-      node <- on_chain(chain)$node
-      same(node, rep(target, length(node)))
-    }
-  }
-  label <- joined_labels(next_id, unlist(a), unlist(b))
+  gathered <- chains$gathered
+  same(
+    node[things_of(along, gathered$chain)],
+    rep.int(places[gathered$at], along$count[gathered$chain])
+  )
+
+  label <- joined_labels(last, unlist(a), unlist(b))
   number <- match(label, unique(label))
-  renumber <- function(x) {
-    if (is.matrix(x)) matrix(number[x], nrow(x), ncol(x)) else number[x]
+  renumber <- function(run) list(node = number[run$node], at = run$at)
+  grids <- vector("list", length(bars))
+  for (p in which(!bars)) {
+    grids[[p]] <- matrix(number[on$base[p] + seq_len(on$size[p])], count[4L * p - 3L])
   }
   list(
     nodes = max(number, 0L),
-    points = setNames(number[point_id], names(point_id)),
-    fractions = fractions,
-    edge_nodes = lapply(edge_nodes, renumber),
-    grids = lapply(grids, function(g) if (is.null(g)) NULL else renumber(g)),
-    ropes = lapply(ropes, function(r) list(node = renumber(r$node), at = r$at)),
-    held_edges = lapply(held_edges, function(edge) {
-      edge$node <- renumber(edge$node)
-      edge
-    }),
-    laced = function(chain) {
-      found <- on_chain(chain)
-      list(node = renumber(found$node), at = found$at)
-    },
-    place = function(text) number[place(text)]
+    points = setNames(number[seq_len(points)], names(si$points)),
+    fraction = fraction, edge_node = number[sequence(count, on$offset + on$step, on$step)],
+    count = count, before = before,
+    grids = grids,
+    ropes = lapply(ropes, renumber),
+    held_edges = lapply(held_edges, function(edge) c(renumber(edge), edge["between"])),
+    runs = lapply(chains$run, function(chain) renumber(run(chain))),
+    places = setNames(number[places], names(places))
   )
+}
+
+# Fractions of its edge at every node of an edge, one edge after the other.
+edge_fractions <- function(pieces, counts) {
+  within <- rep.int(pieces$from, counts) + rep.int(pieces$to - pieces$from, counts) *
+    (sequence(counts) - 1L) / rep.int(counts, counts)
+  # Every edge ends at 1.
+  edges <- seq_along(pieces$count_of)
+  c(within, rep.int(1, length(edges)))[order(c(rep.int(pieces$edge, counts), edges))]
+}
+
+# Which of all nodes on edges begins the stretch between two nodes of its edge that each x (fraction
+# of the edge) lies in.
+cell_of <- function(x, edge, on) {
+  cell <- on$before[edge] + 1L
+  # Edges of one stretch need no search.
+  many <- which(on$count[edge] > 2L)
+  if (!length(many)) return(cell)
+  ends <- seq_along(on$fraction)
+  order <- order(
+    c(rep.int(seq_along(on$count), on$count), edge[many]), c(on$fraction, x[many]),
+    rep.int(0:1, c(length(ends), length(many)))
+  )
+  reached <- integer(length(order))
+  reached[order] <- cumsum(order <= length(ends))
+  found <- reached[-ends]
+  last <- (on$before + on$count - 1L)[edge[many]]
+  beyond <- found > last
+  found[beyond] <- last[beyond]
+  sooner <- found < cell[many]
+  found[sooner] <- cell[many][sooner]
+  cell[many] <- found
+  cell
+}
+
+# Consecutive runs of x, of these lengths.
+split_runs <- function(x, lengths) {
+  last <- cumsum(lengths)
+  lapply(seq_along(lengths), function(k) x[seq.int(last[k] - lengths[k] + 1L, last[k])])
+}
+
+# How panels number the nodes of their edges, before these are joined: those of a panel of triangles
+# are its grid's, those of a panel of bars follow each other.
+#
+# count: nodes of every edge; from: nodes numbered before.
+# Returns list(base, size = of every panel, how many nodes are numbered before its own and its own;
+# offset, step = the k-th node of edge e is offset[e] + step[e] k).
+number_edges <- function(count, bars, from) {
+  count <- matrix(count, 4L)
+  columns <- count[1L, ]
+  size <- columns * count[3L, ]
+  size[bars] <- as.integer(colSums(count))[bars]
+  base <- from + cumsum(size) - size
+  offset <- rbind(base, base + size - columns, base + 1L - columns, base, deparse.level = 0L)
+  step <- rbind(1L, 1L, columns, columns, deparse.level = 0L)
+  offset[2L, bars] <- (base + columns)[bars]
+  offset[3L, bars] <- (base + columns + count[2L, ])[bars]
+  offset[4L, bars] <- (base + size - count[4L, ])[bars]
+  step[, bars] <- 1L
+  list(base = base, size = size, offset = as.vector(offset), step = as.vector(step))
+}
+
+# Nodes of all places by their texts: points, then corners of panels, then starts, middles and ends
+# of ropes.
+name_places <- function(si, ends, ropes) {
+  corners <- rbind(ends$first[1L, ], ends$last[1L, ], ends$first[2L, ], ends$last[2L, ])
+  of_ropes <- vapply(ropes, function(rope) {
+    n <- length(rope$node)
+    rope$node[c(1L, which.min(abs(rope$at - 0.5)), n)]
+  }, integer(3))
+  named <- function(names, places) {
+    if (length(names)) paste0(rep(names, each = length(places)), ".", places)
+  }
+  setNames(c(seq_along(si$points), corners, of_ropes), c(
+    names(si$points),
+    named(names(si$panels), c("upper_left", "upper_right", "lower_left", "lower_right")),
+    named(names(si$ropes), c("start", "middle", "end"))
+  ))
 }

@@ -16,66 +16,104 @@ add_rope <- function(build, rope, along, part) {
     volume = half * rope$volume_per_length)
 }
 
-# Knots as spheres; count: knots at each node.
-add_knots <- function(build, panel, node, count, part) {
-  if (panel$knot_diameter == 0) return(invisible())
-  build$add("spheres", node = node, drag_area = pi / 4 * panel$knot_diameter^2 * count,
-    diameter = rep(panel$knot_diameter, length(node)),
-    added_mass = 0.5 * pi / 6 * panel$knot_diameter^3 * count, part = rep(part, length(node)))
+# Knots as spheres at nodes of panels; count: knots at each node.
+add_knots <- function(build, panels, parts, panel, node, count) {
+  diameter <- panels$knot_diameter[panel]
+  some <- diameter > 0
+  build$add("spheres", node = node[some],
+    drag_area = (pi / 4 * diameter^2 * count)[some], diameter = diameter[some],
+    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], part = parts[panel][some])
 }
 
-add_triangle_panel <- function(build, panel, division, p, part) {
-  grid <- division$grids[[p]]
-  e <- 4L * (p - 1L)
-  t <- triangle_elements(panel, grid, division$fractions[[e + 1L]], division$fractions[[e + 3L]])
-  m <- length(t$rest)
-  build$add("triangles", node = as.vector(t$node), twine = as.vector(t$twine), rest = t$rest,
-    multiplicity = t$multiplicity, material = rep(part, m), part = rep(part, m))
-  third <- rep(t$bars / 3, each = 3L)
-  twine <- 2 * third * panel$mesh_size / 2
-  build$add("masses", node = as.vector(t$node), mass = twine * panel$mass_per_length,
-    volume = twine * panel$volume_per_length)
-  knots <- rowsum(third, as.vector(t$node), reorder = FALSE)
-  add_knots(build, panel, as.integer(rownames(knots)), as.vector(knots), part)
-  list(netting = "triangles", grid = grid)
+# Mass and volume of twine; length: m of it at each of these nodes of panels.
+add_twine <- function(build, panels, panel, node, length) {
+  build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
+    volume = length * panels$volume_per_length[panel])
 }
 
-add_bar_panel <- function(build, panel, division, p, part, grouping) {
-  found <- bar_elements(panel, grouping$lambda, grouping$segments)
-  points <- found$points
-  id <- integer(length(points$i))
-  free <- points$edge == 0L
-  id[free] <- build$new_nodes(sum(free))
-  for (k in 1:4) {
-    on <- which(points$edge == k)
-    if (!length(on)) next
-    f <- division$fractions[[4L * (p - 1L) + k]]
-    nodes <- division$edge_nodes[[4L * (p - 1L) + k]]
-    at <- pmin(pmax(points$fraction[on], 0), 1)
-    cell <- pmin(findInterval(at, f, all.inside = TRUE), length(f) - 1L)
-    share <- (at - f[cell]) / (f[cell + 1L] - f[cell])
-    first <- nodes[cell]
-    second <- nodes[cell + 1L]
-    whole <- share < 1e-6 | share > 1 - 1e-6 | first == second
-    id[on[whole]] <- ifelse(share > 0.5, second, first)[whole]
-    if (any(!whole)) {
-      id[on[!whole]] <- build$tie(first[!whole], second[!whole], share[!whole])
-    }
+# Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
+# Both return what the views draw of each panel.
+add_triangle_panels <- function(build, panels, numbers, parts, division) {
+  along <- function(side) {
+    edges <- 4L * (numbers - 1L) + side
+    count <- division$count[edges]
+    list(fraction = division$fraction[sequence(count, division$before[edges] + 1L)], count = count)
   }
-  inner <- length(found$bars$between$i)
-  id <- c(id, build$new_nodes(inner))
-  b <- found$bars
-  ends <- rbind(id[b$from], id[b$to])
-  keep <- ends[1, ] != ends[2, ]
-  m <- sum(keep)
-  build$add("bars", node = as.vector(ends[, keep]), rest = b$rest[keep],
-    multiplicity = b$multiplicity[keep], material = rep(part, m), part = rep(part, m))
-  half <- rep(b$rest * b$multiplicity / 2, each = 2L)
-  build$add("masses", node = as.vector(ends), mass = half * panel$mass_per_length,
-    volume = half * panel$volume_per_length)
-  add_knots(build, panel, id[seq_along(points$i)], points$knots, part)
-  list(
-    netting = "bars", node = id, i = c(points$i, b$between$i), j = c(points$j, b$between$j)
+  found <- triangle_elements(panels, along(1L), along(3L))
+  node <- unlist(division$grids[numbers])[found$corner]
+  part <- parts[found$panel]
+  build$add("triangles", node = node, twine = found$twine, rest = found$rest,
+    multiplicity = found$multiplicity, material = part, part = part)
+  third <- rep(found$bars / 3, each = 3L)
+  panel <- rep(found$panel, each = 3L)
+  add_twine(build, panels, panel, node, 2 * third * panels$mesh_size[panel] / 2)
+  # A node of two panels has knots of both.
+  knotted <- which(panels$knot_diameter[panel] > 0)
+  key <- panel[knotted] * as.double(division$nodes) + node[knotted]
+  first <- knotted[!duplicated(key)]
+  add_knots(build, panels, parts, panel[first], node[first],
+    as.vector(rowsum(third[knotted], key, reorder = FALSE)))
+  .mapply(
+    function(...) list(netting = "triangles", ...), list(
+      grid = division$grids[numbers],
+      cell = split_runs(found$cell, tabulate(found$panel, length(numbers)))
+    ), NULL
+  )
+}
+
+add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
+  found <- bar_elements(panels, grouping)
+  points <- found$points
+  bars <- found$bars
+  id <- integer(length(points$i))
+  between <- integer(length(bars$between$i))
+  free <- which(points$edge == 0L)
+  # Nodes of each panel follow each other: its knots, then the middles of its bars.
+  order <- order(c(points$panel[free], bars$between$panel))
+  own <- integer(length(order))
+  own[order] <- build$new_nodes(length(order))
+  id[free] <- own[seq_along(free)]
+  between <- own[length(free) + seq_along(between)]
+
+  edge <- 4L * (numbers[points$panel] - 1L) + points$edge
+  on <- which(points$edge > 0L)
+  on <- on[order(edge[on])]
+  at <- points$fraction[on]
+  at[at < 0] <- 0
+  at[at > 1] <- 1
+  cell <- cell_of(at, edge[on], division)
+  low <- division$fraction[cell]
+  share <- (at - low) / (division$fraction[cell + 1L] - low)
+  first <- division$edge_node[cell]
+  second <- division$edge_node[cell + 1L]
+  whole <- share < 1e-6 | share > 1 - 1e-6 | first == second
+  nearest <- first
+  beyond <- share > 0.5
+  nearest[beyond] <- second[beyond]
+  id[on[whole]] <- nearest[whole]
+  id[on[!whole]] <- build$tie(first[!whole], second[!whole], share[!whole])
+
+  ends <- bars$ends
+  inner <- ends < 0L
+  ends[!inner] <- id[ends[!inner]]
+  ends[inner] <- between[-bars$ends[inner]]
+  half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
+  add_twine(build, panels, rep(bars$panel, each = 2L), ends, half)
+  second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
+  keep <- ends[second - 1L] != ends[second]
+  part <- parts[bars$panel[keep]]
+  build$add("bars", node = ends[rep(keep, each = 2L)], rest = bars$rest[keep],
+    multiplicity = bars$multiplicity[keep], material = part, part = part)
+  add_knots(build, panels, parts, points$panel, id, points$knots)
+
+  of <- c(points$panel, bars$between$panel)
+  order <- order(of)
+  by_panel <- function(x) split_runs(x[order], tabulate(of, length(numbers)))
+  .mapply(
+    function(...) list(netting = "bars", ...), list(
+      node = by_panel(c(id, between)), i = by_panel(c(points$i, bars$between$i)),
+      j = by_panel(c(points$j, bars$between$j)), lambda = grouping$lambda
+    ), NULL
   )
 }
 
@@ -83,10 +121,16 @@ lift_directions <- list(
   up = c(0L, 1), down = c(0L, -1), starboard = c(1L, 1), port = c(1L, -1)
 )
 
-# run: list(node, at) of the nodes that the piece is spread over, or NULL where it sits at a place.
-add_piece <- function(build, piece, run, place, density, part) {
+# The nodes that a piece is spread over: list(node, at), or NULL where it sits at a place.
+piece_run <- function(si, division, name) {
+  along <- si$pieces[[name]]$along
+  if (is.null(along)) return(NULL)
+  if (along$kind == "rope") division$ropes[[along$name]] else division$runs[[name]]
+}
+
+add_piece <- function(build, piece, run, places, density, part) {
   if (is.null(run)) {
-    node <- place(piece$at)
+    node <- places[[piece$at]]
     n <- piece$number
   } else if (piece$end_to_end) {
     # One piece at each end of the share; one between two nodes is shared by them.
@@ -161,30 +205,20 @@ gear_supports <- function(si, division) {
 }
 
 # The lattice must hold the plan's twine: an error names the panel where it does not.
-check_totals <- function(lattice, si) {
-  e <- lattice$engine
-  length_of <- numeric(nrow(lattice$parts))
-  add <- function(part, value) {
-    if (!length(part)) return()
-    s <- rowsum(value, part)
-    k <- as.integer(rownames(s))
-    length_of[k] <<- length_of[k] + s
-  }
-  add(lattice$bar_part, e$bars$rest * e$bars$multiplicity)
-  if (length(e$triangles$rest)) {
-    t <- matrix(e$triangles$twine, 6L)
-    d <- abs((t[3, ] - t[1, ]) * (t[6, ] - t[2, ]) - (t[5, ] - t[1, ]) * (t[4, ] - t[2, ]))
-    add(lattice$triangle_part, d * e$triangles$multiplicity * e$triangles$rest)
-  }
-  for (p in seq_along(si$panels)) {
-    planned <- 2 * panel_bars(si$panels[[p]]) * si$panels[[p]]$mesh_size / 2
-    built <- length_of[length(si$ropes) + p]
-    if (abs(built - planned) > 1e-6 * planned) {
-      cli::cli_abort(
-        "Panel {.field {names(si$panels)[p]}} has {signif(planned, 6)} m of twine in the plan and
-        {signif(built, 6)} m in the lattice.",
-        class = c("codend_error_lattice", "codend_error")
-      )
-    }
-  }
+# panels: the table; ropes: how many parts come before the panels.
+check_totals <- function(lattice, panels, ropes) {
+  bars <- lattice$engine$bars
+  triangles <- lattice$engine$triangles
+  parts <- nrow(lattice$parts)
+  held <- sum_by(bars$rest * bars$multiplicity, lattice$bar_part, parts) +
+    sum_by(2 * triangle_bars(triangles) * triangles$rest, lattice$triangle_part, parts)
+  planned <- 2 * panel_bars(panels) * panels$mesh_size / 2
+  held <- held[ropes + seq_along(planned)]
+  wrong <- which(abs(held - planned) > 1e-6 * planned)[1L]
+  if (is.na(wrong)) return(invisible())
+  cli::cli_abort(
+    "Panel {.field {lattice$parts$name[ropes + wrong]}} has {signif(planned[wrong], 6)} m of twine
+    in the plan and {signif(held[wrong], 6)} m in the lattice.",
+    class = c("codend_error_lattice", "codend_error")
+  )
 }

@@ -5,126 +5,139 @@
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 
-mesh_unit <- function(panel) if (panel$orientation == "square") panel$mesh_size / 2 else panel$mesh_size
-
-# Open width and depth of a panel, m.
-open_size <- function(panel) {
-  if (panel$orientation == "square") {
-    return(mesh_unit(panel) * c(max(panel$upper, panel$lower), panel$deep))
-  }
-  mesh_unit(panel) * c(
-    nominal_hanging_ratio * max(panel$upper, panel$lower),
-    nominal_depth_ratio * panel$deep
+# Open width and depth of panels, m: list(width, depth).
+open_size <- function(panels) {
+  square <- is_square(panels)
+  unit <- mesh_unit(panels)
+  list(
+    width = unit * (ifelse(square, 1, nominal_hanging_ratio) * pmax(panels$upper, panels$lower)),
+    depth = unit * (ifelse(square, 1, nominal_depth_ratio) * panels$deep)
   )
 }
 
-# Meshes per equivalent mesh of a panel of bars (lambda), and segments per equivalent bar.
-bar_grouping <- function(panel, h) {
-  square <- panel$orientation == "square"
-  across <- (panel$upper + panel$lower) / 2
-  if (is_given(panel$columns)) {
-    lambda <- max(panel$upper, panel$lower) / panel$columns
-  } else if (is_given(panel$rows)) {
-    lambda <- panel$deep / panel$rows
-  } else {
-    nodes_per_mesh <- if (square) 3 else 6
-    cells <- max(3, prod(open_size(panel)) / (nodes_per_mesh * h^2))
-    lambda <- max(1, sqrt(across * panel$deep / cells))
+# Twines of one family that end on each edge of panels at most, ungrouped, in the order of edges: an
+# edge that runs i meshes across and j deep is crossed by |i - j| twines of one family and i + j of
+# the other.
+edge_twines <- function(panels) {
+  lost <- abs(panels$upper - panels$lower)
+  side <- function(taper) {
+    ifelse(is_square(panels), pmax(lost * taper, panels$deep), lost * taper + panels$deep)
   }
+  as.vector(rbind(panels$upper, panels$lower, side(panels$taper_left), side(panels$taper_right)))
+}
+
+# What the counts depend on besides h: the table of panels with more columns (bars ...), columns
+# with an element per piece of an edge (panel ...) and columns with one per rope (own, length,
+# segments).
+resolution_table <- function(si, panels, pieces, bars) {
+  size <- open_size(panels)
+  panel <- (pieces$edge - 1L) %/% 4L + 1L
+  across <- (pieces$edge - 1L) %% 4L < 2L
+  share <- pieces$to - pieces$from
+  of_side <- function(width, depth) {
+    out <- depth[panel]
+    out[across] <- width[panel][across]
+    out
+  }
+  # NA stands for what a plan leaves open.
+  segments <- vapply(si$ropes, function(r) if (is.null(r$segments)) NA_real_ else r$segments, 0)
+  c(panels, list(
+    bars = bars, square = is_square(panels), size = size, area = size$width * size$depth,
+    panel = panel, edge = pieces$edge, class = pieces$class,
+    reach = share * of_side(size$width, size$depth),
+    asked = share * of_side(panels$columns, panels$rows),
+    twines = share * edge_twines(panels)[pieces$edge],
+    own = vapply(si$ropes, function(r) is.null(r$along), NA),
+    length = vapply(si$ropes, `[[`, 0, "length"), segments = segments
+  ))
+}
+
+# Meshes per equivalent mesh (lambda) of every panel were it of bars, and segments per equivalent
+# bar.
+bar_grouping <- function(of, h) {
+  across <- (of$upper + of$lower) / 2
+  nodes_per_mesh <- ifelse(of$square, 3, 6)
+  cells <- pmax(3, of$area / (nodes_per_mesh * h^2))
+  lambda <- pmax(1, sqrt(across * of$deep / cells))
+  by_rows <- !is.na(of$rows)
+  lambda[by_rows] <- (of$deep / of$rows)[by_rows]
+  by_columns <- !is.na(of$columns)
+  lambda[by_columns] <- (pmax(of$upper, of$lower) / of$columns)[by_columns]
   # Whole half-rows (whole rows of squares), so that the upper and the lower edge lie on knots.
-  steps <- if (square) 1 else 2
-  lambda <- steps * panel$deep / max(1, round(steps * panel$deep / lambda))
-  bar <- lambda * panel$mesh_size / 2
-  segments <- panel$bar_segments
-  if (!is_given(panel$columns) && !is_given(panel$rows) && lambda <= 1 + 1e-9 && is.finite(h)) {
-    segments <- max(segments, ceiling(bar / (1.5 * h)))
+  steps <- ifelse(of$square, 1, 2)
+  lambda <- steps * of$deep / pmax(1, round(steps * of$deep / lambda))
+  segments <- of$bar_segments
+  single <- !by_columns & !by_rows & lambda <= 1 + 1e-9
+  if (is.finite(h)) {
+    bar <- lambda * of$mesh_size / 2
+    segments[single] <- pmax(segments, ceiling(bar / (1.5 * h)))[single]
   }
   list(lambda = lambda, segments = as.integer(segments))
 }
 
-# bar_grouping() of every panel of bars, NULL for the others.
-bar_groupings <- function(panels, bars, h) {
-  groupings <- vector("list", length(panels))
-  groupings[bars] <- lapply(panels[bars], bar_grouping, h = h)
-  groupings
-}
-
-# Twines of one family that end on each edge of a panel at most, ungrouped: an edge that runs i
-# meshes across and j deep is crossed by |i - j| twines of one family and i + j of the other.
-edge_twines <- function(panel) {
-  lost <- abs(panel$upper - panel$lower) * c(panel$taper_left, panel$taper_right)
-  side <- if (panel$orientation == "square") pmax(lost, panel$deep) else lost + panel$deep
-  c(panel$upper, panel$lower, side)
-}
-
-# Counts of every piece (integer vector) at element length h; grouping: `bar_grouping()` of every
-# panel of bars there.
-piece_counts <- function(panels, pieces, bars, h, grouping) {
-  sizes <- vapply(panels, open_size, c(0, 0))
-  panel <- (pieces$edge - 1L) %/% 4L + 1L
-  across <- (pieces$edge - 1L) %% 4L < 2L
-  share <- pieces$to - pieces$from
-  wanted <- share * ifelse(across, sizes[1, panel], sizes[2, panel]) / h
-  for (p in seq_along(panels)) {
-    fixed <- function(side, count) {
-      mine <- panel == p & across == side
-      wanted[mine] <<- share[mine] * count
-    }
-    if (is_given(panels[[p]]$columns)) fixed(TRUE, panels[[p]]$columns)
-    if (is_given(panels[[p]]$rows)) fixed(FALSE, panels[[p]]$rows)
-  }
-  count <- pmax(1L, as.integer(round(wanted)))
-  if (any(bars)) {
-    lambda <- rep(Inf, length(panels))
-    lambda[bars] <- vapply(grouping[bars], function(g) g$lambda, 0)
-    meshes <- unlist(lapply(panels, edge_twines))
-    twines <- pmax(1L, as.integer(floor(share * meshes[pieces$edge] / lambda[panel] + 1e-9)))
-    is_bar <- bars[panel]
+# Counts of every piece (integer vector) at element length h.
+piece_counts <- function(of, h, grouping) {
+  wanted <- of$reach / h
+  asked <- !is.na(of$asked)
+  wanted[asked] <- of$asked[asked]
+  count <- at_least_one(round(wanted))
+  if (any(of$bars)) {
+    is_bar <- of$bars[of$panel]
+    twines <- at_least_one(floor(of$twines / grouping$lambda[of$panel] + 1e-9))
     # Between panels of bars the coarser side rules, so that every node of the seam is held.
-    only_bars <- !pieces$class %in% pieces$class[!is_bar]
-    low <- tapply(twines, pieces$class, min)
-    count[only_bars] <- low[as.character(pieces$class[only_bars])]
+    with_triangles <- logical(length(count))
+    with_triangles[of$class[!is_bar]] <- TRUE
+    only_bars <- !with_triangles[of$class]
+    falling <- order(twines, decreasing = TRUE)
+    low <- integer(length(count))
+    low[of$class[falling]] <- twines[falling]
+    count[only_bars] <- low[of$class][only_bars]
     count[is_bar & !only_bars] <- 1L
   }
-  high <- tapply(count, pieces$class, max)
-  unname(as.integer(high[as.character(pieces$class)]))
+  # The last of a class to be put in its place is the largest.
+  rising <- order(count)
+  high <- integer(length(count))
+  high[of$class[rising]] <- count[rising]
+  high[of$class]
+}
+
+at_least_one <- function(x) {
+  x <- as.integer(x)
+  x[x < 1L] <- 1L
+  x
 }
 
 # Elements of every rope with its own nodes.
-rope_counts <- function(ropes, h) {
-  vapply(ropes, function(r) {
-    if (!is.null(r$along)) return(0L)
-    if (is_given(r$segments)) return(as.integer(r$segments))
-    if (!is.finite(h)) return(1L)
-    as.integer(max(4, round(r$length / (1.5 * h))))
-  }, 0L)
+rope_counts <- function(of, h) {
+  count <- if (is.finite(h)) pmax(4, round(of$length / (1.5 * h))) else rep(1, length(of$length))
+  given <- !is.na(of$segments)
+  count[given] <- of$segments[given]
+  count[!of$own] <- 0
+  as.integer(count)
 }
 
 # About how many nodes a division at h has.
-count_nodes <- function(panels, ropes, pieces, bars, h) {
-  groupings <- bar_groupings(panels, bars, h)
-  count <- piece_counts(panels, pieces, bars, h, groupings)
-  per_edge <- tapply(count, factor(pieces$edge, levels = seq_len(4L * length(panels))), sum)
-  in_panels <- vapply(seq_along(panels), function(p) {
-    e <- 4L * (p - 1L)
-    if (!bars[p]) return(as.numeric(per_edge[e + 1L]) * per_edge[e + 3L])
-    panel <- panels[[p]]
-    grouping <- groupings[[p]]
-    cells <- (panel$upper + panel$lower) / 2 * panel$deep / grouping$lambda^2
-    square <- panel$orientation == "square"
-    cells * (if (square) 1 + 2 * (grouping$segments - 1) else 2 + 4 * (grouping$segments - 1))
-  }, 0)
-  sum(in_panels) + sum(rope_counts(ropes, h))
+count_nodes <- function(of, h) {
+  grouping <- bar_grouping(of, h)
+  count <- piece_counts(of, h, grouping)
+  # pieces are in the order of edges
+  reached <- c(0, cumsum(count))[c(1L, cumsum(tabulate(of$edge, 4L * length(of$bars))) + 1L)]
+  per_edge <- matrix(diff(reached), 4L)
+  in_panels <- per_edge[1L, ] * per_edge[3L, ]
+  cells <- (of$upper + of$lower) / 2 * of$deep / grouping$lambda^2
+  in_bars <- cells * ifelse(of$square, 1 + 2 * (grouping$segments - 1), 2 + 4 * (grouping$segments - 1))
+  in_panels[of$bars] <- in_bars[of$bars]
+  sum(in_panels) + sum(rope_counts(of, h))
 }
 
 # Element length h at which the gear has about `nodes` nodes.
-element_length <- function(panels, ropes, pieces, bars, nodes) {
-  size <- max(vapply(ropes, function(r) r$length, 0), unlist(lapply(panels, open_size)), 0.1)
+element_length <- function(of, nodes) {
+  size <- max(of$length, unlist(of$size), 0.1)
   low <- log(size * 1e-6)
   high <- log(size * 10)
   for (step in seq_len(40L)) {
     middle <- (low + high) / 2
-    if (count_nodes(panels, ropes, pieces, bars, exp(middle)) > nodes) low <- middle else high <- middle
+    if (count_nodes(of, exp(middle)) > nodes) low <- middle else high <- middle
     if (high - low < 1e-3) break
   }
   exp(high)

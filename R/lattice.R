@@ -14,43 +14,42 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL) {
-  panels <- si$panels
-  bars <- vapply(panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
-  frame <- division_frame(si, linked = !bars)
-  h <- element_length(panels, si$ropes, frame$pieces, bars, nodes)
-  division <- divide_at(si, frame, bars, h)
+  bars <- vapply(si$panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
+  panels <- panel_table(si$panels)
+  chains <- gear_chains(si)
+  frame <- division_frame(chains, linked = !bars)
+  resolution <- resolution_table(si, panels, frame$pieces, bars)
+  h <- element_length(resolution, nodes)
+  grouping <- bar_grouping(resolution, h)
+  division <- divide(
+    si, frame, piece_counts(resolution, h, grouping), rope_counts(resolution, h), bars
+  )
 
   parts <- data.frame(
-    name = c(names(si$ropes), names(panels), names(si$pieces)),
-    kind = rep(c("rope", "netting", "piece"), c(length(si$ropes), length(panels), length(si$pieces))),
+    name = c(names(si$ropes), names(si$panels), names(si$pieces)),
+    kind = rep(c("rope", "netting", "piece"), lengths(si[c("ropes", "panels", "pieces")])),
     role = c(
-      vapply(si$ropes, function(r) r$role, ""), vapply(panels, function(p) p$part, ""),
-      vapply(si$pieces, function(p) p$role, "")
+      vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
+      vapply(si$pieces, `[[`, "", "role")
     ),
     row.names = NULL
   )
-  materials <- lapply(c(si$ropes, panels), twine_material)
-  materials <- as.list(do.call(rbind.data.frame, unname(materials)))
-
   build <- new_collection(division$nodes)
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
-  drawn <- lapply(seq_along(panels), function(p) {
-    part <- length(si$ropes) + p
-    if (bars[p]) {
-      add_bar_panel(build, panels[[p]], division, p, part, bar_grouping(panels[[p]], h))
-    } else {
-      add_triangle_panel(build, panels[[p]], division, p, part)
-    }
-  })
-  names(drawn) <- names(panels)
+  drawn <- setNames(vector("list", length(bars)), names(si$panels))
+  of_bars <- which(bars)
+  of_triangles <- which(!bars)
+  if (length(of_bars)) {
+    drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
+      length(si$ropes) + of_bars, division, pick_panels(grouping, of_bars))
+  }
+  if (length(of_triangles)) {
+    drawn[of_triangles] <- add_triangle_panels(build, pick_panels(panels, of_triangles),
+      of_triangles, length(si$ropes) + of_triangles, division)
+  }
   for (k in seq_along(si$pieces)) {
-    along <- si$pieces[[k]]$along
-    run <- if (identical(along$kind, "rope")) division$ropes[[along$name]]
-    if (identical(along$kind, "chain")) {
-      run <- division$laced(frame$chains$run[[names(si$pieces)[k]]])
-    }
-    add_piece(build, si$pieces[[k]], run, division$place, si$water$density,
-      length(si$ropes) + length(panels) + k)
+    add_piece(build, si$pieces[[k]], piece_run(si, division, names(si$pieces)[k]), division$places,
+      si$water$density, length(si$ropes) + length(bars) + k)
   }
   collected <- build$collect()
   supports <- gear_supports(si, division)
@@ -67,7 +66,8 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
       x = si$water$current$x + si$towing$speed, y = si$water$current$y
     ),
     slack_twine = si$slack_twine,
-    load = as.vector(loads), mass = collected$mass, materials = materials,
+    load = as.vector(loads), mass = collected$mass,
+    materials = twine_materials(c(si$ropes, si$panels)),
     bars = collected$bars[c("node", "rest", "multiplicity", "material")],
     triangles = collected$triangles[c("node", "twine", "rest", "multiplicity", "material")],
     spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass")],
@@ -78,71 +78,50 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
       engine = engine, parts = parts,
       bar_part = collected$bars$part, triangle_part = collected$triangles$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
-      ropes = division$ropes, points = division$points, place = division$place,
+      ropes = division$ropes, points = division$points, place = place_finder(division$places),
       held_edges = division$held_edges, panels = drawn, h = h
     ),
     class = "codend_lattice"
   )
-  check_totals(lattice, si)
-  lattice$start <- lay_out(si, division, lattice, if (!any(bars)) frame)
+  check_totals(lattice, panels, length(si$ropes))
+  lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
   lattice$start[, which(supports$held)] <- supports$position[, supports$held]
   lattice
 }
 
-# What does not depend on how fine the division is: chains, breaks and pieces of all edges.
-division_frame <- function(si, linked) {
-  lengths <- edge_lengths(si$panels)
-  chains <- lapply(si$seams, function(s) lapply(s$edges, chain_table, si$panels, lengths))
-  gathered <- vapply(si$seams, function(s) !is.null(s$gathered_at), NA)
-  laced <- Filter(Negate(is.null), lapply(si$ropes, function(r) {
-    if (!is.null(r$along)) chain_table(r$along, si$panels, lengths)
-  }))
-  run <- Filter(Negate(is.null), lapply(si$pieces, function(p) {
-    if (identical(p$along$kind, "chain")) chain_table(p$along$edges, si$panels, lengths)
-  }))
-  joined <- unname(chains[!gathered])
-  gathered_chains <- unname(chains[gathered])
-  breaks <- edge_breaks(
-    si$panels, joined, unname(c(laced, run, unlist(gathered_chains, recursive = FALSE))), linked
-  )
+# A function(text) that tells the node of a parsed place.
+place_finder <- function(places) function(text) places[[text]]
+
+# What does not depend on how fine the division is: breaks and pieces of all edges.
+division_frame <- function(chains, linked) {
+  list(chains = chains, pieces = edge_pieces(chains, edge_breaks(chains, linked), linked))
+}
+
+# The engine's table of materials: a row per rope and per panel's twine, as columns.
+twine_materials <- function(lines) {
+  number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
+  laws <- lapply(lines, `[[`, "coefficients")
+  coefficient <- function(field) {
+    given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
+    given[is.na(given)] <- 0
+    given
+  }
+  added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
   list(
-    pieces = edge_pieces(si$panels, joined, breaks, linked),
-    chains = list(
-      joined = joined, laced = laced, run = run,
-      held = Filter(Negate(is.null), Map(
-        function(chains, seam) {
-          if (!is.null(seam$held_between)) list(chain = chains[[1]], between = seam$held_between)
-        },
-        chains, si$seams
-      )),
-      gathered = Map(
-        function(chains, seam) list(chains = chains, at = seam$gathered_at),
-        gathered_chains, unname(si$seams[gathered])
-      )
-    )
+    axial_stiffness = number("axial_stiffness"),
+    diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
+    volume_per_length = number("volume_per_length"),
+    added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
+    law = unname(law_numbers[vapply(laws, `[[`, "", "law")]),
+    normal = coefficient("normal"), tangential = coefficient("tangential"),
+    skin = coefficient("skin"),
+    solidity = vapply(lines, function(line) {
+      if (is.null(line$mesh_size)) 0 else panel_solidity(line)
+    }, 0, USE.NAMES = FALSE)
   )
 }
 
-divide_at <- function(si, frame, bars, h) {
-  counts <- piece_counts(si$panels, frame$pieces, bars, h, bar_groupings(si$panels, bars, h))
-  divide(si, frame$pieces, counts, rope_counts(si$ropes, h), bars, frame$chains)
-}
-
-# One row of the engine's table of materials, of a rope or a panel's twine.
-twine_material <- function(line) {
-  k <- line$coefficients
-  given <- function(x) if (is.na(x)) 0 else x
-  list(
-    axial_stiffness = line$axial_stiffness,
-    diameter = first_of(line$diameter, line$twine_diameter * line$twine_count),
-    volume_per_length = line$volume_per_length,
-    added_mass_normal = line$added_mass[["normal"]],
-    added_mass_tangential = line$added_mass[["tangential"]],
-    law = law_numbers[[k$law]],
-    normal = given(k$normal), tangential = given(k$tangential), skin = given(k$skin),
-    solidity = if (is.null(line$mesh_size)) 0 else panel_solidity(line)
-  )
-}
+line_diameter <- function(line) first_of(line$diameter, line$twine_diameter * line$twine_count)
 
 # Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
 # a, and 2 d/a - (d/a)^2 for square.

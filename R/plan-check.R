@@ -1,23 +1,21 @@
-# The schema file is the one table of fields. Here it is made ready once per session and a plan is
-# walked along it. Only the keywords that the file uses are known; others are for editors.
+# The schema file is the one table of fields. It is made ready once, when the package is installed
+# (`plan_schema`), and a plan is walked along it. Only the keywords that the file uses are known;
+# others are for editors.
 
 plan_cache <- new.env(parent = emptyenv())
 
 # The schema with references put in place: $kinds, a compiled node per kind of plan.
-plan_schema <- function() {
-  if (is.null(plan_cache$schema)) {
-    file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
-    schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
-    kinds <- unlist(schema$properties$kind$enum)
-    plan_cache$schema <- list(
-      default_kind = schema$properties$kind$default,
-      kinds = lapply(
-        stats::setNames(schema$`$defs`[kinds], kinds), compile_node,
-        definitions = schema$`$defs`
-      )
+compile_schema <- function() {
+  file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
+  schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
+  kinds <- unlist(schema$properties$kind$enum)
+  list(
+    default_kind = schema$properties$kind$default,
+    kinds = lapply(
+      stats::setNames(schema$`$defs`[kinds], kinds), compile_node,
+      definitions = schema$`$defs`
     )
-  }
-  plan_cache$schema
+  )
 }
 
 compile_node <- function(node, definitions) {
@@ -75,7 +73,7 @@ check_plan <- function(tree) {
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan("A plan must be a map of fields such as `codend: 1` and `name`.", NULL, tree)
   }
-  schema <- plan_schema()
+  schema <- plan_schema
   kind <- tree[["kind"]]
   if (is.null(kind)) kind <- schema$default_kind
   if (!is_text(kind) || !kind %in% names(schema$kinds)) {
@@ -137,12 +135,24 @@ check_list <- function(value, node, path) {
   good <- is.null(names(value)) && (is.list(value) || is.atomic(value)) && !is.null(value) &&
     (is.null(node$minItems) || n >= node$minItems) && (is.null(node$maxItems) || n <= node$maxItems)
   if (!good) abort_field(path, value, describe(node))
+  if (is.character(value) && n > 0) {
+    # such as the chains of a seam, each one edge
+    any <- node$items$shape == "any"
+    items <- if (any) choose_node(value[[1]], node$items, path) else node$items
+    if (all_text(value, items)) return(if (any) as.list(value) else value)
+  }
   checked <- vector("list", n)
   for (i in seq_len(n)) {
     checked[[i]] <- check_field(value[[i]], node$items, paste0(path, "[", i, "]"))
   }
   if (node$items$shape %in% c("quantity", "number", "integer",
     "string")) unlist(checked) else checked
+}
+
+# Whether texts are all that a node of texts asks for.
+all_text <- function(texts, node) {
+  node$shape == "string" && is.null(node$enum) && is.null(node$minLength) && is.null(node$const) &&
+    !anyNA(texts) && (is.null(node$pattern) || all(grepl(node$pattern, texts, perl = TRUE)))
 }
 
 check_map <- function(value, node, path) {
@@ -152,10 +162,20 @@ check_map <- function(value, node, path) {
     abort_field(join(path, given[anyDuplicated(given)]), NULL, "given once", "is given twice")
   }
   checked <- stats::setNames(vector("list", length(given)), given)
-  for (name in given) {
+  named_well <- may_name(given, node$propertyNames)
+  for (i in seq_along(given)) {
+    name <- given[i]
     property <- node$properties[[name]]
-    if (is.null(property)) property <- open_property(name, value, node, path)
-    checked[[name]] <- check_field(value[[name]], property, join(path, name))
+    if (is.null(property)) {
+      property <- if (named_well[i]) node$additionalProperties
+      if (is.null(property)) property <- open_property(name, value, node, path)
+      # the sides of a trawl follow each other and are alike
+      if (i > 1 && identical(value[[i]], value[[i - 1]])) {
+        checked[[i]] <- checked[[i - 1]]
+        next
+      }
+    }
+    checked[[i]] <- check_field(value[[i]], property, join(path, name))
   }
   for (name in node$required) {
     if (!name %in% given) {
@@ -163,7 +183,13 @@ check_map <- function(value, node, path) {
     }
   }
   check_presence(given, value, node, path)
-  c(checked, node$defaults[setdiff(names(node$defaults), given)])
+  c(checked, node$defaults[!names(node$defaults) %in% given])
+}
+
+# Which names a schema's rule for names allows.
+may_name <- function(names, rule) {
+  good <- !is.na(names) & nzchar(names)
+  if (is.null(rule)) good else good & grepl(rule$pattern, names, perl = TRUE)
 }
 
 # The node of a name that is not among the properties of a map.
@@ -171,9 +197,8 @@ open_property <- function(name, value, node, path) {
   if (is.null(node$additionalProperties)) {
     abort_unknown(path, name, names(node$properties), value[[name]])
   }
-  rule <- node$propertyNames
-  if (is.na(name) || !nzchar(name) ||
-    (!is.null(rule) && !grepl(rule$pattern, name, perl = TRUE))) {
+  if (!may_name(name, node$propertyNames)) {
+    rule <- node$propertyNames
     abort_plan(
       sprintf(
         "Plan field `%s` has a name that is not allowed: \"%s\". %s",
@@ -186,7 +211,8 @@ open_property <- function(name, value, node, path) {
 }
 
 check_presence <- function(given, value, node, path) {
-  for (name in intersect(names(node$dependentRequired), given)) {
+  for (name in names(node$dependentRequired)) {
+    if (!name %in% given) next
     for (due in unlist(node$dependentRequired[[name]])) {
       if (!due %in% given) {
         abort_field(join(path, due), NULL, sprintf("given with `%s`", name), "is missing")

@@ -116,6 +116,10 @@ plain_tree <- function(tree) {
       )
     }
     if (is.null(value)) return(NULL)
+    if (is.null(attributes(value)) && length(value) == 1L) {
+      if (is.double(value) || is.logical(value)) return(value)
+      if (is.character(value)) return(enc2utf8(value))
+    }
     keys <- names(value)
     if (is.factor(value)) value <- as.character(value)
     if (is.character(value)) value <- enc2utf8(value)
@@ -136,9 +140,9 @@ plain_tree <- function(tree) {
     }
     value <- lapply(unname(unclass(value)), plain, depth = depth + 1)
     if (!is.null(keys)) return(stats::setNames(value, keys))
-    types <- unique(vapply(value, typeof, ""))
-    if (length(value) > 1 && length(types) == 1 && types != "list" && all(lengths(value) == 1)) {
-      return(unlist(value))
+    if (length(value) > 1 && all(lengths(value) == 1)) {
+      types <- unique(vapply(value, typeof, ""))
+      if (length(types) == 1 && types != "list") return(unlist(value))
     }
     value
   }

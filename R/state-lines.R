@@ -31,16 +31,21 @@ state_lines <- function(state) {
   )
 }
 
-# Mesh bars of one family in every triangle: half of |d|, the double area in twine coordinates.
-triangle_bars <- function(triangles) {
-  if (!length(triangles$rest)) return(numeric())
-  t <- matrix(triangles$twine, 6L)
-  d <- (t[3, ] - t[1, ]) * (t[6, ] - t[2, ]) - (t[5, ] - t[1, ]) * (t[4, ] - t[2, ])
-  abs(d) / 2 * triangles$multiplicity
+# Mesh bars of one family in triangles: half of |d|, the double area in twine coordinates.
+triangle_bars <- function(triangles, which = seq_along(triangles$rest)) {
+  at <- 6L * (which - 1L)
+  u <- function(corner) triangles$twine[at + 2L * corner - 1L]
+  v <- function(corner) triangles$twine[at + 2L * corner]
+  u1 <- u(1L)
+  v1 <- v(1L)
+  d <- (u(2L) - u1) * (v(3L) - v1) - (u(3L) - u1) * (v(2L) - v1)
+  abs(d) / 2 * triangles$multiplicity[which]
 }
 
 # Middles of elements of as many corners: 3 x elements, m.
 element_middles <- function(points, node, corners) {
-  corner <- function(k) points[, node[seq_along(node) %% corners == k %% corners], drop = FALSE]
-  Reduce(`+`, lapply(seq_len(corners), corner)) / corners
+  first <- seq.int(0L, by = corners, length.out = length(node) %/% corners)
+  total <- points[, node[first + 1L], drop = FALSE]
+  for (k in seq_len(corners - 1L) + 1L) total <- total + points[, node[first + k], drop = FALSE]
+  total / corners
 }

@@ -91,15 +91,17 @@ node_parts <- function(lattice) {
   tie <- point[tied] - e$nodes
   node <- c(point[!tied], e$ties$first[tie], e$ties$second[tie])
   part <- c(part[!tied], part[tied], part[tied])
-  met <- unique(data.frame(node = node, part = part))
-  met <- met[order(met$node, met$part), ]
-  name <- lattice$parts$name[met$part]
-  out <- character(e$nodes)
-  first <- !duplicated(met$node)
-  out[met$node[first]] <- name[first]
-  shared <- met$node %in% met$node[!first]
-  joined <- vapply(split(name[shared], met$node[shared]), paste, "", collapse = ", ")
-  out[as.integer(names(joined))] <- joined
+  # Few nodes belong to several parts: of the others any element tells the one.
+  last <- integer(e$nodes)
+  last[node] <- part
+  out <- c("", lattice$parts$name)[last + 1L]
+  shared <- unique(node[part != last[node]])
+  met <- which(node %in% shared)
+  met <- met[order(node[met], part[met])]
+  met <- met[!duplicated(data.frame(node[met], part[met]))]
+  out[shared[order(shared)]] <- vapply(
+    split(lattice$parts$name[part[met]], node[met]), paste, "", collapse = ", "
+  )
   out
 }
 

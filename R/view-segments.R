@@ -33,10 +33,9 @@ join_lines <- function(lines) {
   )
 }
 
-# Means of x over groups 1, 2, ..., none of them empty.
-weighted_means <- function(x, weight, group) {
-  sums <- rowsum(cbind(x * weight, weight), group)
-  as.vector(sums[, 1] / sums[, 2])
+# Means of x over groups 1..n.
+weighted_means <- function(x, weight, group, n) {
+  sum_by(x * weight, group, n) / sum_by(weight, group, n)
 }
 
 bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
@@ -54,7 +53,8 @@ rope_lines <- function(state, points, limit) {
     last <- !duplicated(group, fromLast = TRUE)
     new_lines(
       points, ends[1L, bars[!duplicated(group)]], ends[2L, bars[last]],
-      weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group),
+      weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group,
+        max(group)),
       part
     )
   }))
@@ -90,17 +90,16 @@ netting_lines <- function(state, points, limit) {
 panel_cell_lines <- function(state, points, name, part, block) {
   panel <- state$si$panels[[name]]
   grid <- state$lattice$panels[[name]]$grid
+  cell <- state$lattice$panels[[name]]$cell - 1L
   mine <- which(state$lattice$triangle_part == part)
-  twine <- matrix(state$lattice$engine$triangles$twine, 6L)
-  cell <- triangle_cells(panel, twine[, mine, drop = FALSE])
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L
   deep <- length(rows) - 1L
-  group <- (cell$row - 1L) %/% block * across + (cell$column - 1L) %/% block + 1L
-  weight <- triangle_bars(state$lattice$engine$triangles)[mine]
-  u <- weighted_means(state$u_tension[mine], weight, group)
-  v <- weighted_means(state$v_tension[mine], weight, group)
+  group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
+  weight <- triangle_bars(state$lattice$engine$triangles, mine)
+  u <- weighted_means(state$u_tension[mine], weight, group, across * deep)
+  v <- weighted_means(state$v_tension[mine], weight, group, across * deep)
   coarse <- grid[columns, rows, drop = FALSE]
   corner <- function(c, r) as.vector(coarse[seq_len(across) + c, seq_len(deep) + r])
   if (panel$orientation != "square") {
@@ -119,24 +118,6 @@ panel_cell_lines <- function(state, points, name, part, block) {
 
 block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))
 
-# The cell (column, row) of a panel's grid that each triangle lies in, from its corners' twine
-# coordinates (6 x triangles).
-triangle_cells <- function(panel, twine) {
-  u <- twine[c(1, 3, 5), , drop = FALSE]
-  v <- twine[c(2, 4, 6), , drop = FALSE]
-  square <- panel$orientation == "square"
-  i <- if (square) u else (u - v) / 2
-  j <- if (square) v else (u + v) / 2
-  width <- panel_right(panel, j) - panel_left(panel, j)
-  # At the tip of a pointed panel all columns meet, so the other corners tell the column.
-  share <- (i - panel_left(panel, j)) / ifelse(width > 1e-9 * panel$deep, width, NA)
-  least <- function(x) {
-    low <- round(pmin(x[1, ], x[2, ], x[3, ], na.rm = TRUE), 9)
-    match(low, sort(unique(low)))
-  }
-  list(column = least(share), row = least(j / panel$deep))
-}
-
 # The bars of a panel; all of them, or those of every k-th twine.
 panel_bar_lines <- function(state, points, name, part, every) {
   bars <- bars_of_part(state, part)
@@ -153,7 +134,7 @@ panel_bar_lines <- function(state, points, name, part, every) {
 on_every_twine <- function(state, name, ends, every) {
   panel <- state$si$panels[[name]]
   drawn <- state$lattice$panels[[name]]
-  lambda <- bar_grouping(panel, state$lattice$h)$lambda
+  lambda <- drawn$lambda
   node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)

@@ -100,7 +100,7 @@ test_that("a field may choose only between values that differ in shape", {
       if (is.list(node[[key]])) check(node[[key]], path)
     }
   }
-  for (kind in names(plan_schema()$kinds)) check(plan_schema()$kinds[[kind]], kind)
+  for (kind in names(plan_schema$kinds)) check(plan_schema$kinds[[kind]], kind)
   expect_identical(clashes, character())
 })
 

@@ -32,14 +32,15 @@ test_that("triangles lie in the cells that their nodes bound", {
   for (name in names(lattice$panels)) {
     mine <- which(lattice$triangle_part == which(lattice$parts$name == name))
     grid <- lattice$panels[[name]]$grid
-    cell <- triangle_cells(
-      state$si$panels[[name]], matrix(lattice$engine$triangles$twine, 6L)[, mine, drop = FALSE]
-    )
-    expect_equal(range(cell$column), c(1, nrow(grid) - 1))
-    expect_equal(range(cell$row), c(1, ncol(grid) - 1))
+    cell <- lattice$panels[[name]]$cell
+    expect_length(cell, length(mine))
+    column <- row(grid)[cell]
+    row <- col(grid)[cell]
+    expect_equal(range(column), c(1, nrow(grid) - 1))
+    expect_equal(range(row), c(1, ncol(grid) - 1))
     node <- matrix(lattice$engine$triangles$node, 3L)[, mine, drop = FALSE]
     inside <- vapply(seq_along(mine), function(k) {
-      all(node[, k] %in% grid[cell$column[k] + 0:1, cell$row[k] + 0:1])
+      all(node[, k] %in% grid[column[k] + 0:1, row[k] + 0:1])
     }, NA)
     expect_true(all(inside))
   }

@@ -1,0 +1,48 @@
+# The panels of a gear as one table, so that the lattice of all netting is made at once.
+
+# Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that the
+# lattice needs, NA for columns and rows that a plan leaves open.
+panel_table <- function(panels) {
+  fields <- c(
+    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "bar_segments",
+    "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter"
+  )
+  optional <- c("columns", "rows")
+  c(
+    lapply(setNames(fields, fields), function(field) {
+      vapply(panels, `[[`, 0, field, USE.NAMES = FALSE)
+    }),
+    lapply(setNames(optional, optional), function(field) {
+      vapply(panels, function(p) if (is.null(p[[field]])) NA_real_ else p[[field]], 0,
+        USE.NAMES = FALSE)
+    }),
+    list(orientation = vapply(panels, `[[`, "", "orientation", USE.NAMES = FALSE))
+  )
+}
+
+# Some panels of the table, or each as often as its number is given.
+pick_panels <- function(panels, which, fields = names(panels)) {
+  lapply(panels[fields], `[`, which)
+}
+
+is_square <- function(panel) panel$orientation == "square"
+
+# Length of one mesh, in square netting of one bar, m.
+mesh_unit <- function(panel) panel$mesh_size / (1 + is_square(panel))
+
+# Bars of one family in a panel (as many of the other), and knots, in the plan.
+panel_bars <- function(panel) {
+  (panel$upper + panel$lower) / 2 * panel$deep * (2 - is_square(panel))
+}
+
+# Fields that place a panel's sides.
+side_fields <- c("upper", "lower", "deep", "taper_left", "taper_right")
+
+# Where the left and the right side of a panel lie at a depth of j meshes, in meshes across.
+panel_left <- function(panel, j) {
+  panel$taper_left * (panel$upper - panel$lower) * j / panel$deep
+}
+
+panel_right <- function(panel, j) {
+  panel$upper - panel$taper_right * (panel$upper - panel$lower) * j / panel$deep
+}
