@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ namespace {
 
 using codend::BlockLU;
 using codend::BlockPattern;
+using codend::Precision;
 
 // Backward error |b - A x| / (|A| |x|), greatest norms. Gaussian elimination leaves about
 // (rows of a front) x (growth of the pivots) x 1.1e-16; fronts here have at most 300 rows and
@@ -257,10 +259,10 @@ TEST_CASE("block LU needs no help from coordinates") {
   }
 }
 
-TEST_CASE("block LU bears stiffnesses seven decades apart") {
-  // every edge a spring, as rope against slack twine, with a nonsymmetric part of a tenth
-  const Mesh mesh = ropes_and_sheet();
-  const BlockPattern pattern = pattern_of(mesh);
+namespace {
+
+// Every edge a spring, as rope against slack twine, with a nonsymmetric part of a tenth.
+std::vector<double> springs_seven_decades_apart(const BlockPattern& pattern) {
   std::vector<double> values(9 * pattern.column.size(), 0);
   std::vector<int64_t> diagonal(pattern.n);
   for (int i = 0; i < pattern.n; ++i)
@@ -280,7 +282,108 @@ TEST_CASE("block LU bears stiffnesses seven decades apart") {
           values[9 * e + 3 * a + b] += 0.1 * stiffness * noise[9 * e + 3 * a + b] / 3;
       }
     }
-  check_against_sparse_lu(mesh, values);
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("block LU bears stiffnesses seven decades apart") {
+  const Mesh mesh = ropes_and_sheet();
+  check_against_sparse_lu(mesh, springs_seven_decades_apart(pattern_of(mesh)));
+}
+
+TEST_CASE("block LU in single precision refines to the residual asked for") {
+  const Mesh mesh = ropes_and_sheet();
+  const BlockPattern pattern = pattern_of(mesh);
+  std::vector<double> values;
+  SUBCASE("random blocks") { values = random_values(pattern, 7); }
+  SUBCASE("stiffnesses seven decades apart") { values = springs_seven_decades_apart(pattern); }
+  BlockLU lu(Precision::single_precision);
+  lu.analyse(pattern, mesh.coordinates.data());
+  REQUIRE(lu.factorise(values.data()));
+  const Eigen::SparseMatrix<double> matrix = to_eigen(pattern, values);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(3 * pattern.n);
+  Eigen::VectorXd x(b.size());
+  const auto residual = [&] {
+    return (b - matrix * x).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+  };
+  for (const double tolerance : {1e-4, 1e-8, 1e-11}) {
+    const double reached =
+        lu.solve_refined(pattern, values.data(), b.data(), tolerance, x.data());
+    CHECK(reached <= tolerance);
+    // the two sum up rows in different orders: some ten terms, each as large as |A| |x| at most
+    const double rounding = 10 * 1.1e-16 * greatest_row_sum(matrix) *
+                            x.lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+    CHECK(std::abs(residual() - reached) <= rounding);
+  }
+  lu.solve(b.data(), x.data());
+  CHECK(residual() > 1e-11);  // so that refinement had something to do
+}
+
+TEST_CASE("refinement ends where it gains no more") {
+  const Mesh mesh = sheet(9, 8);
+  const BlockPattern pattern = pattern_of(mesh);
+  const std::vector<double> values = random_values(pattern, 2), other = random_values(pattern, 3);
+  const std::vector<double> b = random_vector(3 * pattern.n, 4);
+  std::vector<double> x(b.size());
+  BlockLU lu;
+  lu.analyse(pattern, mesh.coordinates.data());
+  REQUIRE(lu.factorise(values.data()));
+  SUBCASE("at the rounding of numbers") {
+    const double reached = lu.solve_refined(pattern, values.data(), b.data(), 0, x.data());
+    CHECK(reached > 0);
+    CHECK(reached < 1e-12);
+  }
+  SUBCASE("with the factors of another matrix") {
+    CHECK(lu.solve_refined(pattern, other.data(), b.data(), 1e-10, x.data()) > 1e-2);
+  }
+  SUBCASE("without a right side") {
+    const std::vector<double> none(b.size(), 0.0);
+    CHECK(lu.solve_refined(pattern, values.data(), none.data(), 1e-10, x.data()) == 0);
+    CHECK(x == none);
+  }
+}
+
+TEST_CASE("block LU gives equal bytes with one thread and two") {
+  // large enough for two threads, and the last part for a front of its own in both
+  const Mesh mesh = apart(sheet(150, 140), tube_with_ring());
+  const BlockPattern pattern = pattern_of(mesh);
+  const std::vector<double> values = random_values(pattern, 17);
+  const std::vector<double> b = random_vector(3 * pattern.n, 18);
+  for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+    std::vector<double> one(b.size()), two(b.size());
+    BlockLU alone(precision, 1), shared(precision, 2);
+    alone.analyse(pattern, mesh.coordinates.data());
+    shared.analyse(pattern, mesh.coordinates.data());
+    REQUIRE(alone.factorise(values.data()));
+    for (int round = 0; round < 3; ++round) REQUIRE(shared.factorise(values.data()));
+    alone.solve(b.data(), one.data());
+    shared.solve(b.data(), two.data());
+    CHECK(one == two);
+  }
+}
+
+TEST_CASE("two threads report a singular matrix") {
+  const Mesh mesh = sheet(150, 140);
+  const BlockPattern pattern = pattern_of(mesh);
+  const std::vector<double> sound = random_values(pattern, 21);
+  BlockLU lu(Precision::double_precision, 2);
+  lu.analyse(pattern, mesh.coordinates.data());
+  for (int node : {0, 10500, 20999}) {  // in both threads' subtrees and about the first separator
+    std::vector<double> values = sound;
+    for (int64_t e = pattern.row_start[node]; e < pattern.row_start[node + 1]; ++e)
+      for (int b = 0; b < 3; ++b) values[9 * e + 3 + b] = 0;
+    CHECK_FALSE(lu.factorise(values.data()));
+  }
+  CHECK(lu.factorise(sound.data()));
+}
+
+TEST_CASE("block LU takes one thread or two") {
+  for (int threads : {-1, 0, 3})
+    CHECK_THROWS_WITH_AS(
+        BlockLU(Precision::double_precision, threads),
+        ("block LU: threads is " + std::to_string(threads) + "; it must be 1 or 2").c_str(),
+        std::invalid_argument);
 }
 
 TEST_CASE("block LU gives equal bytes on repeated runs") {
@@ -363,19 +466,25 @@ TEST_CASE("block LU reports a singular matrix") {
 }
 
 TEST_CASE("block LU allocates only when it analyses") {
-  const Mesh mesh = tube_with_ring();
+  const Mesh mesh = apart(tube_with_ring(), sheet(140, 145));
   const BlockPattern pattern = pattern_of(mesh);
   const std::vector<double> values = random_values(pattern, 31);
-  std::vector<double> x = random_vector(3 * pattern.n, 32);
-  BlockLU lu;
-  const size_t before_analysis = allocations;
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(allocations > before_analysis);
-  const size_t before = allocations;
-  const bool sound = lu.factorise(values.data());
-  lu.solve(x.data(), x.data());
-  CHECK(allocations == before);
-  CHECK(sound);
+  const std::vector<double> b = random_vector(3 * pattern.n, 32);
+  std::vector<double> x(b.size());
+  const auto check = [&](Precision precision, int threads) {
+    BlockLU lu(precision, threads);
+    const size_t before_analysis = allocations;
+    lu.analyse(pattern, mesh.coordinates.data());
+    REQUIRE(allocations > before_analysis);
+    const size_t before = allocations;
+    const bool sound = lu.factorise(values.data());
+    lu.solve(b.data(), x.data());
+    lu.solve_refined(pattern, values.data(), b.data(), 1e-12, x.data());
+    CHECK(allocations == before);
+    CHECK(sound);
+  };
+  check(Precision::double_precision, 1);
+  check(Precision::single_precision, 2);
 }
 
 TEST_CASE("block LU takes an empty matrix") {

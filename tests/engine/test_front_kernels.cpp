@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <limits>
 #include <vector>
 
 #include "solve/front_kernels.hpp"
@@ -9,21 +10,29 @@ namespace {
 
 using codend::Front;
 using codend::FrontKernels;
+using codend::Sharing;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+template <class Real>
+using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Real>
+using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+template <class Real>
 struct StoredFront {
   int k, b;
-  MatrixXd lower, upper, update;
-  VectorXd reciprocal;
+  Matrix<Real> lower, upper, update;
+  Column<Real> reciprocal;
   std::vector<int> exchange;
+  bool fresh = false;
 
-  StoredFront(const MatrixXd& whole, int pivots)
+  StoredFront(const Matrix<Real>& whole, int pivots)
       : k(pivots),
         b(static_cast<int>(whole.rows()) - k),
-        lower(MatrixXd::Zero(k + codend::padded(b), k)),
-        upper(MatrixXd::Zero(codend::padded(b), k)),
-        update(MatrixXd::Zero(codend::padded(b), b)),
+        lower(Matrix<Real>::Zero(k + codend::padded<Real>(b), k)),
+        upper(Matrix<Real>::Zero(codend::padded<Real>(b), k)),
+        update(Matrix<Real>::Zero(codend::padded<Real>(b), b)),
         reciprocal(k),
         exchange(k) {
     lower.topRows(k + b) = whole.leftCols(k);
@@ -31,73 +40,112 @@ struct StoredFront {
     update.topRows(b) = whole.bottomRightCorner(b, b);
   }
 
-  Front view() {
-    return {k, b, lower.data(), upper.data(), update.data(), reciprocal.data(), exchange.data()};
+  Front<Real> view() {
+    return {k,    b, lower.data(), upper.data(), update.data(), reciprocal.data(), exchange.data(),
+            fresh};
   }
 };
 
-// Partial pivoting on random matrices of up to 1140 rows: 1140 x 1.1e-16, and a factor 100 for the
-// growth of pivots and for the condition of A11 in the Schur complement.
-constexpr double tolerance = 1e-11;
+// Partial pivoting on random matrices: the rows times the rounding of one operation, and a factor
+// 100 for the growth of pivots and for the condition of A11 in the Schur complement.
+template <class Real>
+double tolerance(int rows) {
+  return 100.0 * rows * std::numeric_limits<Real>::epsilon() / 2;
+}
 
-void check_front(const FrontKernels& kernels, int k, int b) {
+// Both halves of a job one after the other: as two threads would, if neither touches what the
+// other does.
+const Sharing halves{[](void*, void (*job)(void*, int), void* data) {
+                       job(data, 1);
+                       job(data, 0);
+                     },
+                     nullptr};
+
+template <class Real>
+void check_front(const FrontKernels<Real>& kernels, int k, int b) {
   CAPTURE(k);
   CAPTURE(b);
   // heavy above the diagonal, so that rows must be exchanged
-  MatrixXd whole = MatrixXd::Random(k + b, k + b);
-  for (int i = 0; i < k; ++i) whole(i, (i + 1) % k) += k;
-  StoredFront front(whole, k);
-  REQUIRE(kernels.factorise(front.view()));
+  Matrix<Real> given = Matrix<Real>::Random(k + b, k + b);
+  for (int i = 0; i < k; ++i) given(i, (i + 1) % k) += static_cast<Real>(k);
+  StoredFront<Real> front(given, k);
+  REQUIRE(kernels.factorise(front.view(), nullptr));
 
+  const MatrixXd whole = given.template cast<double>();
+  const MatrixXd lower = front.lower.template cast<double>();
+  const MatrixXd update = front.update.template cast<double>();
   const MatrixXd a11 = whole.topLeftCorner(k, k), a12 = whole.topRightCorner(k, b);
   const MatrixXd a21 = whole.bottomLeftCorner(b, k), a22 = whole.bottomRightCorner(b, b);
-  MatrixXd product = front.lower.topRows(k).triangularView<Eigen::UnitLower>() *
-                     MatrixXd(front.lower.topRows(k).triangularView<Eigen::Upper>());
+  const double allowed = tolerance<Real>(k + b) * k;
+  MatrixXd product = lower.topRows(k).triangularView<Eigen::UnitLower>() *
+                     MatrixXd(lower.topRows(k).triangularView<Eigen::Upper>());
   for (int p = k; p-- > 0;) product.row(p).swap(product.row(front.exchange[p]));
-  CHECK((product - a11).cwiseAbs().maxCoeff() <= tolerance * k);
-  CHECK(front.lower.topRows(k).triangularView<Eigen::StrictlyLower>().toDenseMatrix()
-            .cwiseAbs().maxCoeff() <= 1);
+  CHECK((product - a11).cwiseAbs().maxCoeff() <= allowed);
+  CHECK(lower.topRows(k).triangularView<Eigen::StrictlyLower>().toDenseMatrix()
+            .cwiseAbs().maxCoeff() <= 1 + std::numeric_limits<Real>::epsilon());
   if (b > 0) {
     const MatrixXd schur = a22 - a21 * a11.partialPivLu().solve(a12);
-    CHECK((front.update.topRows(b) - schur).cwiseAbs().maxCoeff() <= tolerance * k);
+    CHECK((update.topRows(b) - schur).cwiseAbs().maxCoeff() <= allowed);
   }
 
   // the two substitutions and the Schur complement between them solve the whole
-  const VectorXd rhs = VectorXd::Random(k + b);
-  VectorXd x = rhs;
+  const VectorXd rhs = VectorXd::Random(k + b).cast<Real>().template cast<double>();
+  Column<Real> x = rhs.cast<Real>();
   kernels.forward(k, b, front.lower.data(), front.exchange.data(), x.data());
-  if (b > 0) x.tail(b) = front.update.topRows(b).partialPivLu().solve(x.tail(b).eval());
+  if (b > 0) {
+    const VectorXd y = update.topRows(b).partialPivLu().solve(x.tail(b).template cast<double>());
+    x.tail(b) = y.cast<Real>();
+  }
   kernels.backward(k, b, front.lower.data(), front.upper.data(), front.reciprocal.data(), x.data());
-  CHECK((whole * x - rhs).cwiseAbs().maxCoeff() <= tolerance * k * x.cwiseAbs().maxCoeff());
+  const VectorXd solved = x.template cast<double>();
+  CHECK((whole * solved - rhs).cwiseAbs().maxCoeff() <= allowed * solved.cwiseAbs().maxCoeff());
+
+  // equal bytes where the work is shared out
+  StoredFront<Real> shared(given, k);
+  REQUIRE(kernels.factorise(shared.view(), &halves));
+  CHECK(shared.lower == front.lower);
+  CHECK(shared.upper == front.upper);
+  CHECK(shared.update == front.update);
+
+  // equal numbers where A22 is zero, whether it is set before or not
+  given.bottomRightCorner(b, b).setZero();
+  StoredFront<Real> cleared(given, k), fresh(given, k);
+  fresh.fresh = true;
+  fresh.update.setConstant(std::numeric_limits<Real>::quiet_NaN());
+  REQUIRE(kernels.factorise(cleared.view(), nullptr));
+  REQUIRE(kernels.factorise(fresh.view(), &halves));
+  CHECK(fresh.update == cleared.update);
 }
 
-void check_kernels(const FrontKernels& kernels) {
-  // around each change of path: tiles of 6 and 12 rows, 12 columns, blocks of 96 and 192
+template <class Real>
+void check_kernels(const FrontKernels<Real>& kernels) {
+  // around each change of path: tiles of 1, 2 and 3 registers, 12 columns, blocks of 96 and 192
   for (int k : {3, 6, 9, 12, 15, 24, 27, 93, 96, 99, 195})
     for (int b : {0, 3, 6, 9, 12, 15, 33, 105}) check_front(kernels, k, b);
   check_front(kernels, 12, 393);
-  check_front(kernels, 105, 1035);  // rows of U far enough apart to be packed
+  check_front(kernels, 105, 1035);  // rows of U far enough apart to be packed; large enough to share
+  check_front(kernels, 402, 6);     // a right side large enough to share
 
   // a zero matrix is singular, and so is one whose last pivot vanishes
-  StoredFront zero(MatrixXd::Zero(9, 9), 6);
-  CHECK_FALSE(kernels.factorise(zero.view()));
-  MatrixXd identity = MatrixXd::Identity(33, 33);
+  StoredFront<Real> zero(Matrix<Real>::Zero(9, 9), 6);
+  CHECK_FALSE(kernels.factorise(zero.view(), nullptr));
+  Matrix<Real> identity = Matrix<Real>::Identity(33, 33);
   identity(29, 29) = 0;
-  StoredFront last(identity, 30);
-  CHECK_FALSE(kernels.factorise(last.view()));
+  StoredFront<Real> last(identity, 30);
+  CHECK_FALSE(kernels.factorise(last.view(), nullptr));
 
   // a child of 5 nodes whose boundary meets the parent's 3 pivots at 0 and 2 and its boundary of 4
   // nodes at 0, 1 and 3
   const std::vector<codend::Run> run{{0, 0, 1}, {1, 2, 1}, {2, 3, 2}, {4, 6, 1}};
   const int place[] = {0, 2, 3, 4, 6};
-  const MatrixXd child = MatrixXd::Random(codend::padded(15), 15);
-  MatrixXd whole = MatrixXd::Random(21, 21);
-  StoredFront parent(whole, 9);
+  const Matrix<Real> child = Matrix<Real>::Random(codend::padded<Real>(15), 15);
+  Matrix<Real> whole = Matrix<Real>::Random(21, 21);
+  StoredFront<Real> parent(whole, 9);
   kernels.extend_add(child.data(), 15, run.data(), run.data() + run.size(), parent.view());
   for (int i = 0; i < 15; ++i)
     for (int j = 0; j < 15; ++j)
       whole(3 * place[i / 3] + i % 3, 3 * place[j / 3] + j % 3) += child(i, j);
-  const StoredFront expected(whole, 9);
+  const StoredFront<Real> expected(whole, 9);
   CHECK(parent.lower == expected.lower);
   CHECK(parent.upper == expected.upper);
   CHECK(parent.update == expected.update);
@@ -106,9 +154,12 @@ void check_kernels(const FrontKernels& kernels) {
 }  // namespace
 
 TEST_CASE("portable front kernels agree with dense algebra") {
-  check_kernels(codend::portable_front_kernels());
+  SUBCASE("double precision") { check_kernels(codend::portable_front_kernels<double>()); }
+  SUBCASE("single precision") { check_kernels(codend::portable_front_kernels<float>()); }
 }
 
 TEST_CASE("AVX2 front kernels agree with dense algebra") {
-  if (codend::avx2_front_kernels()) check_kernels(*codend::avx2_front_kernels());
+  if (!codend::avx2_front_kernels<double>()) return;
+  SUBCASE("double precision") { check_kernels(*codend::avx2_front_kernels<double>()); }
+  SUBCASE("single precision") { check_kernels(*codend::avx2_front_kernels<float>()); }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solve/assembly_tree.hpp"
+#include "solve/compressed_graph.hpp"
 #include "solve/ordering.hpp"
 
 namespace {
@@ -33,6 +34,31 @@ BlockPattern grid(int rows, int columns) {
   return pattern;
 }
 
+// The graph with a node in the middle of every edge, as netting of bars has, and a line of nodes
+// hung from its first one.
+BlockPattern with_middles(const BlockPattern& pattern, int line) {
+  std::vector<std::vector<int>> neighbours(pattern.n);
+  const auto join = [&](int a, int b) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  };
+  for (int i = 0; i < pattern.n; ++i)
+    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e) {
+      if (pattern.column[e] <= i) continue;
+      const int middle = static_cast<int>(neighbours.size());
+      neighbours.emplace_back();
+      join(i, middle);
+      join(middle, pattern.column[e]);
+    }
+  for (int k = 0, from = 0; k < line; ++k) {
+    const int next = static_cast<int>(neighbours.size());
+    neighbours.emplace_back();
+    join(from, next);
+    from = next;
+  }
+  return codend::block_pattern(std::move(neighbours));
+}
+
 std::vector<double> flat(int rows, int columns) {
   std::vector<double> x;
   for (int i = 0; i < rows; ++i)
@@ -48,10 +74,19 @@ bool is_ancestor(const SeparatorTree& tree, int above, int vertex) {
 }  // namespace
 
 TEST_CASE("nested dissection owns each node once and separates") {
-  const BlockPattern pattern = grid(23, 17);
+  BlockPattern pattern = grid(23, 17);
   std::vector<double> x = flat(23, 17);
   SUBCASE("with coordinates") {}
   SUBCASE("with all nodes at one place") { std::fill(x.begin(), x.end(), 0.0); }
+  SUBCASE("with a coordinate that is not a number") { x[30] = std::nan(""); }
+  SUBCASE("with nodes of two neighbours") {
+    pattern = with_middles(pattern, 37);
+    x.resize(3 * static_cast<size_t>(pattern.n), 0.0);
+  }
+  SUBCASE("with nothing but nodes of two neighbours") {
+    pattern = grid(1, 300);
+    x = flat(1, 300);
+  }
   const SeparatorTree tree = codend::nested_dissection(pattern, x.data());
   std::vector<int> owner(pattern.n, -1);
   for (size_t t = 0; t < tree.parent.size(); ++t) {
@@ -79,6 +114,34 @@ TEST_CASE("the first separator of a grid is one line of its nodes") {
   const SeparatorTree tree = codend::nested_dissection(grid(40, 15), x.data());
   const int root = static_cast<int>(tree.parent.size()) - 1;
   CHECK(tree.first_node[root + 1] - tree.first_node[root] == 15);
+}
+
+TEST_CASE("compression takes bar middles and free ends out and joins the knots") {
+  // a closed grid, so that every knot has four neighbours
+  const int rows = 7, columns = 9;
+  std::vector<std::vector<int>> neighbours(rows * columns);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const int k = i * columns + j;
+      for (const int other : {i * columns + (j + 1) % columns, (i + 1) % rows * columns + j}) {
+        neighbours[k].push_back(other);
+        neighbours[other].push_back(k);
+      }
+    }
+  const BlockPattern knots = codend::block_pattern(std::move(neighbours));
+  const codend::CompressedGraph graph = codend::compress(with_middles(knots, 1));
+  REQUIRE(static_cast<int>(graph.node.size()) == knots.n);
+  for (int i = 0; i < knots.n; ++i) {
+    CHECK(graph.node[i] == i);
+    std::vector<int> row(graph.neighbour.begin() + graph.first[i],
+                         graph.neighbour.begin() + graph.first[i + 1]);
+    row.push_back(i);
+    std::sort(row.begin(), row.end());
+    CHECK(row == std::vector<int>(knots.column.begin() + knots.row_start[i],
+                                  knots.column.begin() + knots.row_start[i + 1]));
+    // each with half of its four middles, and knot 0 with the free end
+    CHECK(graph.weight[i] == (i == 0 ? 4 : 3) * graph.weight[1] / 3);
+  }
 }
 
 TEST_CASE("the fill of a chain is that of its tree of halves") {

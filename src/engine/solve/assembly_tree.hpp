@@ -34,6 +34,11 @@ struct AssemblyTree {
   int boundary_nodes(int front) const {
     return static_cast<int>(first_boundary[front + 1] - first_boundary[front]);
   }
+  // Multiplications and additions to factorise it, three unknowns to a node.
+  double flops(int front) const {
+    const double k = 3.0 * pivots(front), b = 3.0 * boundary_nodes(front);
+    return 2 * (k * k * k / 3 + k * k * b + k * b * b);
+  }
 };
 
 // Symbolic factorisation: the fronts of `tree`, with a child merged into its parent where the model

@@ -4,17 +4,41 @@ namespace codend {
 
 namespace {
 
-constexpr int lanes = 2;  // SSE2 and NEON; split by the compiler where there is neither
-
+// registers of 16 bytes: SSE2 and NEON; split by the compiler where there is neither
+namespace in_double {
+using Real = double;
+constexpr int lanes = 2;
 #include "front_kernels.inl"
+}  // namespace in_double
+
+namespace in_single {
+using Real = float;
+constexpr int lanes = 4;
+#include "front_kernels.inl"
+}  // namespace in_single
 
 }  // namespace
 
-const FrontKernels& portable_front_kernels() { return kernels; }
+template <>
+const FrontKernels<double>& portable_front_kernels<double>() {
+  return in_double::kernels;
+}
 
-const FrontKernels& front_kernels() {
-  static const FrontKernels* const wide = avx2_front_kernels();
-  return wide ? *wide : kernels;
+template <>
+const FrontKernels<float>& portable_front_kernels<float>() {
+  return in_single::kernels;
+}
+
+template <>
+const FrontKernels<double>& front_kernels<double>() {
+  static const FrontKernels<double>* const wide = avx2_front_kernels<double>();
+  return wide ? *wide : in_double::kernels;
+}
+
+template <>
+const FrontKernels<float>& front_kernels<float>() {
+  static const FrontKernels<float>* const wide = avx2_front_kernels<float>();
+  return wide ? *wide : in_single::kernels;
 }
 
 }  // namespace codend

@@ -5,46 +5,70 @@
 namespace codend {
 
 // Rows that a block of `boundary` rows takes in store: whole registers, whichever kernels run.
-constexpr int padded(int boundary) { return (boundary + 3) / 4 * 4; }
+template <class Real>
+constexpr int padded(int boundary) {
+  constexpr int lanes = 32 / sizeof(Real);
+  return (boundary + lanes - 1) / lanes * lanes;
+}
 
 // A dense front [A11 A12; A21 A22], of which A11 is fully summed and eliminated here. Sizes are in
 // scalars and multiples of 3. Blocks are column-major, a column of `boundary` rows being followed
-// by zeros up to padded(boundary).
+// by zeros up to padded<Real>(boundary).
+template <class Real>
 struct Front {
   int pivots;          // rows of A11
   int boundary;        // rows of A22
-  double* lower;       // [A11; A21], a column takes pivots + padded(boundary)
-  double* upper;       // A12 transposed, so that all long loops run down columns
-  double* update;      // A22
-  double* reciprocal;  // pivots: reciprocals of U's diagonal
+  Real* lower;       // [A11; A21], a column takes pivots + padded<Real>(boundary)
+  Real* upper;       // A12 transposed, so that all long loops run down columns
+  Real* update;      // A22
+  Real* reciprocal;  // pivots: reciprocals of U's diagonal
   int* exchange;       // pivots: row that each row of A11 was swapped with in turn
+  bool fresh;          // A22 is zero and `update` not set yet
 };
 
-// The inner loops, compiled once per set of processor instructions.
+// Two threads for one front: run(threads, job, data) returns when job(data, 0) and job(data, 1) have.
+struct Sharing {
+  void (*run)(void* threads, void (*job)(void* data, int half), void* data);
+  void* threads;
+};
+
+// The inner loops in double or float, compiled once per set of processor instructions.
+template <class Real>
 struct FrontKernels {
   // Replaces A11 by its LU factors with partial pivoting among its own rows, A21 and A12 by the
   // remaining columns of L and rows of U, and A22 by its Schur complement. Returns false at a pivot
-  // whose reciprocal is not finite.
-  bool (*factorise)(const Front& front);
+  // whose reciprocal is not finite. sharing: null for one thread; the bytes are equal either way.
+  bool (*factorise)(const Front<Real>& front, const Sharing* sharing);
   // Adds a child's update matrix of `boundary` rows into its parent's front.
-  void (*extend_add)(const double* child, int boundary, const Run* run, const Run* run_end,
-                     const Front& parent);
+  void (*extend_add)(const Real* child, int boundary, const Run* run, const Run* run_end,
+                     const Front<Real>& parent);
   // Forward substitution with the factors that factorise() left. `x` holds the front's pivots, then
   // its boundary; that part is reduced.
-  void (*forward)(int pivots, int boundary, const double* lower, const int* exchange, double* x);
+  void (*forward)(int pivots, int boundary, const Real* lower, const int* exchange, Real* x);
   // Back substitution. `x` holds the pivots, to be solved for, then the boundary, already solved.
-  void (*backward)(int pivots, int boundary, const double* lower, const double* upper,
-                   const double* reciprocal, double* x);
+  void (*backward)(int pivots, int boundary, const Real* lower, const Real* upper,
+                   const Real* reciprocal, Real* x);
 };
 
-// For any processor.
-const FrontKernels& portable_front_kernels();
+// For any processor. Real is float or double here and below: these are specialised, since a
+// template made in a file that is compiled for AVX2 could be taken by the linker for all files.
+template <class Real>
+const FrontKernels<Real>& portable_front_kernels();
 
 // For x86-64 with AVX2 and FMA; null where the compiler or the running processor lacks them.
-const FrontKernels* avx2_front_kernels();
+template <class Real>
+const FrontKernels<Real>* avx2_front_kernels();
 
 // The fastest that the running processor can execute. The choice is fixed for a machine; two
 // machines may differ in the last bits of a solution.
-const FrontKernels& front_kernels();
+template <class Real>
+const FrontKernels<Real>& front_kernels();
+
+template <> const FrontKernels<double>& portable_front_kernels<double>();
+template <> const FrontKernels<float>& portable_front_kernels<float>();
+template <> const FrontKernels<double>* avx2_front_kernels<double>();
+template <> const FrontKernels<float>* avx2_front_kernels<float>();
+template <> const FrontKernels<double>& front_kernels<double>();
+template <> const FrontKernels<float>& front_kernels<float>();
 
 }  // namespace codend

@@ -1,10 +1,11 @@
-// Bodies of the front kernels: not a header of its own. Each front_kernels*.cpp includes it once,
-// inside an unnamed namespace that defines `lanes`, the doubles in one register of its processor.
+// Bodies of the front kernels: not a header of its own. Each front_kernels*.cpp includes it once
+// for double and once for float, inside an unnamed namespace that defines `Real` and `lanes`, the
+// numbers in one register of its processor.
 // Nothing here may use std:: or a template of another header: the linker could then hand a copy
 // compiled for AVX2 to a processor without it.
 
-using Pack = double __attribute__((vector_size(8 * lanes)));
-using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
+using Pack = Real __attribute__((vector_size(sizeof(Real) * lanes)));
+using LoosePack = Real __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
 
 // A tile of 3 registers by 3 columns (one node) keeps 9 sums in registers.
 constexpr int tile_rows = 3 * lanes;
@@ -13,50 +14,57 @@ constexpr int depth = 96;
 // Columns of the target worked off at a time, so that their rows of U stay in the second level.
 constexpr int breadth = 192;
 
-inline Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
-inline void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
+inline Pack load(const Real* p) { return *reinterpret_cast<const LoosePack*>(p); }
+inline void store(Real* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
 
 // A matrix read as element (i, j) = data[i * row + j * column], so that a transpose is free.
 struct View {
-  const double* data;
+  const Real* data;
   int64_t row;
   int64_t column;
-  const double* at(int64_t i, int64_t j) const { return data + i * row + j * column; }
+  const Real* at(int64_t i, int64_t j) const { return data + i * row + j * column; }
 };
 
 // One register of rows in each of the 3 columns of a tile.
 struct Row {
   Pack x0, x1, x2;
 
-  void load_from(const double* c, int64_t step) {
+  void clear() { x0 = x1 = x2 = Pack{}; }
+  void load_from(const Real* c, int64_t step) {
     x0 = load(c);
     x1 = load(c + step);
     x2 = load(c + 2 * step);
   }
-  void store_to(double* c, int64_t step) const {
+  void store_to(Real* c, int64_t step) const {
     store(c, x0);
     store(c + step, x1);
     store(c + 2 * step, x2);
   }
-  void subtract(Pack a, double b0, double b1, double b2) {
+  void subtract(Pack a, Real b0, Real b1, Real b2) {
     x0 -= a * b0;
     x1 -= a * b1;
     x2 -= a * b2;
   }
 };
 
-// c (registers x lanes rows, 3 columns) -= a * b over `count` columns of a. Unrolled by hand: the
-// sums must stay in registers at -O2, which does not unroll loops.
-template <int registers>
-inline void update_tile(int count, const double* a, int64_t a_step, const View& b, double* c,
+// c (registers x lanes rows, 3 columns) -= a * b over `count` columns of a; if `fresh`, c := -a * b.
+// Unrolled by hand: the sums must stay in registers at -O2, which does not unroll loops.
+template <int registers, bool fresh>
+inline void update_tile(int count, const Real* a, int64_t a_step, const View& b, Real* c,
                         int64_t c_step) {
   Row first, second, third;
-  first.load_from(c, c_step);
-  if constexpr (registers > 1) second.load_from(c + lanes, c_step);
-  if constexpr (registers > 2) third.load_from(c + 2 * lanes, c_step);
-  const double* b0 = b.data;
-  const double* b1 = b0 + b.column;
-  const double* b2 = b1 + b.column;
+  if constexpr (fresh) {
+    first.clear();
+    second.clear();
+    third.clear();
+  } else {
+    first.load_from(c, c_step);
+    if constexpr (registers > 1) second.load_from(c + lanes, c_step);
+    if constexpr (registers > 2) third.load_from(c + 2 * lanes, c_step);
+  }
+  const Real* b0 = b.data;
+  const Real* b1 = b0 + b.column;
+  const Real* b2 = b1 + b.column;
   for (int p = 0; p < count; ++p) {
     first.subtract(load(a), *b0, *b1, *b2);
     if constexpr (registers > 1) second.subtract(load(a + lanes), *b0, *b1, *b2);
@@ -72,20 +80,27 @@ inline void update_tile(int count, const double* a, int64_t a_step, const View& 
 }
 
 // The same for a tile of `rows` <= tile_rows, a multiple of lanes.
-inline void update_tile(int rows, int count, const double* a, int64_t a_step, const View& b,
-                        double* c, int64_t c_step) {
+template <bool fresh = false>
+inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b,
+                        Real* c, int64_t c_step) {
   if (rows == tile_rows)
-    update_tile<3>(count, a, a_step, b, c, c_step);
+    update_tile<3, fresh>(count, a, a_step, b, c, c_step);
   else if (rows == 2 * lanes)
-    update_tile<2>(count, a, a_step, b, c, c_step);
+    update_tile<2, fresh>(count, a, a_step, b, c, c_step);
   else
-    update_tile<1>(count, a, a_step, b, c, c_step);
+    update_tile<1, fresh>(count, a, a_step, b, c, c_step);
+}
+
+// padded<Real>, in a copy that only these kernels use
+inline int padded_rows(int boundary) {
+  constexpr int unit = 32 / sizeof(Real);
+  return (boundary + unit - 1) / unit * unit;
 }
 
 inline int round_up(int rows) { return (rows + lanes - 1) / lanes * lanes; }
 
 // Copies count x columns of b so that the 3 columns of a tile lie together, row by row.
-inline void pack_triples(const View& b, int count, int columns, double* packed) {
+inline void pack_triples(const View& b, int count, int columns, Real* packed) {
   for (int j = 0; j < columns; j += 3)
     for (int p = 0; p < count; ++p, packed += 3) {
       packed[0] = *b.at(p, j);
@@ -95,33 +110,49 @@ inline void pack_triples(const View& b, int count, int columns, double* packed) 
 }
 
 // Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros to whole
-// registers.
-inline void pack_strip(const double* a, int64_t a_step, int rows, int columns, double* strip) {
-  const int whole = rows / lanes * lanes, padded = round_up(rows);
+// registers. The loops over single rows are written so that they do not become calls of memcpy,
+// which cost more than they copy.
+inline void pack_strip(const Real* a, int64_t a_step, int rows, int columns, Real* strip) {
+  if (rows == tile_rows) {
+    for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
+      store(strip, load(a));
+      store(strip + lanes, load(a + lanes));
+      store(strip + 2 * lanes, load(a + 2 * lanes));
+    }
+    return;
+  }
   for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
     int i = 0;
-    for (; i < whole; i += lanes) store(strip + i, load(a + i));
-    for (; i < rows; ++i) strip[i] = a[i];
-    for (; i < padded; ++i) strip[i] = 0;
+    for (; i + lanes <= rows; i += lanes) store(strip + i, load(a + i));
+    for (int l = 0; i < rows && l < lanes; ++l) strip[i + l] = i + l < rows ? a[i + l] : 0;
   }
 }
 
-inline void unpack_strip(const double* strip, int rows, int columns, double* a, int64_t a_step) {
-  const int whole = rows / lanes * lanes;
+inline void unpack_strip(const Real* strip, int rows, int columns, Real* a, int64_t a_step) {
+  if (rows == tile_rows) {
+    for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
+      store(a, load(strip));
+      store(a + lanes, load(strip + lanes));
+      store(a + 2 * lanes, load(strip + 2 * lanes));
+    }
+    return;
+  }
   for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
     int i = 0;
-    for (; i < whole; i += lanes) store(a + i, load(strip + i));
-    for (; i < rows; ++i) a[i] = strip[i];
+    for (; i + lanes <= rows; i += lanes) store(a + i, load(strip + i));
+    for (int l = 0; i < rows && l < lanes; ++l)
+      if (i + l < rows) a[i + l] = strip[i + l];
   }
 }
 
-// c (rows x columns) -= a (rows x count) * b (count x columns); columns is a multiple of 3. Fastest
-// where rows is a multiple of lanes.
-void subtract_product(int rows, int columns, int count, const double* a, int64_t a_step, View b,
-                      double* c, int64_t c_step) {
-  alignas(64) double strip[tile_rows * depth];
-  alignas(64) double corner[tile_rows * 3];
-  alignas(64) double triples[depth * breadth];
+// c (rows x columns) -= a (rows x count) * b (count x columns), or := if fresh, where rows must be a
+// multiple of lanes; columns is a multiple of 3.
+template <bool fresh = false>
+void subtract_product(int rows, int columns, int count, const Real* a, int64_t a_step, View b,
+                      Real* c, int64_t c_step) {
+  alignas(64) Real strip[tile_rows * depth];
+  alignas(64) Real corner[tile_rows * 3];
+  alignas(64) Real triples[depth * breadth];
   // rows of b on pages of their own defeat the caches, worst at a power of two; the copy pays
   // once several strips read it
   const bool packed = b.row >= 1024 && rows >= 12 * tile_rows;
@@ -132,7 +163,7 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
       if (packed) pack_triples({b.at(p, j0), b.row, b.column}, deep, j1 - j0, triples);
       for (int i = 0; i < rows; i += tile_rows) {
         const int high = rows - i < tile_rows ? rows - i : tile_rows, padded = round_up(high);
-        const double* left = a + i + p * a_step;
+        const Real* left = a + i + p * a_step;
         int64_t left_step = a_step;
         if (high < padded || j1 - j0 > 12) {
           pack_strip(left, left_step, high, deep, strip);
@@ -142,8 +173,10 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
         for (int j = j0; j < j1; j += 3) {
           const View right = packed ? View{triples + (j - j0) * deep, 3, 1}
                                     : View{b.at(p, j), b.row, b.column};
-          double* target = c + i + j * c_step;
-          if (high == padded) {
+          Real* target = c + i + j * c_step;
+          if (fresh && p == 0) {
+            update_tile<true>(high, deep, left, left_step, right, target, c_step);
+          } else if (high == padded) {
             update_tile(high, deep, left, left_step, right, target, c_step);
           } else {
             pack_strip(target, c_step, high, 3, corner);
@@ -156,16 +189,52 @@ void subtract_product(int rows, int columns, int count, const double* a, int64_t
   }
 }
 
+// Multiplications from which on it pays to wake a second thread.
+constexpr double worth_sharing = 1e6;
+
+// The columns of a product in two halves.
+template <bool fresh>
+struct SharedProduct {
+  int rows, columns, count;
+  const Real* a;
+  int64_t a_step;
+  View b;
+  Real* c;
+  int64_t c_step;
+
+  static void part(void* self, int half) {
+    const SharedProduct& product = *static_cast<const SharedProduct*>(self);
+    const int middle = product.columns / 6 * 3;
+    const int first = half == 0 ? 0 : middle, last = half == 0 ? middle : product.columns;
+    subtract_product<fresh>(product.rows, last - first, product.count, product.a, product.a_step,
+                            {product.b.at(0, first), product.b.row, product.b.column},
+                            product.c + first * product.c_step, product.c_step);
+  }
+};
+
+// subtract_product() by two threads, if there are two and it is large. Equal bytes either way: a
+// column does not depend on which others are worked off with it.
+template <bool fresh = false>
+void subtract_product(const Sharing* sharing, int rows, int columns, int count, const Real* a,
+                      int64_t a_step, View b, Real* c, int64_t c_step) {
+  if (sharing && 1.0 * rows * columns * count > worth_sharing) {
+    SharedProduct<fresh> product{rows, columns, count, a, a_step, b, c, c_step};
+    sharing->run(sharing->threads, &SharedProduct<fresh>::part, &product);
+  } else {
+    subtract_product<fresh>(rows, columns, count, a, a_step, b, c, c_step);
+  }
+}
+
 // x := x * inverse(u) for one strip of `rows` <= tile_rows, a multiple of lanes; reciprocal holds
 // those of u's diagonal, null if it is 1.
-inline void solve_strip(int rows, int columns, double* x, View u, const double* reciprocal) {
+inline void solve_strip(int rows, int columns, Real* x, View u, const Real* reciprocal) {
   for (int j = 0; j < columns; j += 3) {
-    double* target = x + j * tile_rows;
+    Real* target = x + j * tile_rows;
     update_tile(rows, j, x, tile_rows, {u.at(0, j), u.row, u.column}, target, tile_rows);
-    const double u01 = *u.at(j, j + 1), u02 = *u.at(j, j + 2), u12 = *u.at(j + 1, j + 2);
-    const double r0 = reciprocal ? reciprocal[j] : 1;
-    const double r1 = reciprocal ? reciprocal[j + 1] : 1;
-    const double r2 = reciprocal ? reciprocal[j + 2] : 1;
+    const Real u01 = *u.at(j, j + 1), u02 = *u.at(j, j + 2), u12 = *u.at(j + 1, j + 2);
+    const Real r0 = reciprocal ? reciprocal[j] : 1;
+    const Real r1 = reciprocal ? reciprocal[j + 1] : 1;
+    const Real r2 = reciprocal ? reciprocal[j + 2] : 1;
     for (int i = 0; i < rows; i += lanes) {
       const Pack x0 = load(target + i) * r0;
       const Pack x1 = (load(target + i + tile_rows) - x0 * u01) * r1;
@@ -178,12 +247,12 @@ inline void solve_strip(int rows, int columns, double* x, View u, const double* 
 }
 
 // x (rows x columns) := x * inverse(u), u upper triangular; reciprocal as for solve_strip.
-void solve_right(int rows, int columns, double* x, int64_t x_step, View u,
-                 const double* reciprocal) {
-  alignas(64) double strip[tile_rows * depth];
+void solve_right(int rows, int columns, Real* x, int64_t x_step, View u,
+                 const Real* reciprocal) {
+  alignas(64) Real strip[tile_rows * depth];
   for (int j = 0; j < columns; j += depth) {
     const int wide = columns - j < depth ? columns - j : depth;
-    double* block = x + j * x_step;
+    Real* block = x + j * x_step;
     if (j > 0)
       subtract_product(rows, wide, j, x, x_step, {u.at(0, j), u.row, u.column}, block, x_step);
     const View corner{u.at(j, j), u.row, u.column};
@@ -197,7 +266,7 @@ void solve_right(int rows, int columns, double* x, int64_t x_step, View u,
 }
 
 // b (size x columns) := inverse(l) * b, l unit lower triangular; columns is a multiple of 3.
-void solve_left(int size, int columns, const double* l, int64_t l_step, double* b, int64_t b_step) {
+void solve_left(int size, int columns, const Real* l, int64_t l_step, Real* b, int64_t b_step) {
   if (size > 12) {
     const int half = size / 6 * 3;
     solve_left(half, columns, l, l_step, b, b_step);
@@ -208,9 +277,9 @@ void solve_left(int size, int columns, const double* l, int64_t l_step, double* 
   }
   for (int j = 0; j < columns; j += 3, b += 3 * b_step)
     for (int p = 0; p < size; ++p) {
-      const double b0 = b[p], b1 = b[p + b_step], b2 = b[p + 2 * b_step];
+      const Real b0 = b[p], b1 = b[p + b_step], b2 = b[p + 2 * b_step];
       for (int i = p + 1; i < size; ++i) {
-        const double factor = l[i + p * l_step];
+        const Real factor = l[i + p * l_step];
         b[i] -= factor * b0;
         b[i + b_step] -= factor * b1;
         b[i + 2 * b_step] -= factor * b2;
@@ -218,40 +287,62 @@ void solve_left(int size, int columns, const double* l, int64_t l_step, double* 
     }
 }
 
-inline void swap(double& a, double& b) {
-  const double held = a;
+// The columns of a solve_left() in two halves.
+struct SharedSolve {
+  int size, columns;
+  const Real* l;
+  int64_t l_step;
+  Real* b;
+  int64_t b_step;
+
+  static void part(void* self, int half) {
+    const SharedSolve& s = *static_cast<const SharedSolve*>(self);
+    const int middle = s.columns / 6 * 3;
+    const int first = half == 0 ? 0 : middle, last = half == 0 ? middle : s.columns;
+    solve_left(s.size, last - first, s.l, s.l_step, s.b + first * s.b_step, s.b_step);
+  }
+};
+
+inline void swap(Real& a, Real& b) {
+  const Real held = a;
   a = b;
   b = held;
 }
 
-inline void swap(int size, double* x, double* y) {
+inline void swap(int size, Real* x, Real* y) {
   for (int i = 0; i < size; ++i) swap(x[i], y[i]);
 }
 
 // y -= factor * x
-inline void subtract_scaled(int size, double factor, const double* x, double* y) {
+inline void subtract_scaled(int size, Real factor, const Real* x, Real* y) {
   int i = 0;
   for (; i + lanes <= size; i += lanes) store(y + i, load(y + i) - load(x + i) * factor);
   for (; i < size; ++i) y[i] -= x[i] * factor;
 }
 
-inline bool has_finite_reciprocal(double x) {
-  const double r = 1 / x;
+inline bool has_finite_reciprocal(Real x) {
+  const Real r = 1 / x;
   return r - r == 0;
 }
 
 // LU of a (rows x columns, rows >= columns) with partial pivoting; exchange counts from a's row 0.
-bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exchange,
-                       double* reciprocal) {
+bool factorise_columns(const Sharing* sharing, int rows, int columns, Real* a, int64_t step,
+                       int* exchange, Real* reciprocal) {
   if (columns > 12) {
     const int half = columns / 6 * 3, rest = columns - half;
-    double* right = a + half * step;
-    if (!factorise_columns(rows, half, a, step, exchange, reciprocal)) return false;
+    Real* right = a + half * step;
+    if (!factorise_columns(sharing, rows, half, a, step, exchange, reciprocal)) return false;
     for (int j = 0; j < rest; ++j)
       for (int p = 0; p < half; ++p) swap(right[p + j * step], right[exchange[p] + j * step]);
-    solve_left(half, rest, a, step, right, step);
-    subtract_product(rows - half, rest, half, a + half, step, {right, 1, step}, right + half, step);
-    if (!factorise_columns(rows - half, rest, right + half, step, exchange + half,
+    if (sharing && 0.5 * half * half * rest > worth_sharing) {
+      SharedSolve solve{half, rest, a, step, right, step};
+      sharing->run(sharing->threads, &SharedSolve::part, &solve);
+    } else {
+      solve_left(half, rest, a, step, right, step);
+    }
+    subtract_product(sharing, rows - half, rest, half, a + half, step, {right, 1, step},
+                     right + half, step);
+    if (!factorise_columns(sharing, rows - half, rest, right + half, step, exchange + half,
                            reciprocal + half))
       return false;
     for (int p = half; p < columns; ++p) exchange[p] += half;
@@ -260,11 +351,11 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
     return true;
   }
   for (int p = 0; p < columns; ++p) {
-    double* column = a + p * step;
+    Real* column = a + p * step;
     int largest = p;
-    double size = column[p] < 0 ? -column[p] : column[p];
+    Real size = column[p] < 0 ? -column[p] : column[p];
     for (int i = p + 1; i < rows; ++i) {
-      const double other = column[i] < 0 ? -column[i] : column[i];
+      const Real other = column[i] < 0 ? -column[i] : column[i];
       if (other > size) {
         size = other;
         largest = i;
@@ -277,31 +368,52 @@ bool factorise_columns(int rows, int columns, double* a, int64_t step, int* exch
     reciprocal[p] = 1 / column[p];
     for (int i = p + 1; i < rows; ++i) column[i] *= reciprocal[p];
     for (int j = p + 1; j < columns; ++j) {
-      double* other = a + j * step;
+      Real* other = a + j * step;
       subtract_scaled(rows - p - 1, other[p], column + p + 1, other + p + 1);
     }
   }
   return true;
 }
 
-bool factorise(const Front& front) {
-  const int k = front.pivots, b = front.boundary, rows = padded(b);
+// What is left of U (half 0) and of L (half 1).
+void solve_outside(void* data, int half) {
+  const Front<Real>& front = *static_cast<const Front<Real>*>(data);
+  const int k = front.pivots, rows = padded_rows(front.boundary);
   const int64_t step = k + rows;
-  if (!factorise_columns(k, k, front.lower, step, front.exchange, front.reciprocal)) return false;
+  if (half == 0)
+    solve_right(rows, k, front.upper, rows, {front.lower, step, 1}, nullptr);
+  else
+    solve_right(rows, k, front.lower + k, step, {front.lower, 1, step}, front.reciprocal);
+}
+
+bool factorise(const Front<Real>& front, const Sharing* sharing) {
+  const int k = front.pivots, b = front.boundary, rows = padded_rows(b);
+  const int64_t step = k + rows;
+  if (!factorise_columns(sharing, k, k, front.lower, step, front.exchange, front.reciprocal))
+    return false;
   if (b == 0) return true;
   for (int p = 0; p < k; ++p)
     if (front.exchange[p] != p)
       swap(rows, front.upper + static_cast<int64_t>(p) * rows,
            front.upper + static_cast<int64_t>(front.exchange[p]) * rows);
-  double* lower = front.lower + k;
-  solve_right(rows, k, front.upper, rows, {front.lower, step, 1}, nullptr);
-  solve_right(rows, k, lower, step, {front.lower, 1, step}, front.reciprocal);
-  subtract_product(rows, b, k, lower, step, {front.upper, rows, 1}, front.update, rows);
+  Front<Real> outside = front;
+  if (sharing && 1.0 * k * k * rows > worth_sharing) {
+    sharing->run(sharing->threads, solve_outside, &outside);
+  } else {
+    solve_outside(&outside, 0);
+    solve_outside(&outside, 1);
+  }
+  const Real* lower = front.lower + k;
+  const View upper{front.upper, rows, 1};
+  if (front.fresh)
+    subtract_product<true>(sharing, rows, b, k, lower, step, upper, front.update, rows);
+  else
+    subtract_product<false>(sharing, rows, b, k, lower, step, upper, front.update, rows);
   return true;
 }
 
 // y += x, both rows x columns
-inline void add(int rows, int columns, const double* x, int64_t x_step, double* y, int64_t y_step) {
+inline void add(int rows, int columns, const Real* x, int64_t x_step, Real* y, int64_t y_step) {
   for (int j = 0; j < columns; ++j, x += x_step, y += y_step) {
     int i = 0;
     for (; i + lanes <= rows; i += lanes) store(y + i, load(y + i) + load(x + i));
@@ -309,13 +421,13 @@ inline void add(int rows, int columns, const double* x, int64_t x_step, double* 
   }
 }
 
-void extend_add(const double* child, int boundary, const Run* run, const Run* run_end,
-                const Front& parent) {
+void extend_add(const Real* child, int boundary, const Run* run, const Run* run_end,
+                const Front<Real>& parent) {
   const int k = parent.pivots;
-  const int64_t child_step = padded(boundary), step = padded(parent.boundary);
+  const int64_t child_step = padded_rows(boundary), step = padded_rows(parent.boundary);
   for (const Run* across = run; across != run_end; ++across)
     for (const Run* down = run; down != run_end; ++down) {
-      const double* from = child + 3 * (down->from + across->from * child_step);
+      const Real* from = child + 3 * (down->from + across->from * child_step);
       const int rows = 3 * down->length, columns = 3 * across->length;
       const int64_t to_row = 3 * down->to, to_column = 3 * across->to;
       if (to_column < k) {
@@ -325,11 +437,11 @@ void extend_add(const double* child, int boundary, const Run* run, const Run* ru
         add(rows, columns, from, child_step, parent.update + (to_row - k) + (to_column - k) * step,
             step);
       } else {
-        double* to = parent.upper + (to_column - k) + to_row * step;
+        Real* to = parent.upper + (to_column - k) + to_row * step;
         for (int i = 0; i < rows; i += 3)
           for (int j = 0; j < columns; ++j) {
-            const double* three = from + i + j * child_step;
-            double* target = to + j + i * step;
+            const Real* three = from + i + j * child_step;
+            Real* target = to + j + i * step;
             target[0] += three[0];
             target[step] += three[1];
             target[2 * step] += three[2];
@@ -339,9 +451,9 @@ void extend_add(const double* child, int boundary, const Run* run, const Run* ru
 }
 
 // y -= a * x over three columns of a
-inline void subtract_columns(int size, const double* a, int64_t a_step, double x0, double x1,
-                             double x2, double* y) {
-  const double *first = a, *second = a + a_step, *third = second + a_step;
+inline void subtract_columns(int size, const Real* a, int64_t a_step, Real x0, Real x1,
+                             Real x2, Real* y) {
+  const Real *first = a, *second = a + a_step, *third = second + a_step;
   int i = 0;
   for (; i + lanes <= size; i += lanes)
     store(y + i,
@@ -349,11 +461,11 @@ inline void subtract_columns(int size, const double* a, int64_t a_step, double x
   for (; i < size; ++i) y[i] = y[i] - first[i] * x0 - second[i] * x1 - third[i] * x2;
 }
 
-void forward(int pivots, int boundary, const double* lower, const int* exchange, double* x) {
-  const int64_t step = pivots + padded(boundary);
+void forward(int pivots, int boundary, const Real* lower, const int* exchange, Real* x) {
+  const int64_t step = pivots + padded_rows(boundary);
   for (int p = 0; p < pivots; ++p) swap(x[p], x[exchange[p]]);
   for (int p = 0; p < pivots; p += 3) {
-    const double* l = lower + p + p * step;
+    const Real* l = lower + p + p * step;
     x[p + 1] -= l[1] * x[p];
     x[p + 2] = x[p + 2] - l[2] * x[p] - l[2 + step] * x[p + 1];
     subtract_columns(pivots + boundary - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2],
@@ -361,24 +473,24 @@ void forward(int pivots, int boundary, const double* lower, const int* exchange,
   }
 }
 
-inline double sum_of_products(int size, const double* a, const double* x) {
+inline Real sum_of_products(int size, const Real* a, const Real* x) {
   Pack sums = {};
   int i = 0;
   for (; i + lanes <= size; i += lanes) sums += load(a + i) * load(x + i);
-  double sum = 0;
+  Real sum = 0;
   for (int l = 0; l < lanes; ++l) sum += sums[l];
   for (; i < size; ++i) sum += a[i] * x[i];
   return sum;
 }
 
-void backward(int pivots, int boundary, const double* lower, const double* upper,
-              const double* reciprocal, double* x) {
-  const int64_t rows = padded(boundary), step = pivots + rows;
+void backward(int pivots, int boundary, const Real* lower, const Real* upper,
+              const Real* reciprocal, Real* x) {
+  const int64_t rows = padded_rows(boundary), step = pivots + rows;
   for (int p = 0; p < pivots; ++p)
     x[p] -= sum_of_products(boundary, upper + p * rows, x + pivots);
   for (int p = pivots - 3; p >= 0; p -= 3) {
-    const double* u = lower + p + p * step;
-    const double* r = reciprocal + p;
+    const Real* u = lower + p + p * step;
+    const Real* r = reciprocal + p;
     x[p + 2] *= r[2];
     x[p + 1] = (x[p + 1] - u[1 + 2 * step] * x[p + 2]) * r[1];
     x[p] = (x[p] - u[step] * x[p + 1] - u[2 * step] * x[p + 2]) * r[0];
@@ -386,4 +498,4 @@ void backward(int pivots, int boundary, const double* lower, const double* upper
   }
 }
 
-constexpr FrontKernels kernels{factorise, extend_add, forward, backward};
+constexpr FrontKernels<Real> kernels{factorise, extend_add, forward, backward};

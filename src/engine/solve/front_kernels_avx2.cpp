@@ -10,20 +10,48 @@ namespace codend {
 
 namespace {
 
-constexpr int lanes = 4;
+bool runs_here() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 
+namespace in_double {
+using Real = double;
+constexpr int lanes = 4;
 #include "front_kernels.inl"
+}  // namespace in_double
+
+namespace in_single {
+using Real = float;
+constexpr int lanes = 8;
+#include "front_kernels.inl"
+}  // namespace in_single
 
 }  // namespace
 
-const FrontKernels* avx2_front_kernels() {
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kernels : nullptr;
+template <>
+const FrontKernels<double>* avx2_front_kernels<double>() {
+  return runs_here() ? &in_double::kernels : nullptr;
+}
+
+template <>
+const FrontKernels<float>* avx2_front_kernels<float>() {
+  return runs_here() ? &in_single::kernels : nullptr;
 }
 
 }  // namespace codend
 
 #else
 
-const codend::FrontKernels* codend::avx2_front_kernels() { return nullptr; }
+namespace codend {
+
+template <>
+const FrontKernels<double>* avx2_front_kernels<double>() {
+  return nullptr;
+}
+
+template <>
+const FrontKernels<float>* avx2_front_kernels<float>() {
+  return nullptr;
+}
+
+}  // namespace codend
 
 #endif

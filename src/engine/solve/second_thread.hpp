@@ -1,0 +1,31 @@
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace codend {
+
+// A thread that waits to take over half of a job; it sleeps in between.
+class SecondThread {
+ public:
+  SecondThread() : thread_([this] { work(); }) {}
+  ~SecondThread();
+  SecondThread(const SecondThread&) = delete;
+  SecondThread& operator=(const SecondThread&) = delete;
+
+  // Runs job(data, 0) here and job(data, 1) there; returns when both are done. Neither may throw.
+  void run(void (*job)(void* data, int half), void* data);
+
+ private:
+  void work();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  void (*job_)(void* data, int half) = nullptr;  // null when there is nothing to do
+  void* data_ = nullptr;
+  bool over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace codend
