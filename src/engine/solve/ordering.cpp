@@ -286,6 +286,8 @@ void check_pattern(const BlockPattern& pattern) {
       pattern.row_start.front() != 0 ||
       pattern.row_start.back() != static_cast<int64_t>(pattern.column.size()))
     throw std::invalid_argument("block pattern: row_start must hold n + 1 offsets into column");
+  if (pattern.column.size() > static_cast<size_t>(std::numeric_limits<int>::max()))
+    throw std::invalid_argument("block pattern: more than 2147483647 blocks");
   std::vector<int64_t> next(pattern.row_start.begin(), pattern.row_start.end() - 1);
   for (int i = 0; i < pattern.n; ++i)
     if (pattern.row_start[i + 1] < pattern.row_start[i]) refuse(i, "ends before it starts");
