@@ -8,7 +8,7 @@ Assembly::Assembly(const Model& model)
     : model_(model),
       kinds_(model.kinds()),
       free_(model),
-      lines_(model.bars, model.triangles, model.water, model.slack),
+      lines_(model.bars, model.triangles, model.hexagons, model.water, model.slack),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
       load_(position_.size()),
@@ -16,7 +16,8 @@ Assembly::Assembly(const Model& model)
       moved_(position_.size()),
       masses_(3 * position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
-  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node}};
+  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node},
+                                      {4, model.hexagons.node}};
   for (const ElementKind* kind : kinds_) {
     elements.push_back({kind->nodes_per_element(), kind->nodes()});
   }
@@ -76,9 +77,9 @@ void Assembly::jacobian(const JacobianRequest& request, double* values,
   std::fill(values, values + 9 * pattern_.column.size(), 0.0);
   lines_.add_jacobian(request, carried ? carried->tension.data() : lines().tension,
                       carried ? carried->modulus.data() : nullptr, places_[0].into(values),
-                      places_[1].into(values));
+                      places_[1].into(values), places_[2].into(values));
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    kinds_[k]->add_jacobian(field(), request, places_[k + 2].into(values));
+    kinds_[k]->add_jacobian(field(), request, places_[k + 3].into(values));
   }
 }
 

@@ -77,7 +77,7 @@ class Assembly {
   Lines lines_;
   BlockPattern pattern_;
   std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
-  std::vector<BlockPlaces> places_;     // of bars, of triangles, then one per kind
+  std::vector<BlockPlaces> places_;     // of bars, both triangles, then one per kind
   bool flow_known_ = false;
   LineChange change_;
   // Per point; load_: the model's and the forces of all kinds but lines.

@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// One family of lines of `points` points each: its numbers are [first, first + count).
+// Numbers [first, first + count) of lines whose drag is shared by `points` equal points.
 void read_lines(const LineArrays& lines, int points, int first, int count,
                 std::vector<double>& tension, std::vector<double>& length,
                 std::vector<double>& drag) {
@@ -28,6 +28,25 @@ std::vector<double> point_forces(const Kind& kind, const Field& field) {
   return out;
 }
 
+template <class Kind>
+std::vector<double> element_forces(const Kind& kind, const Field& field) {
+  std::vector<double> out(3 * static_cast<std::size_t>(kind.count()));
+  for (int e = 0; e < kind.count(); ++e) at(out.data(), e) = kind.element_force(e, field);
+  return out;
+}
+
+void read_hexagons(const Model& model, const LineArrays& lines, Evaluation& out) {
+  const int hexagons = model.hexagons.count(), first = model.hexagons.first_line;
+  std::vector<double> drag;
+  read_lines(lines, 1, first, 3 * hexagons, out.hexagon_tension, out.hexagon_length, drag);
+  out.hexagon_drag.assign(3 * static_cast<std::size_t>(hexagons), 0.0);
+  for (int which = 0; which < 3; ++which) {
+    for (int e = 0; e < hexagons; ++e) {
+      at(out.hexagon_drag.data(), e) += at(drag.data(), which * hexagons + e);
+    }
+  }
+}
+
 }  // namespace
 
 Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
@@ -44,8 +63,11 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   read_lines(lines, 3, bars, triangles, out.u_tension, out.u_length, out.triangle_drag);
   read_lines(lines, 3, bars + triangles, triangles, out.v_tension, out.v_length,
              out.triangle_drag);
+  read_hexagons(model, lines, out);
   out.sphere_drag = point_forces(model.spheres, assembly.field());
   out.lift_force = point_forces(model.lifts, assembly.field());
+  out.catch_force = element_forces(model.pressure, assembly.field());
+  out.screen_force = element_forces(model.screens, assembly.field());
   return out;
 }
 

@@ -13,8 +13,11 @@ struct Evaluation {
   // One line of each element: tension N, length m.
   std::vector<double> bar_tension, bar_length;
   std::vector<double> u_tension, u_length, v_tension, v_length;
+  // Of hexagonal triangles: the straight bars, then those along A, then those along B.
+  std::vector<double> hexagon_tension, hexagon_length;
   // Hydrodynamic force of each whole element, N, 3 each.
-  std::vector<double> bar_drag, triangle_drag, sphere_drag, lift_force;
+  std::vector<double> bar_drag, triangle_drag, hexagon_drag, sphere_drag, lift_force, catch_force,
+      screen_force;
 };
 
 // x (m), v (m/s): 3 per node.

@@ -8,8 +8,12 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/catch_pressure.hpp"
+#include "elements/hexagonal_triangle.hpp"
 #include "elements/kind.hpp"
 #include "elements/lifting_surface.hpp"
+#include "elements/mesh_opening.hpp"
+#include "elements/netting_screen.hpp"
 #include "elements/netting_triangle.hpp"
 #include "elements/sphere.hpp"
 #include "water.hpp"
@@ -32,27 +36,36 @@ struct Model {
   std::vector<TwineMaterial> materials;
   Bars bars;
   NettingTriangles triangles;
+  HexagonalTriangles hexagons;
   Spheres spheres;
   LiftingSurfaces lifts;
+  CatchPressure pressure;  // of the catch on netting
+  NettingScreens screens;
+  MeshOpenings openings;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  // All elements but the lines of bars and triangles.
-  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts}; }
+  // All elements but lines.
+  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts, &pressure, &screens, &openings}; }
   // Call once after filling; copies of a Model need it again.
   void connect() {
-    bars.materials = triangles.materials = &materials;
+    bars.materials = triangles.materials = hexagons.materials = &materials;
     triangles.first_line = bars.count();
     triangles.prepare();
+    hexagons.first_line = bars.count() + 2 * triangles.count();
+    hexagons.prepare();
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
-  // lines. each_line() visits them in another order; they know their number.
-  int lines() const { return bars.count() + 2 * triangles.count(); }
+  // lines, then the three families of hexagonal triangles. each_line() visits them in another order; they know their number.
+  int lines() const { return bars.count() + 2 * triangles.count() + 3 * hexagons.count(); }
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));
     for (int e = 0; e < triangles.count(); ++e) {
       visit(triangles.u_line(e));
       visit(triangles.v_line(e));
+    }
+    for (int e = 0; e < hexagons.count(); ++e) {
+      for (int which = 0; which < 3; ++which) visit(hexagons.line(e, which));
     }
   }
 };

@@ -30,12 +30,14 @@ class Random {
 
 struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
+  int hexagons = 0, pressed = 0, screens = 0, openings = 0;
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
   double axial_stiffness = 1.0;  // N
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
+  int screen_law = 0;
   bool layered = false;          // a current that varies with depth
 };
 
@@ -72,6 +74,7 @@ class Specimen {
     material.law = wanted.law;
     model.materials = {material};
     fill(random, wanted);
+    fill_netting(random, wanted);
     model.connect();
     stretch(random);
   }
@@ -105,11 +108,7 @@ class Specimen {
     model.bars.material.assign(wanted.bars, 0);
     for (int e = 0; e < wanted.triangles; ++e) {
       points(random, 3, model.triangles.node);
-      const double turn = random.between(0.0, 6.28);
-      for (const double angle : {turn, turn + 1.6, turn + 3.9}) {
-        model.triangles.twine.push_back(3.0 * std::cos(angle));
-        model.triangles.twine.push_back(3.0 * std::sin(angle));
-      }
+      corners(random, model.triangles.twine);
       model.triangles.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
     model.triangles.rest.assign(wanted.triangles, 1.0);
@@ -124,6 +123,45 @@ class Specimen {
       points(random, 1, model.lifts.node);
       model.lifts.lift_area.push_back(random.between(-0.1, 0.1));
       model.lifts.direction.push_back(s < wanted.lifts_up ? 0 : 1);
+    }
+  }
+
+  // Twine coordinates of a triangle of 3 bars or so.
+  static void corners(Random& random, std::vector<double>& twine) {
+    const double turn = random.between(0.0, 6.28);
+    for (const double angle : {turn, turn + 1.6, turn + 3.9}) {
+      twine.push_back(3.0 * std::cos(angle));
+      twine.push_back(3.0 * std::sin(angle));
+    }
+  }
+
+  void fill_netting(Random& random, const Ingredients& wanted) {
+    for (int e = 0; e < wanted.hexagons; ++e) {
+      points(random, 4, model.hexagons.node);
+      corners(random, model.hexagons.twine);
+      model.hexagons.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    model.hexagons.straight.assign(wanted.hexagons, 1.0);
+    model.hexagons.oblique.assign(wanted.hexagons, 1.0);
+    model.hexagons.material.assign(wanted.hexagons, 0);
+    for (int e = 0; e < wanted.pressed; ++e) {
+      points(random, 3, model.pressure.node);
+      for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
+    }
+    for (int e = 0; e < wanted.screens; ++e) {
+      points(random, 3, model.screens.node);
+      // solidities from some 0.01 to beyond the laws' range
+      model.screens.twine_area.push_back(random.between(0.01, 0.5));
+      model.screens.diameter.push_back(wanted.diameter);
+      model.screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+      model.screens.law.push_back(wanted.screen_law);
+    }
+    for (int e = 0; e < wanted.openings; ++e) {
+      points(random, 3, model.openings.node);
+      corners(random, model.openings.twine);
+      model.openings.couple.push_back(random.between(0.1, 2.0));
+      model.openings.angle.push_back(random.between(0.0, 3.1));
+      model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
   }
 
@@ -146,6 +184,13 @@ class Specimen {
     for (int e = 0; e < model.triangles.count(); ++e) {
       const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
       model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});
+    }
+    const std::size_t first = static_cast<std::size_t>(model.hexagons.first_line);
+    const std::size_t hexagons = static_cast<std::size_t>(model.hexagons.count());
+    for (std::size_t e = 0; e < hexagons; ++e) {
+      model.hexagons.straight[e] = clear({1.0 + strain[first + e]});
+      model.hexagons.oblique[e] = clear(
+          {1.0 + strain[first + hexagons + e], 1.0 + strain[first + 2 * hexagons + e]});
     }
   }
 };

@@ -78,8 +78,9 @@ TEST_CASE("drag in still water takes energy from every line") {
         wanted.law = law;
         wanted.slack = slack;
         wanted.diameter = diameter;
-        wanted.bars = repeat % 2;
-        wanted.triangles = 1 - repeat % 2;
+        wanted.bars = repeat % 3 == 0;
+        wanted.triangles = repeat % 3 == 1;
+        wanted.hexagons = repeat % 3 == 2;
         Specimen s(random, wanted);
         CAPTURE(diameter);
         CHECK(power(s).total < 0.0);
@@ -96,6 +97,19 @@ TEST_CASE("drag in still water takes energy from bodies and knots") {
     wanted.knots = 1 - repeat % 2;
     Specimen s(random, wanted);
     CHECK(power(s).total < 0.0);
+  }
+}
+
+TEST_CASE("netting screens in still water take energy") {
+  Random random(20260425);
+  for (int law = 0; law < 3; ++law) {
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      Ingredients wanted = still_water();
+      wanted.screens = 1;
+      wanted.screen_law = law;
+      Specimen s(random, wanted);
+      CHECK(power(s).total < 0.0);
+    }
   }
 }
 
@@ -144,6 +158,7 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
       Ingredients wanted;
       wanted.bars = 10;
       wanted.triangles = 6;
+      wanted.hexagons = wanted.pressed = wanted.screens = wanted.openings = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
       wanted.law = law;
       wanted.slack = slack;

@@ -22,7 +22,7 @@ void append(std::vector<double>& to, const double* from, int count) {
 void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
          const BlockPattern& pattern, const std::vector<double>& points,
          const std::vector<double>& speeds, const std::vector<double>& moved, Found& out) {
-  Lines lines(model.bars, model.triangles, model.water, model.slack, kernels);
+  Lines lines(model.bars, model.triangles, model.hexagons, model.water, model.slack, kernels);
   lines.set_flow({points.data(), speeds.data(), &model.water});
   lines.move_to(points.data());
   std::vector<double> tension, modulus;  // that tell the lines' vectors from each other
@@ -32,11 +32,12 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
   }
   const BlockPlaces bars(free, pattern, {2, model.bars.node});
   const BlockPlaces triangles(free, pattern, {3, model.triangles.node});
+  const BlockPlaces hexagons(free, pattern, {4, model.hexagons.node});
   auto jacobian = [&](const JacobianRequest& request, const double* moduli,
                       std::vector<double>& values) {
     values.resize(9 * pattern.column.size());
     lines.add_jacobian(request, tension.data(), moduli, bars.into(values.data()),
-                       triangles.into(values.data()));
+                       triangles.into(values.data()), hexagons.into(values.data()));
   };
   out.force.resize(points.size());
   out.carried_force.resize(points.size());
@@ -55,7 +56,7 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
 }
 
 // One element of a model, or all if it is -1.
-Model part(const Model& model, int bar, int triangle) {
+Model part(const Model& model, int bar, int triangle, int hexagon) {
   Model out = model;
   auto keep = [](auto& values, int width, int element) {
     const auto begin = values.begin() + width * element;
@@ -67,6 +68,7 @@ Model part(const Model& model, int bar, int triangle) {
     keep(out.bars.multiplicity, 1, bar);
     keep(out.bars.material, 1, bar);
     out.triangles = {};
+    out.hexagons = {};
   } else if (triangle >= 0) {
     keep(out.triangles.node, 3, triangle);
     keep(out.triangles.twine, 6, triangle);
@@ -74,6 +76,16 @@ Model part(const Model& model, int bar, int triangle) {
     keep(out.triangles.multiplicity, 1, triangle);
     keep(out.triangles.material, 1, triangle);
     out.bars = {};
+    out.hexagons = {};
+  } else if (hexagon >= 0) {
+    keep(out.hexagons.node, 4, hexagon);
+    keep(out.hexagons.twine, 6, hexagon);
+    keep(out.hexagons.straight, 1, hexagon);
+    keep(out.hexagons.oblique, 1, hexagon);
+    keep(out.hexagons.multiplicity, 1, hexagon);
+    keep(out.hexagons.material, 1, hexagon);
+    out.bars = {};
+    out.triangles = {};
   }
   out.connect();
   return out;
@@ -93,6 +105,7 @@ void each_model(Check check) {
         Ingredients wanted;
         wanted.bars = count;
         wanted.triangles = 9 - count;
+        wanted.hexagons = count % 4;
         wanted.law = law;
         wanted.layered = layered;
         wanted.slack = count % 2 ? SlackDrag::curved : SlackDrag::straight;
@@ -122,9 +135,10 @@ void each_model(Check check) {
 void check_places(const LineKernels& kernels) {
   each_model([&](const Model& model, auto all) {
     Found together, alone;
-    all(part(model, -1, -1), kernels, together);
-    for (int b = 0; b < model.bars.count(); ++b) all(part(model, b, -1), kernels, alone);
-    for (int e = 0; e < model.triangles.count(); ++e) all(part(model, -1, e), kernels, alone);
+    all(part(model, -1, -1, -1), kernels, together);
+    for (int b = 0; b < model.bars.count(); ++b) all(part(model, b, -1, -1), kernels, alone);
+    for (int e = 0; e < model.triangles.count(); ++e) all(part(model, -1, e, -1), kernels, alone);
+    for (int e = 0; e < model.hexagons.count(); ++e) all(part(model, -1, -1, e), kernels, alone);
     CHECK(together.force == alone.force);
     CHECK(together.carried_force == alone.carried_force);
     CHECK(together.stiffness == alone.stiffness);
@@ -158,7 +172,7 @@ TEST_CASE("all line kernels agree") {
   if (!avx2_line_kernels()) return;
   each_model([&](const Model& model, auto all) {
     Found portable, wide;
-    const Model whole = part(model, -1, -1);
+    const Model whole = part(model, -1, -1, -1);
     all(whole, portable_line_kernels(), portable);
     all(whole, *avx2_line_kernels(), wide);
     check_close(portable.force, wide.force);

@@ -1,5 +1,5 @@
-// What bars and netting triangles share: one family of parallel lines whose vector is
-// e = sum_k a_k x_k over N points and whose drag is shared equally over them.
+// What bars and triangles of netting share: one family of parallel lines whose vector is
+// e = sum_k a_k x_k over N points; of bars and triangles drag is shared equally over them.
 #pragma once
 
 #include "../geometry.hpp"
@@ -16,6 +16,7 @@ struct Line {
   double multiplicity;     // lines in parallel
   const TwineMaterial* material;
   int index;               // among all lines of the model
+  double point_share = 1.0 / N;  // of drag, in the arrays of lines
 
   Vector vector(const double* x) const {
     Vector e = Vector::Zero();

@@ -65,6 +65,10 @@ struct LineKernels {
   void (*add_triangle_blocks)(const LineArrays& lines, const LineRequest& request,
                               std::int64_t first, std::int64_t triangles,
                               const double* const shape[6], const BlockSink& sink);
+  // Slopes of lines [begin, end), 27 each, row-major: of the pull and of the drag by e, and of the
+  // drag by the water's velocity (zero where not asked for).
+  void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
+                 std::int64_t end, double* out);
 };
 
 // Coefficients of cylinder_law.hpp for a law that depends on speed: a, a_n, b, b_n, b_t.

@@ -360,6 +360,35 @@ void add_triangle_blocks(const LineArrays& lines, const LineRequest& request, st
     add_triangles<false>(lines, request, first, triangles, shape, sink);
 }
 
+template <bool with_everywhere>
+void put_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
+                std::int64_t end, double* out) {
+  alignas(64) double block[3][block_step * lanes];
+  const Pack none = {};
+  const Triple row = {none, none, none};
+  store(block[2], Tensor{row, row, row});
+  for (std::int64_t i = begin; i < end; i += lanes) {
+    const LineSlopes s = line_slopes<with_everywhere>(lines, request, i, 1.0);
+    store(block[0], s.pull);
+    store(block[1], s.turn);
+    if (with_everywhere) store(block[2], s.everywhere);
+    const int here = end - i < lanes ? static_cast<int>(end - i) : lanes;
+    for (int l = 0; l < here; ++l) {
+      for (int k = 0; k < 3; ++k) {
+        for (int c = 0; c < 9; ++c) *out++ = block[k][block_step * l + c];
+      }
+    }
+  }
+}
+
+void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
+            std::int64_t end, double* out) {
+  if (request.damping != 0.0 || lines.slope[0])
+    put_slopes<true>(lines, request, begin, end, out);
+  else
+    put_slopes<false>(lines, request, begin, end, out);
+}
+
 #undef INLINE
 
-constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_triangle_blocks};
+constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_triangle_blocks, slopes};

@@ -17,12 +17,14 @@ std::size_t column_length(int lines) {
 
 }  // namespace
 
-Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water,
-             SlackDrag slack, const LineKernels& kernels)
+Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
+             const HexagonalTriangles& hexagons, const Water& water, SlackDrag slack,
+             const LineKernels& kernels)
     : bars_(bars),
       triangles_(triangles),
+      hexagons_(hexagons),
       water_(water),
-      count_(bars.count() + 2 * triangles.count()),
+      count_(bars.count() + 2 * triangles.count() + 3 * hexagons.count()),
       kernels_(kernels) {
   LineArrays& a = arrays_;
   const bool layered = !water.uniform();
@@ -43,6 +45,9 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& w
     describe(triangles.u_line(e));
     describe(triangles.v_line(e));
   }
+  for (int e = 0; e < hexagons.count(); ++e) {
+    for (int which = 0; which < 3; ++which) describe(hexagons.line(e, which));
+  }
 }
 
 template <int N>
@@ -52,9 +57,9 @@ void Lines::describe(const Line<N>& line) {
   arrays_.inverse_rest[k] = 1.0 / line.rest;
   arrays_.stiffness[k] = m.axial_stiffness;
   arrays_.multiplicity[k] = line.multiplicity;
-  arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
-  const double water =
-      water_.density * m.volume_per_length * line.rest * line.multiplicity / N;
+  const double length = line.rest * line.multiplicity * line.point_share;
+  arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * length;
+  const double water = water_.density * m.volume_per_length * length;
   arrays_.added_normal[k] = m.added_mass_normal * water;
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (m.law.kind == CylinderLawKind::constant) {
@@ -76,10 +81,13 @@ void Lines::set_velocity(const Field& field, const int* node, std::size_t line) 
     u -= at(field.velocity, node[k]);
     z += at(field.position, node[k]).z();
   }
-  u *= 1.0 / N;
+  set_velocity(line, u * (1.0 / N), z * (1.0 / N));
+}
+
+void Lines::set_velocity(std::size_t line, const Vector& moving, double z) {
   Vector current, slope;
-  water_.velocity(z * (1.0 / N), current, slope);
-  u += current;
+  water_.velocity(z, current, slope);
+  const Vector u = moving + current;
   for (int c = 0; c < 3; ++c) arrays_.u[c][line] = u[c];
   if (arrays_.slope[0]) {
     for (int c = 0; c < 3; ++c) arrays_.slope[c][line] = slope[c];
@@ -93,6 +101,18 @@ void Lines::set_flow(const Field& field) {
   for (std::size_t e = 0; e < triangles; ++e) {
     set_velocity<3>(field, &triangles_.node[3 * e], bars + e);
     set_velocity<3>(field, &triangles_.node[3 * e], bars + triangles + e);
+  }
+  for (int e = 0; e < hexagons_.count(); ++e) {
+    Vector moving = Vector::Zero();
+    double z = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int point = hexagons_.node[4 * static_cast<std::size_t>(e) + k];
+      moving -= HexagonalTriangles::share[k] * at(field.velocity, point);
+      z += HexagonalTriangles::share[k] * at(field.position, point).z();
+    }
+    for (int which = 0; which < 3; ++which) {
+      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z);
+    }
   }
   kernels_.flow(arrays_, 0, count_);
 }
@@ -118,26 +138,40 @@ void Lines::move_to(const double* position) {
     kernels_.evaluate(a, u, u + end - begin);
     kernels_.evaluate(a, v, v + end - begin);
   });
+  for (int which = 0; which < 3; ++which) {
+    in_strips(hexagons_.count(), [&](int begin, int end) {
+      const std::ptrdiff_t i = hexagons_.first_line + which * hexagons_.count() + begin;
+      double* const e[3] = {a.e[0] + i, a.e[1] + i, a.e[2] + i};
+      hexagons_.vectors(which, position, begin, end, e);
+      kernels_.evaluate(a, i, i + end - begin);
+    });
+  }
 }
 
 void Lines::add_force(const double* tension, double* force) const {
   bars_.add_force(arrays_, tension, force);
   triangles_.add_force(arrays_, tension, force);
+  hexagons_.add_force(arrays_, tension, force);
 }
 
 void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
                          const double* modulus, const BlockSink& bars,
-                         const BlockSink& triangles) const {
+                         const BlockSink& triangles, const BlockSink& hexagons) const {
   const LineRequest asked{request.stiffness, request.damping, tension, modulus, count_};
   kernels_.add_bar_blocks(arrays_, asked, bars_.count(), bars);
   const double* shape[6];
   for (int k = 0; k < 6; ++k) shape[k] = triangles_.shape[k].data();
   kernels_.add_triangle_blocks(arrays_, asked, bars_.count(), triangles_.count(), shape, triangles);
+  if (hexagons_.count() == 0) return;
+  std::vector<double> slopes(27 * 3 * static_cast<std::size_t>(hexagons_.count()));
+  kernels_.slopes(arrays_, asked, hexagons_.first_line, count_, slopes.data());
+  hexagons_.add_jacobian(slopes.data(), hexagons);
 }
 
 void Lines::add_added_mass(double* mass) const {
   bars_.add_added_mass(arrays_, mass);
   triangles_.add_added_mass(arrays_, mass);
+  hexagons_.add_added_mass(arrays_, mass);
 }
 
 void Lines::add_drag_scale(double* scale) const {
@@ -150,6 +184,14 @@ void Lines::add_drag_scale(double* scale) const {
   for (std::size_t e = 0; e < triangles; ++e) {
     const double both = c[bars + e] + c[bars + triangles + e];
     for (int k = 0; k < 3; ++k) scale[triangles_.node[3 * e + k]] += both;
+  }
+  for (int e = 0; e < hexagons_.count(); ++e) {
+    double all = 0.0;
+    for (int which = 0; which < 3; ++which) all += c[hexagons_.line(e, which).index];
+    for (std::size_t k = 0; k < 4; ++k) {
+      scale[hexagons_.node[4 * static_cast<std::size_t>(e) + k]] +=
+          HexagonalTriangles::share[k] * all;
+    }
   }
 }
 
@@ -172,6 +214,14 @@ double Lines::change(const double* dx, double* strain) const {
     largest = std::max(largest, kernels_.change(arrays_, second, second + end - begin, change_v,
                                                 strain + second));
   });
+  for (int which = 0; which < 3; ++which) {
+    in_strips(hexagons_.count(), [&](int begin, int end) {
+      const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count() + begin;
+      hexagons_.vectors(which, dx, begin, end, change_u);
+      largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
+                                                  strain + first));
+    });
+  }
   return std::sqrt(largest);
 }
 

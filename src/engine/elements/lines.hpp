@@ -1,12 +1,14 @@
-// All lines of a model, the bars' and the netting triangles', as structures of arrays: their
+// All lines of a model, of bars, netting triangles and hexagonal triangles, as structures of arrays: their
 // vectors, tensions and drags at the last positions, and the forces and derivatives from them.
 //
-// Line numbers: the bars, then the u lines of all triangles, then their v lines.
+// Line numbers: the bars, then the u lines of all triangles, then their v lines, then the straight
+// lines of hexagonal triangles, then those along A, then those along B.
 #pragma once
 
 #include <vector>
 
 #include "bar.hpp"
+#include "hexagonal_triangle.hpp"
 #include "kind.hpp"
 #include "netting_triangle.hpp"
 
@@ -15,8 +17,8 @@ namespace codend {
 class Lines {
  public:
   // What is passed must outlive this and not change.
-  Lines(const Bars& bars, const NettingTriangles& triangles, const Water& water, SlackDrag slack,
-        const LineKernels& kernels = line_kernels());
+  Lines(const Bars& bars, const NettingTriangles& triangles, const HexagonalTriangles& hexagons,
+        const Water& water, SlackDrag slack, const LineKernels& kernels = line_kernels());
   Lines(const Lines&) = delete;
 
   int count() const { return count_; }
@@ -32,7 +34,8 @@ class Lines {
   void add_force(const double* tension, double* force) const;
   // Adds blocks; tension and modulus (N) of one line each, modulus null for the law's.
   void add_jacobian(const JacobianRequest& request, const double* tension, const double* modulus,
-                    const BlockSink& bars, const BlockSink& triangles) const;
+                    const BlockSink& bars, const BlockSink& triangles,
+                    const BlockSink& hexagons) const;
   // Adds added mass (kg, 9 per point).
   void add_added_mass(double* mass) const;
   // Adds the drag's damping (N s/m, 1 per point) of lines at right angles to the flow.
@@ -47,12 +50,14 @@ class Lines {
   void describe(const Line<N>& line);
   template <int N>
   void set_velocity(const Field& field, const int* node, std::size_t line);
+  void set_velocity(std::size_t line, const Vector& moving, double z);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);
 
   const Bars& bars_;
   const NettingTriangles& triangles_;
+  const HexagonalTriangles& hexagons_;
   const Water& water_;
   int count_;
   std::vector<double> numbers_;

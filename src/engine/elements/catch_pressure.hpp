@@ -1,0 +1,40 @@
+// The catch: triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where the
+// catch lies against them (D. Priour, Ocean Engineering 92, 2014; C_d = 1.4).
+//
+// With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the water
+// relative to its corners, corner k takes p w_k S. w_k is the integral of its linear shape function
+// over the covered part, over the triangle's area: 1/3 where all of it is covered. Its sign says
+// whether S points outward.
+#pragma once
+
+#include "kind.hpp"
+
+namespace codend {
+
+class CatchPressure : public ElementKind {
+ public:
+  std::vector<int> node;          // 3 per triangle
+  std::vector<double> weight;     // w_1 w_2 w_3 per triangle, signed
+  double drag_coefficient = 1.4;  // C_d
+
+  int count() const { return static_cast<int>(node.size() / 3); }
+  int nodes_per_element() const override { return 3; }
+  const std::vector<int>& nodes() const override { return node; }
+  void add_force(const Field& field, double* force) const override;
+  // Force (N) on the whole triangle.
+  Vector element_force(int e, const Field& field) const;
+  void add_jacobian(const Field& field, const JacobianRequest& request,
+                    const BlockSink& sink) const override;
+  void add_added_mass(const Field&, double*) const override {}
+  void add_drag_scale(const Field& field, double* scale) const override;
+
+ private:
+  struct Push {
+    Vector x[3], area;   // corners and S
+    Vector u, slope[3];  // mean U, and its derivative by every corner's height
+    double pressure;
+  };
+  Push push(int e, const Field& field) const;
+};
+
+}  // namespace codend

@@ -1,0 +1,98 @@
+#include "mesh_opening.hpp"
+
+#include <cmath>
+
+namespace codend {
+namespace {
+
+constexpr double rounding = 0.02;
+// A bar without length has no direction: lengths squared are kept above this share of a bar's (bars
+// are of the size of 1 m to 1 mm).
+constexpr double least_square = 1e-18;
+
+}  // namespace
+
+MeshOpenings::Opening MeshOpenings::opening(int e, const Field& field) const {
+  Opening o;
+  const std::size_t t = static_cast<std::size_t>(e);
+  const double* c = &twine[6 * t];
+  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
+  o.u.setZero();
+  o.v.setZero();
+  const Vector first = at(field.position, node[3 * t]);
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    o.u_shape[k] = (c[2 * next + 1] - c[2 * last + 1]) / d;
+    o.v_shape[k] = (c[2 * last] - c[2 * next]) / d;
+    const Vector side = at(field.position, node[3 * t + k]) - first;
+    o.u += o.u_shape[k] * side;
+    o.v += o.v_shape[k] * side;
+  }
+  const double knots = 0.5 * std::abs(d) * multiplicity[t];
+  const double a = o.u.squaredNorm() + least_square, b = o.v.squaredNorm() + least_square;
+  const double inverse = 1.0 / std::sqrt(a * b);
+  const double k = o.u.dot(o.v) * inverse;
+  const double sine = std::sqrt(1.0 - k * k + rounding * rounding);
+  const double off = std::atan2(sine, k) - angle[t];
+  o.energy = 0.5 * knots * couple[t] * off * off;
+  // Of the energy by k, and of k by the three.
+  const double h1 = -knots * couple[t] * off / sine;
+  const double h2 = knots * couple[t] * (1.0 / (sine * sine) - off * k / (sine * sine * sine));
+  const double k1[3] = {-0.5 * k / a, -0.5 * k / b, inverse};
+  const double k2[3][3] = {{0.75 * k / (a * a), 0.25 * k / (a * b), -0.5 * inverse / a},
+                           {0.25 * k / (a * b), 0.75 * k / (b * b), -0.5 * inverse / b},
+                           {-0.5 * inverse / a, -0.5 * inverse / b, 0.0}};
+  for (int i = 0; i < 3; ++i) {
+    o.slope[i] = h1 * k1[i];
+    for (int j = 0; j < 3; ++j) o.curve[i][j] = h2 * k1[i] * k1[j] + h1 * k2[i][j];
+  }
+  return o;
+}
+
+double MeshOpenings::element_energy(int e, const Field& field) const {
+  return opening(e, field).energy;
+}
+
+void MeshOpenings::add_force(const Field& field, double* force) const {
+  for (int e = 0; e < count(); ++e) {
+    const Opening o = opening(e, field);
+    const Vector by_u = 2.0 * o.slope[0] * o.u + o.slope[2] * o.v;
+    const Vector by_v = 2.0 * o.slope[1] * o.v + o.slope[2] * o.u;
+    for (int k = 0; k < 3; ++k) {
+      at(force, node[3 * static_cast<std::size_t>(e) + k]) -=
+          o.u_shape[k] * by_u + o.v_shape[k] * by_v;
+    }
+  }
+}
+
+void MeshOpenings::add_jacobian(const Field& field, const JacobianRequest& request,
+                                const BlockSink& sink) const {
+  if (request.stiffness == 0.0) return;
+  for (int e = 0; e < count(); ++e) {
+    const Opening o = opening(e, field);
+    // Gradients of the three by u and by v.
+    const Vector of_u[3] = {2.0 * o.u, Vector::Zero(), o.v};
+    const Vector of_v[3] = {Vector::Zero(), 2.0 * o.v, o.u};
+    Matrix uu = 2.0 * o.slope[0] * Matrix::Identity();
+    Matrix vv = 2.0 * o.slope[1] * Matrix::Identity();
+    Matrix uv = o.slope[2] * Matrix::Identity();
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        uu += o.curve[i][j] * of_u[i] * of_u[j].transpose();
+        vv += o.curve[i][j] * of_v[i] * of_v[j].transpose();
+        uv += o.curve[i][j] * of_u[i] * of_v[j].transpose();
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      for (int l = 0; l < 3; ++l) {
+        const Matrix block =
+            request.stiffness *
+            (o.u_shape[k] * o.u_shape[l] * uu + o.v_shape[k] * o.v_shape[l] * vv +
+             o.u_shape[k] * o.v_shape[l] * uv + o.v_shape[k] * o.u_shape[l] * uv.transpose());
+        sink.add(e, k, l, block);
+      }
+    }
+  }
+}
+
+}  // namespace codend

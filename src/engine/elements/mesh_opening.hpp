@@ -1,0 +1,44 @@
+// Stiffness of meshes against opening and closing: a couple at every knot between the two families
+// of twine (D. Priour, A Finite Element Method for Netting, Springer 2013), on netting triangles.
+//
+// With b the angle between the bar vectors e_u and e_v of the triangle, the energy of a knot is
+// 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|); b has a kink where
+// the twines are parallel, rounded here: sin b is taken as sqrt(1 - k^2 + 0.02^2), which changes no
+// angle by more than 0.02.
+#pragma once
+
+#include "kind.hpp"
+
+namespace codend {
+
+class MeshOpenings : public ElementKind {
+ public:
+  std::vector<int> node;              // 3 per triangle
+  std::vector<double> twine;          // u1 v1 u2 v2 u3 v3 per triangle
+  std::vector<double> couple;         // H, N m/rad, of one knot
+  std::vector<double> angle;          // b0, rad
+  std::vector<double> multiplicity;   // as of the netting triangle
+
+  int count() const { return static_cast<int>(couple.size()); }
+  int nodes_per_element() const override { return 3; }
+  const std::vector<int>& nodes() const override { return node; }
+  // Energy (J) of all knots of a triangle.
+  double element_energy(int e, const Field& field) const;
+  void add_force(const Field& field, double* force) const override;
+  void add_jacobian(const Field& field, const JacobianRequest& request,
+                    const BlockSink& sink) const override;
+  void add_added_mass(const Field&, double*) const override {}
+  void add_drag_scale(const Field&, double*) const override {}
+
+ private:
+  struct Opening {
+    double u_shape[3], v_shape[3];  // e_u = sum_k u_shape[k] x_k
+    Vector u, v;
+    double energy;
+    // By the squares of the lengths of u and v and by their product: first and second derivatives.
+    double slope[3], curve[3][3];
+  };
+  Opening opening(int e, const Field& field) const;
+};
+
+}  // namespace codend
