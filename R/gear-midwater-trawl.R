@@ -44,7 +44,8 @@ expand_midwater_trawl <- function(fields, plan) {
   net <- trawl_net(fields, plan, ring)
   rig <- trawl_rig(fields, plan, ring)
   out <- plan[intersect(
-    c("codend", "name", "notes", "sources", "water", "netting", "coefficients", "slack_twine",
+    c("codend", "name", "notes", "sources", "water", "netting", "coefficients", "netting_drag",
+      "slack_twine",
       "materials", "towing"),
     names(plan)
   )]

@@ -92,7 +92,8 @@ find_run <- function(texts, path, known) {
 }
 
 # Stretched length (m) of an edge: the shortest way along its twines. Across i and down j meshes
-# that is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square.
+# that is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square;
+# hexagonal meshes are shorter across their straight bars.
 edge_length <- function(panel, edge) {
   loss <- panel$upper - panel$lower
   across <- switch(edge,
@@ -103,6 +104,13 @@ edge_length <- function(panel, edge) {
   across <- abs(across)
   if (panel$orientation == "square") {
     panel$mesh_size / 2 * (across + down)
+  } else if (panel$straight_bar > 0) {
+    # Steps along the straight bars and the oblique ones beside them go down and across alike; what
+    # is left goes along oblique bars, or across, where turned, along straight ones too.
+    short <- panel$mesh_size - 2 * panel$straight_bar
+    turned <- panel$orientation == "hexagonal_turned"
+    long_way <- if (turned) across else down
+    panel$mesh_size * long_way + short * max(0, (if (turned) down else across) - long_way)
   } else {
     panel$mesh_size * max(across, down)
   }

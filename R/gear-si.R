@@ -8,7 +8,7 @@ gear_gravity <- 9.81
 # seams, pieces, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
 # leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
-# columns, rows) or, of single numbers and texts, NA.
+# columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
   if (identical(plan_cache$plan, gear$plan)) return(plan_cache$si)
@@ -27,6 +27,7 @@ gear_si <- function(gear) {
   si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
   si$seams <- map_named(fields$seams, "seams", si_seam, known)
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
+  si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
   plan_cache$plan <- gear$plan
@@ -109,6 +110,7 @@ si_panel <- function(panel, path, fields, law) {
     )
   }
   knot <- if (panel$knotted) first_of(panel$knot_diameter, 2 * twine$diameter) else 0
+  hexagons <- si_hexagons(panel, path)
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(
     mesh_size = panel$mesh_size,
@@ -118,10 +120,12 @@ si_panel <- function(panel, path, fields, law) {
     mass_per_length = line$mass_per_length * count,
     volume_per_length = line$volume_per_length * count,
     material = first_of(twine$material, NA_character_),
-    orientation = panel$orientation, taper_left = left, taper_right = 1 - left,
+    orientation = panel$orientation, straight_bar = hexagons, taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
     coefficients = if (is.null(panel$coefficients)) law else drag_law(panel$coefficients),
+    netting_drag = first_of(panel$netting_drag, fields$netting_drag),
+    opening_stiffness = panel$opening_stiffness,
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,
     bar_segments = panel$bar_segments, part = first_of(panel$part, NA_character_)

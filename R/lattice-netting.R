@@ -13,7 +13,8 @@
 # across, deep: list(fraction, count), the fractions of all panels and how many each has.
 # Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's grid,
 # corner = three places in the panels' grids, one grid after the other, for each triangle, twine = u
-# and v at each corner, rest, multiplicity, bars = number of bars of one family inside).
+# and v at each corner, rest = length of these twines' bars, straight = that of straight bars, or 0,
+# multiplicity, bars = number of bars of one family inside).
 triangle_elements <- function(panels, across, deep) {
   columns <- across$count
   rows <- deep$count
@@ -30,6 +31,8 @@ triangle_elements <- function(panels, across, deep) {
   square <- is_square(panels)[at]
   u <- i + j * !square
   v <- j - i * !square
+  # The straight bars of turned hexagons run from one twine to the other the opposite way.
+  v <- v * ifelse(panels$orientation == "hexagonal_turned", -1, 1)[at]
 
   a <- which(column < columns[at] - 1L & row < rows[at] - 1L)
   # The diagonal changes sides at the panel's middle line, so that a panel's mirror image is
@@ -53,7 +56,8 @@ triangle_elements <- function(panels, across, deep) {
   list(
     panel = panel[kept], cell = k[c(falling, falling, rising, rising)[kept]] + 1L,
     corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
-    rest = (panels$mesh_size / 2)[panel[kept]], multiplicity = weight[kept],
+    rest = (panels$mesh_size / 2 - panels$straight_bar)[panel[kept]],
+    straight = panels$straight_bar[panel[kept]], multiplicity = weight[kept],
     bars = area[kept] / 2 * weight[kept]
   )
 }

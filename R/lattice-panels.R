@@ -5,7 +5,8 @@
 panel_table <- function(panels) {
   fields <- c(
     "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "bar_segments",
-    "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter"
+    "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
+    "straight_bar"
   )
   optional <- c("columns", "rows")
   c(
@@ -16,7 +17,10 @@ panel_table <- function(panels) {
       vapply(panels, function(p) if (is.null(p[[field]])) NA_real_ else p[[field]], 0,
         USE.NAMES = FALSE)
     }),
-    list(orientation = vapply(panels, `[[`, "", "orientation", USE.NAMES = FALSE))
+    list(
+      orientation = vapply(panels, `[[`, "", "orientation", USE.NAMES = FALSE),
+      netting_drag = vapply(panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)
+    )
   )
 }
 
@@ -34,6 +38,9 @@ mesh_unit <- function(panel) panel$mesh_size / (1 + is_square(panel))
 panel_bars <- function(panel) {
   (panel$upper + panel$lower) / 2 * panel$deep * (2 - is_square(panel))
 }
+
+# Twine of a panel for each of these bars, m: that of one cell of its netting.
+cell_twine <- function(panel) panel$mesh_size - panel$straight_bar
 
 # Fields that place a panel's sides.
 side_fields <- c("upper", "lower", "deep", "taper_left", "taper_right")

@@ -16,12 +16,13 @@ add_rope <- function(build, rope, along, part) {
     volume = half * rope$volume_per_length)
 }
 
-# Knots as spheres at nodes of panels; count: knots at each node.
+# Knots as spheres at nodes of panels; count: knots at each node. Those of a screen drag with it.
 add_knots <- function(build, panels, parts, panel, node, count) {
   diameter <- panels$knot_diameter[panel]
   some <- diameter > 0
   build$add("spheres", node = node[some],
-    drag_area = (pi / 4 * diameter^2 * count)[some], diameter = diameter[some],
+    drag_area = (pi / 4 * diameter^2 * count * (panels$netting_drag[panel] == "twines"))[some],
+    diameter = diameter[some],
     added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], part = parts[panel][some])
 }
 
@@ -42,11 +43,21 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   found <- triangle_elements(panels, along(1L), along(3L))
   node <- unlist(division$grids[numbers])[found$corner]
   part <- parts[found$panel]
+  hexagonal <- which(found$straight > 0)
+  inner <- integer(length(found$rest))
+  inner[hexagonal] <- build$new_nodes(length(hexagonal))
   build$add("triangles", node = node, twine = found$twine, rest = found$rest,
-    multiplicity = found$multiplicity, material = part, part = part)
+    straight = found$straight, inner = inner, multiplicity = found$multiplicity, material = part,
+    part = part)
   third <- rep(found$bars / 3, each = 3L)
   panel <- rep(found$panel, each = 3L)
-  add_twine(build, panels, panel, node, 2 * third * panels$mesh_size[panel] / 2)
+  # Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
+  twine <- third * cell_twine(panels)[panel] * rep(1 - 0.5 * (inner > 0L), each = 3L)
+  add_twine(build, panels, panel, node, twine)
+  of_hexagons <- found$panel[hexagonal]
+  add_twine(build, panels, of_hexagons, inner[hexagonal],
+    found$bars[hexagonal] / 2 * cell_twine(panels)[of_hexagons])
+  add_knots(build, panels, parts, of_hexagons, inner[hexagonal], found$bars[hexagonal])
   # A node of two panels has knots of both.
   knotted <- which(panels$knot_diameter[panel] > 0)
   key <- panel[knotted] * as.double(division$nodes) + node[knotted]
@@ -211,8 +222,9 @@ check_totals <- function(lattice, panels, ropes) {
   triangles <- lattice$engine$triangles
   parts <- nrow(lattice$parts)
   held <- sum_by(bars$rest * bars$multiplicity, lattice$bar_part, parts) +
-    sum_by(2 * triangle_bars(triangles) * triangles$rest, lattice$triangle_part, parts)
-  planned <- 2 * panel_bars(panels) * panels$mesh_size / 2
+    sum_by(triangle_bars(triangles) * (2 * triangles$rest + triangles$straight),
+      lattice$triangle_part, parts)
+  planned <- panel_bars(panels) * cell_twine(panels)
   held <- held[ropes + seq_along(planned)]
   wrong <- which(abs(held - planned) > 1e-6 * planned)[1L]
   if (is.na(wrong)) return(invisible())

@@ -11,10 +11,14 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, triangle_part, sphere_part,
 # lift_part = rows of parts per element, ropes = nodes along each rope with their fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
+# catch = where the catch may lie (see add_catch()),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL) {
-  bars <- vapply(si$panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
+  bars <- vapply(si$panels, function(p) {
+    identical(first_of(netting, p$netting), "bars") && p$straight_bar == 0
+  }, NA)
+  check_triangles_needed(si, bars)
   panels <- panel_table(si$panels)
   chains <- gear_chains(si)
   frame <- division_frame(chains, linked = !bars)
@@ -26,11 +30,14 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
   )
 
   parts <- data.frame(
-    name = c(names(si$ropes), names(si$panels), names(si$pieces)),
-    kind = rep(c("rope", "netting", "piece"), lengths(si[c("ropes", "panels", "pieces")])),
+    name = c(names(si$ropes), names(si$panels), names(si$pieces), if (!is.null(si$catch)) "catch"),
+    kind = rep(
+      c("rope", "netting", "piece", "catch"),
+      c(lengths(si[c("ropes", "panels", "pieces")]), !is.null(si$catch))
+    ),
     role = c(
       vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
-      vapply(si$pieces, `[[`, "", "role")
+      vapply(si$pieces, `[[`, "", "role"), if (!is.null(si$catch)) "catch"
     ),
     row.names = NULL
   )
@@ -69,7 +76,9 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     load = as.vector(loads), mass = collected$mass,
     materials = twine_materials(c(si$ropes, si$panels)),
     bars = collected$bars[c("node", "rest", "multiplicity", "material")],
-    triangles = collected$triangles[c("node", "twine", "rest", "multiplicity", "material")],
+    triangles = collected$triangles[
+      c("node", "twine", "rest", "straight", "inner", "multiplicity", "material")
+    ],
     spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass")],
     lifts = collected$lifts[c("node", "lift_area", "direction")]
   )
@@ -83,10 +92,13 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     ),
     class = "codend_lattice"
   )
+  lattice$engine$screens <- screen_elements(si, lattice)
+  lattice$engine$openings <- opening_elements(si, lattice)
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
   lattice$start[, which(supports$held)] <- supports$position[, supports$held]
-  lattice
+  lattice$start <- place_inner_nodes(lattice)
+  add_catch(si, lattice)
 }
 
 # A function(text) that tells the node of a parsed place.
@@ -101,20 +113,24 @@ division_frame <- function(chains, linked) {
 twine_materials <- function(lines) {
   number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
   laws <- lapply(lines, `[[`, "coefficients")
+  # The twine of netting that drags as a screen drags no more.
+  screens <- !vapply(lines, function(line) first_of(line$netting_drag, "twines"), "") %in% "twines"
   coefficient <- function(field) {
     given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
-    given[is.na(given)] <- 0
+    given[is.na(given) | screens] <- 0
     given
   }
+  law <- law_numbers[vapply(laws, `[[`, "", "law")]
+  law[screens] <- law_numbers[["constant"]]
   added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
   list(
     axial_stiffness = number("axial_stiffness"),
     diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
-    law = unname(law_numbers[vapply(laws, `[[`, "", "law")]),
+    law = unname(law),
     normal = coefficient("normal"), tangential = coefficient("tangential"),
-    skin = coefficient("skin"),
+    skin = coefficient("skin"), tangential_share = rep(1, length(lines)),
     solidity = vapply(lines, function(line) {
       if (is.null(line$mesh_size)) 0 else panel_solidity(line)
     }, 0, USE.NAMES = FALSE)
@@ -126,6 +142,7 @@ line_diameter <- function(line) first_of(line$diameter, line$twine_diameter * li
 # Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
 # a, and 2 d/a - (d/a)^2 for square.
 panel_solidity <- function(panel) {
+  # hexagons: as diamonds of the same mesh size
   ratio <- panel$twine_diameter * panel$twine_count / (panel$mesh_size / 2)
   if (panel$orientation == "square") return(2 * ratio - ratio^2)
   min(1, ratio / (nominal_hanging_ratio * nominal_depth_ratio))

@@ -41,7 +41,9 @@ part_drag <- function(state) {
   sum_by_part(state$bar_drag, lattice$bar_part, n) +
     sum_by_part(state$triangle_drag, lattice$triangle_part, n) +
     sum_by_part(state$sphere_drag, lattice$sphere_part, n) +
-    sum_by_part(state$lift_force, lattice$lift_part, n)
+    sum_by_part(state$lift_force, lattice$lift_part, n) +
+    sum_by_part(state$catch_force, rep(which(lattice$parts$kind == "catch"),
+      ncol(state$catch_force)), n)
 }
 
 # Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
@@ -53,19 +55,19 @@ part_weight <- function(state) {
   sums <- rowsum(lines$lines * lines$rest, lines$part)
   length[as.integer(rownames(sums))] <- sums
   for (p in seq_along(si$panels)) {
-    length[length(si$ropes) + p] <- panel_bars(si$panels[[p]]) * si$panels[[p]]$mesh_size
+    length[length(si$ropes) + p] <- panel_bars(si$panels[[p]]) * cell_twine(si$panels[[p]])
   }
   excess <- function(mass, volume) mass - si$water$density * volume
   each <- c(
     vapply(c(si$ropes, si$panels), function(x) excess(x$mass_per_length, x$volume_per_length), 0),
-    vapply(si$pieces, function(x) excess(x$mass, x$volume), 0)
+    vapply(si$pieces, function(x) excess(x$mass, x$volume), 0), if (!is.null(si$catch)) 0
   )
   pieces <- vapply(si$pieces, function(x) as.double(x$number), 0)
   length[seq_along(pieces) + length(si$ropes) + length(si$panels)] <- pieces
   gear_gravity * unname(each) * length
 }
 
-# Drag by component: a row per rope, panel and piece, with part, kind (rope, netting, piece), role,
+# Drag by component: a row per rope, panel and piece, and for the catch in netting, with part, kind (rope, netting, piece, catch), role,
 # and in kN: drag along the flow, side force to starboard of it, lift upwards (all hydrodynamic) and
 # weight in water.
 drag_table <- function(state) {
@@ -81,7 +83,9 @@ drag_table <- function(state) {
 # Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
 # pieces), then all.
 drag_totals <- function(drag) {
-  group <- c(netting = "netting", rope = "ropes", piece = "fittings")[drag$kind]
+  group <- c(
+    netting = "netting", rope = "ropes", piece = "fittings", catch = "catch"
+  )[drag$kind]
   group[drag$role %in% "otter_board"] <- "otter boards"
   group[drag$role %in% "catch"] <- "catch"
   forces <- c("drag_kN", "side_kN", "lift_kN", "weight_in_water_kN")

@@ -27,6 +27,8 @@
 #'   along x of the water past the gear at the mean depth of the ropes around it.
 #' - `swept_area_km2_per_h`, when towed with a measure `wing_end_spread`: that spread times towing
 #'   speed.
+#' - `catch_volume_m3` and `catch_front_meshes`, with a catch in netting ([catch]): the volume that
+#'   the netting behind its front encloses, and how many meshes deep that is.
 #' - `largest_rope_tension_kN`.
 #' - `twine_tension_exceeded_by_1_percent_N`: tension of one twine (of both when double) that 1 % of
 #'   the netting's length of twine exceeds. The very largest, where a rope pulls at the tip of a
@@ -42,7 +44,10 @@
 measures <- function(state) {
   check_is_state(state)
   own <- plan_measures(state)
-  general <- c(towing_measures(state, own), tension_measures(state), depth_measures(state))
+  general <- c(
+    towing_measures(state, own), catch_measures(state), tension_measures(state),
+    depth_measures(state)
+  )
   c(own, general[setdiff(names(general), names(own))])
 }
 
@@ -69,6 +74,14 @@ plan_measures <- function(state) {
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
+}
+
+catch_measures <- function(state) {
+  if (is.null(state$si$catch)) return(NULL)
+  c(
+    catch_volume_m3 = catch_volume(state$lattice, state$position),
+    catch_front_meshes = state$lattice$catch$blocked
+  )
 }
 
 towing_measures <- function(state, own) {

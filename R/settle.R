@@ -24,15 +24,27 @@ settle <- function(gear, nodes = 1500, netting = NULL) {
   si <- gear_si(gear)
   lattice <- build_lattice(si, nodes = nodes, netting = netting)
   built <- proc.time()
-  found <- engine_settle(
-    lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations,
-    settle_progress()
-  )
-  report <- found[names(found) != "position"]
+  found <- settle_lattice(si, lattice)
+  lattice <- found$lattice
+  report <- found[!names(found) %in% c("position", "lattice")]
   report$seconds_lattice <- sum((built - started)[c("user.self", "sys.self")])
   report$cpu_seconds <- sum((proc.time() - started)[c("user.self", "sys.self")])
   if (!found$converged) abort_not_converged(report, lattice, found$position)
   new_state(gear, si, lattice, found$position, report)
+}
+
+# What the engine finds, with the lattice: where a catch is given by its volume, that with the
+# catch's front where it encloses it.
+settle_lattice <- function(si, lattice) {
+  watch <- settle_progress()
+  solve <- function(lattice, start) {
+    found <- engine_settle(
+      lattice$engine, as.double(start), settle_tolerance, settle_iterations, watch
+    )
+    c(found, list(lattice = lattice))
+  }
+  if (is.null(si$catch) || is.na(si$catch$volume)) return(solve(lattice, lattice$start))
+  settle_catch(si, lattice, solve)
 }
 
 settle_tolerance <- 1e-8
@@ -99,7 +111,8 @@ describe_node <- function(lattice, node) {
   touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
   part <- unique(c(
     touching(e$bars$node, 2L, lattice$bar_part),
-    touching(e$triangles$node, 3L, lattice$triangle_part)
+    touching(e$triangles$node, 3L, lattice$triangle_part),
+    touching(e$triangles$inner, 1L, lattice$triangle_part)
   ))
   if (!length(part)) return("a point outside ropes and netting")
   paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")

@@ -1,4 +1,5 @@
-# A state's lines: every bar, and in every netting triangle its two families of twine, as one table.
+# A state's lines: every bar, and in every netting triangle its two families of twine and
+# the straight bars of hexagonal meshes, as one table.
 
 # Positions of all points that elements stand on: 3 x (nodes + tied points), m.
 state_points <- function(state) {
@@ -10,7 +11,7 @@ state_points <- function(state) {
 }
 
 # Returns a data frame with a row per line: part (row of lattice$parts), element (number of the bar
-# or triangle), family (bar, u or v), tension (N, of one line), length and rest (m, of one line) and
+# or triangle), family (bar, u, v or straight), tension (N, of one line), length and rest (m, of one line) and
 # lines (how many run in parallel). A triangle's bars of one family count as parallel lines of one
 # bar's length, so that lines x rest is always a length of twine or rope.
 state_lines <- function(state) {
@@ -20,14 +21,19 @@ state_lines <- function(state) {
   in_triangle <- triangle_bars(triangles)
   triangle <- seq_along(triangles$rest)
   bar <- seq_along(bars$rest)
+  hexagon <- which(triangles$straight > 0)
+  number <- length(triangle)
   data.frame(
-    part = c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part),
-    element = c(bar, triangle, triangle),
-    family = rep(c("bar", "u", "v"), c(length(bar), length(triangle), length(triangle))),
-    tension = c(state$bar_tension, state$u_tension, state$v_tension),
-    length = c(state$bar_length, state$u_length, state$v_length),
-    rest = c(bars$rest, triangles$rest, triangles$rest),
-    lines = c(bars$multiplicity, in_triangle, in_triangle)
+    part = c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part,
+      lattice$triangle_part[hexagon]),
+    element = c(bar, triangle, triangle, hexagon),
+    family = rep(c("bar", "u", "v", "straight"),
+      c(length(bar), number, number, length(hexagon))),
+    tension = c(state$bar_tension, state$u_tension, state$v_tension,
+      state$straight_tension[hexagon]),
+    length = c(state$bar_length, state$u_length, state$v_length, state$straight_length[hexagon]),
+    rest = c(bars$rest, triangles$rest, triangles$rest, triangles$straight[hexagon]),
+    lines = c(bars$multiplicity, in_triangle, in_triangle, in_triangle[hexagon])
   )
 }
 

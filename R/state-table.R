@@ -16,8 +16,10 @@
 #'   node the reaction of its support is the opposite.
 #' - `bar_tension` (N, of one line), `bar_length` (m), and of the two families of twine in every
 #'   netting triangle `u_tension`, `u_length`, `v_tension`, `v_length` (of one mesh bar).
+#' - `straight_tension`, `straight_length`: the same of the straight bars of hexagonal meshes, 0 in
+#'   other triangles.
 #' - `bar_drag`, `triangle_drag`, `sphere_drag`, `lift_force` (3 x elements, N): hydrodynamic force
-#'   on every element.
+#'   on every element; `catch_force`: of the catch on every triangle around it.
 #'
 #' @param x A state.
 #' @param row.names `NULL` or names for the rows.
@@ -25,13 +27,14 @@
 #' @param what Which table (give it by name, as `what = "drag"`):
 #'
 #'   - `"tensions"`: a row per bar and per family of twine in every netting triangle: `part`, `kind`
-#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v),
+#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v; straight
+#'     in hexagonal meshes),
 #'     its middle `x_m`, `y_m`, `z_m`, `length_m` and `tension_kN` of one line, `lines` (how many
 #'     run in parallel) and `slack` (no tension).
 #'   - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (names of the ropes and panels that meet
 #'     there) and `held`.
 #'   - `"measures"`: `measure`, `value` and `unit` ([measures()]).
-#'   - `"drag"`: a row per rope, panel and piece: `part`, `kind`, `role`, hydrodynamic force as
+#'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`, `role`, hydrodynamic force as
 #'     `drag_kN` (along the flow), `side_kN` (to starboard of it) and `lift_kN` (up), and
 #'     `weight_in_water_kN` (weight less buoyancy).
 #'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. The two
@@ -63,7 +66,8 @@ line_table <- function(state) {
   lines <- state_lines(state)
   points <- state_points(state)
   in_triangles <- element_middles(points, engine$triangles$node, 3L)
-  middle <- cbind(element_middles(points, engine$bars$node, 2L), in_triangles, in_triangles)
+  middle <- cbind(element_middles(points, engine$bars$node, 2L), in_triangles, in_triangles,
+    in_triangles[, engine$triangles$straight > 0])
   data.frame(
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,
@@ -84,8 +88,10 @@ node_table <- function(state) {
 # Names of the ropes and panels that meet at every node, in the order of the plan.
 node_parts <- function(lattice) {
   e <- lattice$engine
-  point <- c(e$bars$node, e$triangles$node)
-  part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$triangle_part, each = 3L))
+  hexagon <- which(e$triangles$inner > 0L)
+  point <- c(e$bars$node, e$triangles$node, e$triangles$inner[hexagon])
+  part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$triangle_part, each = 3L),
+    lattice$triangle_part[hexagon])
   # What stands on a tied point meets both nodes that carry it.
   tied <- point > e$nodes
   tie <- point[tied] - e$nodes

@@ -3,6 +3,9 @@
 new_state <- function(gear, si, lattice, position, report) {
   found <- engine_evaluate(lattice$engine, position, numeric(length(position)))
   three <- function(x) matrix(x, 3L)
+  triangle_drag <- three(found$triangle_drag)
+  screens <- lattice$engine$screens$triangle
+  triangle_drag[, screens] <- triangle_drag[, screens] + three(found$screen_force)
   structure(
     list(
       gear = gear, si = si, lattice = lattice, report = report,
@@ -11,8 +14,10 @@ new_state <- function(gear, si, lattice, position, report) {
       bar_tension = found$bar_tension, bar_length = found$bar_length,
       u_tension = found$u_tension, u_length = found$u_length,
       v_tension = found$v_tension, v_length = found$v_length,
-      bar_drag = three(found$bar_drag), triangle_drag = three(found$triangle_drag),
-      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force)
+      bar_drag = three(found$bar_drag), triangle_drag = triangle_drag,
+      straight_tension = found$straight_tension, straight_length = found$straight_length,
+      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force),
+      catch_force = three(found$catch_force)
     ),
     class = "codend_state"
   )

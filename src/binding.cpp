@@ -32,6 +32,50 @@ std::vector<int> places(const list& from, const char* name) {
 
 double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
 
+// Triangles with straight bars are hexagonal.
+void read_triangles(const list& from, codend::Model& model) {
+  const std::vector<int> node = places(from, "node"), inner = places(from, "inner"),
+                         material = places(from, "material");
+  const std::vector<double> twine = numbers(from, "twine"), rest = numbers(from, "rest"),
+                            straight = numbers(from, "straight"),
+                            multiplicity = numbers(from, "multiplicity");
+  auto copy = [](const auto& values, std::size_t width, std::size_t element, auto& to) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * element);
+    to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
+  };
+  for (std::size_t e = 0; e < rest.size(); ++e) {
+    if (straight[e] > 0.0) {
+      codend::HexagonalTriangles& to = model.hexagons;
+      copy(node, 3, e, to.node);
+      to.node.push_back(inner[e]);
+      copy(twine, 6, e, to.twine);
+      to.straight.push_back(straight[e]);
+      to.oblique.push_back(rest[e]);
+      to.multiplicity.push_back(multiplicity[e]);
+      to.material.push_back(material[e]);
+    } else {
+      codend::NettingTriangles& to = model.triangles;
+      copy(node, 3, e, to.node);
+      copy(twine, 6, e, to.twine);
+      to.rest.push_back(rest[e]);
+      to.multiplicity.push_back(multiplicity[e]);
+      to.material.push_back(material[e]);
+    }
+  }
+}
+
+// Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the lattice.
+doubles in_order(const doubles& straight, std::size_t width, const double* plain,
+                 const double* hexagonal) {
+  std::vector<double> out;
+  for (const double bar : straight) {
+    const double*& from = bar > 0.0 ? hexagonal : plain;
+    out.insert(out.end(), from, from + width);
+    from += width;
+  }
+  return writable::doubles(out);
+}
+
 codend::Model read_model(const list& lattice) {
   codend::Model model;
   model.nodes = as_cpp<int>(lattice["nodes"]);
@@ -68,6 +112,7 @@ codend::Model read_model(const list& lattice) {
                             normal = numbers(materials, "normal"),
                             tangential = numbers(materials, "tangential"),
                             skin = numbers(materials, "skin"),
+                            tangential_share = numbers(materials, "tangential_share"),
                             solidity = numbers(materials, "solidity");
   const std::vector<int> law = whole_numbers(materials, "law");
   for (std::size_t m = 0; m < stiffness.size(); ++m) {
@@ -78,7 +123,7 @@ codend::Model read_model(const list& lattice) {
     material.added_mass_normal = added_normal[m];
     material.added_mass_tangential = added_tangential[m];
     material.law = {static_cast<codend::CylinderLawKind>(law[m]), normal[m], tangential[m],
-                    skin[m], solidity[m]};
+                    skin[m], solidity[m], tangential_share[m]};
     model.materials.push_back(material);
   }
 
@@ -88,12 +133,7 @@ codend::Model read_model(const list& lattice) {
   model.bars.multiplicity = numbers(bars, "multiplicity");
   model.bars.material = places(bars, "material");
 
-  const list triangles(lattice["triangles"]);
-  model.triangles.node = places(triangles, "node");
-  model.triangles.twine = numbers(triangles, "twine");
-  model.triangles.rest = numbers(triangles, "rest");
-  model.triangles.multiplicity = numbers(triangles, "multiplicity");
-  model.triangles.material = places(triangles, "material");
+  read_triangles(lattice["triangles"], model);
 
   const list spheres(lattice["spheres"]);
   model.spheres.node = places(spheres, "node");
@@ -105,6 +145,25 @@ codend::Model read_model(const list& lattice) {
   model.lifts.node = places(lifts, "node");
   model.lifts.lift_area = numbers(lifts, "lift_area");
   model.lifts.direction = whole_numbers(lifts, "direction");
+
+  const list pressure(lattice["pressure"]);
+  model.pressure.node = places(pressure, "node");
+  model.pressure.weight = numbers(pressure, "weight");
+  model.pressure.drag_coefficient = number(pressure, "drag_coefficient");
+
+  const list screens(lattice["screens"]);
+  model.screens.node = places(screens, "node");
+  model.screens.twine_area = numbers(screens, "twine_area");
+  model.screens.diameter = numbers(screens, "diameter");
+  model.screens.multiplicity = numbers(screens, "multiplicity");
+  model.screens.law = whole_numbers(screens, "law");
+
+  const list openings(lattice["openings"]);
+  model.openings.node = places(openings, "node");
+  model.openings.twine = numbers(openings, "twine");
+  model.openings.couple = numbers(openings, "couple");
+  model.openings.angle = numbers(openings, "angle");
+  model.openings.multiplicity = numbers(openings, "multiplicity");
   model.connect();
   return model;
 }
@@ -153,19 +212,32 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
   codend::Assembly assembly(model);
   const codend::Evaluation e =
       codend::evaluate(assembly, REAL(position), REAL(velocity));
+  const list triangles(lattice["triangles"]);
+  const doubles straight(triangles["straight"]);
+  const std::size_t hexagons = e.hexagon_tension.size() / 3;
+  const std::vector<double> none(straight.size(), 0.0);
+  auto family = [&](const std::vector<double>& plain, const std::vector<double>& hexagonal,
+                    std::size_t which) {
+    return in_order(straight, 1, plain.data(), hexagonal.data() + which * hexagons);
+  };
   return writable::list({
       "force"_nm = as_doubles(e.force),
       "mass"_nm = as_doubles(e.mass),
       "bar_tension"_nm = as_doubles(e.bar_tension),
       "bar_length"_nm = as_doubles(e.bar_length),
-      "u_tension"_nm = as_doubles(e.u_tension),
-      "v_tension"_nm = as_doubles(e.v_tension),
-      "u_length"_nm = as_doubles(e.u_length),
-      "v_length"_nm = as_doubles(e.v_length),
+      "u_tension"_nm = family(e.u_tension, e.hexagon_tension, 1),
+      "v_tension"_nm = family(e.v_tension, e.hexagon_tension, 2),
+      "straight_tension"_nm = family(none, e.hexagon_tension, 0),
+      "u_length"_nm = family(e.u_length, e.hexagon_length, 1),
+      "v_length"_nm = family(e.v_length, e.hexagon_length, 2),
+      "straight_length"_nm = family(none, e.hexagon_length, 0),
       "bar_drag"_nm = as_doubles(e.bar_drag),
-      "triangle_drag"_nm = as_doubles(e.triangle_drag),
+      "triangle_drag"_nm =
+          in_order(straight, 3, e.triangle_drag.data(), e.hexagon_drag.data()),
       "sphere_drag"_nm = as_doubles(e.sphere_drag),
       "lift_force"_nm = as_doubles(e.lift_force),
+      "catch_force"_nm = as_doubles(e.catch_force),
+      "screen_force"_nm = as_doubles(e.screen_force),
   });
 }
 

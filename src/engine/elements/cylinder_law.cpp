@@ -114,6 +114,10 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
       break;
     }
   }
+  k.b *= law.tangential_share;
+  k.b_n *= law.tangential_share;
+  k.b_t *= law.tangential_share;
+  k.c *= law.tangential_share;
   return k;
 }
 

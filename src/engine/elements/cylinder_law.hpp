@@ -26,6 +26,8 @@ struct CylinderLaw {
   double tangential = 0.0;  // C_t, used by `constant`
   double skin = 0.02;       // C_f, used by `constant`
   double solidity = 0.0;    // Sn of the netting, used by `cifuentes_kim`
+  // Factor on b and c, to see what the force along axis and flow does.
+  double tangential_share = 1.0;
 };
 
 struct CylinderCoefficients {

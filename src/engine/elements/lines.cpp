@@ -64,8 +64,8 @@ void Lines::describe(const Line<N>& line) {
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
-    arrays_.tangential[k] = m.law.tangential;
-    arrays_.skin[k] = m.law.skin;
+    arrays_.tangential[k] = m.law.tangential * m.law.tangential_share;
+    arrays_.skin[k] = m.law.skin * m.law.tangential_share;
   } else {
     speed_law_.resize(column_length(count_));
     speed_law_[k] = &m;

@@ -1,0 +1,117 @@
+# Netting that is not plain diamonds, squares or turned meshes, as SI numbers; and the catch in it.
+
+#' Netting
+#'
+#' How a panel's netting is modelled, by fields of the panel in a plan (or of [panel()]).
+#'
+#' @section Meshes:
+#' `orientation` is how meshes stand between the upper and the lower edge of a panel:
+#'
+#' - `diamond`: with the netting's normal direction down the panel; `turned`: by 90 degrees (T90).
+#'   Thin twines know no difference: only an opening stiffness tells them apart.
+#' - `square`: bars run down and across (T45).
+#' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run down
+#'   the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a mesh, two
+#'   straight and two oblique bars. Knots that have a length are straight bars too. All bars are of
+#'   one twine. Hexagonal netting is always divided into triangles (D. Priour, A Finite Element
+#'   Method for Netting, Springer 2013).
+#'
+#' @section Drag of netting:
+#' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by the
+#' `coefficients`) or the name of a formula for netting as a screen, by the angle between its normal
+#' and the flow and its solidity as the meshes stand open: `loland` (G. Loland, Current Forces on and
+#' Flow through Fish Farms, NTH Trondheim, 1991), `aarsnes` (J. V. Aarsnes, H. Rudi and G. Loland,
+#' Current forces on cage, net deflection, 1990) or `kristiansen_faltinsen` (T. Kristiansen and
+#' O. M. Faltinsen, Journal of Fluids and Structures 34, 2012, by Reynolds number). They were fitted
+#' to square netting of solidity up to 0.35 and are held at that beyond it; the last one's cylinder
+#' drag is held at its ends outside Reynolds numbers of 32 to 10000. Solidity counts knots by their
+#' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
+#' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
+#' much drag, and a screen is the better choice. A mesh that closes up loses its area, and as a
+#' screen its drag. Only netting of triangles can be a screen.
+#'
+#' @section Stiffness of meshes:
+#' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
+#' twines from `angle`, its angle at rest (D. Priour, 2013, as above); of turned meshes the
+#' angle is measured across the panel. It matters in codends of thick twine. Values are to be
+#' measured: none is assumed.
+#'
+#' @name netting
+NULL
+
+#' The catch
+#'
+#' The plan's field `catch` fills netting from its closed end with a catch that the water cannot flow
+#' through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the outward
+#' normal, with V the speed of the water past that netting and C_d 1.4 where `drag_coefficient` gives
+#' no other (D. Priour, Ocean Engineering 92, 2014, and his program AxiCodend). The resultant is p
+#' times the area of the catch's front.
+#'
+#' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that
+#' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind it
+#' encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is given, an
+#' assumption). [settle()] finds that front. The catch has no weight in water. Its netting must be of
+#' triangles.
+#'
+#' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
+#' deep the catch is.
+#'
+#' @name catch
+NULL
+
+# Length (m) of the straight bars of a panel, 0 where it has none.
+si_hexagons <- function(panel, path) {
+  hexagonal <- panel$orientation %in% c("hexagonal", "hexagonal_turned")
+  refuse <- function(field) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s.%s` is given, but `%s.orientation` is %s.", path, field, path,
+        panel$orientation
+      ),
+      paste0(path, ".", field), panel[[field]]
+    )
+  }
+  if (!hexagonal) {
+    if (!is.null(panel$straight_bar)) refuse("straight_bar")
+    return(0)
+  }
+  if (!is.null(panel$opening_stiffness)) refuse("opening_stiffness")
+  if (identical(panel$netting, "bars")) {
+    abort_field(paste0(path, ".netting"), panel$netting, "triangles for hexagonal netting")
+  }
+  straight <- first_of(panel$straight_bar, panel$mesh_size / 4)
+  if (straight >= panel$mesh_size / 2) {
+    abort_field(
+      paste0(path, ".straight_bar"), format_si(straight, "length"),
+      paste("less than half the mesh size,", format_si(panel$mesh_size / 2, "length"))
+    )
+  }
+  straight
+}
+
+# list(panels, deep (meshes of each), blocked (meshes, or NA), volume (m3, or NA), drag_coefficient).
+si_catch <- function(catch, path, panels) {
+  for (i in seq_along(catch$panels)) {
+    name <- catch$panels[i]
+    at <- sprintf("%s.panels[%d]", path, i)
+    if (!name %in% names(panels)) abort_reference(name, name, names(panels), "panel", at)
+  }
+  deep <- vapply(panels[catch$panels], `[[`, 0, "deep")
+  if (any(deep != deep[1])) {
+    abort_plan(
+      sprintf("Plan field `%s.panels` names panels of %s and %s meshes deep; they must be alike.",
+        path, format(deep[1]), format(deep[deep != deep[1]][1])),
+      paste0(path, ".panels"), catch$panels
+    )
+  }
+  blocked <- first_of(catch$blocked_meshes, NA_real_)
+  if (!is.na(blocked) && blocked > deep[1]) {
+    abort_field(paste0(path, ".blocked_meshes"), blocked,
+      paste("at most the depth of its panels,", format(deep[[1]]), "meshes"))
+  }
+  list(
+    panels = catch$panels, deep = deep[[1]], blocked = blocked,
+    volume = first_of(catch$volume, first_of(catch$mass, NA_real_) / catch$density),
+    drag_coefficient = catch$drag_coefficient
+  )
+}

@@ -1,0 +1,126 @@
+# The catch: which part of the netting around it lies behind its front, as pressure on triangles, and
+# the volume that it encloses.
+
+# Adds to a lattice `catch`: list(triangle = numbers of the triangles that it may lie against, node =
+# 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
+# real: negative where its normal points inward), or nothing; and to its engine the pressure, behind
+# the front that the plan gives or a first guess.
+add_catch <- function(si, lattice) {
+  lattice$engine$pressure <- list(
+    node = integer(), weight = numeric(),
+    drag_coefficient = first_of(si$catch$drag_coefficient, 0)
+  )
+  if (is.null(si$catch)) return(lattice)
+  triangles <- lattice$engine$triangles
+  part <- length(si$ropes) + match(si$catch$panels, names(si$panels))
+  some <- which(lattice$triangle_part %in% part)
+  panel <- lattice$triangle_part[some]
+  orientation <- vapply(si$panels, `[[`, "", "orientation")[panel - length(si$ropes)]
+  u <- matrix(triangles$twine[c(TRUE, FALSE)], 3L)[, some, drop = FALSE]
+  v <- matrix(triangles$twine[c(FALSE, TRUE)], 3L)[, some, drop = FALSE]
+  v <- v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 3L)
+  square <- matrix(rep(orientation == "square", each = 3L), 3L)
+  lattice$catch <- list(
+    triangle = some, node = matrix(triangles$node[corners_of(some)], 3L),
+    depth = si$catch$deep - ifelse(square, v, (u + v) / 2),
+    weight = triangles$multiplicity[some]
+  )
+  # Panels are laid out round the catch from the start, whichever way round.
+  outward <- panel_volumes(lattice, lattice$start, panel)
+  if (any(outward == 0)) {
+    cli::cli_abort(
+      "The netting around the catch encloses nothing: the panels in {.field catch.panels} must be
+      joined all round.", class = c("codend_error_plan", "codend_error"), call = NULL
+    )
+  }
+  lattice$catch$weight <- lattice$catch$weight * sign(outward)
+  guess <- if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked
+  set_catch_front(lattice, guess)
+}
+
+# The volume (m3) between each triangle's whole panel and the middle of all, by triangle.
+panel_volumes <- function(lattice, position, panel) {
+  middle <- rowMeans(position[, as.vector(lattice$catch$node), drop = FALSE])
+  corner <- function(k) position[, lattice$catch$node[k, ], drop = FALSE] - middle
+  volume <- triple_product(corner(1L), corner(2L), corner(3L)) / 6 * lattice$catch$weight
+  unname(rowsum(volume, panel)[as.character(panel), 1])
+}
+
+triple_product <- function(a, b, c) {
+  a[1, ] * (b[2, ] * c[3, ] - b[3, ] * c[2, ]) + a[2, ] * (b[3, ] * c[1, ] - b[1, ] * c[3, ]) +
+    a[3, ] * (b[1, ] * c[2, ] - b[2, ] * c[1, ])
+}
+
+# The lattice with the catch's front `blocked` meshes from the lower edges.
+set_catch_front <- function(lattice, blocked) {
+  held <- lattice$catch
+  pieces <- covered_pieces(blocked - held$depth)
+  weight <- matrix(0, ncol(held$depth), 3L)
+  sums <- rowsum(
+    pieces$share / 3 * (pieces$corner[[1]] + pieces$corner[[2]] + pieces$corner[[3]]),
+    pieces$triangle
+  )
+  weight[as.integer(rownames(sums)), ] <- sums
+  lattice$engine$pressure$node <- as.vector(held$node)
+  lattice$engine$pressure$weight <- as.vector(t(weight * held$weight))
+  lattice$catch$blocked <- blocked
+  lattice
+}
+
+# The parts of triangles where a quantity that is linear inside, `inside` (3 x triangles) at the
+# corners, is positive, cut into triangles.
+#
+# Returns list(triangle, share = of the whole triangle's area, corner = three matrices with a row of
+# weights of the triangle's corners each, front = for each of these whether it lies where the
+# quantity is 0).
+covered_pieces <- function(inside) {
+  whole <- which(colSums(inside >= 0) == 3L)
+  found <- list(list(whole, c(1L, 2L, 3L), c(1L, 2L, 3L)))
+  for (k in 1:3) {
+    l <- k %% 3L + 1L
+    m <- l %% 3L + 1L
+    tip <- which(inside[k, ] >= 0 & inside[l, ] < 0 & inside[m, ] < 0 & inside[k, ] > 0)
+    base <- which(inside[k, ] < 0 & inside[l, ] >= 0 & inside[m, ] >= 0)
+    # Corners as pairs between which each lies.
+    found <- c(found, list(
+      list(tip, c(k, k, k), c(k, l, m)),
+      list(base, c(l, m, k), c(l, m, l)), list(base, c(m, k, k), c(m, m, l))
+    ))
+  }
+  one <- diag(3)
+  corner <- front <- list()
+  for (k in 1:3) {
+    corner[[k]] <- do.call(rbind, lapply(found, function(f) {
+      from <- f[[2]][k]
+      to <- f[[3]][k]
+      a <- inside[from, f[[1]]]
+      b <- inside[to, f[[1]]]
+      s <- if (from == to) 0 * a else a / (a - b)
+      outer(1 - s, one[from, ]) + outer(s, one[to, ])
+    }))
+    front[[k]] <- unlist(lapply(found, function(f) {
+      rep(f[[2]][k] != f[[3]][k], length(f[[1]])) |
+        (f[[2]][k] == f[[3]][k] & inside[f[[2]][k], f[[1]]] == 0)
+    }))
+  }
+  share <- triple_product(t(corner[[1]]), t(corner[[2]]), t(corner[[3]]))
+  list(triangle = unlist(lapply(found, `[[`, 1L)), share = abs(share), corner = corner,
+    front = front)
+}
+
+# Volume (m3) that netting behind the catch's front encloses with a front drawn from its edge to the
+# edge's middle.
+catch_volume <- function(lattice, position) {
+  held <- lattice$catch
+  pieces <- covered_pieces(held$blocked - held$depth)
+  node <- held$node[, pieces$triangle, drop = FALSE]
+  place <- function(corner) {
+    weigh <- function(k) position[, node[k, ], drop = FALSE] * rep(corner[, k], each = 3L)
+    weigh(1L) + weigh(2L) + weigh(3L)
+  }
+  corner <- lapply(pieces$corner, place)
+  edge <- do.call(cbind, Map(function(x, on) x[, on, drop = FALSE], corner, pieces$front))
+  middle <- rowMeans(edge)
+  volume <- triple_product(corner[[1]] - middle, corner[[2]] - middle, corner[[3]] - middle) / 6
+  sum(volume * held$weight[pieces$triangle])
+}

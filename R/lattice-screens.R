@@ -1,0 +1,92 @@
+# What netting of triangles carries besides its twines: drag as a screen, and stiffness of its meshes.
+
+screen_numbers <- c(loland = 0L, aarsnes = 1L, kristiansen_faltinsen = 2L)
+
+# Netting that must be of triangles: as a screen, with an opening stiffness, or around a catch.
+# bars: which panels are of bars.
+check_triangles_needed <- function(si, bars) {
+  of_bars <- names(si$panels)[bars]
+  needed <- function(names, why) {
+    wrong <- intersect(names, of_bars)
+    if (!length(wrong)) return(invisible())
+    cli::cli_abort(
+      "Panel {.field {wrong[1]}} is of bars; {why} needs {.val triangles} as its {.field netting}.",
+      class = c("codend_error_plan", "codend_error"), call = NULL
+    )
+  }
+  screens <- vapply(si$panels, function(p) p$netting_drag != "twines", NA)
+  stiff <- vapply(si$panels, function(p) !is.null(p$opening_stiffness), NA)
+  needed(names(si$panels)[screens], "its `netting_drag`")
+  needed(names(si$panels)[stiff], "its `opening_stiffness`")
+  needed(si$catch$panels, "the catch")
+}
+
+# The panel of every triangle, by its number in si$panels.
+triangle_panel <- function(si, lattice) lattice$triangle_part - length(si$ropes)
+
+# list(triangle = numbers of the lattice's triangles, node = 3 each, then as NettingScreens).
+screen_elements <- function(si, lattice) {
+  triangles <- lattice$engine$triangles
+  panel <- triangle_panel(si, lattice)
+  law <- screen_numbers[vapply(si$panels, `[[`, "", "netting_drag")]
+  some <- which(!is.na(law)[panel])
+  of <- si$panels[panel[some]]
+  number <- function(field) vapply(of, `[[`, 0, field, USE.NAMES = FALSE)
+  cells <- triangle_bars(triangles, some)
+  twine <- cells * (number("mesh_size") - number("straight_bar")) * number("twine_diameter") *
+    number("twine_count")
+  knots <- cells * (1 + (number("straight_bar") > 0))
+  list(
+    triangle = some, node = triangles$node[corners_of(some)],
+    twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
+    diameter = number("twine_diameter"), multiplicity = triangles$multiplicity[some],
+    law = unname(law[panel[some]])
+  )
+}
+
+# list(node, twine, couple, angle, multiplicity), as MeshOpenings.
+opening_elements <- function(si, lattice) {
+  triangles <- lattice$engine$triangles
+  panel <- triangle_panel(si, lattice)
+  stiffness <- lapply(si$panels, `[[`, "opening_stiffness")
+  some <- which(!vapply(stiffness, is.null, NA)[panel])
+  of <- stiffness[panel[some]]
+  turned <- vapply(si$panels, `[[`, "", "orientation")[panel[some]] == "turned"
+  angle <- vapply(of, `[[`, 0, "angle", USE.NAMES = FALSE)
+  angle[turned] <- pi - angle[turned]
+  list(
+    node = triangles$node[corners_of(some)],
+    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
+    couple = vapply(of, `[[`, 0, "couple", USE.NAMES = FALSE),
+    angle = angle,
+    multiplicity = triangles$multiplicity[some]
+  )
+}
+
+# Places of the corners of triangles in an array of three each.
+corners_of <- function(triangle) rep(3L * (triangle - 1L), each = 3L) + seq_len(3L)
+
+# The start with the inner nodes of hexagonal triangles where their bars would lie if all were
+# stretched alike: from the triangle's middle along the mean of its two base vectors.
+place_inner_nodes <- function(lattice) {
+  start <- lattice$start
+  triangles <- lattice$engine$triangles
+  some <- which(triangles$inner > 0L)
+  if (!length(some)) return(start)
+  at <- 6L * (some - 1L)
+  twine <- function(k) triangles$twine[at + k]
+  corner <- function(k) start[, triangles$node[3L * (some - 1L) + k], drop = FALSE]
+  u2 <- twine(3L) - twine(1L)
+  v2 <- twine(4L) - twine(2L)
+  u3 <- twine(5L) - twine(1L)
+  v3 <- twine(6L) - twine(2L)
+  d <- u2 * v3 - u3 * v2
+  second <- corner(2L) - corner(1L)
+  third <- corner(3L) - corner(1L)
+  # e_u + e_v
+  both <- second * rep((v3 - u3) / d, each = 3L) + third * rep((u2 - v2) / d, each = 3L)
+  share <- triangles$straight[some] / (triangles$straight + triangles$rest)[some] / 2
+  middle <- (corner(1L) + corner(2L) + corner(3L)) / 3
+  start[, triangles$inner[some]] <- middle + both * rep(share, each = 3L)
+  start
+}
