@@ -38,6 +38,33 @@ add_catch <- function(si, lattice) {
   set_catch_front(lattice, guess)
 }
 
+# The start with the netting around the catch as a bag that hangs open at the nominal ratio and closes
+# over its last third: from a slender cone the solver may pull its twines through each other.
+round_start <- function(si, lattice) {
+  start <- lattice$start
+  free <- !lattice$engine$held
+  node <- as.vector(lattice$catch$node)
+  first <- !duplicated(node)
+  depth <- round(as.vector(lattice$catch$depth)[first], 6)
+  node <- node[first]
+  around <- sum(vapply(si$panels[si$catch$panels], function(p) p$upper * mesh_unit(p), 0))
+  radius <- nominal_hanging_ratio * around / (2 * pi)
+  for (row in split(seq_along(node), depth)) {
+    ring <- node[row]
+    left <- depth[row[1]] / si$catch$deep
+    closing <- max(0, 1 - 3 * left)
+    share <- min(1, 3 * (1 - left))
+    middle <- rowMeans(start[, ring, drop = FALSE])
+    out <- start[, ring, drop = FALSE] - middle
+    size <- mean(sqrt(colSums(out^2)))
+    wanted <- share * radius * sqrt(1 - closing^2) + (1 - share) * size
+    if (size == 0 || wanted <= size) next
+    moved <- middle + out * (wanted / size)
+    start[, ring[free[ring]]] <- moved[, free[ring]]
+  }
+  start
+}
+
 # The volume (m3) between each triangle's whole panel and the middle of all, by triangle.
 panel_volumes <- function(lattice, position, panel) {
   middle <- rowMeans(position[, as.vector(lattice$catch$node), drop = FALSE])

@@ -97,8 +97,10 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
   lattice$start[, which(supports$held)] <- supports$position[, supports$held]
+  lattice <- add_catch(si, lattice)
+  if (!is.null(si$catch)) lattice$start <- round_start(si, lattice)
   lattice$start <- place_inner_nodes(lattice)
-  add_catch(si, lattice)
+  lattice
 }
 
 # A function(text) that tells the node of a parsed place.
