@@ -132,7 +132,7 @@ depth_measures <- function(state) {
 # Units of measures as their names spell them, longest first, with the units as printed.
 measure_suffixes <- c(
   km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
-  m2 = "m2", m = "m", N = "N"
+  m2 = "m2", m3 = "m3", meshes = "meshes", m = "m", N = "N"
 )
 
 # Splits names such as "door_spread_m" into words ("door spread") and unit ("m").

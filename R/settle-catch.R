@@ -4,47 +4,47 @@
 # Share of the volume within which it is met.
 catch_tolerance <- 1e-6
 
-# solve: function(lattice, start) that settles; returns what it returns for the front that was found,
+# solve: function(lattice) that settles; returns what it returns for the front that was found,
 # with the steps and factorisations of all tries.
 settle_catch <- function(si, lattice, solve) {
   wanted <- log(si$catch$volume)
   # Fronts known to enclose too little and too much, in the logarithms of meshes and of volume.
-  low <- high <- NULL
+  low <- high <- before <- NULL
   front <- log(lattice$catch$blocked)
   end <- log(si$catch$deep)
-  start <- lattice$start
   iterations <- factorisations <- 0L
   for (try in seq_len(40L)) {
-    found <- solve(set_catch_front(lattice, exp(front)), start)
+    # Always from the first start: a settled shape leads the path astray.
+    found <- solve(set_catch_front(lattice, exp(front)))
     iterations <- iterations + found$iterations
     factorisations <- factorisations + found$factorisations
     found$iterations <- iterations
     found$factorisations <- factorisations
     if (!found$converged) return(found)
-    start <- matrix(found$position, 3L)
-    volume <- catch_volume(found$lattice, start)
+    volume <- catch_volume(found$lattice, matrix(found$position, 3L))
     off <- if (volume > 0) log(volume) - wanted else -Inf
     if (abs(off) < catch_tolerance) return(found)
     here <- list(front = front, off = off)
     if (off < 0 && front >= end) abort_catch_volume(si, volume)
     if (off < 0) low <- here else high <- here
-    front <- next_front(here, low, high, end)
+    front <- next_front(here, before, low, high, end)
+    before <- here
   }
   found$converged <- FALSE
   found
 }
 
-# The volume grows with a power of the meshes behind the front that changes slowly: a secant between
-# the fronts known, kept inside them; one of about 1 where only one is known.
-next_front <- function(here, low, high, end) {
-  if (is.null(low) || is.null(high) || !is.finite(low$off)) {
-    step <- if (is.finite(here$off)) here$off else -1
-    guess <- here$front - min(max(step, -1), 1) * 1.1
-    if (!is.null(low) && !is.null(high)) guess <- (low$front + high$front) / 2
-    return(min(guess, end))
-  }
-  share <- low$off / (low$off - high$off)
-  low$front + share * (high$front - low$front)
+# The volume grows with a power of the meshes behind the front that changes slowly: a secant through
+# the last two fronts, or that of a power of 1 from the first, kept between the fronts known.
+next_front <- function(here, before, low, high, end) {
+  slope <- 1
+  if (!is.null(before)) slope <- (here$off - before$off) / (here$front - before$front)
+  guess <- here$front - here$off / slope
+  most <- if (is.null(high)) min(here$front + 1, end) else high$front
+  least <- if (is.null(low)) here$front - 1 else low$front
+  inside <- is.finite(guess) && guess > least && guess < most
+  if (inside) return(guess)
+  if (is.null(low)) least else if (is.null(high)) most else (least + most) / 2
 }
 
 abort_catch_volume <- function(si, volume) {

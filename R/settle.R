@@ -37,13 +37,13 @@ settle <- function(gear, nodes = 1500, netting = NULL) {
 # catch's front where it encloses it.
 settle_lattice <- function(si, lattice) {
   watch <- settle_progress()
-  solve <- function(lattice, start) {
+  solve <- function(lattice) {
     found <- engine_settle(
-      lattice$engine, as.double(start), settle_tolerance, settle_iterations, watch
+      lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations, watch
     )
     c(found, list(lattice = lattice))
   }
-  if (is.null(si$catch) || is.na(si$catch$volume)) return(solve(lattice, lattice$start))
+  if (is.null(si$catch) || is.na(si$catch$volume)) return(solve(lattice))
   settle_catch(si, lattice, solve)
 }
 

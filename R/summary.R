@@ -11,6 +11,10 @@
 #'   - `measures`: named numbers ([measures()]);
 #'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
 #'     by `group` (netting, ropes, otter boards, catch, fittings, total);
+#'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and ropes
+#'     `halved`, as `settled` and `doubled`, evaluated at the settled shape. They are the largest
+#'     uncertainty of a trawl's drag: published values differ by factors. With other coefficients the
+#'     gear would settle into another shape, which is not computed;
 #'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `exceeded_by_1_percent_kN`
 #'     (the tension that 1 % of its length exceeds) and `mean_kN`; `strength_kN` (breaking load) and
 #'     `strength_percent` (largest tension as a share of it), `NA` where no breaking load is known.
@@ -31,6 +35,7 @@ summary.codend_state <- function(object, ...) {
       name = object$si$name, conditions = conditions_text(object$si),
       measures = measures(object),
       drag = drag, drag_totals = drag_totals(drag),
+      tangential = tangential_sensitivity(object),
       tensions = tension_table(object), slack = slack_table(object),
       reactions = reaction_table(object), balance = balance_table(object),
       report = c(object$report, list(
@@ -55,6 +60,8 @@ format.codend_summary <- function(x, ...) {
     cli::style_bold(x$name), x$conditions,
     section("Measures", measure_lines(x$measures)),
     section("Drag by component", drag_lines(x$drag_totals)),
+    section("Total drag with tangential coefficients halved and doubled, at this shape",
+      tangential_lines(x$tangential)),
     section("Largest drag", largest_drag_lines(x$drag)),
     section("Highest rope tensions", rope_tension_lines(x$tensions)),
     section("Highest twine tensions", twine_tension_lines(x$tensions)),

@@ -1,0 +1,33 @@
+# How much of the drag rests on the force of the water along twines and ropes, the coefficient that is
+# known worst.
+
+# Total drag (kN, as measures()' total_drag_kN) with the tangential and skin coefficients of all
+# twines and ropes halved and doubled, at the settled shape: list(halved, settled, doubled). The
+# gear would settle into another shape with other coefficients; what is left of the change then is
+# not computed.
+tangential_sensitivity <- function(state) {
+  engine <- state$lattice$engine
+  still <- numeric(length(state$position))
+  flow <- flow_axes(state$si)[, "flow"]
+  along <- function(share) {
+    engine$materials$tangential_share[] <- share
+    found <- engine_evaluate(engine, as.vector(state$position), still)
+    sum(flow * rowSums(matrix(c(found$bar_drag, found$triangle_drag), 3L))) / 1000
+  }
+  now <- towing_measures(state, NULL)[["total_drag_kN"]]
+  as_settled <- along(1)
+  list(
+    halved = now + along(0.5) - as_settled, settled = now, doubled = now + along(2) - as_settled
+  )
+}
+
+tangential_lines <- function(sensitivity) {
+  drag <- unlist(sensitivity)
+  # Nothing to say where no coefficient is tangential.
+  if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
+  share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
+  align_columns(list(
+    c("halved", "doubled"), paste(column_figures(drag[c("halved", "doubled")]), "kN"),
+    paste0(share[c(1, 3)], " %")
+  ))
+}
