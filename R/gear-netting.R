@@ -24,7 +24,10 @@
 #' Current forces on cage, net deflection, 1990) or `kristiansen_faltinsen` (T. Kristiansen and
 #' O. M. Faltinsen, Journal of Fluids and Structures 34, 2012, by Reynolds number). They were fitted
 #' to square netting of solidity up to 0.35 and are held at that beyond it; the last one's cylinder
-#' drag is held at its ends outside Reynolds numbers of 32 to 10000. Solidity counts knots by their
+#' drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a solidity of 0.1 `loland`
+#' and `aarsnes`, whose least drag is that of 0.04 of the netting's area even without any twine, are
+#' taken in proportion to the solidity; in the large meshes at the front of a midwater trawl they
+#' still give far too much. Solidity counts knots by their
 #' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
 #' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
 #' much drag, and a screen is the better choice. A mesh that closes up loses its area, and as a

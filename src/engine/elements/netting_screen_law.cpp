@@ -7,7 +7,7 @@ namespace codend {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double most_solidity = 0.35;
+constexpr double least_solidity = 0.1, most_solidity = 0.35;
 constexpr double least_reynolds = 32.0, most_reynolds = 1e4;
 
 using Number = ScreenCoefficient;
@@ -48,7 +48,9 @@ Number cylinder_drag(Number log_re) {
 ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, double solidity,
                                        double reynolds) {
   const Number c{cosine, 1.0, 0.0, 0.0};
-  const Number s = held({solidity, 0.0, 1.0, 0.0}, 0.0, most_solidity);
+  const Number given{solidity, 0.0, 1.0, 0.0};
+  const bool regression = law != NettingScreenLaw::kristiansen_faltinsen;
+  const Number s = held(given, regression ? least_solidity : 0.0, most_solidity);
   const Number one = constant(1.0);
   // sin 2th / sin th = 2 cos th, and sin 4th / sin th = 4 cos th cos 2th.
   const Number sine2 = 2.0 * c, sine4 = 4.0 * c * (2.0 * c * c - one);
@@ -76,6 +78,10 @@ ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, doub
       out.lift_per_sine = lift45 * (sine2 + 0.1 * sine4);
       break;
     }
+  }
+  if (regression && solidity < least_solidity) {
+    out.drag = (1.0 / least_solidity) * given * out.drag;
+    out.lift_per_sine = (1.0 / least_solidity) * given * out.lift_per_sine;
   }
   return out;
 }
