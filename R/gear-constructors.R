@@ -75,8 +75,8 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #'   or one of the plan's own `materials`.
 #' @param axial_stiffness,mass_per_length,volume_per_length EA, mass in air and displaced volume per
 #'   length; each wins over the material's.
-#' @param coefficients Drag coefficients of this rope or panel instead of the plan's: the name of a
-#'   published set, or `list(normal, tangential, skin)`.
+#' @param coefficients Drag coefficients of this rope or panel instead of its material's or the
+#'   plan's: the name of a published set, or `list(normal, tangential, skin)`; see [netting].
 #' @param added_mass Added mass as a share of the mass of the displaced water:
 #'   `list(normal, tangential)` of a rope or panel, one number of a piece.
 #' @param strength Breaking load.

@@ -16,6 +16,23 @@
 #'   one twine. Hexagonal netting is always divided into triangles (D. Priour, A Finite Element
 #'   Method for Netting, Springer 2013).
 #'
+#' @section Drag of twines and ropes:
+#' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last wins),
+#' is a set by name, or numbers `normal`, `tangential` and `skin` on diameter times length:
+#'
+#' | name | across the axis | along it |
+#' |---|---|---|
+#' | `hoerner` | 1.1 | 0, and 0.02 along the flow (S. F. Hoerner, Fluid-Dynamic Drag, 1965) |
+#' | `bessonneau_marichal` | 1.2 | 0.1 (J. S. Bessonneau and D. Marichal, Ocean Engineering, 1998) |
+#' | `wan` | 1.3 | 0 (R. Wan et al., 2002) |
+#' | `takagi` | 10^0.7 Re^-0.3, at least 1.2 | 0.1 (T. Takagi et al., Fisheries Research 66, 2004) |
+#' | `choo_casarella` | by Re, in five ranges | by Re (Y. Choo and M. J. Casarella, Journal of Hydronautics 5, 1971) |
+#' | `cifuentes_kim` | by Re and solidity | 0 (C. Cifuentes and M. H. Kim, 2017) |
+#'
+#' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
+#' nearly along the flow, is the part along the axis: [summary()][summary.codend_state] of a state
+#' tells the total drag with it halved and doubled.
+#'
 #' @section Drag of netting:
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by the
 #' `coefficients`) or the name of a formula for netting as a screen, by the angle between its normal

@@ -104,7 +104,7 @@ edge_length <- function(panel, edge) {
   across <- abs(across)
   if (panel$orientation == "square") {
     panel$mesh_size / 2 * (across + down)
-  } else if (panel$straight_bar > 0) {
+  } else if (startsWith(panel$orientation, "hexagonal")) {
     # Steps along the straight bars and the oblique ones beside them go down and across alike; what
     # is left goes along oblique bars, or across, where turned, along straight ones too.
     short <- panel$mesh_size - 2 * panel$straight_bar

@@ -81,6 +81,13 @@ drag_law <- function(coefficients) {
   )
 }
 
+# The coefficients of a rope or twine: its own, those of its material where the plan gives them, or
+# the plan's (law).
+line_law <- function(own, material, fields, law) {
+  if (is.null(own) && !is.null(material)) own <- fields$materials[[material]]$coefficients
+  if (is.null(own)) law else drag_law(own)
+}
+
 si_added_mass <- function(added_mass) {
   c(normal = added_mass$normal, tangential = added_mass$tangential)
 }
@@ -123,7 +130,7 @@ si_panel <- function(panel, path, fields, law) {
     orientation = panel$orientation, straight_bar = hexagons, taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
-    coefficients = if (is.null(panel$coefficients)) law else drag_law(panel$coefficients),
+    coefficients = line_law(panel$coefficients, twine$material, fields, law),
     netting_drag = first_of(panel$netting_drag, fields$netting_drag),
     opening_stiffness = panel$opening_stiffness,
     added_mass = si_added_mass(panel$added_mass),
@@ -161,7 +168,7 @@ si_rope <- function(rope, path, fields, law, known) {
     along = along, length = length, diameter = rope$diameter,
     axial_stiffness = line$axial_stiffness, mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
-    coefficients = if (is.null(rope$coefficients)) law else drag_law(rope$coefficients),
+    coefficients = line_law(rope$coefficients, rope$material, fields, law),
     added_mass = si_added_mass(rope$added_mass),
     strength = line$strength,
     segments = rope$segments, role = first_of(rope$role, NA_character_)

@@ -81,7 +81,7 @@ triple_product <- function(a, b, c) {
 # The lattice with the catch's front `blocked` meshes from the lower edges.
 set_catch_front <- function(lattice, blocked) {
   held <- lattice$catch
-  pieces <- covered_pieces(blocked - held$depth)
+  pieces <- covered_pieces(behind_front(held$depth, blocked))
   weight <- matrix(0, ncol(held$depth), 3L)
   sums <- rowsum(
     pieces$share / 3 * (pieces$corner[[1]] + pieces$corner[[2]] + pieces$corner[[3]]),
@@ -92,6 +92,13 @@ set_catch_front <- function(lattice, blocked) {
   lattice$engine$pressure$weight <- as.vector(t(weight * held$weight))
   lattice$catch$blocked <- blocked
   lattice
+}
+
+# Meshes from the front back, with rows of nodes that only rounding keeps off the front on it.
+behind_front <- function(depth, blocked) {
+  inside <- blocked - depth
+  inside[abs(inside) < 1e-9 * max(depth)] <- 0
+  inside
 }
 
 # The parts of triangles where a quantity that is linear inside, `inside` (3 x triangles) at the
@@ -139,7 +146,7 @@ covered_pieces <- function(inside) {
 # edge's middle.
 catch_volume <- function(lattice, position) {
   held <- lattice$catch
-  pieces <- covered_pieces(held$blocked - held$depth)
+  pieces <- covered_pieces(behind_front(held$depth, held$blocked))
   node <- held$node[, pieces$triangle, drop = FALSE]
   place <- function(corner) {
     weigh <- function(k) position[, node[k, ], drop = FALSE] * rep(corner[, k], each = 3L)

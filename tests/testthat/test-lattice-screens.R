@@ -1,0 +1,193 @@
+# Netting of hexagons, as a screen and with stiff meshes: forces of panels in a known flat shape.
+
+flat_net <- function(..., water = list()) {
+  net <- list(
+    mesh_size = 0.12, meshes = list(upper = 24, lower = 24, deep = 36), columns = 3, rows = 4,
+    twine = list(diameter = 0.002, axial_stiffness = 1e5, mass_per_length = 0.004), knotted = FALSE
+  )
+  gear_si(as_gear(list(
+    codend = 1, name = "Flat net", water = water,
+    points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed")),
+    panels = list(net = utils::modifyList(net, list(...)))
+  )))
+}
+
+# Forces where the panel lies flat with cells `across` wide and `down` deep (m, of one mesh), at an
+# angle to the flow along x (0: along it); inner: offset of the inner nodes, over the panel's depth.
+lay_flat <- function(si, across, down, angle, speed = 0, inner = 0) {
+  si$towing$speed <- speed
+  lattice <- build_lattice(si)
+  grid <- lattice$panels$net$grid
+  triangles <- lattice$engine$triangles
+  net <- si$panels$net
+  s <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper * across
+  t <- (col(grid) - 1) / (ncol(grid) - 1) * net$deep * down
+  x <- matrix(0, 3L, lattice$engine$nodes)
+  way <- c(cos(angle), 0, -sin(angle))
+  x[, grid] <- outer(way, as.vector(t)) + outer(c(0, 1, 0), as.vector(s))
+  some <- triangles$inner > 0
+  corners <- matrix(triangles$node, 3L)[, some, drop = FALSE]
+  middle <- (x[, corners[1, ]] + x[, corners[2, ]] + x[, corners[3, ]]) / 3
+  x[, triangles$inner[some]] <- middle + way * inner
+  c(list(x = x, lattice = lattice, si = si),
+    engine_evaluate(lattice$engine, as.vector(x), numeric(length(x))))
+}
+
+test_that("hexagonal netting has the twine, weight and drag of its bars", {
+  straight <- 0.02
+  oblique <- 0.04
+  for (turned in c(FALSE, TRUE)) {
+    si <- flat_net(orientation = if (turned) "hexagonal_turned" else "hexagonal",
+      straight_bar = straight, coefficients = list(normal = 1.2, tangential = 0.1))
+    # Bars at their own lengths: the straight ones down or across, the oblique ones at 30 degrees to
+    # them.
+    long <- 2 * (straight + oblique * cos(pi / 6))
+    wide <- 2 * oblique * sin(pi / 6)
+    angle <- 0.6
+    flat <- if (turned) lay_flat(si, long, wide, angle, 0.7) else
+      lay_flat(si, wide, long, angle, 0.7, inner = straight)
+    if (turned) {
+      inner <- flat$lattice$engine$triangles$inner
+      flat$x[2, inner] <- flat$x[2, inner] + straight
+      flat[c("triangle_drag", "straight_length", "u_length", "v_length")] <- engine_evaluate(
+        flat$lattice$engine, as.vector(flat$x), numeric(length(flat$x))
+      )[c("triangle_drag", "straight_length", "u_length", "v_length")]
+    }
+    expect_equal(range(flat$straight_length), rep(straight, 2), tolerance = 1e-12)
+    expect_equal(range(flat$u_length, flat$v_length), rep(oblique, 2), tolerance = 1e-12)
+    # 2 cells to a mesh, each with one straight and two oblique bars
+    cells <- 24 * 36 * 2
+    expect_equal(sum(flat$lattice$engine$mass), cells * 0.1 * 0.004, tolerance = 1e-12)
+    down <- c(cos(angle), 0, -sin(angle))
+    across <- c(0, 1, 0)
+    if (turned) {
+      along <- across
+      aside <- down
+    } else {
+      along <- down
+      aside <- across
+    }
+    bar <- function(axis, length) {
+      u <- c(0.7, 0, 0)
+      u_t <- sum(u * axis) * axis
+      u_n <- u - u_t
+      0.5 * 1025 * 0.002 * length *
+        (1.2 * sqrt(sum(u_n^2)) * u_n + 0.1 * sqrt(sum(u_t^2)) * u_t)
+    }
+    wanted <- cells * (bar(along, straight) + bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
+      bar(cos(pi / 6) * along - sin(pi / 6) * aside, oblique))
+    # the same sum in another order
+    expect_equal(rowSums(matrix(flat$triangle_drag, 3L)), wanted, tolerance = 1e-11)
+  }
+})
+
+test_that("stretched hexagonal netting carries a load along its bars", {
+  # Gathered at both ends, all bars lie along one line: each of 12 straight bars across carries a
+  # twelfth of the load and each oblique one half of that. In air, without weight.
+  plan <- list(
+    codend = 1, name = "Bundle", water = list(density = 0),
+    points = list(nail = list(position = c(0, 0, 0), held = "fixed"),
+      load = list(load = c(0, 0, -1200))),
+    panels = list(net = list(
+      mesh_size = 0.12, meshes = list(upper = 12, lower = 12, deep = 20), columns = 2, rows = 4,
+      orientation = "hexagonal", straight_bar = 0.02,
+      twine = list(diameter = 0.002, axial_stiffness = 1e4, mass_per_length = 1e-9)
+    )),
+    seams = list(
+      top = list(edges = list("net.upper"), gathered_at = "nail"),
+      bottom = list(edges = list("net.lower"), gathered_at = "load")
+    )
+  )
+  state <- settle(as_gear(plan))
+  # the solver's tolerance of 1e-8, and the netting's 1e-7 of the load as weight
+  expect_equal(range(state$straight_tension), c(100, 100), tolerance = 1e-6)
+  expect_equal(range(state$u_tension, state$v_tension), c(50, 50), tolerance = 1e-6)
+  stretched <- 20 * 2 * (0.02 * (1 + 100 / 1e4) + 0.04 * (1 + 50 / 1e4))
+  expect_equal(-state$position[3, state$lattice$points[["load"]]], stretched, tolerance = 1e-7)
+})
+
+test_that("a panel as a screen has the drag and lift of the formula at its real solidity", {
+  ratio <- 0.5
+  across <- 0.12 * ratio
+  down <- 0.12 * sqrt(1 - ratio^2)
+  area <- 24 * across * 36 * down
+  for (knot in c(0, 0.006)) {
+    knots <- if (knot > 0) list(knotted = TRUE, knot_diameter = knot) else list()
+    twine <- 24 * 36 * (4 * 0.06 * 0.002 + 2 * pi / 4 * knot^2)
+    sn <- twine / area
+    theta <- 1.1
+    wanted <- list(
+      # G. Loland (1991); J. V. Aarsnes et al. (1990)
+      loland = c(0.04 + (-0.04 + 0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3) * cos(theta),
+        (-0.05 * sn + 2.3 * sn^2 - 1.76 * sn^3) * sin(2 * theta)),
+      aarsnes = c(0.04 + (-0.04 + sn - 1.24 * sn^2 + 13.7 * sn^3) * cos(theta),
+        (0.57 * sn - 3.54 * sn^2 + 10.1 * sn^3) * sin(2 * theta))
+    )
+    # below a solidity of 0.1 in proportion to it
+    if (sn < 0.1) {
+      s <- 0.1
+      wanted$loland <- sn / s *
+        c(0.04 + (-0.04 + 0.33 * s + 6.54 * s^2 - 4.88 * s^3) * cos(theta),
+          (-0.05 * s + 2.3 * s^2 - 1.76 * s^3) * sin(2 * theta))
+      wanted$aarsnes <- sn / s *
+        c(0.04 + (-0.04 + s - 1.24 * s^2 + 13.7 * s^3) * cos(theta),
+          (0.57 * s - 3.54 * s^2 + 10.1 * s^3) * sin(2 * theta))
+    }
+    for (law in names(wanted)) {
+      si <- do.call(flat_net, c(list(netting_drag = law), knots))
+      flat <- lay_flat(si, across, down, pi / 2 - theta, 0.7)
+      expect_equal(sum(abs(flat$triangle_drag)) + sum(abs(flat$sphere_drag)), 0)
+      force <- rowSums(matrix(flat$screen_force, 3L)) / (0.5 * 1025 * area * 0.7^2)
+      # the normal that faces downstream points along x and up, so lift goes up
+      expect_equal(force, c(wanted[[law]][1], 0, wanted[[law]][2]), tolerance = 1e-10)
+    }
+  }
+})
+
+test_that("the force of stiff meshes is what their energy says", {
+  for (orientation in c("diamond", "turned")) {
+    si <- flat_net(orientation = orientation, water = list(density = 0),
+      opening_stiffness = list(couple = 2e-3, angle = 1.2))
+    # Work of the forces where the panel is pulled wider, against the energy's change: 1/2 H (b -
+    # b0)^2 of every knot, b the angle between its twines, which widening opens (across the panel,
+    # where turned, it closes).
+    width <- 0.05
+    depth <- 0.1
+    energy <- function(width) {
+      b <- 2 * atan2(width, depth)
+      if (orientation == "turned") b <- pi - b
+      2 * 24 * 36 * 0.5 * 2e-3 * (b - 1.2)^2
+    }
+    flat <- lay_flat(si, width, depth, 1)
+    wider <- lay_flat(si, width + 1e-3, depth, 1)$x - flat$x
+    # the bars are slack at 112 mm on 120 mm, so nothing else pulls
+    work <- sum(flat$force * wider) / 1e-3
+    h <- 1e-5
+    # second order at h: 1e-8; sin b rounded by 0.02 at 1 changes the couple by some 0.02^2 / 2
+    expect_equal(work, -(energy(width + h) - energy(width - h)) / (2 * h), tolerance = 2e-3)
+  }
+})
+
+test_that("netting that must be of triangles is not made of bars", {
+  for (field in list(list(netting_drag = "loland"),
+    list(opening_stiffness = list(couple = 1, angle = 1)))) {
+    si <- do.call(flat_net, field)
+    expect_error(build_lattice(si, netting = "bars"), "triangles", class = "codend_error_plan")
+  }
+  si <- flat_net(orientation = "hexagonal")
+  expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "triangles")
+  expect_equal(si$panels$net$straight_bar, 0.03)
+})
+
+test_that("turned netting of plain twine settles as diamonds do", {
+  plan <- panel_in_current_plan
+  plan$panels$net$orientation <- "turned"
+  expect_identical(settle(as_gear(plan))$position, settled("panel_in_current")$position)
+})
+
+test_that("fields of hexagons are refused where they mean nothing", {
+  expect_plan_error("twine: {", "straight_bar: 10 mm\n    twine: {", "panels.net.straight_bar",
+    "`panels.net.orientation` is diamond")
+  expect_plan_error("twine: {", "orientation: hexagonal\n    straight_bar: 50 mm\n    twine: {",
+    "panels.net.straight_bar", "less than half the mesh size, 0.05 m")
+})

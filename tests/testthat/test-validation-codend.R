@@ -1,0 +1,120 @@
+# A codend of hexagonal netting with a catch in it against AxiCodend, an axisymmetric model whose
+# nodes are the ends of the real bars and knots. Ours has no axis of symmetry: panels all round, with
+# triangles of netting between.
+
+codend_reference <- function(name) {
+  utils::read.csv(test_path("reference", paste0("axicodend_t0_", name, ".csv")), comment.char = "#")
+}
+
+# The codend of `sides` panels side by side, whose entrance is held on a circle; catch: what tells how
+# much there is.
+codend_plan <- function(catch, sides = 50, rows = 100) {
+  names <- paste0("net_", seq_len(sides))
+  angle <- 2 * pi * (seq_len(sides) - 1) / sides
+  ring <- lapply(seq_len(sides), function(k) {
+    list(position = 0.4 * c(0, cos(angle[k]), sin(angle[k])), held = "moved",
+      at = paste0(names[k], ".upper_left"))
+  })
+  # Twine as heavy as water, so that only the catch's pressure acts.
+  net <- list(
+    mesh_size = 0.144, meshes = list(upper = 100 / sides, lower = 100 / sides, deep = 100),
+    orientation = "hexagonal", straight_bar = 0.012, knotted = FALSE,
+    twine = list(diameter = 0.003, axial_stiffness = 1000,
+      mass_per_length = 1025 * pi / 4 * 0.003^2),
+    columns = 1, rows = rows
+  )
+  sides_joined <- lapply(seq_len(sides), function(k) {
+    list(edges = list(paste0(names[k], ".right"), paste0(names[k %% sides + 1], ".left")))
+  })
+  list(
+    codend = 1, name = "Codend", towing = list(speed = 1.5), coefficients = list(normal = 0),
+    points = c(setNames(ring, paste0("ring_", seq_len(sides))), list(codline = list())),
+    panels = setNames(rep(list(net), sides), names),
+    seams = c(
+      setNames(sides_joined, paste0("side_", seq_len(sides))),
+      list(codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline"))
+    ),
+    catch = c(list(panels = names), catch)
+  )
+}
+
+settle_codend <- function(...) settle(as_gear(codend_plan(...)))
+
+# x and mean radius of every row of nodes, and the area of its polygon.
+codend_shape <- function(state) {
+  nodes <- vapply(state$lattice$panels, function(panel) panel$grid[1, ],
+    integer(ncol(state$lattice$panels[[1]]$grid)))
+  y <- matrix(state$position[2, nodes], nrow(nodes))
+  z <- matrix(state$position[3, nodes], nrow(nodes))
+  data.frame(
+    x = rowMeans(matrix(state$position[1, nodes], nrow(nodes))), r = rowMeans(sqrt(y^2 + z^2)),
+    area = vapply(seq_len(nrow(y)), function(k) polygon_area(y[k, ], z[k, ]), 0)
+  )
+}
+
+# What is asked of the codend is 0.5 %. A polygon of 50 sides has 0.13 % less area than the circle of
+# its girth, and rows of one mesh on a radius of curvature of 0.7 m flatten it by (0.14 / 0.7)^2 / 24.
+within <- 0.005
+
+test_that("a codend with 50 meshes blocked has AxiCodend's shape and drag", {
+  state <- settle_codend(list(blocked_meshes = 50))
+  wanted <- codend_reference("metrics")[1, ]
+  shape <- codend_shape(state)
+  found <- measures(state)
+  front <- shape$x[51]
+  expect_lt(abs(max(shape$x) / wanted$length - 1), within)
+  expect_lt(abs(max(shape$r) / wanted$max_radius - 1), within)
+  expect_lt(abs((max(shape$x) - front) / wanted$catch_thickness - 1), within)
+  expect_lt(abs(found[["catch_volume_m3"]] / wanted$catch_volume - 1), within)
+  expect_lt(abs(1000 * found[["total_drag_kN"]] / wanted$catch_drag - 1), within)
+
+  reference <- codend_reference("shape_50")
+  expect_lt(max(abs(shape$x - reference$x_m)), within * wanted$length)
+  expect_lt(max(abs(shape$r - reference$r_m)), within * wanted$max_radius)
+})
+
+test_that("the drag of a catch is its pressure on the area of its front", {
+  for (blocked in c(30, 50.5)) {
+    state <- settle_codend(list(blocked_meshes = blocked), sides = 20, rows = 50)
+    shape <- codend_shape(state)
+    # The front may cut through the rows: between these a radius is linear and an area square.
+    area <- stats::approx(seq(100, 0, by = -2), sqrt(shape$area), blocked)$y^2
+    pressure <- 0.5 * 1.4 * 1025 * 1.5^2
+    # the same sum over triangles in another order, and what the solver leaves, 1e-8 of a tension
+    expect_equal(1000 * measures(state)[["total_drag_kN"]], pressure * area, tolerance = 1e-7)
+    expect_equal(as.data.frame(state, what = "drag")$drag_kN[21], pressure * area / 1000,
+      tolerance = 1e-7)
+  }
+})
+
+test_that("the front is found where the netting behind it encloses the catch", {
+  by_meshes <- settle_codend(list(blocked_meshes = 40), sides = 16, rows = 30)
+  volume <- measures(by_meshes)[["catch_volume_m3"]]
+  by_volume <- settle_codend(list(volume = volume), sides = 16, rows = 30)
+  by_mass <- settle_codend(list(mass = 1040 * volume, density = 1040), sides = 16, rows = 30)
+  # The volume is met to 1e-6 of it, and grows at least as the meshes.
+  expect_equal(measures(by_volume)[["catch_volume_m3"]], volume, tolerance = 1e-6)
+  expect_equal(measures(by_volume)[["catch_front_meshes"]], 40, tolerance = 1e-5)
+  expect_equal(by_mass$position, by_volume$position, tolerance = 1e-9)
+  expect_error(settle_codend(list(volume = 1000), sides = 16, rows = 30),
+    class = "codend_error_plan")
+})
+
+test_that("the volume of a catch is that of the solid behind its front", {
+  # A cone of 16 sides from its open end at x = 0 to its tip, cut by a plane: pieces of triangles.
+  lattice <- build_lattice(gear_si(as_gear(codend_plan(list(blocked_meshes = 37.3), sides = 16,
+    rows = 7))))
+  x <- lattice$start
+  for (panel in seq_along(lattice$panels)) {
+    grid <- lattice$panels[[panel]]$grid
+    t <- (seq_len(ncol(grid)) - 1) / (ncol(grid) - 1)
+    for (side in 1:2) {
+      angle <- 2 * pi * (panel - 2 + side) / 16
+      x[, grid[side, ]] <- rbind(3 * t, (1 - t) * cos(angle), (1 - t) * sin(angle))
+    }
+  }
+  base <- 16 / 2 * sin(2 * pi / 16)
+  # a similar cone of 37.3 % of the length; rounding
+  expect_equal(catch_volume(lattice, x), 0.373^3 * base * 3 / 3, tolerance = 1e-12)
+  expect_equal(catch_volume(set_catch_front(lattice, 100), x), base * 3 / 3, tolerance = 1e-12)
+})
