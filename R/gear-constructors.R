@@ -95,16 +95,16 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
 #'   to the other (bars, in square netting).
 #' @param twine `list(diameter, material, double, axial_stiffness, mass_per_length)`.
-#' @param orientation `"diamond"`, `"square"`, `"turned"`, `"hexagonal"` or `"hexagonal_turned"`; see
-#'   [netting].
+#' @param orientation `"diamond"`, `"square"`, `"turned"`, `"hexagonal"` or `"hexagonal_turned"`;
+#'   see [netting].
 #' @param straight_bar Length of the straight bars of hexagonal meshes; see [netting].
 #' @param tapered Which side edge takes the difference of upper and lower: `"both"`, `"left"` or
 #'   `"right"`.
 #' @param knotted Whether the netting has knots.
 #' @param knot_diameter Diameter of a knot; 2.5 twine diameters by default.
 #' @param netting `"triangles"` or `"bars"`, instead of the plan's.
-#' @param netting_drag `"twines"`, `"loland"`, `"aarsnes"` or `"kristiansen_faltinsen"`, instead of the
-#'   plan's; see [netting].
+#' @param netting_drag `"twines"`, `"shielded"`, `"loland"`, `"aarsnes"` or
+#'   `"kristiansen_faltinsen"`, instead of the plan's; see [netting].
 #' @param opening_stiffness `list(couple, angle)`, the stiffness of meshes against opening and
 #'   closing; see [netting].
 #' @param columns,rows Elements across and down a panel.
@@ -112,8 +112,8 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @param part Part of the gear that a panel is counted with.
 #' @rdname gear
 #' @export
-panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL, straight_bar = NULL,
-                  tapered = NULL,
+panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL,
+                  straight_bar = NULL, tapered = NULL,
                   knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
                   netting_drag = NULL, opening_stiffness = NULL, added_mass = NULL,
                   columns = NULL, rows = NULL, bar_segments = NULL, part = NULL) {

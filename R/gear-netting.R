@@ -10,15 +10,15 @@
 #' - `diamond`: with the netting's normal direction down the panel; `turned`: by 90 degrees (T90).
 #'   Thin twines know no difference: only an opening stiffness tells them apart.
 #' - `square`: bars run down and across (T45).
-#' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run down
-#'   the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a mesh, two
-#'   straight and two oblique bars. Knots that have a length are straight bars too. All bars are of
-#'   one twine. Hexagonal netting is always divided into triangles (D. Priour, A Finite Element
-#'   Method for Netting, Springer 2013).
+#' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run
+#'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
+#'   mesh, two straight and two oblique bars. Knots that have a length are straight bars too. All
+#'   bars are of one twine. Hexagonal netting is always divided into triangles (D. Priour, A Finite
+#'   Element Method for Netting, Springer 2013).
 #'
 #' @section Drag of twines and ropes:
-#' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last wins),
-#' is a set by name, or numbers `normal`, `tangential` and `skin` on diameter times length:
+#' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last
+#' wins), is a set by name, or numbers `normal`, `tangential` and `skin` on diameter times length:
 #'
 #' | name | across the axis | along it |
 #' |---|---|---|
@@ -26,7 +26,7 @@
 #' | `bessonneau_marichal` | 1.2 | 0.1 (J. S. Bessonneau and D. Marichal, Ocean Engineering, 1998) |
 #' | `wan` | 1.3 | 0 (R. Wan et al., 2002) |
 #' | `takagi` | 10^0.7 Re^-0.3, at least 1.2 | 0.1 (T. Takagi et al., Fisheries Research 66, 2004) |
-#' | `choo_casarella` | by Re, in five ranges | by Re (Y. Choo and M. J. Casarella, Journal of Hydronautics 5, 1971) |
+#' | `choo_casarella` | by Re, in five ranges | by Re (Choo and Casarella, J. Hydronautics 5, 1971) |
 #' | `cifuentes_kim` | by Re and solidity | 0 (C. Cifuentes and M. H. Kim, 2017) |
 #'
 #' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
@@ -34,21 +34,27 @@
 #' tells the total drag with it halved and doubled.
 #'
 #' @section Drag of netting:
-#' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by the
-#' `coefficients`) or the name of a formula for netting as a screen, by the angle between its normal
-#' and the flow and its solidity as the meshes stand open: `loland` (G. Loland, Current Forces on and
-#' Flow through Fish Farms, NTH Trondheim, 1991), `aarsnes` (J. V. Aarsnes, H. Rudi and G. Loland,
-#' Current forces on cage, net deflection, 1990) or `kristiansen_faltinsen` (T. Kristiansen and
-#' O. M. Faltinsen, Journal of Fluids and Structures 34, 2012, by Reynolds number). They were fitted
-#' to square netting of solidity up to 0.35 and are held at that beyond it; the last one's cylinder
-#' drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a solidity of 0.1 `loland`
-#' and `aarsnes`, whose least drag is that of 0.04 of the netting's area even without any twine, are
-#' taken in proportion to the solidity; in the large meshes at the front of a midwater trawl they
-#' still give far too much. Solidity counts knots by their
+#' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
+#' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
+#' normal and the flow and its solidity as the meshes stand open: `loland` (G. Loland, Current
+#' Forces on and Flow through Fish Farms, NTH Trondheim, 1991), `aarsnes` (J. V. Aarsnes, H. Rudi
+#' and G. Loland, Current forces on cage, net deflection, 1990) or `kristiansen_faltinsen` (T.
+#' Kristiansen and O. M. Faltinsen, Journal of Fluids and Structures 34, 2012, by Reynolds number).
+#' They were fitted to square netting of solidity up to 0.35 and are held at that beyond it; the
+#' last one's cylinder drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a
+#' solidity of 0.1 `loland` and `aarsnes`, whose least drag is that of 0.04 of the netting's area
+#' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
+#' of a midwater trawl they still give far too much. Solidity counts knots by their
 #' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
 #' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
-#' much drag, and a screen is the better choice. A mesh that closes up loses its area, and as a
-#' screen its drag. Only netting of triangles can be a screen.
+#' much drag (P. C. Endresen and H. Moe, OMAE 2012 and 2013; H. Cheng et al., Aquacultural
+#' Engineering 90, 2020). `shielded` is the sum over twines that passes smoothly into the screen of
+#' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
+#' 1) back to the sum. These bounds are a choice made here. With
+#' coefficients whose part along the twine is small, such as `hoerner`, the screen may be the larger
+#' of the two. A mesh that closes up loses its area, and as a
+#' screen its drag. Only netting of triangles can be a screen or shielded, and only screens can be
+#' hexagonal.
 #'
 #' @section Stiffness of meshes:
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
@@ -61,17 +67,17 @@ NULL
 
 #' The catch
 #'
-#' The plan's field `catch` fills netting from its closed end with a catch that the water cannot flow
-#' through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the outward
-#' normal, with V the speed of the water past that netting and C_d 1.4 where `drag_coefficient` gives
-#' no other (D. Priour, Ocean Engineering 92, 2014, and his program AxiCodend). The resultant is p
-#' times the area of the catch's front.
+#' The plan's field `catch` fills netting from its closed end with a catch that the water cannot
+#' flow through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the
+#' outward normal, with V the speed of the water past that netting and C_d 1.4 where
+#' `drag_coefficient` gives no other (D. Priour, Ocean Engineering 92, 2014, and his program
+#' AxiCodend). The resultant is p times the area of the catch's front.
 #'
 #' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that
-#' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind it
-#' encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is given, an
-#' assumption). [settle()] finds that front. The catch has no weight in water. Its netting must be of
-#' triangles.
+#' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind
+#' it encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is
+#' given, an assumption). [settle()] finds that front. The catch has no weight in water. Its netting
+#' must be of triangles.
 #'
 #' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
 #' deep the catch is.
@@ -79,8 +85,8 @@ NULL
 #' @name catch
 NULL
 
-# Length (m) of the straight bars of a panel, 0 where it has none.
-si_hexagons <- function(panel, path) {
+# Length (m) of the straight bars of a panel, 0 where it has none. netting_drag: the plan's.
+si_hexagons <- function(panel, path, netting_drag) {
   hexagonal <- panel$orientation %in% c("hexagonal", "hexagonal_turned")
   refuse <- function(field) {
     abort_plan(
@@ -96,6 +102,9 @@ si_hexagons <- function(panel, path) {
     return(0)
   }
   if (!is.null(panel$opening_stiffness)) refuse("opening_stiffness")
+  if (first_of(panel$netting_drag, netting_drag) == "shielded") {
+    abort_field(paste0(path, ".netting_drag"), "shielded", "another for hexagonal netting")
+  }
   if (identical(panel$netting, "bars")) {
     abort_field(paste0(path, ".netting"), panel$netting, "triangles for hexagonal netting")
   }
@@ -109,7 +118,8 @@ si_hexagons <- function(panel, path) {
   straight
 }
 
-# list(panels, deep (meshes of each), blocked (meshes, or NA), volume (m3, or NA), drag_coefficient).
+# list(panels, deep (meshes of each), blocked (meshes, or NA), volume (m3, or NA),
+# drag_coefficient).
 si_catch <- function(catch, path, panels) {
   for (i in seq_along(catch$panels)) {
     name <- catch$panels[i]

@@ -117,7 +117,7 @@ si_panel <- function(panel, path, fields, law) {
     )
   }
   knot <- if (panel$knotted) first_of(panel$knot_diameter, 2 * twine$diameter) else 0
-  hexagons <- si_hexagons(panel, path)
+  hexagons <- si_hexagons(panel, path, fields$netting_drag)
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(
     mesh_size = panel$mesh_size,
@@ -127,7 +127,8 @@ si_panel <- function(panel, path, fields, law) {
     mass_per_length = line$mass_per_length * count,
     volume_per_length = line$volume_per_length * count,
     material = first_of(twine$material, NA_character_),
-    orientation = panel$orientation, straight_bar = hexagons, taper_left = left, taper_right = 1 - left,
+    orientation = panel$orientation, straight_bar = hexagons,
+    taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),

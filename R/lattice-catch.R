@@ -1,8 +1,8 @@
-# The catch: which part of the netting around it lies behind its front, as pressure on triangles, and
-# the volume that it encloses.
+# The catch: which part of the netting around it lies behind its front, as pressure on triangles,
+# and the volume that it encloses.
 
-# Adds to a lattice `catch`: list(triangle = numbers of the triangles that it may lie against, node =
-# 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
+# Adds to a lattice `catch`: list(triangle = numbers of the triangles that it may lie against, node
+# = 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
 # real: negative where its normal points inward), or nothing; and to its engine the pressure, behind
 # the front that the plan gives or a first guess.
 add_catch <- function(si, lattice) {
@@ -38,8 +38,8 @@ add_catch <- function(si, lattice) {
   set_catch_front(lattice, guess)
 }
 
-# The start with the netting around the catch as a bag that hangs open at the nominal ratio and closes
-# over its last third: from a slender cone the solver may pull its twines through each other.
+# The start with the netting around the catch as a bag that hangs open at the nominal ratio and
+# closes over its last third: from a slender cone the solver may pull its twines through each other.
 round_start <- function(si, lattice) {
   start <- lattice$start
   free <- !lattice$engine$held

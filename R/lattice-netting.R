@@ -11,10 +11,10 @@
 # Triangles of panels whose nodes lie at these fractions across and deep.
 #
 # across, deep: list(fraction, count), the fractions of all panels and how many each has.
-# Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's grid,
-# corner = three places in the panels' grids, one grid after the other, for each triangle, twine = u
-# and v at each corner, rest = length of these twines' bars, straight = that of straight bars, or 0,
-# multiplicity, bars = number of bars of one family inside).
+# Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's
+# grid, corner = three places in the panels' grids, one grid after the other, for each triangle,
+# twine = u and v at each corner, rest = length of these twines' bars, straight = that of straight
+# bars, or 0, multiplicity, bars = number of bars of one family inside).
 triangle_elements <- function(panels, across, deep) {
   columns <- across$count
   rows <- deep$count
@@ -120,9 +120,9 @@ bar_elements <- function(panels, grouping) {
 
 # All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
 #
-# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, j, left, right =
-# i of the panel's sides there, edge = 3 or 4 where moved onto a side, kept; width, first = of every
-# panel, knots in a row and knots before its first).
+# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, j, left, right
+# = i of the panel's sides there, edge = 3 or 4 where moved onto a side, kept; width, first = of
+# every panel, knots in a row and knots before its first).
 knot_rows <- function(panels, lambda, rows) {
   # A knot at the left end of the upper edge, or midway where that fits the width better.
   meshes <- round(panels$upper / lambda)

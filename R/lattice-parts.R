@@ -21,7 +21,8 @@ add_knots <- function(build, panels, parts, panel, node, count) {
   diameter <- panels$knot_diameter[panel]
   some <- diameter > 0
   build$add("spheres", node = node[some],
-    drag_area = (pi / 4 * diameter^2 * count * (panels$netting_drag[panel] == "twines"))[some],
+    drag_area = (pi / 4 * diameter^2 * count *
+      (panels$netting_drag[panel] %in% c("twines", "shielded")))[some],
     diameter = diameter[some],
     added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], part = parts[panel][some])
 }

@@ -1,4 +1,5 @@
-# What netting of triangles carries besides its twines: drag as a screen, and stiffness of its meshes.
+# What netting of triangles carries besides its twines: drag as a screen, and stiffness of its
+# meshes.
 
 screen_numbers <- c(loland = 0L, aarsnes = 1L, kristiansen_faltinsen = 2L)
 
@@ -41,6 +42,19 @@ screen_elements <- function(si, lattice) {
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     diameter = number("twine_diameter"), multiplicity = triangles$multiplicity[some],
     law = unname(law[panel[some]])
+  )
+}
+
+# list(triangle, node, twine, rest, multiplicity, material, materials), as ShieldedNetting.
+shielded_elements <- function(si, lattice) {
+  triangles <- lattice$engine$triangles
+  panel <- triangle_panel(si, lattice)
+  some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "shielded")
+  list(
+    triangle = some, node = triangles$node[corners_of(some)],
+    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
+    rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
+    material = as.integer(panel[some]), materials = twine_materials(si$panels, alone = FALSE)
   )
 }
 

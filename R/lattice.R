@@ -93,6 +93,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
     class = "codend_lattice"
   )
   lattice$engine$screens <- screen_elements(si, lattice)
+  lattice$engine$shielded <- shielded_elements(si, lattice)
   lattice$engine$openings <- opening_elements(si, lattice)
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
@@ -112,11 +113,12 @@ division_frame <- function(chains, linked) {
 }
 
 # The engine's table of materials: a row per rope and per panel's twine, as columns.
-twine_materials <- function(lines) {
+# alone: without what netting as a screen or shielded has as whole triangles.
+twine_materials <- function(lines, alone = TRUE) {
   number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
   laws <- lapply(lines, `[[`, "coefficients")
-  # The twine of netting that drags as a screen drags no more.
-  screens <- !vapply(lines, function(line) first_of(line$netting_drag, "twines"), "") %in% "twines"
+  screens <- alone & vapply(lines, function(line) !is.null(line$netting_drag) &&
+    line$netting_drag != "twines", NA)
   coefficient <- function(field) {
     given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
     given[is.na(given) | screens] <- 0

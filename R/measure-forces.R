@@ -67,9 +67,9 @@ part_weight <- function(state) {
   gear_gravity * unname(each) * length
 }
 
-# Drag by component: a row per rope, panel and piece, and for the catch in netting, with part, kind (rope, netting, piece, catch), role,
-# and in kN: drag along the flow, side force to starboard of it, lift upwards (all hydrodynamic) and
-# weight in water.
+# Drag by component: a row per rope, panel and piece, and for the catch in netting, with part, kind
+# (rope, netting, piece, catch), role, and in kN: drag along the flow, side force to starboard of
+# it, lift upwards (all hydrodynamic) and weight in water.
 drag_table <- function(state) {
   force <- t(flow_axes(state$si)) %*% part_drag(state) / 1000
   data.frame(

@@ -1,5 +1,5 @@
-# How much of the drag rests on the force of the water along twines and ropes, the coefficient that is
-# known worst.
+# How much of the drag rests on the force of the water along twines and ropes, the coefficient that
+# is known worst.
 
 # Total drag (kN, as measures()' total_drag_kN) with the tangential and skin coefficients of all
 # twines and ropes halved and doubled, at the settled shape: list(halved, settled, doubled). The
@@ -11,8 +11,11 @@ tangential_sensitivity <- function(state) {
   flow <- flow_axes(state$si)[, "flow"]
   along <- function(share) {
     engine$materials$tangential_share[] <- share
+    engine$shielded$materials$tangential_share[] <- share
     found <- engine_evaluate(engine, as.vector(state$position), still)
-    sum(flow * rowSums(matrix(c(found$bar_drag, found$triangle_drag), 3L))) / 1000
+    sum(flow * rowSums(matrix(
+      c(found$bar_drag, found$triangle_drag, found$shielded_force), 3L
+    ))) / 1000
   }
   now <- towing_measures(state, NULL)[["total_drag_kN"]]
   as_settled <- along(1)

@@ -1,5 +1,5 @@
-# The front of a catch that is given by its volume: settles with the front at one row of meshes after
-# another until the netting behind it encloses the volume.
+# The front of a catch that is given by its volume: settles with the front at one row of meshes
+# after another until the netting behind it encloses the volume.
 
 # Share of the volume within which it is met.
 catch_tolerance <- 1e-6

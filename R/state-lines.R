@@ -11,9 +11,9 @@ state_points <- function(state) {
 }
 
 # Returns a data frame with a row per line: part (row of lattice$parts), element (number of the bar
-# or triangle), family (bar, u, v or straight), tension (N, of one line), length and rest (m, of one line) and
-# lines (how many run in parallel). A triangle's bars of one family count as parallel lines of one
-# bar's length, so that lines x rest is always a length of twine or rope.
+# or triangle), family (bar, u, v or straight), tension (N, of one line), length and rest (m, of one
+# line) and lines (how many run in parallel). A triangle's bars of one family count as parallel
+# lines of one bar's length, so that lines x rest is always a length of twine or rope.
 state_lines <- function(state) {
   lattice <- state$lattice
   bars <- lattice$engine$bars

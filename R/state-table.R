@@ -27,16 +27,16 @@
 #' @param what Which table (give it by name, as `what = "drag"`):
 #'
 #'   - `"tensions"`: a row per bar and per family of twine in every netting triangle: `part`, `kind`
-#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v; straight
-#'     in hexagonal meshes),
+#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v;
+#'     straight in hexagonal meshes),
 #'     its middle `x_m`, `y_m`, `z_m`, `length_m` and `tension_kN` of one line, `lines` (how many
 #'     run in parallel) and `slack` (no tension).
 #'   - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (names of the ropes and panels that meet
 #'     there) and `held`.
 #'   - `"measures"`: `measure`, `value` and `unit` ([measures()]).
-#'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`, `role`, hydrodynamic force as
-#'     `drag_kN` (along the flow), `side_kN` (to starboard of it) and `lift_kN` (up), and
-#'     `weight_in_water_kN` (weight less buoyancy).
+#'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`,
+#'     `role`, hydrodynamic force as `drag_kN` (along the flow), `side_kN` (to starboard of it) and
+#'     `lift_kN` (up), and `weight_in_water_kN` (weight less buoyancy).
 #'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. The two
 #'     points of an edge held between them share what pulls at it, as the supports of a beam do.
 #' @param ... Not used.

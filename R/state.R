@@ -6,6 +6,8 @@ new_state <- function(gear, si, lattice, position, report) {
   triangle_drag <- three(found$triangle_drag)
   screens <- lattice$engine$screens$triangle
   triangle_drag[, screens] <- triangle_drag[, screens] + three(found$screen_force)
+  shielded <- lattice$engine$shielded$triangle
+  triangle_drag[, shielded] <- triangle_drag[, shielded] + three(found$shielded_force)
   structure(
     list(
       gear = gear, si = si, lattice = lattice, report = report,

@@ -11,10 +11,10 @@
 #'   - `measures`: named numbers ([measures()]);
 #'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
 #'     by `group` (netting, ropes, otter boards, catch, fittings, total);
-#'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and ropes
-#'     `halved`, as `settled` and `doubled`, evaluated at the settled shape. They are the largest
-#'     uncertainty of a trawl's drag: published values differ by factors. With other coefficients the
-#'     gear would settle into another shape, which is not computed;
+#'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and
+#'     ropes `halved`, as `settled` and `doubled`, evaluated at the settled shape. They are the
+#'     largest uncertainty of a trawl's drag: published values differ by factors. With other
+#'     coefficients the gear would settle into another shape, which is not computed;
 #'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `exceeded_by_1_percent_kN`
 #'     (the tension that 1 % of its length exceeds) and `mean_kN`; `strength_kN` (breaking load) and
 #'     `strength_percent` (largest tension as a share of it), `NA` where no breaking load is known.

@@ -32,6 +32,33 @@ std::vector<int> places(const list& from, const char* name) {
 
 double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
 
+std::vector<codend::TwineMaterial> read_materials(const list& materials) {
+  const std::vector<double> stiffness = numbers(materials, "axial_stiffness"),
+                            diameter = numbers(materials, "diameter"),
+                            volume = numbers(materials, "volume_per_length"),
+                            added_normal = numbers(materials, "added_mass_normal"),
+                            added_tangential = numbers(materials, "added_mass_tangential"),
+                            normal = numbers(materials, "normal"),
+                            tangential = numbers(materials, "tangential"),
+                            skin = numbers(materials, "skin"),
+                            tangential_share = numbers(materials, "tangential_share"),
+                            solidity = numbers(materials, "solidity");
+  const std::vector<int> law = whole_numbers(materials, "law");
+  std::vector<codend::TwineMaterial> out;
+  for (std::size_t m = 0; m < stiffness.size(); ++m) {
+    codend::TwineMaterial material;
+    material.axial_stiffness = stiffness[m];
+    material.diameter = diameter[m];
+    material.volume_per_length = volume[m];
+    material.added_mass_normal = added_normal[m];
+    material.added_mass_tangential = added_tangential[m];
+    material.law = {static_cast<codend::CylinderLawKind>(law[m]), normal[m], tangential[m],
+                    skin[m], solidity[m], tangential_share[m]};
+    out.push_back(material);
+  }
+  return out;
+}
+
 // Triangles with straight bars are hexagonal.
 void read_triangles(const list& from, codend::Model& model) {
   const std::vector<int> node = places(from, "node"), inner = places(from, "inner"),
@@ -64,7 +91,8 @@ void read_triangles(const list& from, codend::Model& model) {
   }
 }
 
-// Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the lattice.
+// Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the
+// lattice.
 doubles in_order(const doubles& straight, std::size_t width, const double* plain,
                  const double* hexagonal) {
   std::vector<double> out;
@@ -103,29 +131,7 @@ codend::Model read_model(const list& lattice) {
   model.load = numbers(lattice, "load");
   model.mass = numbers(lattice, "mass");
 
-  const list materials(lattice["materials"]);
-  const std::vector<double> stiffness = numbers(materials, "axial_stiffness"),
-                            diameter = numbers(materials, "diameter"),
-                            volume = numbers(materials, "volume_per_length"),
-                            added_normal = numbers(materials, "added_mass_normal"),
-                            added_tangential = numbers(materials, "added_mass_tangential"),
-                            normal = numbers(materials, "normal"),
-                            tangential = numbers(materials, "tangential"),
-                            skin = numbers(materials, "skin"),
-                            tangential_share = numbers(materials, "tangential_share"),
-                            solidity = numbers(materials, "solidity");
-  const std::vector<int> law = whole_numbers(materials, "law");
-  for (std::size_t m = 0; m < stiffness.size(); ++m) {
-    codend::TwineMaterial material;
-    material.axial_stiffness = stiffness[m];
-    material.diameter = diameter[m];
-    material.volume_per_length = volume[m];
-    material.added_mass_normal = added_normal[m];
-    material.added_mass_tangential = added_tangential[m];
-    material.law = {static_cast<codend::CylinderLawKind>(law[m]), normal[m], tangential[m],
-                    skin[m], solidity[m], tangential_share[m]};
-    model.materials.push_back(material);
-  }
+  model.materials = read_materials(lattice["materials"]);
 
   const list bars(lattice["bars"]);
   model.bars.node = places(bars, "node");
@@ -157,6 +163,15 @@ codend::Model read_model(const list& lattice) {
   model.screens.diameter = numbers(screens, "diameter");
   model.screens.multiplicity = numbers(screens, "multiplicity");
   model.screens.law = whole_numbers(screens, "law");
+
+  const list shielded(lattice["shielded"]);
+  model.shielded.node = places(shielded, "node");
+  model.shielded.twine = numbers(shielded, "twine");
+  model.shielded.rest = numbers(shielded, "rest");
+  model.shielded.multiplicity = numbers(shielded, "multiplicity");
+  model.shielded.material = places(shielded, "material");
+  model.shielded.materials = read_materials(shielded["materials"]);
+  model.shielded.slack = model.slack;
 
   const list openings(lattice["openings"]);
   model.openings.node = places(openings, "node");
@@ -238,6 +253,7 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
       "lift_force"_nm = as_doubles(e.lift_force),
       "catch_force"_nm = as_doubles(e.catch_force),
       "screen_force"_nm = as_doubles(e.screen_force),
+      "shielded_force"_nm = as_doubles(e.shielded_force),
   });
 }
 

@@ -68,6 +68,7 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   out.lift_force = point_forces(model.lifts, assembly.field());
   out.catch_force = element_forces(model.pressure, assembly.field());
   out.screen_force = element_forces(model.screens, assembly.field());
+  out.shielded_force = element_forces(model.shielded, assembly.field());
   return out;
 }
 

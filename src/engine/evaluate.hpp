@@ -17,7 +17,7 @@ struct Evaluation {
   std::vector<double> hexagon_tension, hexagon_length;
   // Hydrodynamic force of each whole element, N, 3 each.
   std::vector<double> bar_drag, triangle_drag, hexagon_drag, sphere_drag, lift_force, catch_force,
-      screen_force;
+      screen_force, shielded_force;
 };
 
 // x (m), v (m/s): 3 per node.

@@ -15,6 +15,7 @@
 #include "elements/mesh_opening.hpp"
 #include "elements/netting_screen.hpp"
 #include "elements/netting_triangle.hpp"
+#include "elements/shielded_netting.hpp"
 #include "elements/sphere.hpp"
 #include "water.hpp"
 
@@ -41,11 +42,14 @@ struct Model {
   LiftingSurfaces lifts;
   CatchPressure pressure;  // of the catch on netting
   NettingScreens screens;
+  ShieldedNetting shielded;
   MeshOpenings openings;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but lines.
-  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts, &pressure, &screens, &openings}; }
+  std::vector<const ElementKind*> kinds() const {
+    return {&spheres, &lifts, &pressure, &screens, &shielded, &openings};
+  }
   // Call once after filling; copies of a Model need it again.
   void connect() {
     bars.materials = triangles.materials = hexagons.materials = &materials;
@@ -55,7 +59,8 @@ struct Model {
     hexagons.prepare();
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
-  // lines, then the three families of hexagonal triangles. each_line() visits them in another order; they know their number.
+  // lines, then the three families of hexagonal triangles. each_line() visits them in another
+  // order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count() + 3 * hexagons.count(); }
   template <class Visit>
   void each_line(Visit visit) const {

@@ -30,7 +30,7 @@ class Random {
 
 struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
-  int hexagons = 0, pressed = 0, screens = 0, openings = 0;
+  int hexagons = 0, pressed = 0, screens = 0, shielded = 0, openings = 0;
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -156,6 +156,16 @@ class Specimen {
       model.screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
       model.screens.law.push_back(wanted.screen_law);
     }
+    for (int e = 0; e < wanted.shielded; ++e) {
+      points(random, 3, model.shielded.node);
+      corners(random, model.shielded.twine);
+      // some bars taut, some slack
+      model.shielded.rest.push_back(random.between(0.05, 0.6));
+      model.shielded.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    model.shielded.material.assign(wanted.shielded, 0);
+    model.shielded.materials = model.materials;
+    model.shielded.slack = wanted.slack;
     for (int e = 0; e < wanted.openings; ++e) {
       points(random, 3, model.openings.node);
       corners(random, model.openings.twine);

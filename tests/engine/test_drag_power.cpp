@@ -113,6 +113,16 @@ TEST_CASE("netting screens in still water take energy") {
   }
 }
 
+TEST_CASE("shielded netting in still water takes energy") {
+  Random random(20260426);
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    Ingredients wanted = still_water();
+    wanted.shielded = 1;
+    Specimen s(random, wanted);
+    CHECK(power(s).total < 0.0);
+  }
+}
+
 TEST_CASE("lift in still water does no work") {
   Random random(20260423);
   for (int repeat = 0; repeat < 20; ++repeat) {
@@ -158,7 +168,7 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
       Ingredients wanted;
       wanted.bars = 10;
       wanted.triangles = 6;
-      wanted.hexagons = wanted.pressed = wanted.screens = wanted.openings = 3;
+      wanted.hexagons = wanted.pressed = wanted.screens = wanted.shielded = wanted.openings = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
       wanted.law = law;
       wanted.slack = slack;

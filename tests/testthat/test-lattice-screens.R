@@ -74,7 +74,8 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
       0.5 * 1025 * 0.002 * length *
         (1.2 * sqrt(sum(u_n^2)) * u_n + 0.1 * sqrt(sum(u_t^2)) * u_t)
     }
-    wanted <- cells * (bar(along, straight) + bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
+    wanted <- cells * (bar(along, straight) +
+      bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
       bar(cos(pi / 6) * along - sin(pi / 6) * aside, oblique))
     # the same sum in another order
     expect_equal(rowSums(matrix(flat$triangle_drag, 3L)), wanted, tolerance = 1e-11)
@@ -144,6 +145,32 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
   }
 })
 
+test_that("shielded netting passes from its twines to the screen and back", {
+  force <- function(law, ratio, theta) {
+    si <- flat_net(netting_drag = law)
+    flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
+    rowSums(matrix(c(flat$triangle_drag, flat$screen_force, flat$shielded_force), 3L))
+  }
+  degrees <- pi / 180
+  # the same sums in another order
+  for (theta in c(0, 40, 59)) {
+    expect_equal(force("shielded", 0.4, theta * degrees), force("twines", 0.4, theta * degrees),
+      tolerance = 1e-11)
+  }
+  for (theta in c(81, 88)) {
+    expect_equal(force("shielded", 0.4, theta * degrees),
+      force("kristiansen_faltinsen", 0.4, theta * degrees), tolerance = 1e-11)
+  }
+  # a solidity of 4 / 3
+  expect_equal(force("shielded", 0.025, 85 * degrees), force("twines", 0.025, 85 * degrees),
+    tolerance = 1e-11)
+  between <- force("shielded", 0.4, 70 * degrees)[1]
+  ends <- c(force("twines", 0.4, 70 * degrees)[1],
+    force("kristiansen_faltinsen", 0.4, 70 * degrees)[1])
+  expect_gt(between, min(ends))
+  expect_lt(between, max(ends))
+})
+
 test_that("the force of stiff meshes is what their energy says", {
   for (orientation in c("diamond", "turned")) {
     si <- flat_net(orientation = orientation, water = list(density = 0),
@@ -169,7 +196,7 @@ test_that("the force of stiff meshes is what their energy says", {
 })
 
 test_that("netting that must be of triangles is not made of bars", {
-  for (field in list(list(netting_drag = "loland"),
+  for (field in list(list(netting_drag = "loland"), list(netting_drag = "shielded"),
     list(opening_stiffness = list(couple = 1, angle = 1)))) {
     si <- do.call(flat_net, field)
     expect_error(build_lattice(si, netting = "bars"), "triangles", class = "codend_error_plan")

@@ -1,13 +1,13 @@
 # A codend of hexagonal netting with a catch in it against AxiCodend, an axisymmetric model whose
-# nodes are the ends of the real bars and knots. Ours has no axis of symmetry: panels all round, with
-# triangles of netting between.
+# nodes are the ends of the real bars and knots. Ours has no axis of symmetry: panels all round,
+# with triangles of netting between.
 
 codend_reference <- function(name) {
   utils::read.csv(test_path("reference", paste0("axicodend_t0_", name, ".csv")), comment.char = "#")
 }
 
-# The codend of `sides` panels side by side, whose entrance is held on a circle; catch: what tells how
-# much there is.
+# The codend of `sides` panels side by side, whose entrance is held on a circle; catch: what tells
+# how much there is.
 codend_plan <- function(catch, sides = 50, rows = 100) {
   names <- paste0("net_", seq_len(sides))
   angle <- 2 * pi * (seq_len(sides) - 1) / sides
@@ -52,8 +52,9 @@ codend_shape <- function(state) {
   )
 }
 
-# What is asked of the codend is 0.5 %. A polygon of 50 sides has 0.13 % less area than the circle of
-# its girth, and rows of one mesh on a radius of curvature of 0.7 m flatten it by (0.14 / 0.7)^2 / 24.
+# What is asked of the codend is 0.5 %. A polygon of 50 sides has 0.13 % less area than the circle
+# of its girth, and rows of one mesh on a radius of curvature of 0.7 m flatten it by (0.14 / 0.7)^2
+# / 24.
 within <- 0.005
 
 test_that("a codend with 50 meshes blocked has AxiCodend's shape and drag", {

@@ -1,10 +1,10 @@
 // The catch: triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where the
 // catch lies against them (D. Priour, Ocean Engineering 92, 2014; C_d = 1.4).
 //
-// With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the water
-// relative to its corners, corner k takes p w_k S. w_k is the integral of its linear shape function
-// over the covered part, over the triangle's area: 1/3 where all of it is covered. Its sign says
-// whether S points outward.
+// With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
+// water relative to its corners, corner k takes p w_k S. w_k is the integral of its linear shape
+// function over the covered part, over the triangle's area: 1/3 where all of it is covered. Its
+// sign says whether S points outward.
 #pragma once
 
 #include "kind.hpp"

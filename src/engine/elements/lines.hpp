@@ -1,5 +1,6 @@
-// All lines of a model, of bars, netting triangles and hexagonal triangles, as structures of arrays: their
-// vectors, tensions and drags at the last positions, and the forces and derivatives from them.
+// All lines of a model, of bars, netting triangles and hexagonal triangles, as structures of
+// arrays: their vectors, tensions and drags at the last positions, and the forces and derivatives
+// from them.
 //
 // Line numbers: the bars, then the u lines of all triangles, then their v lines, then the straight
 // lines of hexagonal triangles, then those along A, then those along B.

@@ -2,9 +2,9 @@
 // of twine (D. Priour, A Finite Element Method for Netting, Springer 2013), on netting triangles.
 //
 // With b the angle between the bar vectors e_u and e_v of the triangle, the energy of a knot is
-// 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|); b has a kink where
-// the twines are parallel, rounded here: sin b is taken as sqrt(1 - k^2 + 0.02^2), which changes no
-// angle by more than 0.02.
+// 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|); b has a kink
+// where the twines are parallel, rounded here: sin b is taken as sqrt(1 - k^2 + 0.02^2), which
+// changes no angle by more than 0.02.
 #pragma once
 
 #include "kind.hpp"

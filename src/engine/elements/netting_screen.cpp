@@ -5,14 +5,13 @@
 
 namespace codend {
 
-NettingScreens::Flow NettingScreens::flow(int e, const Field& field) const {
-  Flow out;
+ScreenFlow screen_flow(const Field& field, const int* node) {
+  ScreenFlow out;
   out.u.setZero();
   for (int k = 0; k < 3; ++k) {
-    const int point = node[3 * static_cast<std::size_t>(e) + k];
-    out.x[k] = at(field.position, point);
+    out.x[k] = at(field.position, node[k]);
     Vector u;
-    field.relative_velocity(point, u, out.slope[k]);
+    field.relative_velocity(node[k], u, out.slope[k]);
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }
@@ -20,21 +19,26 @@ NettingScreens::Flow NettingScreens::flow(int e, const Field& field) const {
   return out;
 }
 
-void NettingScreens::force(int e, const Flow& flow, const Water& water, Vector& value,
-                           Matrix& by_area, Matrix& by_velocity) const {
-  value.setZero();
-  by_area.setZero();
-  by_velocity.setZero();
-  const std::size_t t = static_cast<std::size_t>(e);
+Matrix area_slope(const ScreenFlow& flow, int l) {
+  // S changes by 1/2 dx_l x (x_l+1 - x_l+2).
+  const Vector side = 0.5 * (flow.x[(l + 1) % 3] - flow.x[(l + 2) % 3]);
+  Matrix out;
+  out << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;
+  return out;
+}
+
+ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
+                         double diameter, double multiplicity, const Water& water) {
+  ScreenForce out;
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();
-  if (area == 0.0 || speed == 0.0) return;
+  if (area == 0.0 || speed == 0.0) return out;
   const double along = s.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
   const double cosine = std::min(1.0, std::abs(along) / (area * speed));
-  const double solidity = twine_area[t] / (multiplicity[t] * area);
-  const double re_per_speed = diameter[t] / water.viscosity;
-  const ScreenCoefficients k = screen_coefficients(
-      static_cast<NettingScreenLaw>(law[t]), cosine, solidity, re_per_speed * speed);
+  const double solidity = twine_area / (multiplicity * area);
+  const double re_per_speed = diameter / water.viscosity;
+  const ScreenCoefficients k =
+      screen_coefficients(law, cosine, solidity, re_per_speed * speed);
   // F = c (P A |U| U + G |U|^2 sign S) with G = C_L / sin th, P = C_D - G cos th.
   const ScreenCoefficient& g = k.lift_per_sine;
   const double p = k.drag.value - g.value * cosine;
@@ -53,22 +57,26 @@ void NettingScreens::force(int e, const Flow& flow, const Water& water, Vector& 
   const Eigen::RowVector3d p_by_velocity =
       k.drag.by_cosine * cosine_by_velocity + k.drag.by_reynolds * re_per_speed * way -
       cosine * g_by_velocity - g.value * cosine_by_velocity;
-  const double c = 0.5 * water.density * multiplicity[t];
-  value = c * (p * area * speed * u + g.value * speed * speed * sign * s);
-  by_area = c * (speed * u * (area * p_by_area + p * normal) +
+  const double c = 0.5 * water.density * multiplicity;
+  out.value = c * (p * area * speed * u + g.value * speed * speed * sign * s);
+  out.by_area = c * (speed * u * (area * p_by_area + p * normal) +
                  speed * speed * sign * s * g_by_area);
-  by_area.diagonal().array() += c * g.value * speed * speed * sign;
-  by_velocity = c * (area * speed * u * p_by_velocity + p * area * u * way +
+  out.by_area.diagonal().array() += c * g.value * speed * speed * sign;
+  out.by_velocity = c * (area * speed * u * p_by_velocity + p * area * u * way +
                      speed * speed * sign * s * g_by_velocity +
                      2.0 * g.value * speed * sign * s * way);
-  by_velocity.diagonal().array() += c * p * area * speed;
+  out.by_velocity.diagonal().array() += c * p * area * speed;
+  return out;
+}
+
+ScreenForce NettingScreens::force(int e, const ScreenFlow& flow, const Water& water) const {
+  const std::size_t t = static_cast<std::size_t>(e);
+  return screen_force(static_cast<NettingScreenLaw>(law[t]), flow, twine_area[t], diameter[t],
+                      multiplicity[t], water);
 }
 
 Vector NettingScreens::element_force(int e, const Field& field) const {
-  Vector value;
-  Matrix by_area, by_velocity;
-  force(e, flow(e, field), *field.water, value, by_area, by_velocity);
-  return value;
+  return force(e, flow(e, field), *field.water).value;
 }
 
 void NettingScreens::add_force(const Field& field, double* out) const {
@@ -81,18 +89,12 @@ void NettingScreens::add_force(const Field& field, double* out) const {
 void NettingScreens::add_jacobian(const Field& field, const JacobianRequest& request,
                                   const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
-    const Flow f = flow(e, field);
-    Vector value;
-    Matrix by_area, by_velocity;
-    force(e, f, *field.water, value, by_area, by_velocity);
+    const ScreenFlow f = flow(e, field);
+    const ScreenForce s = force(e, f, *field.water);
     for (int l = 0; l < 3; ++l) {
-      // S changes by 1/2 dx_l x (x_l+1 - x_l+2).
-      const Vector side = 0.5 * (f.x[(l + 1) % 3] - f.x[(l + 2) % 3]);
-      Matrix turn;  // dS/dx_l
-      turn << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;
-      Matrix block = -request.stiffness / 3.0 * (by_area * turn) +
-                     request.damping / 9.0 * by_velocity;
-      block.col(2) -= request.stiffness / 3.0 * (by_velocity * f.slope[l]);
+      Matrix block = -request.stiffness / 3.0 * (s.by_area * area_slope(f, l)) +
+                     request.damping / 9.0 * s.by_velocity;
+      block.col(2) -= request.stiffness / 3.0 * (s.by_velocity * f.slope[l]);
       for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
     }
   }
@@ -100,7 +102,7 @@ void NettingScreens::add_jacobian(const Field& field, const JacobianRequest& req
 
 void NettingScreens::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
-    const Flow f = flow(e, field);
+    const ScreenFlow f = flow(e, field);
     // About a coefficient of 1.2 on the twine's area, as of twines across the flow.
     const double whole = 0.6 * field.water->density * twine_area[e] * f.u.norm();
     for (int k = 0; k < 3; ++k) scale[node[3 * static_cast<std::size_t>(e) + k]] += whole / 3.0;

@@ -1,8 +1,8 @@
-// Netting as a screen: drag and lift of whole triangles of netting (netting_screen_law.hpp), instead
-// of the sum over their twines.
+// Netting as a screen: drag and lift of whole triangles of netting (netting_screen_law.hpp),
+// instead of the sum over their twines.
 //
-// With S the triangle's area vector, A = |S|, n = S/A turned so that n.U >= 0, U the mean velocity of
-// the water relative to its corners, cos th = n.U/|U| and Sn = twine area / A:
+// With S the triangle's area vector, A = |S|, n = S/A turned so that n.U >= 0, U the mean velocity
+// of the water relative to its corners, cos th = n.U/|U| and Sn = twine area / A:
 //
 //   F = 1/2 rho A |U|^2 (C_D U/|U| + C_L l),  l = n - cos th U/|U|, made a unit vector
 //
@@ -14,6 +14,24 @@
 #include "netting_screen_law.hpp"
 
 namespace codend {
+
+// A triangle in the flow.
+struct ScreenFlow {
+  Vector x[3], area;   // corners and S
+  Vector u, slope[3];  // mean U, and its derivative by every corner's height
+};
+ScreenFlow screen_flow(const Field& field, const int* node);
+// Derivative of S by the place of corner l.
+Matrix area_slope(const ScreenFlow& flow, int l);
+
+// Force (N) on a whole triangle and its derivatives by S and U.
+struct ScreenForce {
+  Vector value = Vector::Zero();
+  Matrix by_area = Matrix::Zero(), by_velocity = Matrix::Zero();
+};
+// twine_area (m2), diameter (m) and multiplicity as of NettingScreens.
+ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
+                         double diameter, double multiplicity, const Water& water);
 
 class NettingScreens : public ElementKind {
  public:
@@ -35,14 +53,10 @@ class NettingScreens : public ElementKind {
   void add_drag_scale(const Field& field, double* scale) const override;
 
  private:
-  struct Flow {
-    Vector x[3], area;   // corners and S
-    Vector u, slope[3];  // mean U, and its derivative by every corner's height
-  };
-  Flow flow(int e, const Field& field) const;
-  // Force and its derivatives by S and U.
-  void force(int e, const Flow& flow, const Water& water, Vector& value, Matrix& by_area,
-             Matrix& by_velocity) const;
+  ScreenFlow flow(int e, const Field& field) const {
+    return screen_flow(field, &node[3 * static_cast<std::size_t>(e)]);
+  }
+  ScreenForce force(int e, const ScreenFlow& flow, const Water& water) const;
 };
 
 }  // namespace codend

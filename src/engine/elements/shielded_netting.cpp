@@ -1,0 +1,116 @@
+#include "shielded_netting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codend {
+namespace {
+
+// Of 60 and 80 degrees.
+constexpr double first_cosine = 0.5, last_cosine = 0.17364817766693034;
+constexpr double open_solidity = 0.35, closed_solidity = 1.0;
+
+// 0 up to `first`, 1 from `last`, smooth between, with its slope.
+void rise(double x, double first, double last, double& value, double& slope) {
+  const double s = std::clamp((x - first) / (last - first), 0.0, 1.0);
+  value = s * s * (3.0 - 2.0 * s);
+  slope = 6.0 * s * (1.0 - s) / (last - first);
+}
+
+}  // namespace
+
+double ShieldedNetting::bars(int e) const {
+  const std::size_t i = static_cast<std::size_t>(e);
+  const double* c = &twine[6 * i];
+  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
+  return 0.5 * std::abs(d) * multiplicity[i];
+}
+
+ShieldedNetting::Shielded ShieldedNetting::shielded(int e, const Field& field) const {
+  const std::size_t i = static_cast<std::size_t>(e);
+  const Water& water = *field.water;
+  const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
+  Shielded out;
+  out.flow = screen_flow(field, &node[3 * i]);
+  const Vector& u = out.flow.u;
+  const double* c = &twine[6 * i];
+  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
+  Vector vector[2] = {Vector::Zero(), Vector::Zero()};
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    out.shape[0][k] = (c[2 * next + 1] - c[2 * last + 1]) / d;
+    out.shape[1][k] = (c[2 * last] - c[2 * next]) / d;
+    for (int f = 0; f < 2; ++f) vector[f] += out.shape[f][k] * (out.flow.x[k] - out.flow.x[0]);
+  }
+  const double metres = bars(e) * rest[i];
+  TwineDrag drag[2];
+  for (int f = 0; f < 2; ++f) {
+    drag[f] = twine_drag(m, metres, rest[i], vector[f], u, water, slack);
+  }
+  out.force = screen_force(NettingScreenLaw::kristiansen_faltinsen, out.flow,
+                           2.0 * metres * m.diameter, m.diameter, multiplicity[i], water);
+
+  const double area = out.flow.area.norm(), speed = u.norm();
+  double w = 0.0;
+  Eigen::RowVector3d by_area = Eigen::RowVector3d::Zero(), by_velocity = by_area;  // of w
+  if (area > 0.0 && speed > 0.0) {
+    const double along = out.flow.area.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
+    const double cosine = std::abs(along) / (area * speed);
+    const double solidity = 2.0 * metres * m.diameter / (multiplicity[i] * area);
+    double lies, lies_slope, closes, closes_slope;
+    rise(cosine, first_cosine, last_cosine, lies, lies_slope);
+    rise(solidity, open_solidity, closed_solidity, closes, closes_slope);
+    w = lies * (1.0 - closes);
+    const Eigen::RowVector3d normal = out.flow.area.transpose() / area;
+    by_area = (1.0 - closes) * lies_slope *
+                  (sign / (area * speed) * u.transpose() - cosine / area * normal) +
+              lies * closes_slope * solidity / area * normal;
+    by_velocity = (1.0 - closes) * lies_slope *
+                  (sign / speed * normal - cosine / (speed * speed) * u.transpose());
+  }
+  const Vector sum = drag[0].value + drag[1].value, change = out.force.value - sum;
+  out.force.value = (1.0 - w) * sum + w * out.force.value;
+  out.force.by_area = w * out.force.by_area + change * by_area;
+  out.force.by_velocity = w * out.force.by_velocity + change * by_velocity +
+                          (1.0 - w) * (drag[0].by_velocity + drag[1].by_velocity);
+  for (int f = 0; f < 2; ++f) out.by_vector[f] = (1.0 - w) * drag[f].by_vector;
+  return out;
+}
+
+Vector ShieldedNetting::element_force(int e, const Field& field) const {
+  return shielded(e, field).force.value;
+}
+
+void ShieldedNetting::add_force(const Field& field, double* out) const {
+  for (int e = 0; e < count(); ++e) {
+    const Vector third = element_force(e, field) / 3.0;
+    for (int k = 0; k < 3; ++k) at(out, node[3 * static_cast<std::size_t>(e) + k]) += third;
+  }
+}
+
+void ShieldedNetting::add_jacobian(const Field& field, const JacobianRequest& request,
+                                   const BlockSink& sink) const {
+  for (int e = 0; e < count(); ++e) {
+    const Shielded s = shielded(e, field);
+    for (int l = 0; l < 3; ++l) {
+      Matrix by = s.force.by_area * area_slope(s.flow, l);
+      for (int f = 0; f < 2; ++f) by += s.shape[f][l] * s.by_vector[f];
+      Matrix block = -request.stiffness / 3.0 * by + request.damping / 9.0 * s.force.by_velocity;
+      block.col(2) -= request.stiffness / 3.0 * (s.force.by_velocity * s.flow.slope[l]);
+      for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
+    }
+  }
+}
+
+void ShieldedNetting::add_drag_scale(const Field& field, double* scale) const {
+  for (int e = 0; e < count(); ++e) {
+    const std::size_t i = static_cast<std::size_t>(e);
+    const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
+    // As of screens, about a coefficient of 1.2 on the twine's area.
+    const double whole = 1.2 * field.water->density * bars(e) * rest[i] * m.diameter *
+                         screen_flow(field, &node[3 * i]).u.norm();
+    for (int k = 0; k < 3; ++k) scale[node[3 * i + k]] += whole / 3.0;
+  }
+}
+
+}  // namespace codend
