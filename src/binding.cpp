@@ -114,7 +114,8 @@ doubles as_doubles(const std::vector<double>& values) { return writable::doubles
 }  // namespace
 
 [[cpp11::register]]
-list engine_settle(list lattice, doubles start, double tolerance, int iterations, function watch) {
+list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance,
+                   int iterations, function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -122,6 +123,12 @@ list engine_settle(list lattice, doubles start, double tolerance, int iterations
   const std::vector<double> v(x.size(), 0.0);
 
   codend::SettleControl control;
+  control.near = near;
+  control.strain.assign(strain.begin(), strain.end());
+  if (near && !control.strain.empty() &&
+      control.strain.size() != static_cast<std::size_t>(model.lines())) {
+    stop("one strain per line is needed");
+  }
   control.tolerance = tolerance;
   control.iterations = iterations;
   control.watch = [&](const codend::SettleProgress& progress) {
