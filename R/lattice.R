@@ -90,7 +90,11 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
 }
 
 # A function(text) that tells the node of a parsed place.
-place_finder <- function(places) function(text) places[[text]]
+place_finder <- function(places) {
+  # Unforced it would keep everything that the lattice was built from.
+  force(places)
+  function(text) places[[text]]
+}
 
 # What does not depend on how fine the division is: breaks and pieces of all edges.
 division_frame <- function(chains, linked) {

@@ -40,19 +40,25 @@ weighted_means <- function(x, weight, group, n) {
 
 bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
 
+# Nodes at the ends of some bars: 2 x bars.
+bar_ends <- function(state, bars) {
+  node <- state$lattice$engine$bars$node
+  rbind(node[2L * bars - 1L], node[2L * bars])
+}
+
 # A rope with more bars than can be shown is drawn through every k-th of its nodes.
 rope_lines <- function(state, points, limit) {
   lattice <- state$lattice
   ropes <- which(lattice$parts$kind == "rope")
   k <- ceiling(sum(lattice$bar_part %in% ropes) / limit)
-  ends <- matrix(lattice$engine$bars$node, 2L)
   join_lines(lapply(ropes, function(part) {
     bars <- bars_of_part(state, part)
     if (!length(bars)) return(NULL)
     group <- (seq_along(bars) - 1L) %/% k + 1L
     last <- !duplicated(group, fromLast = TRUE)
+    ends <- bar_ends(state, bars)
     new_lines(
-      points, ends[1L, bars[!duplicated(group)]], ends[2L, bars[last]],
+      points, ends[1L, !duplicated(group)], ends[2L, last],
       weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group,
         max(group)),
       part
@@ -145,7 +151,7 @@ shortest_line <- function(state, names, part, limit) {
 # of their bars.
 panel_bar_lines <- function(state, points, name, part, length) {
   bars <- bars_of_part(state, part)
-  ends <- matrix(state$lattice$engine$bars$node, 2L)[, bars, drop = FALSE]
+  ends <- bar_ends(state, bars)
   tension <- state$bar_tension[bars]
   if (length == 0) return(new_lines(points, ends[1L, ], ends[2L, ], tension, part))
   thin <- panel_thinning(state, name, length)
