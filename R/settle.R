@@ -23,6 +23,8 @@ settle <- function(gear, nodes = 1500, netting = NULL) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   lattice <- build_lattice(si, nodes = nodes, netting = netting)
+  # The factors lie outside R's heap: nothing else makes R release what building left over.
+  if (lattice$engine$nodes > 1e5) gc(verbose = FALSE)
   built <- proc.time()
   found <- engine_settle(
     lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations,
