@@ -99,7 +99,11 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
 }
 
 # A function(text) that tells the node of a parsed place.
-place_finder <- function(places) function(text) places[[text]]
+place_finder <- function(places) {
+  # Unforced it would keep everything that the lattice was built from.
+  force(places)
+  function(text) places[[text]]
+}
 
 # How finely a gear is divided: list(asked, pieces, ropes = elements of every piece of edge and rope,
 # grouping = see bar_grouping()).

@@ -47,6 +47,8 @@ undivided <- function(si) {
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
+  # The factors lie outside R's heap: nothing else makes R release what building left over.
+  if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
   alike <- identical(lattice$engine$bars$node, from$lattice$engine$bars$node) &&
     identical(lattice$engine$triangles$node, from$lattice$engine$triangles$node)
