@@ -47,8 +47,8 @@
 #' of a midwater trawl they still give far too much. Solidity counts knots by their
 #' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
 #' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
-#' much drag (P. C. Endresen and H. Moe, OMAE 2012 and 2013; H. Cheng et al., Aquacultural
-#' Engineering 90, 2020). `shielded` is the sum over twines that passes smoothly into the screen of
+#' much drag (flume tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al.,
+#' Aquacultural Engineering 90, 2020). `shielded` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
 #' 1) back to the sum. These bounds are a choice made here. With
 #' coefficients whose part along the twine is small, such as `hoerner`, the screen may be the larger
@@ -70,7 +70,8 @@ NULL
 #' The plan's field `catch` fills netting from its closed end with a catch that the water cannot
 #' flow through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the
 #' outward normal, with V the speed of the water past that netting and C_d 1.4 where
-#' `drag_coefficient` gives no other (D. Priour, Ocean Engineering 92, 2014, and his program
+#' `drag_coefficient` gives no other (D. Priour, Modelling axisymmetric codends made of
+#' hexagonal mesh types, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037, and the program
 #' AxiCodend). The resultant is p times the area of the catch's front.
 #'
 #' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that

@@ -1,5 +1,6 @@
 // The catch: triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where the
-// catch lies against them (D. Priour, Ocean Engineering 92, 2014; C_d = 1.4).
+// catch lies against them (D. Priour, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037;
+// C_d = 1.4).
 //
 // With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
 // water relative to its corners, corner k takes p w_k S. w_k is the integral of its linear shape

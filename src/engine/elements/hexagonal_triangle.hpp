@@ -1,12 +1,12 @@
 // Triangles of hexagonal netting: three points with twine coordinates (u, v), linear inside, so
 // that all meshes of a triangle are alike (D. Priour, A Finite Element Method for Netting, Springer
-// 2013; hexagonal meshes: D. Priour, Ocean Engineering 30, 2003). Netting whose knots have a length
+// 2013, which treats hexagonal meshes too). Netting whose knots have a length
 // is of this kind too, with the knots as short bars.
 //
 // A mesh repeats along the lattice's base vectors A = sum_k a_k x_k and B = sum_k b_k x_k, a and b
 // as in netting_triangle.hpp: one unit of u is one step A. Every cell has two ends of bars, P and
-// Q, and three bars: the straight one from P to Q, r, and the oblique ones from Q to the next P, A
-// - r and B - r. The triangle holds |d|/2 cells, times `multiplicity`.
+// Q, and three bars: the straight one from P to Q, r, and the oblique ones from Q to the next P,
+// A - r and B - r. The triangle holds |d|/2 cells, times `multiplicity`.
 //
 // The offset r is where the three bars balance, T(r) = T(A - r) + T(B - r) as vectors. It is a
 // fourth point of the element, at the triangle's middle plus r: the solver finds it with all

@@ -1,8 +1,8 @@
 // Netting whose twines stand in each other's wake where it lies nearly along the flow. The sum over
 // its twines agrees with measured panels where the flow meets them steeply and gives too much drag
-// where it does not (P. C. Endresen & H. Moe, OMAE 2012 and 2013, for want of wakes; H. Cheng et
-// al., Aquacultural Engineering 90, 2020). With theta the angle between the netting's normal and
-// the flow, the force is
+// where it does not, for want of wakes (flume tests of rhombic panels, ASME OMAE2012, volume 44946,
+// page 49; H. Cheng et al., Aquacultural Engineering 90, 2020). With theta the angle between the
+// netting's normal and the flow, the force is
 //
 //   (1 - w) x the sum over twines + w x that of a screen by Kristiansen & Faltinsen
 //
