@@ -9,13 +9,13 @@ namespace {
 constexpr double first_parameter = 1e-2;
 // The same of a start that is nearly settled.
 constexpr double near_parameter = 1e-3;
-constexpr double least_parameter = 1e-16;
+constexpr double least_parameter = 1e-24;
 // First tensions over the lines' scales: taut enough that the first steps find the global shape.
 constexpr double first_tension = 10.0;
 // A step leaves at least this share of a tension or a shortfall.
 constexpr double least_share = 0.02;
-constexpr double least_tension = 1e-14;  // over a line's scale
-constexpr double least_shortfall = 1e-18, most_shortfall = 1e3;
+constexpr double least_tension = 1e-27;  // over a line's scale
+constexpr double least_shortfall = 1e-26, most_shortfall = 1e3;
 // T s is kept above this share of mu, so that no line leaves the path behind.
 constexpr double least_product = 1e-2;
 
