@@ -51,7 +51,8 @@ void Assembly::hand_on(double* values, int width) const {
 void Assembly::move_to(const double* x, const double* v) {
   const std::ptrdiff_t size = 3 * static_cast<std::ptrdiff_t>(model_.nodes);
   const bool same_flow =
-      flow_known_ && model_.water.uniform() && std::equal(v, v + size, velocity_.begin());
+      flow_known_ && !model_.water.varies_with_height() &&
+      std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
   if (!same_flow) {
     spread(v, velocity_);

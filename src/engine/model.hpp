@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/ground_contact.hpp"
+#include "elements/immersed_volume.hpp"
 #include "elements/kind.hpp"
 #include "elements/lifting_surface.hpp"
 #include "elements/netting_triangle.hpp"
+#include "elements/otter_board.hpp"
 #include "elements/sphere.hpp"
 #include "water.hpp"
 
@@ -34,15 +37,24 @@ struct Model {
   NettingTriangles triangles;
   Spheres spheres;
   LiftingSurfaces lifts;
+  OtterBoards boards;
+  GroundContacts contacts;
+  ImmersedVolumes volumes;  // empty where water reaches everywhere
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but the lines of bars and triangles.
-  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts}; }
+  std::vector<const ElementKind*> kinds() const { 
+    return {&spheres, &lifts, &boards, &contacts, &volumes};
+  }
   // Call once after filling; copies of a Model need it again.
   void connect() {
     bars.materials = triangles.materials = &materials;
     triangles.first_line = bars.count();
     triangles.prepare();
+    boards.prepare();
+    // Bodies of unknown height: only asked for at a free surface.
+    spheres.height.resize(spheres.node.size(), 1.0);
+    lifts.height.resize(lifts.node.size(), 1.0);
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
   // lines. each_line() visits them in another order; they know their number.

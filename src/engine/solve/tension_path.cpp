@@ -25,12 +25,15 @@ TensionPath::TensionPath(const Model& model, double load) : parameter_(first_par
   const std::size_t lines = static_cast<std::size_t>(model.lines());
   stiffness_.resize(lines);
   scale_.resize(lines);
+  strut_.assign(lines, 0);
   shortfall_.assign(lines, first_parameter / first_tension);
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = line.material->axial_stiffness;
-    scale_[line.index] = std::min(0.01 * line.material->axial_stiffness, load);
+    strut_[line.index] = line.material->strut;
+    scale_[line.index] =
+        line.material->strut ? 0.0 : std::min(0.01 * line.material->axial_stiffness, load);
   });
   current_.tension.resize(lines);
   for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
@@ -55,6 +58,12 @@ void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
   parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     const double t = current_.tension[k];
+    if (strut_[k]) {  // either sign: nothing to approach, tension and position meet at once
+      current_.modulus[k] = stiffness_[k];
+      mismatch_[k] = strain[k] - t / stiffness_[k];
+      predicted_.tension[k] = stiffness_[k] * strain[k];
+      continue;
+    }
     const double s = shortfall_[k];
     current_.modulus[k] = 1.0 / (1.0 / stiffness_[k] + s / t);
     centring_[k] = parameter_ * scale_[k] / t - s;
@@ -68,6 +77,10 @@ void TensionPath::advance(const std::vector<double>& strain_change, double share
     double& t = current_.tension[k];
     double& s = shortfall_[k];
     const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
+    if (strut_[k]) {
+      t += share * t_change;
+      continue;
+    }
     const double s_change = centring_[k] - s / t * t_change;
     t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
     s = std::clamp(std::max(s + share * s_change, least_share * s), least_shortfall,

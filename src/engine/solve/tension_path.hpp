@@ -5,7 +5,8 @@
 // whole EA only afterwards. Here tensions and shortfalls are both unknowns beside the positions, and
 // T s = mu times a scale: every line keeps a little tension, and mu goes to zero while the shape is
 // found (a primal-dual interior-point method; S. J. Wright, Primal-Dual Interior-Point Methods,
-// SIAM 1997). What is left at the end is the law itself. Carrying s as well as T lets mu fall by
+// SIAM 1997). Struts, which also push, carry their tension as an unknown too, without a shortfall: a
+// turn that a linear step overstretches does not stiffen the next one. What is left at the end is the law itself. Carrying s as well as T lets mu fall by
 // large factors: with s = mu/T eliminated, a step is good only while T changes by less than itself.
 #pragma once
 
@@ -36,6 +37,7 @@ class TensionPath {
 
  private:
   std::vector<double> stiffness_, scale_, shortfall_, centring_, mismatch_;
+  std::vector<char> strut_;  // lines that also push
   CarriedTension current_, predicted_;
   double parameter_;  // mu
 };
