@@ -13,7 +13,8 @@ add_rope <- function(build, rope, along, part) {
     material = rep(part, m), part = rep(part, m))
   half <- rep(rest / 2, each = 2L)
   build$add("masses", node = as.vector(ends), mass = half * rope$mass_per_length,
-    volume = half * rope$volume_per_length)
+    volume = half * rope$volume_per_length, height = rep(rope$diameter, 2L * m),
+    area = half * rope$diameter)
 }
 
 # Knots as spheres at nodes of panels; count: knots at each node.
@@ -22,13 +23,16 @@ add_knots <- function(build, panels, parts, panel, node, count) {
   some <- diameter > 0
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count)[some], diameter = diameter[some],
-    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], part = parts[panel][some])
+    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], height = diameter[some],
+    part = parts[panel][some])
 }
 
 # Mass and volume of twine; length: m of it at each of these nodes of panels.
 add_twine <- function(build, panels, panel, node, length) {
+  diameter <- (panels$twine_diameter * panels$twine_count)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
-    volume = length * panels$volume_per_length[panel])
+    volume = length * panels$volume_per_length[panel], height = diameter,
+    area = length * diameter)
 }
 
 # Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
@@ -156,13 +160,15 @@ add_piece <- function(build, piece, run, places, density, part) {
     n <- piece$number * ((to - from) / diff(piece$share))[inside]
   }
   k <- length(node)
-  build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume)
+  build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
+    height = rep(piece$height, k), area = n * piece$height^2)
   build$add("spheres", node = node, drag_area = n * piece$drag_area, diameter = rep(0, k),
-    added_mass = if (density > 0) n * piece$added_mass / density else 0 * n, part = rep(part, k))
+    added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,
+    height = rep(piece$height, k), part = rep(part, k))
   if (piece$lift_area != 0) {
     way <- lift_directions[[piece$lift_direction]]
     build$add("lifts", node = node, lift_area = n * piece$lift_area * way[2],
-      direction = rep(as.integer(way[1]), k), part = rep(part, k))
+      direction = rep(as.integer(way[1]), k), height = rep(piece$height, k), part = rep(part, k))
   }
 }
 

@@ -17,6 +17,9 @@
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
+#'   A free otter board that settles stalled, back-winded or fallen over is a warning of class
+#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
+#'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
@@ -40,7 +43,9 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started
   if (!report$converged) abort_not_converged(report, found$lattice, found$position)
-  new_state(gear, si, found$lattice, found$position, report)
+  state <- new_state(gear, si, found$lattice, found$position, report)
+  warn_of_boards(state)
+  state
 }
 
 settle_tolerance <- 1e-8

@@ -15,7 +15,8 @@ Assembly::Assembly(const Model& model)
       force_(position_.size()),
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
-  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node}};
+  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node},
+                                      {1, model.contacts.node}};
   for (const ElementKind* kind : kinds_) {
     elements.push_back({kind->nodes_per_element(), kind->nodes()});
   }
@@ -23,7 +24,7 @@ Assembly::Assembly(const Model& model)
   for (const ElementPoints& kind : elements) places_.emplace_back(free_, pattern_, kind);
   diagonal_.reserve(free_nodes().size());
   for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
-  change_.strain.resize(static_cast<std::size_t>(lines_.count()));
+  change_.strain.resize(static_cast<std::size_t>(model.carriers()));
 }
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
@@ -67,6 +68,8 @@ void Assembly::move_to(const double* x, const double* v) {
 void Assembly::residual(double* force, const CarriedTension* carried) {
   std::copy(load_.begin(), load_.end(), force_.begin());
   lines_.add_force(carried ? carried->tension.data() : lines().tension, force_.data());
+  model_.contacts.add_force(field(), carried ? carried->tension.data() + lines_.count() : nullptr,
+                            force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
 }
@@ -77,8 +80,11 @@ void Assembly::jacobian(const JacobianRequest& request, double* values,
   lines_.add_jacobian(request, carried ? carried->tension.data() : lines().tension,
                       carried ? carried->modulus.data() : nullptr, places_[0].into(values),
                       places_[1].into(values));
+  model_.contacts.add_jacobian(
+      field(), request, carried ? carried->tension.data() + lines_.count() : nullptr,
+      carried ? carried->modulus.data() + lines_.count() : nullptr, places_[2].into(values));
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    kinds_[k]->add_jacobian(field(), request, places_[k + 2].into(values));
+    kinds_[k]->add_jacobian(field(), request, places_[k + 3].into(values));
   }
 }
 
@@ -104,6 +110,7 @@ void Assembly::pseudo_damping(double* damping) {
   std::copy(model_.mass.begin(), model_.mass.end(), scale_.begin());
   lines_.add_drag_scale(scale_.data());
   for (const ElementKind* kind : kinds_) kind->add_drag_scale(field(), scale_.data());
+  model_.contacts.add_drag_scale(field(), scale_.data());
   hand_on(scale_.data(), 1);
   for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]];
 }
@@ -121,11 +128,19 @@ double Assembly::largest_tension() const {
 
 void Assembly::strain(std::vector<double>& values) const {
   values.assign(lines().strain, lines().strain + lines_.count());
+  for (int e = 0; e < model_.contacts.count(); ++e) {
+    values.push_back(model_.contacts.penetration(e, field()));
+  }
 }
 
 const LineChange& Assembly::line_change(const double* dx) {
   spread(dx, moved_);
   change_.rotation = lines_.change(moved_.data(), change_.strain.data());
+  const GroundContacts& contacts = model_.contacts;
+  for (int e = 0; e < contacts.count(); ++e) {
+    change_.strain[static_cast<std::size_t>(lines_.count() + e)] =
+        -contacts.ground.normal.dot(at(moved_.data(), contacts.node[e]));
+  }
   return change_;
 }
 

@@ -9,7 +9,8 @@
 
 namespace codend {
 
-// Tension (N) and its change per strain (N) of one twine of every line.
+// Tension (N) and its change per strain (N) of one twine of every line; then normal force (N) and its
+// change per penetration (N/m) of every contact with the ground.
 struct CarriedTension {
   std::vector<double> tension, modulus;
 };
@@ -17,7 +18,7 @@ struct CarriedTension {
 // How lines change, to first order, when nodes move.
 struct LineChange {
   double rotation = 0.0;       // largest change of any line's vector over its rest length
-  std::vector<double> strain;  // change of strain, per line
+  std::vector<double> strain;  // change of strain, per line; of penetration (m), per contact
 };
 
 class Assembly {
@@ -57,7 +58,7 @@ class Assembly {
   // (a triangle may hold a fraction of a twine, whose tension says little).
   double largest_tension() const;
 
-  // Strain of every line.
+  // Strain of every line, then penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
 
   // How lines change when nodes move by dx (m, 3 per node); valid until the next call.
@@ -77,11 +78,10 @@ class Assembly {
   Lines lines_;
   BlockPattern pattern_;
   std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
-  std::vector<BlockPlaces> places_;     // of bars, of triangles, then one per kind
+  std::vector<BlockPlaces> places_;     // of bars, of triangles, of contacts, then one per kind
   bool flow_known_ = false;
   LineChange change_;
-  // Per point; load_: the model's and the forces of all kinds but lines; masses_: none until they
-  // are asked for.
+  // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };
 

@@ -36,6 +36,27 @@ struct Ground {
     force = stiffness * area * (0.5 * soft * soft / onset + (penetration - soft));
   }
 
+  // The inverse: penetration (m) that a normal force (N) needs over K = k A (N/m), and its
+  // derivative.
+  void give(double force, double k_area, double& penetration, double& slope) const {
+    if (force >= 0.5 * k_area * onset) {
+      penetration = force / k_area + 0.5 * onset;
+      slope = 1.0 / k_area;
+      return;
+    }
+    penetration = std::sqrt(2.0 * onset * force / k_area);
+    slope = onset / (k_area * penetration);
+  }
+
+  // Force on a point that moves at v, per normal force, and its derivative by v.
+  Vector per_press(const Vector& v, Matrix& by_velocity) const {
+    const Matrix along = Matrix::Identity() - normal * normal.transpose();
+    const Vector sliding = along * (v - velocity);
+    const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);
+    by_velocity = (-friction / speed) * (along - sliding * sliding.transpose() / (speed * speed));
+    return normal - (friction / speed) * sliding;
+  }
+
   // Penetration (m) of a body of this clearance (m, from its point down to its underside) at x.
   double penetration(const Vector& x, double clearance) const {
     return height + clearance - normal.dot(x);
@@ -50,14 +71,10 @@ struct Ground {
     by_position.setZero();
     by_velocity.setZero();
     if (slope == 0.0) return;
-    const Matrix along = Matrix::Identity() - normal * normal.transpose();
-    const Vector sliding = along * (v - velocity);
-    const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);
-    const Vector per_press = normal - (friction / speed) * sliding;
-    force = press_force * per_press;
-    by_position = -slope * per_press * normal.transpose();
-    by_velocity = (-friction * press_force / speed) *
-                  (along - sliding * sliding.transpose() / (speed * speed));
+    const Vector direction = per_press(v, by_velocity);
+    force = press_force * direction;
+    by_position = -slope * direction * normal.transpose();
+    by_velocity *= press_force;
   }
 };
 

@@ -42,9 +42,9 @@ struct Model {
   ImmersedVolumes volumes;  // empty where water reaches everywhere
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  // All elements but the lines of bars and triangles.
+  // All elements but the lines of bars and triangles, and contacts.
   std::vector<const ElementKind*> kinds() const { 
-    return {&spheres, &lifts, &boards, &contacts, &volumes};
+    return {&spheres, &lifts, &boards, &volumes};
   }
   // Call once after filling; copies of a Model need it again.
   void connect() {
@@ -59,6 +59,8 @@ struct Model {
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
   // lines. each_line() visits them in another order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count(); }
+  // What a solver may carry the force of: lines, then contacts with the ground.
+  int carriers() const { return lines() + contacts.count(); }
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));

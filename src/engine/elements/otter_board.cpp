@@ -190,6 +190,7 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
   attitude->drag = drag_size;
   attitude->force = values(load);
   attitude->ground_force = on_ground;
+  attitude->lost_buoyancy = b.buoyancy * (wet.share - 1.0);
 }
 
 void OtterBoards::add_force(const Field& field, double* force) const {

@@ -47,6 +47,7 @@ struct BoardAttitude {
   double lift = 0.0, drag = 0.0;         // N, across and along the flow
   Vector force = Vector::Zero();         // hydrodynamic, N
   Vector ground_force = Vector::Zero();  // N
+  double lost_buoyancy = 0.0;            // above the surface, N, upward: not positive
 };
 
 class OtterBoards : public ElementKind {

@@ -102,7 +102,8 @@ class Settling {
   // Takes the present positions, measured, as nearly settled, with these strains or its own.
   void stay_near(const std::vector<double>& strain) {
     assembly_.strain(strain_);
-    path_.follow(strain.empty() ? strain_ : strain);
+    std::copy(strain.begin(), strain.end(), strain_.begin());
+    path_.follow(strain_);
     // worth a try of the law at once
     if (report_.residual < law_residual) turning_ = 0.0;
   }
@@ -227,7 +228,7 @@ class Settling {
   // Sum of the sizes of all loads that are not tensions.
   double total_load() {
     CarriedTension none;
-    none.tension.assign(static_cast<std::size_t>(assembly_.model().lines()), 0.0);
+    none.tension.assign(static_cast<std::size_t>(assembly_.model().carriers()), 0.0);
     assembly_.move_to(x_, v_);
     assembly_.residual(force_.data(), &none);
     double total = 0.0;
