@@ -100,6 +100,8 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @param knotted Whether the netting has knots.
 #' @param knot_diameter Diameter of a knot; 2.5 twine diameters by default.
 #' @param netting `"triangles"` or `"bars"`, instead of the plan's.
+#' @param shielding Whether it slows the water behind it: `"none"`, `"loland"` or `"cheng"`, instead of
+#'   the plan's; see [settle()].
 #' @param columns,rows Elements across and down a panel.
 #' @param bar_segments Straight segments of each equivalent bar.
 #' @param part Part of the gear that a panel is counted with.
@@ -107,7 +109,7 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @export
 panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL, tapered = NULL,
                   knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
-                  added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
+                  shielding = NULL, added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
                   part = NULL) {
   component("panels", as.list(environment()))
 }

@@ -124,6 +124,7 @@ si_panel <- function(panel, path, fields, law) {
     orientation = panel$orientation, taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
+    shielding = first_of(panel$shielding, fields$shielding),
     coefficients = if (is.null(panel$coefficients)) law else drag_law(panel$coefficients),
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,

@@ -2,7 +2,7 @@
 #
 # Tied points are numbered -1, -2, ... until all nodes are known.
 new_collection <- function(nodes) {
-  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties")
+  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties", "screens")
   chunks <- setNames(rep(list(list()), length(kinds)), kinds)
   ties <- 0L
   add <- function(kind, ...) {
@@ -49,6 +49,7 @@ new_collection <- function(nodes) {
           c("node", "part")),
         lifts = join("lifts", c("node", "lift_area", "direction", "height", "part"),
           c("node", "direction", "part")),
+        screens = join("screens", c("node", "twine_area", "part"), c("node", "part")),
         mass = sum_by(masses$mass, masses$node, points),
         volume = sum_by(masses$volume, masses$node, points), masses = masses
       )

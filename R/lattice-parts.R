@@ -48,6 +48,10 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   part <- parts[found$panel]
   build$add("triangles", node = node, twine = found$twine, rest = found$rest,
     multiplicity = found$multiplicity, material = part, part = part)
+  shading <- which(panels$shielding[found$panel] != "none")
+  build$add("screens", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
+    twine_area = (2 * found$bars * found$rest *
+      (panels$twine_diameter * panels$twine_count)[found$panel])[shading])
   third <- rep(found$bars / 3, each = 3L)
   panel <- rep(found$panel, each = 3L)
   add_twine(build, panels, panel, node, 2 * third * panels$mesh_size[panel] / 2)
@@ -101,6 +105,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   inner <- ends < 0L
   ends[!inner] <- id[ends[!inner]]
   ends[inner] <- between[-bars$ends[inner]]
+  if (any(panels$shielding != "none")) add_bar_screens(build, panels, parts, bars, ends)
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
   add_twine(build, panels, rep(bars$panel, each = 2L), ends, half)
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
@@ -120,6 +125,36 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
       segments = grouping$segments
     ), NULL
   )
+}
+
+# Sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a mesh
+# above every knot where two end; each panel's twine is spread evenly over its sheets.
+# ends: points at both ends of every segment of a bar.
+add_bar_screens <- function(build, panels, parts, bars, ends) {
+  ends <- matrix(ends, 2L)
+  segments <- panels$bar_segments[bars$panel]
+  first <- cumsum(c(TRUE, diff(bars$panel) != 0))
+  place <- sequence(tabulate(first)) - 1L
+  begins <- which(place %% segments == 0L)
+  from <- ends[1L, begins]
+  to <- ends[2L, begins + segments[begins] - 1L]
+  panel <- bars$panel[begins]
+  pairs <- function(knot, other) {
+    order <- order(panel, knot)
+    n <- length(order)
+    same <- which(knot[order][-1L] == knot[order][-n] & panel[order][-1L] == panel[order][-n])
+    list(
+      node = rbind(knot[order[same]], other[order[same]], other[order[same + 1L]]),
+      panel = panel[order[same]]
+    )
+  }
+  below <- pairs(from, to)
+  above <- pairs(to, from)
+  node <- cbind(below$node, above$node)
+  of <- c(below$panel, above$panel)
+  area <- 2 * panel_bars(panels) * panels$mesh_size / 2 * panels$twine_diameter * panels$twine_count
+  build$add("screens", node = as.vector(node), part = parts[of],
+    twine_area = (area / tabulate(of, length(area)))[of])
 }
 
 lift_directions <- list(

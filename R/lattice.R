@@ -91,7 +91,8 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     boards = lapply(unname(si$otter_boards), function(board) {
       engine_board(board, unname(division$points[board$points]), density)
     }),
-    ground = si$ground, contacts = contacts, volumes = volumes
+    ground = si$ground, contacts = contacts, volumes = volumes,
+    screens = shading_screens(collected$screens, si), wake = numeric()
   )
   lattice <- structure(
     list(
@@ -124,6 +125,19 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
 
 no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
 no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
+
+wake_laws <- c(none = 0L, loland = 1L, cheng = 2L)
+
+# The sheets of panels that slow the water behind them, with their law.
+shading_screens <- function(screens, si) {
+  law <- unname(wake_laws[vapply(si$panels, `[[`, "", "shielding")])
+  law <- law[screens$part - length(si$ropes)]
+  some <- law > 0L
+  list(
+    node = screens$node[rep(some, each = 3L)], twine_area = screens$twine_area[some],
+    law = as.integer(law[some])
+  )
+}
 
 # A function(text) that tells the node of a parsed place.
 place_finder <- function(places) {

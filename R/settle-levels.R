@@ -57,7 +57,8 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     as.double(if (alike) from$strain), settle_tolerance, steps, progress
   )
   position <- report$position
-  report$position <- NULL
+  lattice$engine$wake <- report$wake
+  report$position <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
   list(lattice = lattice, position = position, report = report)
 }

@@ -185,6 +185,11 @@ codend::Model read_model(const list& lattice) {
   model.volumes.node = places(volumes, "node");
   model.volumes.buoyancy = numbers(volumes, "buoyancy");
   model.volumes.height = numbers(volumes, "height");
+  const list screens(lattice["screens"]);
+  model.screens.node = places(screens, "node");
+  model.screens.twine_area = numbers(screens, "twine_area");
+  model.screens.law = whole_numbers(screens, "law");
+  model.wake = numbers(lattice, "wake");
   read_boards(lattice["boards"], model.boards);
   if (!Rf_isNull(lattice["ground"])) {
     model.contacts.ground = model.boards.ground = read_ground(lattice["ground"]);
@@ -252,6 +257,9 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
       "factorisations"_nm = report.factorisations,
       "residual"_nm = report.residual,
       "largest_tension"_nm = report.largest_tension,
+      "shadings"_nm = report.shadings,
+      "shading_change"_nm = report.shading_change,
+      "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
       "worst_node"_nm = report.worst_node + 1,
       "worst_force"_nm = report.worst_force,
       "seconds_forces"_nm = report.seconds_forces,

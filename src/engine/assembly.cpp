@@ -9,12 +9,14 @@ Assembly::Assembly(const Model& model)
       kinds_(model.kinds()),
       free_(model),
       lines_(model.bars, model.triangles, model.water, model.slack),
+      wake_(model.screens, model.points()),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
       load_(position_.size()),
       force_(position_.size()),
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
+  if (!model.wake.empty()) wake_.set_share(model.wake);
   std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node},
                                       {1, model.contacts.node}};
   for (const ElementKind* kind : kinds_) {
@@ -63,6 +65,22 @@ void Assembly::move_to(const double* x, const double* v) {
   lines_.move_to(position_.data());
   std::copy(model_.load.begin(), model_.load.end(), load_.begin());
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
+}
+
+double Assembly::shade(bool search, double tolerance) {
+  // The flow at the screens' mean height; where they stand still in still water there is none.
+  Vector flow = Vector::Zero(), current, slope;
+  double height = 0.0;
+  for (const int p : model_.screens.node) {
+    height += at(position_.data(), p).z();
+    flow -= at(velocity_.data(), p);
+  }
+  const double points = static_cast<double>(model_.screens.node.size());
+  model_.water.velocity(height / points, current, slope);
+  flow = flow / points + current;
+  if (flow.norm() == 0.0) return 0.0;
+  flow_known_ = false;
+  return wake_.shade(position_.data(), flow, search, tolerance);
 }
 
 void Assembly::residual(double* force, const CarriedTension* carried) {

@@ -37,6 +37,14 @@ class Assembly {
   // what all the following share, which speak of them.
   void move_to(const double* x, const double* v);
 
+  // Whether netting slows the water behind it.
+  bool shades() const { return wake_.present(); }
+  // Shading of the gear at its last positions, to be used from the next move_to() on (search and
+  // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
+  // Derivatives take the shares as given: the caller repeats until they no longer change.
+  double shade(bool search, double tolerance);
+  const std::vector<double>& wake() const { return wake_.share(); }
+
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // carried: tensions that a solver carries, instead of the law's.
   void residual(double* force, const CarriedTension* carried = nullptr);
@@ -67,7 +75,9 @@ class Assembly {
   // For readers: what is known of every line, and of all points, tied ones included; valid until
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
-  Field field() const { return {position_.data(), velocity_.data(), &model_.water}; }
+  Field field() const {
+    return {position_.data(), velocity_.data(), &model_.water, shades() ? wake().data() : nullptr};
+  }
 
  private:
   void spread(const double* nodes, std::vector<double>& points) const;
@@ -76,6 +86,7 @@ class Assembly {
   const std::vector<const ElementKind*> kinds_;
   const FreePoints free_;
   Lines lines_;
+  Wake wake_;
   BlockPattern pattern_;
   std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
   std::vector<BlockPlaces> places_;     // of bars, of triangles, of contacts, then one per kind

@@ -15,6 +15,7 @@
 #include "elements/netting_triangle.hpp"
 #include "elements/otter_board.hpp"
 #include "elements/sphere.hpp"
+#include "wake.hpp"
 #include "water.hpp"
 
 namespace codend {
@@ -40,6 +41,9 @@ struct Model {
   OtterBoards boards;
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
+  Screens screens;          // netting that slows the water behind it
+  std::vector<double> wake; // speed of the flow past each point as a share of the free flow's, to begin
+                            // with; empty: 1
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but the lines of bars and triangles, and contacts.
