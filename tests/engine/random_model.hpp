@@ -39,6 +39,7 @@ struct Ingredients {
   double current = 1.0;          // m/s, each component at most
   bool layered = false;          // a current that varies with depth
   bool free_surface = false;
+  bool wake = false;             // a flow slowed by netting, differently at every point
   bool struts = false;           // every other bar also pushes
 };
 
@@ -78,6 +79,12 @@ class Specimen {
     model.water.free_surface = wanted.free_surface;
     ground();
     fill(random, wanted);
+    if (wanted.wake) {
+      model.screens.node = {0, 1, 2};
+      model.screens.twine_area = {0.1};
+      model.screens.law = {1};
+      for (int p = 0; p < model.points(); ++p) model.wake.push_back(random.between(0.3, 1.0));
+    }
     model.connect();
     stretch(random);
   }

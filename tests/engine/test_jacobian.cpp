@@ -202,6 +202,17 @@ TEST_CASE("derivatives at the surface") {
   }
 }
 
+TEST_CASE("derivatives in a wake") {
+  Random random(20260410);
+  for (const bool layered : {false, true}) {
+    Ingredients wanted;
+    wanted.bars = wanted.triangles = wanted.knots = wanted.bodies = wanted.lifts_up = 8;
+    wanted.wake = true;
+    wanted.layered = wanted.free_surface = layered;
+    check_derivatives(random, wanted);
+  }
+}
+
 TEST_CASE("derivatives of struts") {
   Random random(20260408);
   for (int repeat = 0; repeat < 5; ++repeat) {
