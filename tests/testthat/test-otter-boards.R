@@ -163,3 +163,17 @@ test_that("a trawl's boards may be free, and need their places then", {
     class = "codend_error_plan"
   )
 })
+
+test_that("views show a free board where it is", {
+  state <- settle(towed_board())
+  marks <- board_marks(state)
+  expect_equal(nrow(marks), 1L)
+  points <- state$position[, state$lattice$points[c("board", "upper", "lower")]]
+  expect_equal(unlist(marks[c("x", "y", "z")], use.names = FALSE), rowMeans(points))
+  file <- tempfile(fileext = ".png")
+  on.exit(unlink(file))
+  grDevices::png(file)
+  plot(state)
+  grDevices::dev.off()
+  expect_gt(file.size(file), 1000)
+})
