@@ -5,7 +5,8 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
+# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
+# takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
 # leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
 # columns, rows) or, of single numbers and texts, NA.
