@@ -44,8 +44,10 @@ expand_midwater_trawl <- function(fields, plan) {
   net <- trawl_net(fields, plan, ring)
   rig <- trawl_rig(fields, plan, ring)
   out <- plan[intersect(
-    c("codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients", "slack_twine",
-      "shielding", "materials", "towing"),
+    c(
+      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
+      "slack_twine", "shielding", "materials", "towing"
+    ),
     names(plan)
   )]
   out$points <- c(rig$points, net$points)

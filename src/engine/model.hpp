@@ -42,8 +42,8 @@ struct Model {
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
   Screens screens;          // netting that slows the water behind it
-  std::vector<double> wake; // speed of the flow past each point as a share of the free flow's, to begin
-                            // with; empty: 1
+  // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
+  std::vector<double> wake;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but the lines of bars and triangles, and contacts.

@@ -34,7 +34,8 @@ inline double twine_tension(const TwineMaterial& m, double length, double rest) 
 
 // Strain energy of one line, J.
 inline double twine_energy(const TwineMaterial& m, double length, double rest) {
-  return length > rest || m.strut ? 0.5 * m.axial_stiffness * (length - rest) * (length - rest) / rest : 0.0;
+  if (length <= rest && !m.strut) return 0.0;
+  return 0.5 * m.axial_stiffness * (length - rest) * (length - rest) / rest;
 }
 
 }  // namespace codend
