@@ -37,6 +37,10 @@ constexpr double cycle_turning = 0.1;
 // few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
 constexpr int attempt_steps = 400;
 constexpr int attempts = 8;
+// Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
+// the fifth time on the netting upstream of every point stays the same.
+constexpr double shading_tolerance = 1e-5;
+constexpr int shadings = 20, searches = 4;
 constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
 // CPU seconds into a total, from construction to destruction.
@@ -79,6 +83,19 @@ class Settling {
     path_steps_ = path_steps;
   }
 
+  // From a settled shape under loads that have changed: the law itself, and where that does not
+  // close in the path from its beginning.
+  void resume() {
+    on_law_ = true;
+    law_steps_done_ = 0;
+    residual_on_law_ = report_.residual;
+    left_x_.assign(x_, x_ + force_.size());
+    left_path_ = TensionPath(assembly_.model(), load_);
+    left_pseudo_step_ = 1.0;
+    turning_ = last_turning_ = found_turning;
+    cycle_ = 0;
+  }
+
   // Net forces of the law itself.
   void measure() {
     Stopwatch watch(report_.seconds_forces);
@@ -104,7 +121,8 @@ class Settling {
   // Takes the present positions, measured, as nearly settled, with these strains or its own.
   void stay_near(const std::vector<double>& strain) {
     assembly_.strain(strain_);
-    path_.follow(strain.empty() ? strain_ : strain);
+    std::copy(strain.begin(), strain.end(), strain_.begin());
+    path_.follow(strain_);
     // worth a try of the law at once
     if (report_.residual < law_residual) turning_ = 0.0;
   }
@@ -258,7 +276,7 @@ class Settling {
   // Sum of the sizes of all loads that are not tensions.
   double total_load() {
     CarriedTension none;
-    none.tension.assign(static_cast<std::size_t>(assembly_.model().lines()), 0.0);
+    none.tension.assign(static_cast<std::size_t>(assembly_.model().carriers()), 0.0);
     assembly_.move_to(x_, v_);
     assembly_.residual(force_.data(), &none);
     double total = 0.0;
@@ -308,6 +326,17 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     report.converged =
         (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
         report.worst_force == 0.0;
+    if (report.converged && assembly.shades()) {
+      report.shading_change = assembly.shade(report.shadings < searches, shading_tolerance);
+      ++report.shadings;
+      if (report.shading_change > shading_tolerance) {
+        report.converged = false;
+        settling.measure();
+        if (report.shadings == shadings) return report;
+        settling.resume();
+        steps = 0;
+      }
+    }
     if (report.converged || report.iterations >= control.iterations) return report;
     if (steps == attempt_steps || !std::isfinite(report.residual)) {
       if (++attempt == attempts) return report;
