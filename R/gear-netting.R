@@ -48,12 +48,12 @@
 #' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
 #' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
 #' much drag (flume tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al.,
-#' Aquacultural Engineering 90, 2020). `shielded` is the sum over twines that passes smoothly into the screen of
+#' Aquacultural Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
 #' 1) back to the sum. These bounds are a choice made here. With
 #' coefficients whose part along the twine is small, such as `hoerner`, the screen may be the larger
 #' of the two. A mesh that closes up loses its area, and as a
-#' screen its drag. Only netting of triangles can be a screen or shielded, and only screens can be
+#' screen its drag. Only netting of triangles can be a screen or blended, and only screens can be
 #' hexagonal.
 #'
 #' @section Stiffness of meshes:
@@ -103,8 +103,8 @@ si_hexagons <- function(panel, path, netting_drag) {
     return(0)
   }
   if (!is.null(panel$opening_stiffness)) refuse("opening_stiffness")
-  if (first_of(panel$netting_drag, netting_drag) == "shielded") {
-    abort_field(paste0(path, ".netting_drag"), "shielded", "another for hexagonal netting")
+  if (first_of(panel$netting_drag, netting_drag) == "blended") {
+    abort_field(paste0(path, ".netting_drag"), "blended", "another for hexagonal netting")
   }
   if (identical(panel$netting, "bars")) {
     abort_field(paste0(path, ".netting"), panel$netting, "triangles for hexagonal netting")

@@ -5,7 +5,8 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
+# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
+# takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
 # leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
 # columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
@@ -28,6 +29,9 @@ gear_si <- function(gear) {
   si$seams <- map_named(fields$seams, "seams", si_seam, known)
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
+  si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
+  known$otter_boards <- names(si$otter_boards)
+  si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
   plan_cache$plan <- gear$plan
@@ -55,7 +59,7 @@ si_water <- function(water) {
     )
   }
   list(
-    density = water$density, viscosity = water$viscosity,
+    density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
     current = data.frame(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
@@ -131,6 +135,7 @@ si_panel <- function(panel, path, fields, law) {
     taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
+    shielding = first_of(panel$shielding, fields$shielding),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),
     netting_drag = first_of(panel$netting_drag, fields$netting_drag),
     opening_stiffness = panel$opening_stiffness,

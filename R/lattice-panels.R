@@ -17,10 +17,9 @@ panel_table <- function(panels) {
       vapply(panels, function(p) if (is.null(p[[field]])) NA_real_ else p[[field]], 0,
         USE.NAMES = FALSE)
     }),
-    list(
-      orientation = vapply(panels, `[[`, "", "orientation", USE.NAMES = FALSE),
-      netting_drag = vapply(panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)
-    )
+    lapply(c(
+      orientation = "orientation", shielding = "shielding", netting_drag = "netting_drag"
+    ), function(field) vapply(panels, `[[`, "", field, USE.NAMES = FALSE))
   )
 }
 

@@ -45,11 +45,11 @@ screen_elements <- function(si, lattice) {
   )
 }
 
-# list(triangle, node, twine, rest, multiplicity, material, materials), as ShieldedNetting.
-shielded_elements <- function(si, lattice) {
+# list(triangle, node, twine, rest, multiplicity, material, materials), as BlendedNetting.
+blended_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
-  some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "shielded")
+  some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "blended")
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],

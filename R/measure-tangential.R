@@ -11,10 +11,10 @@ tangential_sensitivity <- function(state) {
   flow <- flow_axes(state$si)[, "flow"]
   along <- function(share) {
     engine$materials$tangential_share[] <- share
-    engine$shielded$materials$tangential_share[] <- share
+    engine$blended$materials$tangential_share[] <- share
     found <- engine_evaluate(engine, as.vector(state$position), still)
     sum(flow * rowSums(matrix(
-      c(found$bar_drag, found$triangle_drag, found$shielded_force), 3L
+      c(found$bar_drag, found$triangle_drag, found$blended_force), 3L
     ))) / 1000
   }
   now <- towing_measures(state, NULL)[["total_drag_kN"]]

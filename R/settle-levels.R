@@ -67,30 +67,36 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     lattice$found <- NULL
   }
   position <- report$position
-  report$position <- NULL
+  lattice$engine$wake <- report$wake
+  report$position <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
   list(lattice = lattice, position = position, report = report)
 }
 
 # A state's shape, to carry over.
 state_shape <- function(state) {
-  lines <- state_lines(state)
+  engine <- state$lattice$engine
+  bars <- engine$bars
+  triangles <- engine$triangles
   # The engine numbers the lines of hexagonal triangles last, the straight ones first.
-  straight <- state$lattice$engine$triangles$straight
-  in_triangle <- lines$family != "bar"
-  hexagonal <- c(0, straight)[lines$element * in_triangle + 1L] > 0
-  family <- match(lines$family, c("bar", "u", "v")) + 3L * hexagonal
-  family[lines$family == "straight"] <- 4L
-  lines <- lines[order(family), ]
+  hexagonal <- triangles$straight > 0
+  strain <- function(length, rest, some) length[some] / rest[some] - 1
   list(
-    lattice = state$lattice, position = state_points(state), strain = lines$length / lines$rest - 1
+    lattice = state$lattice, position = state_points(state),
+    strain = c(
+      state$bar_length / bars$rest - 1, strain(state$u_length, triangles$rest, !hexagonal),
+      strain(state$v_length, triangles$rest, !hexagonal),
+      strain(state$straight_length, triangles$straight, hexagonal),
+      strain(state$u_length, triangles$rest, hexagonal),
+      strain(state$v_length, triangles$rest, hexagonal)
+    )
   )
 }
 
 # Stops unless a state's gear has the parts of this one.
 check_same_parts <- function(si, from) {
   check_is_state(from)
-  for (kind in c("ropes", "panels", "points")) {
+  for (kind in c("ropes", "panels", "points", "otter_boards")) {
     here <- names(si[[kind]])
     there <- names(from$si[[kind]])
     if (identical(here, there)) next

@@ -18,22 +18,24 @@ lattice_points <- function(lattice, position) {
 # lines of one bar's length, so that lines x rest is always a length of twine or rope.
 state_lines <- function(state) {
   lattice <- state$lattice
-  bars <- lattice$engine$bars
+  # A board's struts are no lines of the gear.
+  bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
+  bars <- lapply(lattice$engine$bars[c("rest", "multiplicity")], `[`, bar)
   triangles <- lattice$engine$triangles
   in_triangle <- triangle_bars(triangles)
   triangle <- seq_along(triangles$rest)
-  bar <- seq_along(bars$rest)
   hexagon <- which(triangles$straight > 0)
   number <- length(triangle)
   data.frame(
-    part = c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part,
+    part = c(lattice$bar_part[bar], lattice$triangle_part, lattice$triangle_part,
       lattice$triangle_part[hexagon]),
     element = c(bar, triangle, triangle, hexagon),
     family = rep(c("bar", "u", "v", "straight"),
       c(length(bar), number, number, length(hexagon))),
-    tension = c(state$bar_tension, state$u_tension, state$v_tension,
+    tension = c(state$bar_tension[bar], state$u_tension, state$v_tension,
       state$straight_tension[hexagon]),
-    length = c(state$bar_length, state$u_length, state$v_length, state$straight_length[hexagon]),
+    length = c(state$bar_length[bar], state$u_length, state$v_length,
+      state$straight_length[hexagon]),
     rest = c(bars$rest, triangles$rest, triangles$rest, triangles$straight[hexagon]),
     lines = c(bars$multiplicity, in_triangle, in_triangle, in_triangle[hexagon])
   )

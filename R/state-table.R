@@ -66,8 +66,10 @@ line_table <- function(state) {
   lines <- state_lines(state)
   points <- state_points(state)
   in_triangles <- element_middles(points, engine$triangles$node, 3L)
-  middle <- cbind(element_middles(points, engine$bars$node, 2L), in_triangles, in_triangles,
-    in_triangles[, engine$triangles$straight > 0])
+  in_bars <- element_middles(points, engine$bars$node, 2L)
+  in_bars <- in_bars[, lines$element[lines$family == "bar"], drop = FALSE]
+  middle <- cbind(in_bars, in_triangles, in_triangles,
+    in_triangles[, engine$triangles$straight > 0, drop = FALSE])
   data.frame(
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,

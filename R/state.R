@@ -4,10 +4,10 @@ new_state <- function(gear, si, lattice, position, report) {
   found <- engine_evaluate(lattice$engine, position, numeric(length(position)))
   three <- function(x) matrix(x, 3L)
   triangle_drag <- three(found$triangle_drag)
-  screens <- lattice$engine$screens$triangle
+  screens <- lattice$engine$drag_screens$triangle
   triangle_drag[, screens] <- triangle_drag[, screens] + three(found$screen_force)
-  shielded <- lattice$engine$shielded$triangle
-  triangle_drag[, shielded] <- triangle_drag[, shielded] + three(found$shielded_force)
+  blended <- lattice$engine$blended$triangle
+  triangle_drag[, blended] <- triangle_drag[, blended] + three(found$blended_force)
   structure(
     list(
       gear = gear, si = si, lattice = lattice, report = report,
@@ -19,7 +19,12 @@ new_state <- function(gear, si, lattice, position, report) {
       bar_drag = three(found$bar_drag), triangle_drag = triangle_drag,
       straight_tension = found$straight_tension, straight_length = found$straight_length,
       sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force),
-      catch_force = three(found$catch_force)
+      catch_force = three(found$catch_force),
+      boards = c(
+        found$boards[c("attack", "heel", "trim", "lift", "drag", "lost_buoyancy")],
+        lapply(found$boards[c("force", "ground_force")], three)
+      ),
+      contact_force = three(found$contact_force), volume_force = three(found$volume_force)
     ),
     class = "codend_state"
   )

@@ -67,8 +67,13 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   out.sphere_drag = point_forces(model.spheres, assembly.field());
   out.lift_force = point_forces(model.lifts, assembly.field());
   out.catch_force = element_forces(model.pressure, assembly.field());
-  out.screen_force = element_forces(model.screens, assembly.field());
-  out.shielded_force = element_forces(model.shielded, assembly.field());
+  out.screen_force = element_forces(model.drag_screens, assembly.field());
+  out.blended_force = element_forces(model.blended, assembly.field());
+  out.contact_force = point_forces(model.contacts, assembly.field());
+  out.volume_force = point_forces(model.volumes, assembly.field());
+  for (int b = 0; b < model.boards.count(); ++b) {
+    out.boards.push_back(model.boards.attitude(b, assembly.field()));
+  }
   return out;
 }
 

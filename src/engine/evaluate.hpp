@@ -17,7 +17,11 @@ struct Evaluation {
   std::vector<double> hexagon_tension, hexagon_length;
   // Hydrodynamic force of each whole element, N, 3 each.
   std::vector<double> bar_drag, triangle_drag, hexagon_drag, sphere_drag, lift_force, catch_force,
-      screen_force, shielded_force;
+      screen_force, blended_force;
+  // Force of the ground on each contact, and of the surface on each volume (buoyancy that is lost),
+  // N, 3 each.
+  std::vector<double> contact_force, volume_force;
+  std::vector<BoardAttitude> boards;
 };
 
 // x (m), v (m/s): 3 per node.

@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/blended_netting.hpp"
 #include "elements/catch_pressure.hpp"
+#include "elements/ground_contact.hpp"
 #include "elements/hexagonal_triangle.hpp"
+#include "elements/immersed_volume.hpp"
 #include "elements/kind.hpp"
 #include "elements/lifting_surface.hpp"
 #include "elements/mesh_opening.hpp"
 #include "elements/netting_screen.hpp"
 #include "elements/netting_triangle.hpp"
-#include "elements/shielded_netting.hpp"
+#include "elements/otter_board.hpp"
 #include "elements/sphere.hpp"
+#include "wake.hpp"
 #include "water.hpp"
 
 namespace codend {
@@ -40,15 +44,21 @@ struct Model {
   HexagonalTriangles hexagons;
   Spheres spheres;
   LiftingSurfaces lifts;
-  CatchPressure pressure;  // of the catch on netting
-  NettingScreens screens;
-  ShieldedNetting shielded;
+  CatchPressure pressure;       // of the catch on netting
+  NettingScreens drag_screens;  // netting whose drag is a screen's
+  BlendedNetting blended;
   MeshOpenings openings;
+  OtterBoards boards;
+  GroundContacts contacts;
+  ImmersedVolumes volumes;  // empty where water reaches everywhere
+  Screens screens;          // netting that slows the water behind it
+  // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
+  std::vector<double> wake;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  // All elements but lines.
+  // All elements but lines and contacts.
   std::vector<const ElementKind*> kinds() const {
-    return {&spheres, &lifts, &pressure, &screens, &shielded, &openings};
+    return {&spheres, &lifts, &boards, &volumes, &pressure, &drag_screens, &blended, &openings};
   }
   // Call once after filling; copies of a Model need it again.
   void connect() {
@@ -57,11 +67,17 @@ struct Model {
     triangles.prepare();
     hexagons.first_line = bars.count() + 2 * triangles.count();
     hexagons.prepare();
+    boards.prepare();
+    // Bodies of unknown height: only asked for at a free surface.
+    spheres.height.resize(spheres.node.size(), 1.0);
+    lifts.height.resize(lifts.node.size(), 1.0);
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
   // lines, then the three families of hexagonal triangles. each_line() visits them in another
   // order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count() + 3 * hexagons.count(); }
+  // What a solver may carry the force of: lines, then contacts with the ground.
+  int carriers() const { return lines() + contacts.count(); }
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));

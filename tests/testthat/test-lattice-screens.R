@@ -145,26 +145,26 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
   }
 })
 
-test_that("shielded netting passes from its twines to the screen and back", {
+test_that("blended netting passes from its twines to the screen and back", {
   force <- function(law, ratio, theta) {
     si <- flat_net(netting_drag = law)
     flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
-    rowSums(matrix(c(flat$triangle_drag, flat$screen_force, flat$shielded_force), 3L))
+    rowSums(matrix(c(flat$triangle_drag, flat$screen_force, flat$blended_force), 3L))
   }
   degrees <- pi / 180
   # the same sums in another order
   for (theta in c(0, 40, 59)) {
-    expect_equal(force("shielded", 0.4, theta * degrees), force("twines", 0.4, theta * degrees),
+    expect_equal(force("blended", 0.4, theta * degrees), force("twines", 0.4, theta * degrees),
       tolerance = 1e-11)
   }
   for (theta in c(81, 88)) {
-    expect_equal(force("shielded", 0.4, theta * degrees),
+    expect_equal(force("blended", 0.4, theta * degrees),
       force("kristiansen_faltinsen", 0.4, theta * degrees), tolerance = 1e-11)
   }
   # a solidity of 4 / 3
-  expect_equal(force("shielded", 0.025, 85 * degrees), force("twines", 0.025, 85 * degrees),
+  expect_equal(force("blended", 0.025, 85 * degrees), force("twines", 0.025, 85 * degrees),
     tolerance = 1e-11)
-  between <- force("shielded", 0.4, 70 * degrees)[1]
+  between <- force("blended", 0.4, 70 * degrees)[1]
   ends <- c(force("twines", 0.4, 70 * degrees)[1],
     force("kristiansen_faltinsen", 0.4, 70 * degrees)[1])
   expect_gt(between, min(ends))
@@ -196,7 +196,7 @@ test_that("the force of stiff meshes is what their energy says", {
 })
 
 test_that("netting that must be of triangles is not made of bars", {
-  for (field in list(list(netting_drag = "loland"), list(netting_drag = "shielded"),
+  for (field in list(list(netting_drag = "loland"), list(netting_drag = "blended"),
     list(opening_stiffness = list(couple = 1, angle = 1)))) {
     si <- do.call(flat_net, field)
     expect_error(build_lattice(si, netting = "bars"), "triangles", class = "codend_error_plan")

@@ -3,6 +3,12 @@
 #include <cmath>
 
 namespace codend {
+namespace {
+
+// Over which netting that holds a catch leaves the water, m.
+constexpr double leaving_height = 0.1;
+
+}  // namespace
 
 CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
   Push out;
@@ -11,7 +17,7 @@ CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
     const int point = node[3 * static_cast<std::size_t>(e) + k];
     out.x[k] = at(field.position, point);
     Vector u;
-    field.relative_velocity(point, u, out.slope[k]);
+    out.share[k] = field.relative_velocity(point, leaving_height, u, out.slope[k]) / 3.0;
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }
@@ -47,7 +53,7 @@ void CatchPressure::add_jacobian(const Field& field, const JacobianRequest& requ
       Matrix turn;  // dS/dx_l
       turn << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;
       Matrix by = -request.stiffness * p.pressure * turn;
-      by += (request.damping * c / 3.0) * (p.area * p.u.transpose());
+      by += (request.damping * c * p.share[l]) * (p.area * p.u.transpose());
       by.col(2) -= (request.stiffness * c * p.u.dot(p.slope[l])) * p.area;
       for (int k = 0; k < 3; ++k) {
         const double w = weight[3 * static_cast<std::size_t>(e) + k];

@@ -33,6 +33,7 @@ class CatchPressure : public ElementKind {
   struct Push {
     Vector x[3], area;   // corners and S
     Vector u, slope[3];  // mean U, and its derivative by every corner's height
+    double share[3];     // of every corner's own velocity in it
     double pressure;
   };
   Push push(int e, const Field& field) const;

@@ -165,7 +165,8 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Pack strain = length * inverse_rest - 1.0;
     store(lines.inverse_length + i, inverse_length);
     store(lines.strain + i, strain);
-    store(lines.tension + i, strain > 0.0 ? load(lines.stiffness + i) * strain : Pack{});
+    const Pack pull = load(lines.stiffness + i) * strain, least = load(lines.least_tension + i);
+    store(lines.tension + i, pull > least ? pull : least);
 
     const StraightDrag s = straight_drag(lines, i, e, inverse_length);
     const Pack share = straight_share(lines, strain);
@@ -223,8 +224,10 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack many = request.stiffness * load(lines.multiplicity + i);
   const std::int64_t left = request.lines - i;
   const Pack tension = load_before_end(request.tension + i, left);
-  const Pack modulus = request.modulus ? load_before_end(request.modulus + i, left)
-                                       : (strain > 0.0 ? load(lines.stiffness + i) : Pack{});
+  const Pack stiffness = load(lines.stiffness + i);
+  const Pack modulus =
+      request.modulus ? load_before_end(request.modulus + i, left)
+                      : (stiffness * strain > load(lines.least_tension + i) ? stiffness : Pack{});
   const Pack across = many * tension * inverse_length;
   out.pull = add_diagonal(across, outer((many * modulus * inverse_rest - across) * s.t, s.t));
 
@@ -260,7 +263,7 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
         add_diagonal(by_identity, outer(by_flow * s.u, s.u) + outer(by_axis * s.t, s.t) +
                                       outer(by_across, s.across));
     const Pack none = {};
-    out.everywhere = (none + request.damping * point_share) * by_velocity;
+    out.everywhere = (request.damping * point_share * load(lines.own + i)) * by_velocity;
     if (lines.slope[0]) {
       const Triple slope =
           (none - request.stiffness * point_share) * load(lines.slope, i);

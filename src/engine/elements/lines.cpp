@@ -27,14 +27,14 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
       count_(bars.count() + 2 * triangles.count() + 3 * hexagons.count()),
       kernels_(kernels) {
   LineArrays& a = arrays_;
-  const bool layered = !water.uniform();
+  const bool by_height = water.varies_with_height();
   std::vector<double**> columns{
-      &a.inverse_rest, &a.stiffness, &a.multiplicity, &a.drag_weight, &a.added_normal,
+      &a.inverse_rest, &a.stiffness, &a.least_tension, &a.multiplicity, &a.drag_weight, &a.added_normal,
       &a.added_tangential, &a.normal, &a.tangential, &a.skin,
-      &a.u[0], &a.u[1], &a.u[2], &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
+      &a.u[0], &a.u[1], &a.u[2], &a.own, &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
       &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
       &a.drag[0], &a.drag[1], &a.drag[2]};
-  if (layered) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
   for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
@@ -56,6 +56,7 @@ void Lines::describe(const Line<N>& line) {
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
   arrays_.stiffness[k] = m.axial_stiffness;
+  arrays_.least_tension[k] = m.strut ? -1e300 : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
   const double length = line.rest * line.multiplicity * line.point_share;
   arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * length;
@@ -74,20 +75,37 @@ void Lines::describe(const Line<N>& line) {
 }
 
 template <int N>
-void Lines::set_velocity(const Field& field, const int* node, std::size_t line) {
+void Lines::set_velocity(const Field& field, const int* node, double height, std::size_t line) {
   Vector u = Vector::Zero();
   double z = 0.0;
   for (int k = 0; k < N; ++k) {
     u -= at(field.velocity, node[k]);
     z += at(field.position, node[k]).z();
   }
-  set_velocity(line, u * (1.0 / N), z * (1.0 / N));
+  u *= 1.0 / N;
+  z *= 1.0 / N;
+  double own = 1.0;
+  if (field.wake) {
+    own = 0.0;
+    for (int k = 0; k < N; ++k) own += field.wake[node[k]];
+    own *= 1.0 / N;
+  }
+  set_velocity(line, u, z, own, height);
 }
 
-void Lines::set_velocity(std::size_t line, const Vector& moving, double z) {
+void Lines::set_velocity(std::size_t line, const Vector& moving, double z, double own,
+                         double height) {
   Vector current, slope;
   water_.velocity(z, current, slope);
-  const Vector u = moving + current;
+  Vector u = moving + current;
+  slope *= own;
+  if (water_.free_surface) {
+    const Immersion wet = immersion(z, height);
+    slope = wet.root * slope + own * wet.root_slope * u;
+    own *= wet.root;
+  }
+  u *= own;
+  arrays_.own[line] = own;
   for (int c = 0; c < 3; ++c) arrays_.u[c][line] = u[c];
   if (arrays_.slope[0]) {
     for (int c = 0; c < 3; ++c) arrays_.slope[c][line] = slope[c];
@@ -96,22 +114,28 @@ void Lines::set_velocity(std::size_t line, const Vector& moving, double z) {
 
 void Lines::set_flow(const Field& field) {
   const std::size_t bars = static_cast<std::size_t>(bars_.count());
-  for (std::size_t b = 0; b < bars; ++b) set_velocity<2>(field, &bars_.node[2 * b], b);
+  for (std::size_t b = 0; b < bars; ++b) {
+    const double height = (*bars_.materials)[bars_.material[b]].diameter;
+    set_velocity<2>(field, &bars_.node[2 * b], height, b);
+  }
   const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
   for (std::size_t e = 0; e < triangles; ++e) {
-    set_velocity<3>(field, &triangles_.node[3 * e], bars + e);
-    set_velocity<3>(field, &triangles_.node[3 * e], bars + triangles + e);
+    const double height = (*triangles_.materials)[triangles_.material[e]].diameter;
+    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + e);
+    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
     Vector moving = Vector::Zero();
-    double z = 0.0;
+    double z = 0.0, own = 0.0;
     for (std::size_t k = 0; k < 4; ++k) {
       const int point = hexagons_.node[4 * static_cast<std::size_t>(e) + k];
       moving -= HexagonalTriangles::share[k] * at(field.velocity, point);
       z += HexagonalTriangles::share[k] * at(field.position, point).z();
+      own += HexagonalTriangles::share[k] * (field.wake ? field.wake[point] : 1.0);
     }
     for (int which = 0; which < 3; ++which) {
-      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z);
+      const Line<4> bar = hexagons_.line(e, which);
+      set_velocity(static_cast<std::size_t>(bar.index), moving, z, own, bar.material->diameter);
     }
   }
   kernels_.flow(arrays_, 0, count_);

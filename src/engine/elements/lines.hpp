@@ -49,9 +49,11 @@ class Lines {
  private:
   template <int N>
   void describe(const Line<N>& line);
+  // height: over which a line leaves the water, m.
   template <int N>
-  void set_velocity(const Field& field, const int* node, std::size_t line);
-  void set_velocity(std::size_t line, const Vector& moving, double z);
+  void set_velocity(const Field& field, const int* node, double height, std::size_t line);
+  // moving: velocity of the water but for the current's, m/s; own: share of the flow that is left.
+  void set_velocity(std::size_t line, const Vector& moving, double z, double own, double height);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);

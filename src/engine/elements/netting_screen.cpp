@@ -5,13 +5,13 @@
 
 namespace codend {
 
-ScreenFlow screen_flow(const Field& field, const int* node) {
+ScreenFlow screen_flow(const Field& field, const int* node, double height) {
   ScreenFlow out;
   out.u.setZero();
   for (int k = 0; k < 3; ++k) {
     out.x[k] = at(field.position, node[k]);
     Vector u;
-    field.relative_velocity(node[k], u, out.slope[k]);
+    out.share[k] = field.relative_velocity(node[k], height, u, out.slope[k]) / 3.0;
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }
@@ -93,7 +93,7 @@ void NettingScreens::add_jacobian(const Field& field, const JacobianRequest& req
     const ScreenForce s = force(e, f, *field.water);
     for (int l = 0; l < 3; ++l) {
       Matrix block = -request.stiffness / 3.0 * (s.by_area * area_slope(f, l)) +
-                     request.damping / 9.0 * s.by_velocity;
+                     request.damping / 3.0 * f.share[l] * s.by_velocity;
       block.col(2) -= request.stiffness / 3.0 * (s.by_velocity * f.slope[l]);
       for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
     }

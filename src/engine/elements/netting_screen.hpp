@@ -19,8 +19,10 @@ namespace codend {
 struct ScreenFlow {
   Vector x[3], area;   // corners and S
   Vector u, slope[3];  // mean U, and its derivative by every corner's height
+  double share[3];     // of every corner's own velocity in it
 };
-ScreenFlow screen_flow(const Field& field, const int* node);
+// height: over which the netting leaves the water, m.
+ScreenFlow screen_flow(const Field& field, const int* node, double height);
 // Derivative of S by the place of corner l.
 Matrix area_slope(const ScreenFlow& flow, int l);
 
@@ -54,7 +56,8 @@ class NettingScreens : public ElementKind {
 
  private:
   ScreenFlow flow(int e, const Field& field) const {
-    return screen_flow(field, &node[3 * static_cast<std::size_t>(e)]);
+    return screen_flow(field, &node[3 * static_cast<std::size_t>(e)],
+                       diameter[static_cast<std::size_t>(e)]);
   }
   ScreenForce force(int e, const ScreenFlow& flow, const Water& water) const;
 };

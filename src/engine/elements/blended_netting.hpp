@@ -17,7 +17,7 @@
 
 namespace codend {
 
-class ShieldedNetting : public ElementKind {
+class BlendedNetting : public ElementKind {
  public:
   std::vector<int> node;             // 3 per triangle
   std::vector<double> twine;         // u1 v1 u2 v2 u3 v3 per triangle
@@ -39,14 +39,14 @@ class ShieldedNetting : public ElementKind {
   void add_drag_scale(const Field& field, double* scale) const override;
 
  private:
-  struct Shielded {
+  struct Blended {
     double shape[2][3];  // the bar vectors are sum_k shape[.][k] x_k
     ScreenFlow flow;
     ScreenForce force;   // by S and by U
     Matrix by_vector[2];
   };
   double bars(int e) const;  // of one family
-  Shielded shielded(int e, const Field& field) const;
+  Blended blended(int e, const Field& field) const;
 };
 
 }  // namespace codend

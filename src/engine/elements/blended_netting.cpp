@@ -1,4 +1,4 @@
-#include "shielded_netting.hpp"
+#include "blended_netting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +19,19 @@ void rise(double x, double first, double last, double& value, double& slope) {
 
 }  // namespace
 
-double ShieldedNetting::bars(int e) const {
+double BlendedNetting::bars(int e) const {
   const std::size_t i = static_cast<std::size_t>(e);
   const double* c = &twine[6 * i];
   const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
   return 0.5 * std::abs(d) * multiplicity[i];
 }
 
-ShieldedNetting::Shielded ShieldedNetting::shielded(int e, const Field& field) const {
+BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const {
   const std::size_t i = static_cast<std::size_t>(e);
   const Water& water = *field.water;
   const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
-  Shielded out;
-  out.flow = screen_flow(field, &node[3 * i]);
+  Blended out;
+  out.flow = screen_flow(field, &node[3 * i], m.diameter);
   const Vector& u = out.flow.u;
   const double* c = &twine[6 * i];
   const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
@@ -77,38 +77,39 @@ ShieldedNetting::Shielded ShieldedNetting::shielded(int e, const Field& field) c
   return out;
 }
 
-Vector ShieldedNetting::element_force(int e, const Field& field) const {
-  return shielded(e, field).force.value;
+Vector BlendedNetting::element_force(int e, const Field& field) const {
+  return blended(e, field).force.value;
 }
 
-void ShieldedNetting::add_force(const Field& field, double* out) const {
+void BlendedNetting::add_force(const Field& field, double* out) const {
   for (int e = 0; e < count(); ++e) {
     const Vector third = element_force(e, field) / 3.0;
     for (int k = 0; k < 3; ++k) at(out, node[3 * static_cast<std::size_t>(e) + k]) += third;
   }
 }
 
-void ShieldedNetting::add_jacobian(const Field& field, const JacobianRequest& request,
+void BlendedNetting::add_jacobian(const Field& field, const JacobianRequest& request,
                                    const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
-    const Shielded s = shielded(e, field);
+    const Blended s = blended(e, field);
     for (int l = 0; l < 3; ++l) {
       Matrix by = s.force.by_area * area_slope(s.flow, l);
       for (int f = 0; f < 2; ++f) by += s.shape[f][l] * s.by_vector[f];
-      Matrix block = -request.stiffness / 3.0 * by + request.damping / 9.0 * s.force.by_velocity;
+      Matrix block = -request.stiffness / 3.0 * by + 
+                     request.damping / 3.0 * s.flow.share[l] * s.force.by_velocity;
       block.col(2) -= request.stiffness / 3.0 * (s.force.by_velocity * s.flow.slope[l]);
       for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
     }
   }
 }
 
-void ShieldedNetting::add_drag_scale(const Field& field, double* scale) const {
+void BlendedNetting::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
     const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
     // As of screens, about a coefficient of 1.2 on the twine's area.
     const double whole = 1.2 * field.water->density * bars(e) * rest[i] * m.diameter *
-                         screen_flow(field, &node[3 * i]).u.norm();
+                         screen_flow(field, &node[3 * i], m.diameter).u.norm();
     for (int k = 0; k < 3; ++k) scale[node[3 * i + k]] += whole / 3.0;
   }
 }
