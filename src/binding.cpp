@@ -250,8 +250,12 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
     return true;
   };
   const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
+  std::vector<double> line_strain;
+  assembly.strain(line_strain);
+  line_strain.resize(static_cast<std::size_t>(model.lines()));
   return writable::list({
       "position"_nm = as_doubles(x),
+      "strain"_nm = as_doubles(line_strain),
       "converged"_nm = report.converged,
       "iterations"_nm = report.iterations,
       "factorisations"_nm = report.factorisations,

@@ -59,3 +59,26 @@ test_that("a shape carried to the same division is the same shape", {
   expect_identical(again$start[, free], shape[, free])
   expect_identical(again$engine$bars, lattice$engine$bars)
 })
+
+test_that("strains linear along and across each family are carried, and others held at the ends", {
+  si <- gear_si(as_gear(tapered_panel()))
+  table <- panel_table(si$panels)
+  for (from in c("triangles", "bars")) {
+    for (to in c("triangles", "bars")) {
+      coarse <- build_lattice(si, 400, from)
+      fine <- build_lattice(si, 2000, to)
+      strain <- function(lattice) {
+        at <- line_places(table, lattice)
+        # the rope is part 1, the panel part 2: families 2, 4 and 5
+        list(at = at, value = ifelse(at$family == 2, at$s, at$family + at$s - 2 * at$t))
+      }
+      carried <- carry_strains(table, fine, coarse, strain(coarse)$value)
+      wanted <- strain(fine)
+      expect_setequal(wanted$at$family, c(2, 4, 5))
+      inner <- abs(wanted$at$s - 0.5) < 0.3 & abs(wanted$at$t - 0.5) < 0.4
+      expect_gt(sum(inner), 500)
+      # depths are told apart to 1e-6 of the panel's
+      expect_lt(max(abs(carried[inner] - wanted$value[inner])), 3e-6)
+    }
+  }
+})

@@ -1,0 +1,77 @@
+# Strains carried from one lattice to another of the same parts: with a carried shape alone the
+# strains of stiff lines would be those of its interpolation.
+
+# Strains of all lines of a lattice, in the engine's order (bars, u twines, v twines), from those of
+# another, whose ropes and families of twine each have theirs along and across them.
+carry_strains <- function(panels, to, from, strain) {
+  if (identical(to$engine$bars$node, from$engine$bars$node) &&
+    identical(to$engine$triangles$node, from$engine$triangles$node)) {
+    return(strain)
+  }
+  lines <- line_places(panels, to)
+  old <- line_places(panels, from)
+  # Lines in rows: those whose middles lie equally deep.
+  deep <- round(old$t * 1e6)
+  order <- order(old$family, deep, old$s)
+  family <- old$family[order]
+  row <- cumsum(c(TRUE, diff(family) != 0 | diff(deep[order]) != 0))
+  first <- !duplicated(row)
+  rows <- list(
+    panel = family[first], t = (deep[order] / 1e6)[first], row = row, s = old$s[order],
+    x = matrix(strain[order], 1L)
+  )
+  known <- lines$family %in% family
+  carried <- numeric(length(known))
+  carried[known] <- on_rows(
+    list(panel = lines$family[known], s = lines$s[known], t = lines$t[known]), rows
+  )
+  carried
+}
+
+# Where the middles of all lines lie: list(family = number of the rope or family of twine, the same
+# in every lattice of these parts, s, t = fractions across and deep, of ropes along them and 0).
+line_places <- function(panels, lattice) {
+  ropes <- length(lattice$ropes)
+  bars <- lattice$engine$bars
+  part <- lattice$bar_part
+  n <- length(part)
+  s <- t <- numeric(n)
+  second <- logical(n)
+
+  begun <- ave(bars$rest, part, FUN = cumsum)
+  s <- (begun - bars$rest / 2) / ave(bars$rest, part, FUN = sum)
+  of_panels <- which(part > ropes & part <= ropes + length(lattice$panels))
+  if (length(of_panels)) {
+    of_bars <- which(vapply(lattice$panels, function(p) p$netting == "bars", NA))
+    known <- bar_places(panels, of_bars, lattice$panels)
+    tied <- known$node < 0L
+    known$node[tied] <- lattice$nodes - known$node[tied]
+    panel <- part[of_panels] - ropes
+    ends <- lapply(1:2, function(end) {
+      at <- match_places(panel, bars$node[2L * (of_panels - 1L) + end], known)
+      lapply(known[c("s", "t", "i", "j")], `[`, at)
+    })
+    s[of_panels] <- (ends[[1]]$s + ends[[2]]$s) / 2
+    t[of_panels] <- (ends[[1]]$t + ends[[2]]$t) / 2
+    across <- ends[[2]]$i - ends[[1]]$i
+    deep <- ends[[2]]$j - ends[[1]]$j
+    second[of_panels] <- across * deep < 0 | across == 0
+  }
+  triangles <- lattice$engine$triangles$node
+  panel <- lattice$triangle_part - ropes
+  known <- grid_places(lattice$division)
+  corner <- match_places(rep(panel, each = 3L), triangles, known)
+  middle <- function(x) colMeans(matrix(x[corner], 3L))
+  of_triangles <- list(s = middle(known$s), t = middle(known$t))
+  list(
+    family = 2 * c(part, lattice$triangle_part, lattice$triangle_part) +
+      c(second, rep(0:1, each = length(panel))),
+    s = c(s, of_triangles$s, of_triangles$s), t = c(t, of_triangles$t, of_triangles$t)
+  )
+}
+
+# Numbers of the places of nodes in their panels.
+match_places <- function(panel, node, places) {
+  span <- max(places$node, 0) + 1
+  match(panel * span + node, places$panel * span + places$node)
+}
