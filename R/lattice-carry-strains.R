@@ -10,12 +10,20 @@ carry_strains <- function(panels, to, from, strain) {
   }
   lines <- line_places(panels, to)
   old <- line_places(panels, from)
-  # Lines in rows: those whose middles lie equally deep.
+  # Lines in rows: those whose middles lie equally deep. Rows that reach less than half as far
+  # across as others, of twines cut at the sides, say nothing of the middle.
   deep <- round(old$t * 1e6)
   order <- order(old$family, deep, old$s)
-  family <- old$family[order]
-  row <- cumsum(c(TRUE, diff(family) != 0 | diff(deep[order]) != 0))
+  start <- c(TRUE, diff(old$family[order]) != 0 | diff(deep[order]) != 0)
+  row <- cumsum(start)
+  end <- c(which(start)[-1L] - 1L, length(order))
+  reach <- old$s[order][end] - old$s[order][start]
+  widest <- ave(reach, old$family[order][start], FUN = max)
+  long <- reach >= widest / 2
+  order <- order[long[row]]
+  row <- match(row[long[row]], which(long))
   first <- !duplicated(row)
+  family <- old$family[order]
   rows <- list(
     panel = family[first], t = (deep[order] / 1e6)[first], row = row, s = old$s[order],
     x = matrix(strain[order], 1L)
