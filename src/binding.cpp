@@ -1,12 +1,17 @@
 // The one file that knows both R and the engine: a lattice (an R list) in, numbers out.
 #include <cpp11.hpp>
+#include <ctime>
+#include <memory>
 #include <string>
 
 #include "engine/assembly.hpp"
 #include "engine/evaluate.hpp"
+#include "engine/march/explicit_step.hpp"
+#include "engine/march/march.hpp"
+#include "engine/march/newton_step.hpp"
+#include "engine/march/substitution.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
-#include "engine/solve/substitution.hpp"
 
 using namespace cpp11;
 namespace writable = cpp11::writable;
@@ -68,11 +73,13 @@ codend::Model read_model(const list& lattice) {
                             normal = numbers(materials, "normal"),
                             tangential = numbers(materials, "tangential"),
                             skin = numbers(materials, "skin"),
-                            solidity = numbers(materials, "solidity");
+                            solidity = numbers(materials, "solidity"),
+                            damping = numbers(materials, "damping");
   const std::vector<int> law = whole_numbers(materials, "law");
   for (std::size_t m = 0; m < stiffness.size(); ++m) {
     codend::TwineMaterial material;
     material.axial_stiffness = stiffness[m];
+    material.damping = damping[m];
     material.diameter = diameter[m];
     material.volume_per_length = volume[m];
     material.added_mass_normal = added_normal[m];
@@ -107,6 +114,48 @@ codend::Model read_model(const list& lattice) {
   model.lifts.direction = whole_numbers(lifts, "direction");
   model.connect();
   return model;
+}
+
+codend::Values values(const list& from, const char* name) {
+  const doubles given(from[name]);
+  return Eigen::Map<const codend::Values>(REAL(given), given.size());
+}
+
+codend::Motion read_motion(const list& from) {
+  return {number(from, "time"), values(from, "position"), values(from, "velocity"),
+          values(from, "acceleration")};
+}
+
+doubles as_doubles(const codend::Values& values) {
+  return writable::doubles(values.data(), values.data() + values.size());
+}
+
+writable::list as_list(const codend::Motion& motion) {
+  return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
+                         "velocity"_nm = as_doubles(motion.v),
+                         "acceleration"_nm = as_doubles(motion.a)});
+}
+
+std::unique_ptr<codend::Stepper> read_scheme(const list& control, codend::Assembly& assembly,
+                                             const codend::Motion& start) {
+  using codend::NewtonScheme;
+  const std::string name = as_cpp<std::string>(control["scheme"]);
+  const double tolerance = number(control, "tolerance");
+  auto newton = [&](NewtonScheme scheme) {
+    return std::make_unique<codend::NewtonStep>(assembly, scheme, tolerance);
+  };
+  if (name == "bdf2") return newton(NewtonScheme::bdf2);
+  if (name == "trapezoid") return newton(NewtonScheme::trapezoid);
+  if (name == "backward_euler") return newton(NewtonScheme::backward_euler);
+  if (name == "substitution") {
+    constexpr int most_substitutions = 200;
+    return std::make_unique<codend::SubstitutionStep>(assembly, tolerance, most_substitutions,
+                                                      start);
+  }
+  if (name == "symplectic_euler") {
+    return std::make_unique<codend::SymplecticEulerStep>(assembly, start);
+  }
+  return std::make_unique<codend::RungeKuttaStep>(assembly, start);
 }
 
 doubles as_doubles(const std::vector<double>& values) { return writable::doubles(values); }
@@ -185,6 +234,63 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
       "steps"_nm = report.steps,
       "substitutions"_nm = static_cast<double>(report.substitutions),
   });
+}
+
+// Marches from `past` to every one of `times` (s, growing). keep(frame) is called at each of them,
+// with the motion and the tensions there and all that is needed to go on from it; watch(time, steps)
+// after steps, at most some ten times a second.
+[[cpp11::register]]
+list engine_tow(list lattice, list past, list control, doubles times, function keep,
+                function watch) {
+  codend::Model model = read_model(lattice);
+  model.connect();
+  codend::Assembly assembly(model);
+  codend::Past from;
+  from.now = read_motion(list(past["now"]));
+  from.before = read_motion(list(past["before"]));
+  from.steps = as_cpp<int>(past["steps"]);
+  codend::SteadyConditions conditions(model.held, from.now);
+  const std::unique_ptr<codend::Stepper> scheme = read_scheme(control, assembly, from.now);
+
+  codend::MarchControl how;
+  how.accuracy = number(control, "accuracy");
+  how.step = number(past, "step");
+  how.least_step = number(control, "least_step");
+  how.most_step = number(control, "most_step");
+  std::clock_t shown = std::clock();
+  long long steps = 0;
+  how.watch = [&](const codend::Motion& now) {
+    check_user_interrupt();
+    ++steps;
+    if (std::clock() - shown > CLOCKS_PER_SEC / 10) {
+      shown = std::clock();
+      watch(now.time, static_cast<double>(steps));
+    }
+    return true;
+  };
+  codend::March march(assembly, *scheme, conditions, how, from);
+  auto report = [&] {
+    const codend::MarchReport& r = march.report();
+    const char* const ends[] = {"reached", "stopped", "stuck"};
+    return writable::list({
+        "end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
+        "repeated"_nm = static_cast<double>(r.repeated),
+        "not_found"_nm = static_cast<double>(r.not_found),
+        "iterations"_nm = static_cast<double>(r.iterations),
+        "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
+        "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
+  };
+  for (const double time : times) {
+    if (march.to(time) != codend::MarchReport::End::reached) break;
+    const codend::Motion& now = march.now();
+    const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
+    keep(writable::list({
+        "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
+        "steps"_nm = march.past().steps, "step"_nm = march.step(),
+        "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
+        "v_tension"_nm = as_doubles(e.v_tension), "report"_nm = report()}));
+  }
+  return report();
 }
 
 [[cpp11::register]]
