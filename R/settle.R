@@ -23,6 +23,11 @@ settle <- function(gear, nodes = 1500, netting = NULL) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   lattice <- build_lattice(si, nodes = nodes, netting = netting)
+  settle_lattice(gear, si, lattice, started)
+}
+
+# The settled state of a lattice. started: proc.time() from which the work counts.
+settle_lattice <- function(gear, si, lattice, started) {
   built <- proc.time()
   found <- engine_settle(
     lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations,

@@ -1,74 +1,104 @@
 # A trajectory: states of a gear at chosen times, over the ground, and what is needed to go on.
 
-# A trajectory of one moment, the start: a settled state seen from the ground.
-new_trajectory <- function(state) {
-  lattice <- state$lattice
-  towed <- state$si$towing$speed
-  n <- lattice$engine$nodes
-  velocity <- matrix(c(-towed, 0, 0), 3L, n)
-  lattice$engine$water$x <- state$si$water$current$x
-  motion <- list(
-    time = 0, position = as.vector(state$position), velocity = as.vector(velocity),
-    acceleration = numeric(3L * n)
-  )
-  frame <- list(
-    now = motion, before = motion, steps = 0L, step = NA_real_,
-    bar_tension = state$bar_tension, u_tension = state$u_tension, v_tension = state$v_tension,
-    report = NULL
-  )
-  gather_trajectory(
-    list(gear = state$gear, si = state$si, lattice = lattice, control = NULL), list(frame), "reached"
-  )
-}
+# What of a trajectory does not change as it is marched.
+trajectory_constants <- c("gear", "si", "lattice", "given", "plan", "curves", "breaks", "method")
 
-# what: the gear, si, lattice and control; frames: as the engine hands them over.
+# what: the constants, as a list; frames: as the engine hands them over.
 gather_trajectory <- function(what, frames, end) {
   last <- frames[[length(frames)]]
-  each <- function(pick) {
-    matrix(as.double(unlist(lapply(frames, pick))), ncol = length(frames))
-  }
+  each <- function(pick) matrix(as.double(unlist(lapply(frames, pick))), ncol = length(frames))
   n <- what$lattice$engine$nodes
   three <- function(x) array(x, c(3L, n, length(frames)))
-  structure(
-    c(what, list(
-      time = vapply(frames, function(f) f$now$time, 0),
-      position = three(each(function(f) f$now$position)),
-      velocity = three(each(function(f) f$now$velocity)),
-      bar_tension = each(function(f) f$bar_tension),
-      u_tension = each(function(f) f$u_tension),
-      v_tension = each(function(f) f$v_tension),
-      end = end, report = last$report,
-      memory = last[c("now", "before", "steps", "step")]
-    )),
-    class = "codend_trajectory"
-  )
+  out <- c(what, list(
+    time = vapply(frames, function(f) f$now$time, 0),
+    position = three(each(function(f) f$now$position)),
+    velocity = three(each(function(f) f$now$velocity)),
+    bar_tension = each(function(f) f$bar_tension),
+    u_tension = each(function(f) f$u_tension),
+    v_tension = each(function(f) f$v_tension),
+    winch_length = each(function(f) f$done$length),
+    parted = each(function(f) f$done$parted),
+    end = end, report = last$report,
+    memory = last[c("now", "before", "steps", "step", "done")]
+  ))
+  out$conditions <- conditions_table(out)
+  structure(out, class = "codend_trajectory")
 }
 
 # Goes on with a trajectory until a time.
-march_trajectory <- function(trajectory, until, every, control) {
-  begun <- trajectory$memory$now$time
-  count <- max(1, ceiling((until - begun) / every - 1e-9))
-  times <- pmin(begun + every * seq_len(count), until)
+march_trajectory <- function(trajectory, until, every, method) {
+  what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
+  what$method <- method
+  past <- trajectory$memory
+  if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
+  stops <- tow_stops(past$now$time, until, every, what)
+  if (any(!vapply(what$plan$parts, function(p) is.null(p$winch), NA))) {
+    # winches answer once a step
+    method$most_step <- min(method$most_step, 0.5)
+  }
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
   keep <- function(frame) frames$list[[length(frames$list) + 1L]] <- frame
-  past <- trajectory$memory
-  if (is.na(past$step)) past$step <- control$step
   end <- "interrupted"
   report <- NULL
   tryCatch(
     {
-      report <- engine_tow(trajectory$lattice$engine, past, control, times, keep,
-        tow_progress(begun, until))
+      report <- engine_tow(what$lattice$engine, plan_as_done(what$plan, past$done), past, method,
+        stops, keep, steerer(what), tow_progress(past$now$time, until))
       end <- report$end
     },
     interrupt = function(e) NULL
   )
-  what <- trajectory[c("gear", "si", "lattice")]
-  what$control <- control
   out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
   if (end == "stuck") abort_stuck(report, out)
   out
+}
+
+# Times at which steps end, and what happens there.
+tow_stops <- function(begun, until, every, what) {
+  steps_to <- function(every) {
+    first <- floor(begun / every + 1e-9) + 1
+    times <- every * seq(first, max(first, ceiling(until / every - 1e-9)))
+    pmin(times, until)
+  }
+  kept <- unique(steps_to(every))
+  steered <- if (is.null(what$given$control)) numeric() else steps_to(what$given$control_every)
+  broken <- what$breaks[what$breaks > begun & what$breaks < until]
+  time <- sort(unique(c(kept, broken, steered)))
+  list(
+    time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered
+  )
+}
+
+# The plan with its winches and ropes as they are.
+plan_as_done <- function(plan, done) {
+  for (k in seq_along(plan$parts)) {
+    if (is.null(plan$parts[[k]]$winch)) next
+    for (field in c("length", "since", "speed", "speed_wanted")) {
+      plan$parts[[k]]$winch[[field]] <- done[[field]][k]
+    }
+  }
+  for (k in seq_along(plan$partings)) {
+    plan$partings[[k]]$parted <- done$parted[k]
+    plan$partings[[k]]$parted_at <- done$parted_at[k]
+  }
+  plan
+}
+
+# A function(frame) that asks the user's control for the speed of every growing part, m/s.
+steerer <- function(what) {
+  control <- what$given$control
+  names <- vapply(what$plan$parts, `[[`, "", "name")
+  function(frame) {
+    now <- gather_trajectory(what, list(frame), "reached")
+    found <- control(measures(state_at(now, frame$now$time)), frame$now$time)
+    good <- is.numeric(found) && all(is.finite(found)) &&
+      (length(found) == 1L || all(names %in% names(found)))
+    if (!good) {
+      abort_schedule("control", "must give one finite speed in m/s, or one for each warp by name.")
+    }
+    if (length(found) == 1L) rep(as.double(found), length(names)) else as.double(found[names])
+  }
 }
 
 # The frames that a trajectory was gathered from.
@@ -81,10 +111,11 @@ trajectory_frames <- function(trajectory) {
     )
     frame <- list(
       now = now, bar_tension = trajectory$bar_tension[, k],
-      u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k]
+      u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
+      done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
     )
     if (k == count) {
-      frame[c("now", "before", "steps", "step")] <- trajectory$memory
+      frame[c("now", "before", "steps", "step", "done")] <- trajectory$memory
       frame$report <- trajectory$report
     }
     frame

@@ -9,6 +9,7 @@
 #include "engine/march/explicit_step.hpp"
 #include "engine/march/march.hpp"
 #include "engine/march/newton_step.hpp"
+#include "engine/march/schedule.hpp"
 #include "engine/march/substitution.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
@@ -136,6 +137,89 @@ writable::list as_list(const codend::Motion& motion) {
                          "acceleration"_nm = as_doubles(motion.a)});
 }
 
+codend::Curve read_curve(const list& from) {
+  return {numbers(from, "time"), numbers(from, "begin"), numbers(from, "end"),
+          numbers(from, "begin_rate"), numbers(from, "end_rate")};
+}
+
+codend::Winch read_winch(const list& from) {
+  codend::Winch winch;
+  winch.wanted = read_curve(list(from["wanted"]));
+  winch.steered = as_cpp<bool>(from["steered"]);
+  winch.speed_wanted = number(from, "speed_wanted");
+  winch.speed_limit = number(from, "speed_limit");
+  winch.tension_limit = number(from, "tension_limit");
+  winch.bar = as_cpp<int>(from["bar"]) - 1;
+  winch.full_length = number(from, "full_length");
+  winch.least_length = number(from, "least_length");
+  winch.most_length = number(from, "most_length");
+  winch.length = number(from, "length");
+  winch.since = number(from, "since");
+  winch.speed = number(from, "speed");
+  return winch;
+}
+
+codend::Plan read_plan(const list& from) {
+  codend::Plan plan;
+  const list track(from["track"]);
+  plan.track.node = places(track, "node");
+  const std::vector<double> place = numbers(track, "place");
+  for (std::size_t k = 0; k < plan.track.node.size(); ++k) {
+    plan.track.place.emplace_back(place[3 * k], place[3 * k + 1], place[3 * k + 2]);
+  }
+  plan.track.x = read_curve(list(track["x"]));
+  plan.track.y = read_curve(list(track["y"]));
+  plan.track.heave = read_curve(list(track["heave"]));
+  plan.track.course = read_curve(list(track["course"]));
+  for (const list part : list(from["parts"])) {
+    codend::GrowingPart p;
+    p.has_winch = !Rf_isNull(part["winch"]);
+    if (p.has_winch) p.winch = read_winch(list(part["winch"]));
+    p.factor = read_curve(list(part["factor"]));
+    p.bars = places(part, "bars");
+    p.rest = numbers(part, "rest");
+    p.points = places(part, "points");
+    p.mass = numbers(part, "mass");
+    p.load = numbers(part, "load");
+    p.spheres = places(part, "spheres");
+    p.drag_area = numbers(part, "drag_area");
+    p.added_mass = numbers(part, "added_mass");
+    plan.parts.push_back(p);
+  }
+  for (const list curve : list(from["current_x"])) plan.current_x.push_back(read_curve(curve));
+  for (const list curve : list(from["current_y"])) plan.current_y.push_back(read_curve(curve));
+  for (const list parting : list(from["partings"])) {
+    codend::Parting p;
+    p.bars = places(parting, "bars");
+    p.at = as_cpp<int>(parting["at"]) - 1;
+    p.time = number(parting, "time");
+    p.strength = number(parting, "strength");
+    p.parted = as_cpp<int>(parting["parted"]) - 1;
+    p.parted_at = number(parting, "parted_at");
+    plan.partings.push_back(p);
+  }
+  return plan;
+}
+
+// What winches and ropes have done so far.
+writable::list plan_state(const codend::Plan& plan) {
+  writable::doubles length, since, speed, wanted, parted_at;
+  writable::integers parted;
+  for (const codend::GrowingPart& part : plan.parts) {
+    length.push_back(part.winch.length);
+    since.push_back(part.winch.since);
+    speed.push_back(part.winch.speed);
+    wanted.push_back(part.winch.speed_wanted);
+  }
+  for (const codend::Parting& parting : plan.partings) {
+    parted.push_back(parting.parted + 1);
+    parted_at.push_back(parting.parted_at);
+  }
+  return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
+                         "speed_wanted"_nm = wanted, "parted"_nm = parted,
+                         "parted_at"_nm = parted_at});
+}
+
 std::unique_ptr<codend::Stepper> read_scheme(const list& control, codend::Assembly& assembly,
                                              const codend::Motion& start) {
   using codend::NewtonScheme;
@@ -236,12 +320,14 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
   });
 }
 
-// Marches from `past` to every one of `times` (s, growing). keep(frame) is called at each of them,
-// with the motion and the tensions there and all that is needed to go on from it; watch(time, steps)
-// after steps, at most some ten times a second.
+// Marches from `past` through the stops of list(time, kept, broken, steered): times (s, growing), and
+// at which of them a frame is kept, the motion breaks or winches are steered. keep(frame) gets the
+// motion and tensions, and all that is needed to go on from there; steer(frame) answers with the
+// speed wanted of every growing part; watch(time, steps) is called after steps, at most some ten
+// times a second.
 [[cpp11::register]]
-list engine_tow(list lattice, list past, list control, doubles times, function keep,
-                function watch) {
+list engine_tow(list lattice, list plan, list past, list control, list stops, function keep,
+                function steer, function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -249,7 +335,8 @@ list engine_tow(list lattice, list past, list control, doubles times, function k
   from.now = read_motion(list(past["now"]));
   from.before = read_motion(list(past["before"]));
   from.steps = as_cpp<int>(past["steps"]);
-  codend::SteadyConditions conditions(model.held, from.now);
+  codend::Schedule schedule(model, assembly, read_plan(plan), from.now);
+  schedule.to_time(from.now.time, codend::Side::after, from.now);
   const std::unique_ptr<codend::Stepper> scheme = read_scheme(control, assembly, from.now);
 
   codend::MarchControl how;
@@ -268,7 +355,7 @@ list engine_tow(list lattice, list past, list control, doubles times, function k
     }
     return true;
   };
-  codend::March march(assembly, *scheme, conditions, how, from);
+  codend::March march(assembly, *scheme, schedule, how, from);
   auto report = [&] {
     const codend::MarchReport& r = march.report();
     const char* const ends[] = {"reached", "stopped", "stuck"};
@@ -280,15 +367,29 @@ list engine_tow(list lattice, list past, list control, doubles times, function k
         "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
         "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
   };
-  for (const double time : times) {
-    if (march.to(time) != codend::MarchReport::End::reached) break;
+  auto frame = [&] {
     const codend::Motion& now = march.now();
     const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
-    keep(writable::list({
+    return writable::list({
         "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
         "steps"_nm = march.past().steps, "step"_nm = march.step(),
-        "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
-        "v_tension"_nm = as_doubles(e.v_tension), "report"_nm = report()}));
+        "done"_nm = plan_state(schedule.plan()), "bar_tension"_nm = as_doubles(e.bar_tension),
+        "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
+        "report"_nm = report()});
+  };
+  const doubles times(stops["time"]);
+  const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]);
+  for (R_xlen_t k = 0; k < times.size(); ++k) {
+    if (march.to(times[k]) != codend::MarchReport::End::reached) break;
+    if (steered[k] == TRUE) {
+      const doubles speed(steer(frame()));
+      std::vector<codend::GrowingPart>& parts = schedule.plan().parts;
+      for (std::size_t p = 0; p < parts.size(); ++p) {
+        parts[p].winch.speed_wanted = speed[static_cast<R_xlen_t>(p)];
+      }
+    }
+    if (broken[k] == TRUE) march.begin_anew();
+    if (kept[k] == TRUE) keep(frame());
   }
   return report();
 }

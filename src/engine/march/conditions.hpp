@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "curve.hpp"
 #include "motion.hpp"
 
 namespace codend {
@@ -12,7 +13,7 @@ class Conditions {
   virtual ~Conditions() = default;
   // Puts the model, and the assembly over it, into the conditions of a time (s), and sets positions
   // and velocities of the held nodes in `motion`.
-  virtual void to_time(double time, Motion& motion) = 0;
+  virtual void to_time(double time, Side side, Motion& motion) = 0;
   // Called after every step taken: what answers to the motion may do so here. Returns whether
   // something broke, so that the motion begins anew.
   virtual bool broken_at(const Motion&) { return false; }
@@ -24,7 +25,7 @@ class SteadyConditions : public Conditions {
   SteadyConditions(const std::vector<char>& held, const Motion& start)
       : held_(held), start_(start) {}
 
-  void to_time(double time, Motion& motion) override {
+  void to_time(double time, Side, Motion& motion) override {
     for (std::size_t n = 0; n < held_.size(); ++n) {
       if (!held_[n]) continue;
       const Eigen::Index k = 3 * static_cast<Eigen::Index>(n);

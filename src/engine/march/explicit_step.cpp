@@ -22,14 +22,14 @@ StepOutcome SymplecticEulerStep::step(const Past& past, double h, Conditions& co
   const Motion& now = past.now;
   next.x = now.x;
   next.v = now.v;
-  conditions.to_time(now.time, next);
+  conditions.to_time(now.time, Side::after, next);
   acceleration_.at_motion(now.x, now.v, a_);
   next.time = now.time + h;
   for (const int node : free_) {
     at(next.v.data(), node) += h * at(a_.data(), node);
     at(next.x.data(), node) += h * at(next.v.data(), node);
   }
-  conditions.to_time(next.time, next);
+  conditions.to_time(next.time, Side::before, next);
   StepOutcome out;
   out.iterations = 1;
   out.found = finite(free_, next, out.worst_node);
@@ -50,7 +50,7 @@ StepOutcome RungeKuttaStep::step(const Past& past, double h, Conditions& conditi
         at(next.v.data(), node) = at(now.v.data(), node) + part * at(a_[k - 1].data(), node);
       }
     }
-    conditions.to_time(now.time + part, next);
+    conditions.to_time(now.time + part, k == 0 ? Side::after : Side::before, next);
     v_[k] = next.v;
     acceleration_.at_motion(next.x, next.v, a_[k]);
   }
@@ -64,7 +64,7 @@ StepOutcome RungeKuttaStep::step(const Past& past, double h, Conditions& conditi
     at(next.x.data(), node) = at(now.x.data(), node) + h / 6.0 * dx;
     at(next.v.data(), node) = at(now.v.data(), node) + h / 6.0 * dv;
   }
-  conditions.to_time(next.time, next);
+  conditions.to_time(next.time, Side::before, next);
   StepOutcome out;
   out.iterations = 4;
   out.found = finite(free_, next, out.worst_node);

@@ -28,7 +28,7 @@ March::March(Assembly& assembly, Stepper& stepper, Conditions& conditions,
       past_(std::move(past)),
       step_(control.step) {
   if (past_.steps == 0) {
-    conditions_.to_time(past_.now.time, past_.now);
+    conditions_.to_time(past_.now.time, Side::after, past_.now);
     stepper_.begin(past_.now);
     past_.before = past_.now;
   }
@@ -37,7 +37,7 @@ March::March(Assembly& assembly, Stepper& stepper, Conditions& conditions,
 
 void March::begin_anew() {
   past_.steps = 0;
-  conditions_.to_time(past_.now.time, past_.now);
+  conditions_.to_time(past_.now.time, Side::after, past_.now);
   stepper_.begin(past_.now);
   if (control_.accuracy > 0.0) step_ = std::max(share_anew * step_, control_.least_step);
 }
@@ -53,6 +53,7 @@ void March::limit_step() {
 
 MarchReport::End March::to(double time) {
   const bool adaptive = control_.accuracy > 0.0;
+  since_limited_ = 0;  // a march that is taken up again at such a time then goes the same way
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
     const double left = time - past_.now.time;

@@ -53,7 +53,7 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
   const Motion& now = past.now;
   const std::vector<int>& free = assembly_.free_nodes();
   next.time = now.time + h;
-  conditions.to_time(next.time, next);
+  conditions.to_time(next.time, Side::before, next);
   const Rule rule = set_rule(past, h);
   const double p = rule.p;
   StepOutcome out;

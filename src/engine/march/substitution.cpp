@@ -17,7 +17,7 @@ StepOutcome SubstitutionStep::step(const Past& past, double h, Conditions& condi
   const Motion &now = past.now, &before = past.before;
   next.x = now.x;
   next.v = now.v;
-  conditions.to_time(now.time, next);
+  conditions.to_time(now.time, Side::after, next);
   acceleration_.at_motion(now.x, now.v, a_);
   const bool heun = past.steps > 0 && std::abs(past.last_step() - h) < 1e-6 * h;
   const Motion& from = heun ? before : now;
@@ -27,7 +27,7 @@ StepOutcome SubstitutionStep::step(const Past& past, double h, Conditions& condi
     at(next.v.data(), node) = at(from.v.data(), node) + span * at(a_.data(), node);
   }
   next.time = now.time + h;
-  conditions.to_time(next.time, next);
+  conditions.to_time(next.time, Side::before, next);
   StepOutcome out;
   while (out.iterations < most_) {
     ++out.iterations;
