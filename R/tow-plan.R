@@ -76,7 +76,7 @@ warp_ropes <- function(si) {
 warp_curves <- function(si, given, until) {
   value <- given$warp_out
   winch <- given$winch
-  steered <- !is.null(given$control)
+  steered <- !is.null(given[["control"]])
   if (is.null(value) && is.null(winch) && !steered) return(list())
   known <- warp_ropes(si)
   if (!length(known)) {
@@ -145,10 +145,10 @@ warp_part <- function(si, lattice, rope, curve, given) {
   points <- unique(ends)
   sums <- function(x) as.double(rowsum(x, match(ends, points), reorder = TRUE))
   winch <- NULL
-  if (!is.null(given$winch$tension_limit) || !is.null(given$control)) {
+  if (!is.null(given$winch$tension_limit) || !is.null(given[["control"]])) {
     length <- curve_at(curve, 0)
     winch <- list(
-      wanted = curve, steered = !is.null(given$control), speed_wanted = 0,
+      wanted = curve, steered = !is.null(given[["control"]]), speed_wanted = 0,
       speed_limit = first_of(given$winch$speed_limit, 2),
       tension_limit = first_of(given$winch$tension_limit, Inf), bar = bars[1L],
       full_length = full$length, least_length = least_warp, most_length = Inf, length = length,

@@ -62,7 +62,7 @@ tow_stops <- function(begun, until, every, what) {
     pmin(times, until)
   }
   kept <- unique(steps_to(every))
-  steered <- if (is.null(what$given$control)) numeric() else steps_to(what$given$control_every)
+  steered <- if (is.null(what$given[["control"]])) numeric() else steps_to(what$given$control_every)
   broken <- what$breaks[what$breaks > begun & what$breaks < until]
   time <- sort(unique(c(kept, broken, steered)))
   list(
