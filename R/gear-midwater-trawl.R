@@ -45,7 +45,7 @@ expand_midwater_trawl <- function(fields, plan) {
   rig <- trawl_rig(fields, plan, ring)
   out <- plan[intersect(
     c("codend", "name", "notes", "sources", "water", "netting", "coefficients", "slack_twine",
-      "materials", "towing"),
+      "materials", "towing", "tow"),
     names(plan)
   )]
   out$points <- c(rig$points, net$points)

@@ -2,7 +2,6 @@
 # that goes on.
 
 settled_trajectory <- function(gear, given, until, nodes, netting) {
-  if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   lattice <- build_lattice(si, nodes = nodes, netting = netting)

@@ -12,7 +12,9 @@
 #' What changes with time is a constant (a number in SI or a text with a unit), a data frame of `time`
 #' and `value` (straight between its rows, the last value for good; two rows of one time make a jump)
 #' or a function of time in s that gives SI (taken every 0.1 s and smooth between). A gear that is
-#' not yet a state settles first, in the conditions of time 0.
+#' not yet a state settles first, in the conditions of time 0. What is not given here is taken from
+#' the plan's section `tow`, which has fields of the same names and lists of `time` and `value` for
+#' tables.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
@@ -24,7 +26,7 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
 #'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own schedule.
-#' @param until Time to which to tow, s, or a text such as `"10 min"`.
+#' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`.
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
 #' @param speed Towing speed, m/s; the plan's when `NULL`.
 #' @param course Course to starboard of that at the start, rad; it starts at 0.
@@ -43,11 +45,11 @@
 #' @param catch Share of the plan's pieces of role `catch` that is in the codend.
 #' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
-#' @param scheme `"bdf2"`, `"trapezoid"`, `"backward_euler"` (implicit, by Newton's method),
+#' @param scheme `"bdf2"` (when `NULL`), `"trapezoid"`, `"backward_euler"` (implicit, by Newton's method),
 #'   `"substitution"` (the trapezoid by substitution, as Li et al. print it), `"symplectic_euler"` or
 #'   `"rk4"` (explicit).
 #' @param accuracy Largest error of any node's position that one step of an implicit scheme may make,
-#'   m, or text. Steps are as long as that allows.
+#'   m, or text; 0.01 m when `NULL`. Steps are as long as that allows.
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.
@@ -62,17 +64,31 @@
 #' @export
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                catch = NULL, part = NULL, scheme = "bdf2", accuracy = 0.01, step = NULL,
+                catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL) {
+  going_on <- inherits(gear, "codend_trajectory")
+  if (is.character(gear)) gear <- read_gear(gear)
+  planned <- if (going_on) {
+    c(gear["every"], scheme = gear$method$scheme, accuracy = positive_or_null(gear$method$accuracy))
+  } else {
+    plan_tow(if (inherits(gear, "codend_state")) gear$gear else checked_gear(gear))
+  }
+  asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- list(
-    speed = speed, course = course, warp_out = warp_out, winch = checked_winch(winch),
-    control = control, current = current, heave = heave, catch = catch, part = part
+    speed = asked("speed", speed), course = asked("course", course),
+    warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
+    control = control, current = asked("current", current), heave = asked("heave", heave),
+    catch = asked("catch", catch), part = asked("part", part)
   )
-  method <- tow_method(scheme, accuracy, step)
+  method <- tow_method(
+    first_of(asked("scheme", scheme), "bdf2"), first_of(asked("accuracy", accuracy), 0.01), step
+  )
+  until <- asked("until", until)
+  every <- asked("every", every)
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
   given$control_every <- tow_quantity(control_every, "control_every", "time")
-  trajectory <- if (inherits(gear, "codend_trajectory")) {
+  trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {
     started_trajectory(gear, given, until)
@@ -81,6 +97,13 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   }
   march_trajectory(trajectory, until, every, method)
 }
+
+checked_gear <- function(gear) {
+  check_is_gear(gear)
+  gear
+}
+
+positive_or_null <- function(x) if (!is.null(x) && x > 0) x
 
 tow_schemes <- c(
   "bdf2", "trapezoid", "backward_euler", "substitution", "symplectic_euler", "rk4"

@@ -1,7 +1,9 @@
 # A trajectory: states of a gear at chosen times, over the ground, and what is needed to go on.
 
 # What of a trajectory does not change as it is marched.
-trajectory_constants <- c("gear", "si", "lattice", "given", "plan", "curves", "breaks", "method")
+trajectory_constants <- c(
+  "gear", "si", "lattice", "given", "plan", "curves", "breaks", "method", "every"
+)
 
 # what: the constants, as a list; frames: as the engine hands them over.
 gather_trajectory <- function(what, frames, end) {
@@ -29,6 +31,7 @@ gather_trajectory <- function(what, frames, end) {
 march_trajectory <- function(trajectory, until, every, method) {
   what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
   what$method <- method
+  what$every <- every
   past <- trajectory$memory
   if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
   stops <- tow_stops(past$now$time, until, every, what)
