@@ -39,6 +39,11 @@ table_curve <- function(table, path, dimension) {
 
 straight_curve <- function(time, value) {
   n <- length(time)
+  if (time[n] == time[n - 1L]) {  # the last value stays after a jump to it
+    time <- c(time, time[n] + 1)
+    value <- c(value, value[n])
+    n <- n + 1L
+  }
   piece <- which(diff(time) > 0)
   if (!length(piece)) return(constant_curve(value[n]))
   slope <- (diff(value) / diff(time))[piece]
@@ -49,7 +54,7 @@ straight_curve <- function(time, value) {
 }
 
 function_curve <- function(value, path, until) {
-  time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 1)
+  time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 3)
   found <- vapply(time, function(t) {
     y <- value(t)
     if (!is.numeric(y) || length(y) != 1L || !is.finite(y)) {

@@ -151,8 +151,9 @@ warp_part <- function(si, lattice, rope, curve, given) {
       wanted = curve, steered = !is.null(given[["control"]]), speed_wanted = 0,
       speed_limit = first_of(given$winch$speed_limit, 2),
       tension_limit = first_of(given$winch$tension_limit, Inf), bar = bars[1L],
+      stiffness = full$axial_stiffness,
       full_length = full$length, least_length = least_warp, most_length = Inf, length = length,
-      since = 0, speed = 0
+      since = 0, speed = 0, near_limit = FALSE
     )
   }
   list(
@@ -201,7 +202,7 @@ current_curves <- function(si, given, until) {
     if (all(toward$begin_rate == 0 & toward$end_rate == 0) && length(toward$begin) == 1L) {
       return(list(x = scale_curve(speed, cos(toward$begin)), y = scale_curve(speed, sin(toward$begin))))
     }
-    time <- seq(0, until + function_step, by = function_step)
+    time <- seq(0, until + 2 * function_step, by = function_step)
     s <- curve_at(speed, time)
     a <- curve_at(toward, time)
     list(x = smooth_curve(time, s * cos(a)), y = smooth_curve(time, s * sin(a)))

@@ -65,14 +65,14 @@ add_start <- function(what, position, velocity) {
   of <- function(field) vapply(winches, function(w) if (is.null(w)) 0 else w[[field]], 0)
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
-    speed_wanted = of("speed_wanted"),
+    speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
     parted = rep(0L, length(what$plan$partings)), parted_at = rep(0, length(what$plan$partings))
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x
   found <- engine_evaluate(engine, motion$position, motion$velocity)
   frame <- list(
-    now = motion, before = motion, steps = 0L, step = NA_real_, done = done,
+    now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     report = NULL
   )

@@ -7,6 +7,7 @@ track_step <- 0.25
 # speed (m/s), course (rad, to starboard of the start, which heads towards -x): curves.
 # Returns curves x and y (m) of the vessel's origin.
 vessel_track <- function(speed, course, until) {
+  until <- until + 1  # what moves goes on moving at the end
   knots <- c(0, until, speed$time, course$time)
   turns <- any(course$begin_rate != 0 | course$end_rate != 0)
   if (turns || length(speed$time) > 1000L) knots <- c(knots, seq(0, until, by = track_step))

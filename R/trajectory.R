@@ -5,6 +5,9 @@ trajectory_constants <- c(
   "gear", "si", "lattice", "given", "plan", "curves", "breaks", "method", "every"
 )
 
+# What a march needs of the one before: see engine_tow().
+memory_fields <- c("now", "before", "steps", "caution", "step", "done")
+
 # what: the constants, as a list; frames: as the engine hands them over.
 gather_trajectory <- function(what, frames, end) {
   last <- frames[[length(frames)]]
@@ -21,7 +24,7 @@ gather_trajectory <- function(what, frames, end) {
     winch_length = each(function(f) f$done$length),
     parted = each(function(f) f$done$parted),
     end = end, report = last$report,
-    memory = last[c("now", "before", "steps", "step", "done")]
+    memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
   structure(out, class = "codend_trajectory")
@@ -35,10 +38,6 @@ march_trajectory <- function(trajectory, until, every, method) {
   past <- trajectory$memory
   if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
   stops <- tow_stops(past$now$time, until, every, what)
-  if (any(!vapply(what$plan$parts, function(p) is.null(p$winch), NA))) {
-    # winches answer once a step
-    method$most_step <- min(method$most_step, 0.5)
-  }
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
   keep <- function(frame) frames$list[[length(frames$list) + 1L]] <- frame
@@ -66,7 +65,7 @@ tow_stops <- function(begun, until, every, what) {
   }
   kept <- unique(steps_to(every))
   steered <- if (is.null(what$given[["control"]])) numeric() else steps_to(what$given$control_every)
-  broken <- what$breaks[what$breaks > begun & what$breaks < until]
+  broken <- what$breaks[what$breaks > begun & what$breaks <= until]
   time <- sort(unique(c(kept, broken, steered)))
   list(
     time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered
@@ -77,7 +76,7 @@ tow_stops <- function(begun, until, every, what) {
 plan_as_done <- function(plan, done) {
   for (k in seq_along(plan$parts)) {
     if (is.null(plan$parts[[k]]$winch)) next
-    for (field in c("length", "since", "speed", "speed_wanted")) {
+    for (field in c("length", "since", "speed", "speed_wanted", "near_limit")) {
       plan$parts[[k]]$winch[[field]] <- done[[field]][k]
     }
   }
@@ -118,7 +117,7 @@ trajectory_frames <- function(trajectory) {
       done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
     )
     if (k == count) {
-      frame[c("now", "before", "steps", "step", "done")] <- trajectory$memory
+      frame[memory_fields] <- trajectory$memory
       frame$report <- trajectory$report
     }
     frame

@@ -149,6 +149,8 @@ codend::Winch read_winch(const list& from) {
   winch.speed_wanted = number(from, "speed_wanted");
   winch.speed_limit = number(from, "speed_limit");
   winch.tension_limit = number(from, "tension_limit");
+  winch.near_limit = as_cpp<bool>(from["near_limit"]);
+  winch.stiffness = number(from, "stiffness");
   winch.bar = as_cpp<int>(from["bar"]) - 1;
   winch.full_length = number(from, "full_length");
   winch.least_length = number(from, "least_length");
@@ -205,18 +207,20 @@ codend::Plan read_plan(const list& from) {
 writable::list plan_state(const codend::Plan& plan) {
   writable::doubles length, since, speed, wanted, parted_at;
   writable::integers parted;
+  writable::logicals near_limit;
   for (const codend::GrowingPart& part : plan.parts) {
     length.push_back(part.winch.length);
     since.push_back(part.winch.since);
     speed.push_back(part.winch.speed);
     wanted.push_back(part.winch.speed_wanted);
+    near_limit.push_back(part.winch.near_limit ? TRUE : FALSE);
   }
   for (const codend::Parting& parting : plan.partings) {
     parted.push_back(parting.parted + 1);
     parted_at.push_back(parting.parted_at);
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
-                         "speed_wanted"_nm = wanted, "parted"_nm = parted,
+                         "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit, "parted"_nm = parted,
                          "parted_at"_nm = parted_at});
 }
 
@@ -335,6 +339,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
   from.now = read_motion(list(past["now"]));
   from.before = read_motion(list(past["before"]));
   from.steps = as_cpp<int>(past["steps"]);
+  from.caution = as_cpp<int>(past["caution"]);
   codend::Schedule schedule(model, assembly, read_plan(plan), from.now);
   schedule.to_time(from.now.time, codend::Side::after, from.now);
   const std::unique_ptr<codend::Stepper> scheme = read_scheme(control, assembly, from.now);
@@ -372,8 +377,8 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
     const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
     return writable::list({
         "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
-        "steps"_nm = march.past().steps, "step"_nm = march.step(),
-        "done"_nm = plan_state(schedule.plan()), "bar_tension"_nm = as_doubles(e.bar_tension),
+        "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
+        "step"_nm = march.step(), "done"_nm = plan_state(schedule.plan()), "bar_tension"_nm = as_doubles(e.bar_tension),
         "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
         "report"_nm = report()});
   };

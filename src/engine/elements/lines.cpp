@@ -59,14 +59,17 @@ void Lines::describe(const Line<N>& line) {
   const TwineMaterial& m = *line.material;
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
-  arrays_.stiffness[k] = m.axial_stiffness;
+  // Where no line is left, none pulls.
+  arrays_.stiffness[k] = line.multiplicity > 0.0 ? m.axial_stiffness : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
   arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
   const double water =
       water_.density * m.volume_per_length * line.rest * line.multiplicity / N;
   arrays_.added_normal[k] = m.added_mass_normal * water;
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
-  if (arrays_.damping) arrays_.damping[k] = m.damping * line.rest;
+  if (arrays_.damping) {
+    arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
+  }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential;

@@ -1,6 +1,7 @@
 // What changes with time from outside: where held nodes are, and all of the model that may change.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "curve.hpp"
@@ -17,6 +18,8 @@ class Conditions {
   // Called after every step taken: what answers to the motion may do so here. Returns whether
   // something broke, so that the motion begins anew.
   virtual bool broken_at(const Motion&) { return false; }
+  // The longest step (s) after which what answers to the motion must be asked again.
+  virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 };
 
 // Nothing changes but that held nodes go on as they move.

@@ -14,6 +14,9 @@ constexpr double most_growth = 2.0;
 constexpr double most_shrinking = 0.2;
 // Steps that could grow by less keep their length: a change costs accuracy of its own.
 constexpr double least_growth = 1.2;
+// Where Newton's method was slow, or did not end at all, steps do not grow for a while.
+constexpr int many_iterations = 6;
+constexpr int steps_of_caution = 4;
 // Share of the last step with which a motion begins anew.
 constexpr double share_anew = 0.1;
 
@@ -57,7 +60,8 @@ MarchReport::End March::to(double time) {
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
     const double left = time - past_.now.time;
-    double h = std::min(step_, left);
+    const double longest = std::min(step_, conditions_.longest_step());
+    double h = std::min(longest, left);
     // The last two steps before a time are of one length.
     if (adaptive && h < left && 2.0 * h > left) h = 0.5 * left;
     if (!adaptive && left < (1.0 + 1e-6) * h) h = left;
@@ -67,6 +71,7 @@ MarchReport::End March::to(double time) {
       ++report_.not_found;
       report_.worst_node = outcome.worst_node;
       step_ = 0.5 * h;
+      past_.caution = steps_of_caution;
       if (step_ < control_.least_step) return report_.end = MarchReport::End::stuck;
       continue;
     }
@@ -91,6 +96,8 @@ MarchReport::End March::to(double time) {
     report_.longest_step = std::max(report_.longest_step, h);
     if (adaptive) {
       // A step cut short to end at a time says little of those that may follow.
+      if (past_.caution > 0 || outcome.iterations > many_iterations) factor = std::min(factor, 1.0);
+      past_.caution = std::max(past_.caution - 1, 0);
       if (factor >= least_growth || factor < 1.0) {
         step_ = std::clamp(factor < 1.0 ? h * factor : std::max(step_, h * factor),
                            control_.least_step, control_.most_step);

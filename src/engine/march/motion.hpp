@@ -19,6 +19,7 @@ struct Motion {
 struct Past {
   Motion now, before;
   int steps = 0;
+  int caution = 0;  // steps that may not grow yet, after one that was not found
 
   double last_step() const { return now.time - before.time; }
 };

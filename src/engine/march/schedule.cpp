@@ -8,8 +8,12 @@ namespace {
 
 // A winch that is off its length catches up in about this time, s.
 constexpr double catch_up = 5.0;
-// A winch gives way at full speed where the tension is over its limit by this share.
+// A winch slips at full speed where the tension is over its limit by this share.
 constexpr double full_share = 0.1;
+// A winch is asked this often (s), while it slips or may slip soon, and else.
+constexpr double slipping_step = 0.05, idle_step = 0.5;
+// Steps may grow by this factor before a winch is asked again.
+constexpr double next_growth = 2.0;
 
 }  // namespace
 
@@ -119,7 +123,8 @@ void Schedule::part(Parting& parting, int bar, double time) {
 }
 
 void Schedule::turn(Winch& winch, double time) {
-  winch.length += (time - winch.since) * winch.speed;
+  const double h = time - winch.since;
+  winch.length += h * winch.speed;
   winch.since = time;
   double speed = winch.speed_wanted;
   if (!winch.steered) {
@@ -131,13 +136,24 @@ void Schedule::turn(Winch& winch, double time) {
   if (std::isfinite(winch.tension_limit)) {
     const LineArrays& lines = assembly_.lines();
     const double tension = lines.multiplicity[winch.bar] * lines.tension[winch.bar];
-    const double over = (tension / winch.tension_limit - 1.0) / full_share;
-    if (over > 0.0) speed = std::max(speed, std::min(over, 1.0) * winch.speed_limit);
-    else if (over > -1.0 && speed < 0.0) speed *= -over;
+    const double slope = full_share * winch.tension_limit / winch.speed_limit;
+    const double over = tension - winch.tension_limit - slope * winch.speed;
+    const double slipping =
+        winch.speed + over / (next_growth * h * winch.stiffness / winch.length + slope);
+    speed = std::clamp(slipping, speed, winch.speed_limit);
+    winch.near_limit = tension > (1.0 - full_share) * winch.tension_limit;
   }
   if (winch.length <= winch.least_length) speed = std::max(speed, 0.0);
   if (winch.length >= winch.most_length) speed = std::min(speed, 0.0);
   winch.speed = speed;
+}
+
+double Schedule::longest_step() const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const GrowingPart& part : plan_.parts) {
+    if (part.has_winch) longest = std::min(longest, part.winch.near_limit ? slipping_step : idle_step);
+  }
+  return longest;
 }
 
 bool Schedule::broken_at(const Motion& now) {

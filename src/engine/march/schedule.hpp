@@ -27,19 +27,25 @@ struct Track {
   Curve course;                    // rad, to starboard of the start, which heads towards -x
 };
 
-// A winch that answers to its warp: it is steered, or gives way at a tension.
+// A winch that answers to its warp: it is steered, or gives way at a tension. At its limit T_l its
+// brake slips at the speed v where the tension is T_l (1 + v/v_l / 10), v_l its speed limit; between
+// two steps of h this is solved once, with the warp's own stiffness EA/L, as
+//   v1 = v0 + (T0 - T_l (1 + v0/v_l / 10)) / (h EA/L + T_l/v_l / 10),
+// which is stable since no warp is stiffer than taut and straight.
 struct Winch {
   Curve wanted;                    // m
   bool steered = false;            // at `speed_wanted` instead of by `wanted`
   double speed_wanted = 0.0;       // m/s, positive pays out
   double speed_limit = std::numeric_limits<double>::infinity();    // m/s
   double tension_limit = std::numeric_limits<double>::infinity();  // N; pays out above it
+  double stiffness = 0.0;          // EA, N
   int bar = 0;                     // where the winch pulls
   double full_length = 0.0;        // m, where the factor is 1
   double least_length = 1.0;       // m
   double most_length = std::numeric_limits<double>::infinity();    // m
   // As it is: length (m) at a time (s), and speed (m/s) since.
   double length = 0.0, since = 0.0, speed = 0.0;
+  bool near_limit = false;         // of tension
 };
 
 // A part of the gear that grows or shrinks as a whole by a factor: a warp, the catch. All numbers
@@ -82,6 +88,7 @@ class Schedule : public Conditions {
   void to_time(double time, Side side, Motion& motion) override;
   // A rope that parts takes one bar away; its weight stays on the nodes.
   bool broken_at(const Motion& now) override;
+  double longest_step() const override;
 
   Plan& plan() { return plan_; }
   const Plan& plan() const { return plan_; }
