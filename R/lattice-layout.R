@@ -3,123 +3,22 @@
 # The gear is divided as coarsely as its seams allow. On that skeleton ropes and the lengthwise
 # lines of panels are strings, the crosswise lines weak strings, pulled by weight, lift and a rough
 # drag; the engine finds string tensions that bring the lengths near their own (force densities,
-# H.-J. Schek, Comput. Methods Appl. Mech. Eng. 3:115, 1974). The lattice's nodes are then placed on
-# the skeleton by their mesh coordinates.
+# H.-J. Schek, Comput. Methods Appl. Mech. Eng. 3:115, 1974). The shape is then
+# carried from the skeleton to the lattice.
 #
 # frame: the division's frame, where it was made for triangles all over; else the skeleton's is new.
-lay_out <- function(si, division, lattice, panels, chains, frame = NULL) {
+# lattice: list(nodes, division, ropes, points, panels), see build_lattice().
+lay_out <- function(si, lattice, panels, chains, frame = NULL) {
   no_bars <- logical(length(si$panels))
   if (is.null(frame)) frame <- division_frame(chains, linked = !no_bars)
   own <- vapply(si$ropes, function(rope) is.null(rope$along), NA)
   skeleton <- divide(si, frame, rep.int(1L, length(frame$pieces$edge)), as.integer(own), no_bars)
   place <- skeleton_positions(si, skeleton, panels)
-
-  start <- matrix(NA_real_, 3L, lattice$engine$nodes)
-  on_ropes <- along_skeleton(rope_runs(division$ropes), rope_runs(skeleton$ropes))
-  start[, on_ropes$node] <- between_places(place, on_ropes)
-  on_panels <- over_skeleton(panel_places(panels, division, lattice$panels), skeleton)
-  start[, on_panels$node] <- inside_cells(place, on_panels)
-  start[, division$points] <- place[, skeleton$points]
-  start
-}
-
-# Nodes of all ropes, one rope after the other, as those of edges (see divide()).
-rope_runs <- function(ropes) {
-  count <- as.integer(lengths(lapply(ropes, `[[`, "node")))
-  list(
-    node = as.integer(unlist(lapply(ropes, `[[`, "node"))),
-    fraction = as.double(unlist(lapply(ropes, `[[`, "at"))),
-    count = count, before = cumsum(count) - count
+  old <- list(
+    nodes = skeleton$nodes, division = skeleton, ropes = skeleton$ropes, points = skeleton$points,
+    panels = rep(list(list(netting = "triangles")), length(si$panels))
   )
-}
-
-# Nodes of ropes on the skeleton: list(node, from, to = nodes of the skeleton on both sides, share).
-along_skeleton <- function(ropes, skeleton) {
-  at <- ropes$fraction
-  cell <- cell_of(at, rep.int(seq_along(ropes$count), ropes$count), skeleton)
-  low <- skeleton$fraction[cell]
-  high <- skeleton$fraction[cell + 1L]
-  share <- (at - low) / (high - low)
-  share[at <= low] <- 0
-  share[at >= high] <- 1
-  list(node = ropes$node, from = skeleton$node[cell], to = skeleton$node[cell + 1L], share = share)
-}
-
-between_places <- function(place, on) {
-  from <- place[, on$from, drop = FALSE]
-  to <- place[, on$to, drop = FALSE]
-  found <- from + (to - from) * rep(on$share, each = 3L)
-  found[, on$share == 1] <- to[, on$share == 1]
-  found
-}
-
-# Where the nodes of panels lie on them: list(node, panel, s, t), s and t fractions across and deep.
-panel_places <- function(panels, division, drawn) {
-  bars <- vapply(drawn, function(panel) panel$netting == "bars", NA)
-  panel <- rep.int(seq_along(bars), ifelse(bars, 0L, lengths(division$grids)))
-  grid <- as.integer(unlist(division$grids))
-  columns <- division$count[4L * panel - 3L]
-  k <- sequence(lengths(division$grids[!bars])) - 1L
-  on_grids <- list(
-    node = grid, panel = panel,
-    s = division$fraction[division$before[4L * panel - 3L] + k %% columns + 1L],
-    t = division$fraction[division$before[4L * panel - 1L] + k %/% columns + 1L]
-  )
-  if (!any(bars)) return(on_grids)
-
-  edge <- rep.int(seq_along(division$count), division$count)
-  panel <- (edge - 1L) %/% 4L + 1L
-  of_bars <- bars[panel]
-  side <- ((edge - 1L) %% 4L + 1L)[of_bars]
-  f <- division$fraction[of_bars]
-  on_edges <- list(
-    node = division$edge_node[of_bars], panel = panel[of_bars],
-    s = ifelse(side <= 2L, f, side - 3), t = ifelse(side <= 2L, side - 1, f)
-  )
-
-  field <- function(name) unlist(lapply(drawn[bars], `[[`, name), use.names = FALSE)
-  node <- field("node")
-  own <- node > division$nodes
-  panel <- rep.int(which(bars), lengths(lapply(drawn[bars], `[[`, "node")))[own]
-  j <- field("j")[own]
-  shape <- pick_panels(panels, panel, side_fields)
-  left <- panel_left(shape, j)
-  width <- panel_right(shape, j) - left
-  width[width < 1e-9] <- 1e-9
-  s <- (field("i")[own] - left) / width
-  s[s < 0] <- 0
-  s[s > 1] <- 1
-  inside <- list(node = node[own], panel = panel, s = s, t = j / shape$deep)
-  mapply(c, on_grids, on_edges, inside, SIMPLIFY = FALSE)
-}
-
-# Places on the skeleton: list(node, a, b, c, d = the corners of its cell, the skeleton's nodes at
-# (0, 0), (1, 0), (0, 1) and (1, 1) of it; s, t = fractions of the cell).
-over_skeleton <- function(places, skeleton) {
-  upper <- 4L * places$panel - 3L
-  left <- upper + 2L
-  column <- cell_of(places$s, upper, skeleton)
-  row <- cell_of(places$t, left, skeleton)
-  grid <- unlist(skeleton$grids)
-  columns <- skeleton$count[upper]
-  size <- lengths(skeleton$grids)
-  corner <- (cumsum(size) - size)[places$panel] +
-    (row - skeleton$before[left] - 1L) * columns + column - skeleton$before[upper]
-  share <- function(x, cell) {
-    low <- skeleton$fraction[cell]
-    (x - low) / (skeleton$fraction[cell + 1L] - low)
-  }
-  list(
-    node = places$node, a = grid[corner], b = grid[corner + 1L], c = grid[corner + columns],
-    d = grid[corner + columns + 1L], s = share(places$s, column), t = share(places$t, row)
-  )
-}
-
-# Bilinear positions (3 x n).
-inside_cells <- function(place, on) {
-  weigh <- function(corner, w) place[, corner, drop = FALSE] * rep(w, each = 3L)
-  weigh(on$a, (1 - on$s) * (1 - on$t)) + weigh(on$b, on$s * (1 - on$t)) +
-    weigh(on$c, (1 - on$s) * on$t) + weigh(on$d, on$s * on$t)
+  carry_positions(panels, lattice, old, place)
 }
 
 # Positions (3 x n) of the skeleton's nodes.

@@ -112,7 +112,8 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   .mapply(
     function(...) list(netting = "bars", ...), list(
       node = by_panel(c(id, between)), i = by_panel(c(points$i, bars$between$i)),
-      j = by_panel(c(points$j, bars$between$j)), lambda = grouping$lambda
+      j = by_panel(c(points$j, bars$between$j)), lambda = grouping$lambda,
+      segments = grouping$segments
     ), NULL
   )
 }

@@ -6,24 +6,26 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # Builds the lattice of a gear.
 #
 # nodes: about how many nodes; netting: "bars" or "triangles" for every panel, or NULL for each
-# panel's own.
+# panel's own; from: NULL for a crude start, or list(lattice, position = 3 x points) of the same parts,
+# whose shape is carried over; as many nodes of the same panels are divided as there, so that two
+# designs can be compared node by node.
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, triangle_part, sphere_part,
 # lift_part = rows of parts per element, ropes = nodes along each rope with their fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
+# division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
-build_lattice <- function(si, nodes = 1500, netting = NULL) {
+build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   bars <- vapply(si$panels, function(p) identical(first_of(netting, p$netting), "bars"), NA)
   panels <- panel_table(si$panels)
   chains <- gear_chains(si)
   frame <- division_frame(chains, linked = !bars)
   resolution <- resolution_table(si, panels, frame$pieces, bars)
-  h <- element_length(resolution, nodes)
-  grouping <- bar_grouping(resolution, h)
-  division <- divide(
-    si, frame, piece_counts(resolution, h, grouping), rope_counts(resolution, h), bars
-  )
+  asked <- list(nodes = nodes, bars = bars, meshes = panels[c(side_fields, "orientation")])
+  alike <- identical(asked, from$lattice$counts$asked)
+  counts <- if (alike) from$lattice$counts else division_counts(resolution, asked)
+  division <- divide(si, frame, counts$pieces, counts$ropes, bars)
 
   parts <- data.frame(
     name = c(names(si$ropes), names(si$panels), names(si$pieces)),
@@ -41,7 +43,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
   of_triangles <- which(!bars)
   if (length(of_bars)) {
     drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
-      length(si$ropes) + of_bars, division, pick_panels(grouping, of_bars))
+      length(si$ropes) + of_bars, division, pick_panels(counts$grouping, of_bars))
   }
   if (length(of_triangles)) {
     drawn[of_triangles] <- add_triangle_panels(build, pick_panels(panels, of_triangles),
@@ -75,22 +77,44 @@ build_lattice <- function(si, nodes = 1500, netting = NULL) {
   )
   lattice <- structure(
     list(
-      engine = engine, parts = parts,
+      engine = engine, parts = parts, nodes = engine$nodes,
       bar_part = collected$bars$part, triangle_part = collected$triangles$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
+      division = division[c("nodes", "fraction", "edge_node", "count", "before", "grids")],
       ropes = division$ropes, points = division$points, place = place_finder(division$places),
-      held_edges = division$held_edges, panels = drawn, h = h
+      held_edges = division$held_edges, panels = drawn, counts = counts
     ),
     class = "codend_lattice"
   )
   check_totals(lattice, panels, length(si$ropes))
-  lattice$start <- lay_out(si, division, lattice, panels, chains, if (!any(bars)) frame)
+  lattice$start <- if (is.null(from)) {
+    lay_out(si, lattice, panels, chains, if (!any(bars)) frame)
+  } else if (alike) {
+    from$position[, seq_len(lattice$nodes)]
+  } else {
+    carry_positions(panels, lattice, from$lattice, from$position)
+  }
   lattice$start[, which(supports$held)] <- supports$position[, supports$held]
   lattice
 }
 
 # A function(text) that tells the node of a parsed place.
-place_finder <- function(places) function(text) places[[text]]
+place_finder <- function(places) {
+  # Unforced it would keep everything that the lattice was built from.
+  force(places)
+  function(text) places[[text]]
+}
+
+# How finely a gear is divided: list(asked, pieces, ropes = elements of every piece of edge and rope,
+# grouping = see bar_grouping()).
+division_counts <- function(resolution, asked) {
+  h <- element_length(resolution, asked$nodes)
+  grouping <- bar_grouping(resolution, h)
+  list(
+    asked = asked, pieces = piece_counts(resolution, h, grouping),
+    ropes = rope_counts(resolution, h), grouping = grouping
+  )
+}
 
 # What does not depend on how fine the division is: breaks and pieces of all edges.
 division_frame <- function(chains, linked) {

@@ -131,16 +131,15 @@ balance_table <- function(state) {
 tension_table <- function(state) {
   parts <- state$lattice$parts
   lines <- state_lines(state)
-  lines$long <- lines$lines * lines$rest
   part <- sort(unique(lines$part))
   strength <- vapply(state$si$ropes, function(rope) as.double(rope$strength), 0)
   strength <- c(strength, rep(NA_real_, length(state$si$panels)))[part]
-  by_part <- vapply(split(lines, lines$part), function(of) {
-    c(
-      max(of$tension), exceeded_tension(of$tension, of$long),
-      sum(of$tension * of$long) / sum(of$long)
-    )
-  }, numeric(3))
+  by_part <- mapply(
+    function(tension, long) {
+      c(max(tension), exceeded_tension(tension, long), sum(tension * long) / sum(long))
+    },
+    split(lines$tension, lines$part), split(lines$lines * lines$rest, lines$part)
+  )
   data.frame(
     part = parts$name[part], kind = parts$kind[part], role = parts$role[part],
     max_kN = by_part[1, ] / 1000, exceeded_by_1_percent_kN = by_part[2, ] / 1000,
@@ -152,7 +151,7 @@ tension_table <- function(state) {
 
 # The tension that 1 % of the length exceeds.
 exceeded_tension <- function(tension, long) {
-  falling <- order(-tension)
+  falling <- order(tension, decreasing = TRUE)
   tension[falling][which(cumsum(long[falling]) >= 0.01 * sum(long))[1]]
 }
 

@@ -1,7 +1,8 @@
 #' Settle a gear
 #'
 #' Finds the steady state of a gear in its plan's conditions: the shape in which every node is in
-#' balance. Nobody gives a starting shape; the lattice brings a crude one of its own.
+#' balance. Nobody gives a starting shape: the gear is settled coarsely first, from a crude layout of
+#' its own, and each shape is the start of the next finer one.
 #'
 #' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
 #' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear.
@@ -10,6 +11,9 @@
 #' @param nodes About how many nodes the lattice should have.
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
 #'   the plan.
+#' @param from A state to start from: of this gear, or of one with the same ropes, panels and points,
+#'   at another speed, warp or design. Several times faster than to start anew; where that start does
+#'   not lead to balance the gear is settled anew.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -17,31 +21,33 @@
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
 #' @export
-settle <- function(gear, nodes = 1500, netting = NULL) {
-  started <- proc.time()
+settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
+  started <- cpu_clock()
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
-  lattice <- build_lattice(si, nodes = nodes, netting = netting)
-  settle_lattice(gear, si, lattice, started)
-}
-
-# The settled state of a lattice. started: proc.time() from which the work counts.
-settle_lattice <- function(gear, si, lattice, started) {
-  built <- proc.time()
-  found <- engine_settle(
-    lattice$engine, as.double(lattice$start), settle_tolerance, settle_iterations,
-    settle_progress()
-  )
-  report <- found[names(found) != "position"]
-  report$seconds_lattice <- sum((built - started)[c("user.self", "sys.self")])
-  report$cpu_seconds <- sum((proc.time() - started)[c("user.self", "sys.self")])
-  if (!found$converged) abort_not_converged(report, lattice, found$position)
-  new_state(gear, si, lattice, found$position, report)
+  if (!is.null(from)) check_same_parts(si, from)
+  progress <- settle_progress()
+  found <- NULL
+  if (!is.null(from)) {
+    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+  }
+  if (!isTRUE(found$report$converged)) {
+    found <- settle_level(
+      si, nodes, netting, coarse_shape(si, nodes, netting, progress), settle_iterations, progress
+    )
+  }
+  report <- found$report
+  report$cpu_seconds <- cpu_clock() - started
+  if (!report$converged) abort_not_converged(report, found$lattice, found$position)
+  new_state(gear, si, found$lattice, found$position, report)
 }
 
 settle_tolerance <- 1e-8
 settle_iterations <- 3200L
+
+# CPU seconds of this process.
+cpu_clock <- function() sum(proc.time()[c("user.self", "sys.self")])
 
 check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {

@@ -1,9 +1,11 @@
 # A state's lines: every bar, and in every netting triangle its two families of twine, as one table.
 
 # Positions of all points that elements stand on: 3 x (nodes + tied points), m.
-state_points <- function(state) {
-  ties <- state$lattice$engine$ties
-  x <- state$position
+state_points <- function(state) lattice_points(state$lattice, state$position)
+
+lattice_points <- function(lattice, position) {
+  ties <- lattice$engine$ties
+  x <- matrix(position, 3L)
   if (!length(ties$first)) return(x)
   share <- rep(ties$share, each = 3L)
   cbind(x, (1 - share) * x[, ties$first] + share * x[, ties$second])

@@ -4,13 +4,31 @@
 settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
-  lattice <- build_lattice(si, nodes = nodes, netting = netting)
-  what <- tow_start(gear, si, lattice, given, until)
-  heave <- what$plan$track$node
-  lattice$start[3, heave] <- lattice$start[3, heave] + curve_at(what$curves$heave, 0)
+  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
   now <- conditions_at(what, 0)
-  state <- settle_lattice(gear, si_at(what, now), lattice_at(what, now), proc.time())
-  add_start(what, state$position, c(-now$speed, 0, 0))
+  first <- si_at(what, now)
+  if (identical(first, si) && !length(what$plan$parts) && now$heave == 0) {
+    return(started_trajectory(settle(gear, nodes, netting), given, until))
+  }
+  # A warp that is still short has few bars of its own: its shape is carried over to all of them.
+  progress <- settle_progress()
+  found <- settle_level(
+    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations, progress
+  )
+  if (found$report$converged) {
+    found$lattice$counts <- NULL
+    shape <- list(
+      lattice = found$lattice, position = lattice_points(found$lattice, found$position)
+    )
+    what <- tow_start(gear, si, build_lattice(si, nodes, netting, shape), given, until)
+  }
+  moved <- what$plan$track$node
+  what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
+  start <- lattice_at(what, now)
+  settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
+    numeric(), settle_tolerance, settle_iterations, progress)
+  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  add_start(what, settled$position, c(-now$speed, 0, 0))
 }
 
 started_trajectory <- function(state, given, until) {

@@ -40,19 +40,25 @@ weighted_means <- function(x, weight, group, n) {
 
 bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
 
+# Nodes at the ends of some bars: 2 x bars.
+bar_ends <- function(state, bars) {
+  node <- state$lattice$engine$bars$node
+  rbind(node[2L * bars - 1L], node[2L * bars])
+}
+
 # A rope with more bars than can be shown is drawn through every k-th of its nodes.
 rope_lines <- function(state, points, limit) {
   lattice <- state$lattice
   ropes <- which(lattice$parts$kind == "rope")
   k <- ceiling(sum(lattice$bar_part %in% ropes) / limit)
-  ends <- matrix(lattice$engine$bars$node, 2L)
   join_lines(lapply(ropes, function(part) {
     bars <- bars_of_part(state, part)
     if (!length(bars)) return(NULL)
     group <- (seq_along(bars) - 1L) %/% k + 1L
     last <- !duplicated(group, fromLast = TRUE)
+    ends <- bar_ends(state, bars)
     new_lines(
-      points, ends[1L, bars[!duplicated(group)]], ends[2L, bars[last]],
+      points, ends[1L, !duplicated(group)], ends[2L, last],
       weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group,
         max(group)),
       part
@@ -73,11 +79,11 @@ netting_lines <- function(state, points, limit) {
   total <- bars + cells(1)
   block <- 1
   longest <- max(0, vapply(grids, function(g) max(dim(g) - 1), 0))
-  while (cells(block) > limit * cells(1) / total && block < longest) block <- block + 1
-  every <- if (bars) ceiling(total / limit) else 1
+  while (cells(block) > limit * (cells(1) / total) && block < longest) block <- block + 1
+  shortest <- shortest_line(state, names(panels)[of_bars], part[of_bars], limit * (bars / total))
   join_lines(lapply(seq_along(panels), function(p) {
     if (of_bars[p]) {
-      panel_bar_lines(state, points, names(panels)[p], part[p], every)
+      panel_bar_lines(state, points, names(panels)[p], part[p], shortest)
     } else {
       panel_cell_lines(state, points, names(panels)[p], part[p], block)
     }
@@ -118,24 +124,63 @@ panel_cell_lines <- function(state, points, name, part, block) {
 
 block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))
 
-# The bars of a panel; all of them, or those of every k-th twine.
-panel_bar_lines <- function(state, points, name, part, every) {
-  bars <- bars_of_part(state, part)
-  ends <- matrix(state$lattice$engine$bars$node, 2L)[, bars, drop = FALSE]
-  if (every > 1) {
-    kept <- on_every_twine(state, name, ends, every)
-    bars <- bars[kept]
-    ends <- ends[, kept, drop = FALSE]
-  }
-  new_lines(points, ends[1L, ], ends[2L, ], state$bar_tension[bars], part)
+# How panels of bars are drawn in lines of about `length` (m), about as far apart: list(every = of
+# which twines, merge = how many bars of a twine are drawn as one line).
+panel_thinning <- function(state, names, length) {
+  drawn <- state$lattice$panels[names]
+  side <- vapply(drawn, `[[`, 0, "lambda") *
+    vapply(state$si$panels[names], `[[`, 0, "mesh_size") / 2
+  bar <- side / vapply(drawn, `[[`, 0L, "segments")
+  list(every = pmax(1, round(length / side)), merge = pmax(1, round(length / bar)))
 }
 
-# Which bars lie on every k-th equivalent twine of a panel, counted from its middle.
-on_every_twine <- function(state, name, ends, every) {
+# The length (m) at which panels of bars are drawn in at most about so many lines; 0: all bars.
+shortest_line <- function(state, names, part, limit) {
+  bars <- tabulate(state$lattice$bar_part, nrow(state$lattice$parts))[part]
+  if (!length(bars) || sum(bars) <= limit) return(0)
+  length <- 1e-3
+  repeat {
+    thin <- panel_thinning(state, names, length)
+    lines <- bars / (thin$merge * thin$every)
+    if (sum(lines) <= limit || all(lines < 1)) return(length)
+    length <- length * 1.1
+  }
+}
+
+# The bars of a panel, or lines of about `length` (m) along some of its twines, with the mean tension
+# of their bars.
+panel_bar_lines <- function(state, points, name, part, length) {
+  bars <- bars_of_part(state, part)
+  ends <- bar_ends(state, bars)
+  tension <- state$bar_tension[bars]
+  if (length == 0) return(new_lines(points, ends[1L, ], ends[2L, ], tension, part))
+  thin <- panel_thinning(state, name, length)
+  on <- bar_twines(state, name, ends)
+  kept <- which(on$number %% thin$every == 0)
+  kept <- kept[order(on$family[kept], on$number[kept], on$along[kept])]
+  backwards <- on$backwards[kept]
+  from <- ends[cbind(1L + backwards, kept)]
+  to <- ends[cbind(2L - backwards, kept)]
+  # A line begins where a twine does, and after so many bars.
+  begins <- c(TRUE, from[-1L] != to[-length(to)])
+  k <- seq_along(kept)
+  begins <- begins | (k - k[begins][cumsum(begins)]) %% thin$merge == 0
+  line <- cumsum(begins)
+  new_lines(
+    points, from[begins], to[c(begins[-1L], TRUE)],
+    weighted_means(tension[kept], state$lattice$engine$bars$rest[bars[kept]], line, sum(begins)),
+    part
+  )
+}
+
+# On which equivalent twine of a panel each bar (its two ends) lies: list(family (1 or 2), number
+# (counted from the panel's middle), along = where on it, backwards = whether its first end lies
+# beyond its second).
+bar_twines <- function(state, name, ends) {
   panel <- state$si$panels[[name]]
   drawn <- state$lattice$panels[[name]]
-  lambda <- drawn$lambda
-  node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
+  node <- drawn$node
+  node[node < 0L] <- state$lattice$engine$nodes - node[node < 0L]
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)
   j <- matrix(drawn$j[at], 2L)
@@ -144,14 +189,20 @@ on_every_twine <- function(state, name, ends, every) {
   v <- if (square) j else j - i
   along_u <- abs(u[2, ] - u[1, ]) > abs(v[2, ] - v[1, ])
   number <- function(x) {
-    phase <- Arg(mean(exp(2i * pi * x / lambda))) / (2 * pi)
-    n <- round(x / lambda - phase)
+    x <- colMeans(x)
+    phase <- Arg(mean(exp(2i * pi * x / drawn$lambda))) / (2 * pi)
+    n <- round(x / drawn$lambda - phase)
     n - round(stats::median(n))
   }
   twine <- integer(ncol(ends))
-  twine[along_u] <- number(colMeans(v)[along_u])
-  twine[!along_u] <- number(colMeans(u)[!along_u])
-  twine %% every == 0
+  if (any(along_u)) twine[along_u] <- number(v[, along_u, drop = FALSE])
+  if (!all(along_u)) twine[!along_u] <- number(u[, !along_u, drop = FALSE])
+  along <- v
+  along[, along_u] <- u[, along_u]
+  list(
+    family = 2L - along_u, number = twine, along = along[1L, ] + along[2L, ],
+    backwards = along[2L, ] < along[1L, ]
+  )
 }
 
 # A piece spread along a rope is marked at up to this many of its nodes.

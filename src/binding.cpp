@@ -1,4 +1,5 @@
 // The one file that knows both R and the engine: a lattice (an R list) in, numbers out.
+#include <algorithm>
 #include <cpp11.hpp>
 #include <ctime>
 #include <memory>
@@ -19,34 +20,52 @@ namespace writable = cpp11::writable;
 
 namespace {
 
+std::vector<double> numbers(const doubles& values) {
+  const double* first = REAL(values);
+  return std::vector<double>(first, first + values.size());
+}
+
 std::vector<double> numbers(const list& from, const char* name) {
-  const doubles values(from[name]);
-  return std::vector<double>(values.begin(), values.end());
+  return numbers(doubles(from[name]));
+}
+
+std::vector<int> whole_numbers(const integers& values) {
+  const int* first = INTEGER(values);
+  return std::vector<int>(first, first + values.size());
 }
 
 std::vector<int> whole_numbers(const list& from, const char* name) {
-  const integers values(from[name]);
-  return std::vector<int>(values.begin(), values.end());
+  return whole_numbers(integers(from[name]));
 }
 
 // R counts from 1.
-std::vector<int> places(const list& from, const char* name) {
-  std::vector<int> out = whole_numbers(from, name);
+std::vector<int> places(const integers& values) {
+  std::vector<int> out = whole_numbers(values);
   for (int& place : out) --place;
+  return out;
+}
+
+std::vector<int> places(const list& from, const char* name) { return places(integers(from[name])); }
+
+std::vector<char> marks(const logicals& values) {
+  std::vector<char> out(values.size());
+  const int* from = LOGICAL(values);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = from[k] == TRUE ? 1 : 0;
   return out;
 }
 
 double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
 
+// Copies every array once. The caller connects the model where it comes to lie.
 codend::Model read_model(const list& lattice) {
   codend::Model model;
   model.nodes = as_cpp<int>(lattice["nodes"]);
-  const logicals held(lattice["held"]);
-  for (const auto h : held) model.held.push_back(h == TRUE ? 1 : 0);
+  model.held = marks(logicals(lattice["held"]));
 
   const list ties(lattice["ties"]);
   const std::vector<int> first = places(ties, "first"), second = places(ties, "second");
   const std::vector<double> share = numbers(ties, "share");
+  model.ties.reserve(share.size());
   for (std::size_t t = 0; t < share.size(); ++t) {
     model.ties.push_back({first[t], second[t], share[t]});
   }
@@ -113,7 +132,6 @@ codend::Model read_model(const list& lattice) {
   model.lifts.node = places(lifts, "node");
   model.lifts.lift_area = numbers(lifts, "lift_area");
   model.lifts.direction = whole_numbers(lifts, "direction");
-  model.connect();
   return model;
 }
 
@@ -220,8 +238,8 @@ writable::list plan_state(const codend::Plan& plan) {
     parted_at.push_back(parting.parted_at);
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
-                         "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit, "parted"_nm = parted,
-                         "parted_at"_nm = parted_at});
+                         "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
+                         "parted"_nm = parted, "parted_at"_nm = parted_at});
 }
 
 std::unique_ptr<codend::Stepper> read_scheme(const list& control, codend::Assembly& assembly,
@@ -246,19 +264,30 @@ std::unique_ptr<codend::Stepper> read_scheme(const list& control, codend::Assemb
   return std::make_unique<codend::RungeKuttaStep>(assembly, start);
 }
 
-doubles as_doubles(const std::vector<double>& values) { return writable::doubles(values); }
+doubles as_doubles(const std::vector<double>& values) {
+  writable::doubles out(static_cast<R_xlen_t>(values.size()));
+  std::copy(values.begin(), values.end(), REAL(out));
+  return out;
+}
 
 }  // namespace
 
 [[cpp11::register]]
-list engine_settle(list lattice, doubles start, double tolerance, int iterations, function watch) {
+list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance,
+                   int iterations, function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
-  std::vector<double> x(start.begin(), start.end());
+  std::vector<double> x = numbers(start);
   const std::vector<double> v(x.size(), 0.0);
 
   codend::SettleControl control;
+  control.near = near;
+  control.strain.assign(strain.begin(), strain.end());
+  if (near && !control.strain.empty() &&
+      control.strain.size() != static_cast<std::size_t>(model.lines())) {
+    stop("one strain per line is needed");
+  }
   control.tolerance = tolerance;
   control.iterations = iterations;
   control.watch = [&](const codend::SettleProgress& progress) {
@@ -312,7 +341,7 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
-  std::vector<double> x(position.begin(), position.end()), v(velocity.begin(), velocity.end());
+  std::vector<double> x = numbers(position), v = numbers(velocity);
   const codend::SubstitutionReport report = codend::march_by_substitution(
       assembly, step, steps, tolerance, substitutions, x.data(), v.data());
   return writable::list({
@@ -403,12 +432,12 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
 doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest,
                        doubles tension, doubles load) {
   codend::StringNet net;
-  for (const auto h : held) net.held.push_back(h == TRUE ? 1 : 0);
-  for (const int end : ends) net.ends.push_back(end - 1);
-  net.rest.assign(rest.begin(), rest.end());
-  net.tension.assign(tension.begin(), tension.end());
-  net.load.assign(load.begin(), load.end());
-  std::vector<double> x(position.begin(), position.end());
+  net.held = marks(held);
+  net.ends = places(ends);
+  net.rest = numbers(rest);
+  net.tension = numbers(tension);
+  net.load = numbers(load);
+  std::vector<double> x = numbers(position);
   codend::lay_out(net, x.data());
   return as_doubles(x);
 }

@@ -6,10 +6,10 @@
 #include <R_ext/Visibility.h>
 
 // binding.cpp
-list engine_settle(list lattice, doubles start, double tolerance, int iterations, function watch);
-extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP tolerance, SEXP iterations, SEXP watch) {
+list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance, int iterations, function watch);
+extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP near, SEXP strain, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<bool>>(near), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding.cpp
@@ -46,7 +46,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_evaluate", (DL_FUNC) &_codend_engine_evaluate, 3},
     {"_codend_engine_lay_out",  (DL_FUNC) &_codend_engine_lay_out,  6},
     {"_codend_engine_march",    (DL_FUNC) &_codend_engine_march,    7},
-    {"_codend_engine_settle",   (DL_FUNC) &_codend_engine_settle,   5},
+    {"_codend_engine_settle",   (DL_FUNC) &_codend_engine_settle,   7},
     {"_codend_engine_tow",      (DL_FUNC) &_codend_engine_tow,      8},
     {NULL, NULL, 0}
 };

@@ -14,7 +14,6 @@ Assembly::Assembly(const Model& model)
       load_(position_.size()),
       force_(position_.size()),
       moved_(position_.size()),
-      masses_(3 * position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
   std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node}};
   for (const ElementKind* kind : kinds_) {
@@ -98,7 +97,7 @@ void Assembly::add_blocks(const double* blocks, double factor, double* values) c
 }
 
 void Assembly::mass(double* mass) {
-  std::fill(masses_.begin(), masses_.end(), 0.0);
+  masses_.assign(3 * position_.size(), 0.0);
   for (int p = 0; p < model_.points(); ++p) {
     for (int k = 0; k < 3; ++k) masses_[9 * static_cast<std::size_t>(p) + 4 * k] = model_.mass[p];
   }

@@ -88,7 +88,8 @@ class Assembly {
   std::vector<BlockPlaces> places_;     // of bars, of triangles, then one per kind
   bool flow_known_ = false;
   LineChange change_;
-  // Per point; load_: the model's and the forces of all kinds but lines.
+  // Per point; load_: the model's and the forces of all kinds but lines; masses_: none until they
+  // are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };
 

@@ -127,3 +127,9 @@ test_that("pieces from end to end sit one at each end and evenly between", {
   # at 2, 2.5 and 3 of six segments
   expect_equal(chain(3, c(1 / 3, 1 / 2)), c(0, 0, 3, 3, 0, 0, 0), tolerance = 1e-14)
 })
+
+test_that("what finds places keeps nothing of the lattice's building", {
+  si <- gear_si(read_gear("flat_panel"))
+  size <- function(nodes) length(serialize(build_lattice(si, nodes = nodes)$place, NULL))
+  expect_identical(size(5000), size(50))
+})

@@ -98,6 +98,38 @@ test_that("a net too fine for a page is thinned to the lines asked for", {
   }
 })
 
+test_that("a thinned panel of bars is drawn along whole twines that lie evenly apart", {
+  state <- unsettled(sheets_plan, nodes = 3000, netting = "bars")
+  state$bar_tension[] <- 7
+  part <- which(state$lattice$parts$name == "top")
+  drawn <- state$lattice$panels$top
+  # in mesh coordinates a twine is a straight line on which i + j or j - i stays the same
+  node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
+  points <- matrix(NA_real_, 3, max(node))
+  points[, node] <- rbind(drawn$i, drawn$j, 0)
+  bar <- 0.05 * drawn$lambda
+  lines <- panel_bar_lines(state, points, "top", part, 4 * bar)
+  expect_equal(lines$tension, rep(7, length(lines$tension)))
+  u <- rbind(lines$from[1, ] + lines$from[2, ], lines$to[1, ] + lines$to[2, ]) / drawn$lambda
+  v <- rbind(lines$from[2, ] - lines$from[1, ], lines$to[2, ] - lines$to[1, ]) / drawn$lambda
+  along_u <- abs(u[2, ] - u[1, ]) > abs(v[2, ] - v[1, ])
+  across <- ifelse(along_u, colMeans(v), colMeans(u))
+  along <- ifelse(along_u, u[2, ] - u[1, ], v[2, ] - v[1, ])
+  # knots near a side are moved onto it by up to a quarter of an equivalent bar
+  expect_lt(max(abs(ifelse(along_u, v[2, ] - v[1, ], u[2, ] - u[1, ]))), 0.5 + 1e-6)
+  apart <- unlist(tapply(across, along_u, function(x) {
+    whole <- x[abs(x - stats::median(x)) %% 4 < 0.3 | abs(x - stats::median(x)) %% 4 > 3.7]
+    length(whole) / length(x)
+  }))
+  expect_equal(as.vector(apart), c(1, 1))
+  # as much twine is drawn as in all bars of every fourth twine, and each line has up to four
+  expect_lte(max(abs(along)), 4 + 0.5)
+  all_bars <- panel_bar_lines(state, points, "top", part, 0)
+  expect_equal(sum(abs(along)), sum(state$lattice$bar_part == part) / drawn$segments / 4,
+    tolerance = 0.1)
+  expect_lt(length(lines$tension), length(all_bars$tension) / 10)
+})
+
 test_that("a rope with too many bars is drawn whole through fewer nodes", {
   state <- unsettled("towed_cable")
   lines <- state_drawing(state, limit = 30)$ropes

@@ -22,6 +22,10 @@ struct SettleProgress {
 struct SettleControl {
   double tolerance = 1e-8;   // on the residual; where rounding alone makes more, that is enough
   int iterations = 500;      // at most
+  bool near = false;         // whether x begins near the result
+  // Strains of all lines in a like state that the tensions begin from, where x is near; empty: those
+  // of x itself.
+  std::vector<double> strain;
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
 };

@@ -1,11 +1,14 @@
 #include "tension_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace codend {
 namespace {
 
 constexpr double first_parameter = 1e-2;
+// The same of a start that is nearly settled.
+constexpr double near_parameter = 1e-3;
 constexpr double least_parameter = 1e-16;
 // First tensions over the lines' scales: taut enough that the first steps find the global shape.
 constexpr double first_tension = 10.0;
@@ -33,6 +36,19 @@ TensionPath::TensionPath(const Model& model, double load) : parameter_(first_par
   for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
   current_.modulus.resize(lines);
   predicted_ = current_;
+}
+
+void TensionPath::follow(const std::vector<double>& strain) {
+  parameter_ = near_parameter;
+  for (std::size_t k = 0; k < scale_.size(); ++k) {
+    // T s = mu scale and strain = T/EA - s
+    const double product = parameter_ * scale_[k];
+    const double root = std::sqrt(strain[k] * strain[k] + 4.0 * product / stiffness_[k]);
+    const double t = strain[k] > 0.0 ? 0.5 * stiffness_[k] * (strain[k] + root)
+                                     : 2.0 * product / (root - strain[k]);
+    current_.tension[k] = std::min(t, first_tension * scale_[k]);
+    shortfall_[k] = product / current_.tension[k];
+  }
 }
 
 void TensionPath::prepare(const std::vector<double>& strain, double reduction) {

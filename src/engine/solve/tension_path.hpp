@@ -20,6 +20,10 @@ class TensionPath {
   // load: the sum of the loads on the gear, N, which bounds the first guess of tensions.
   TensionPath(const Model& model, double load);
 
+  // Starts from tensions and shortfalls that agree with these strains, for positions that are nearly
+  // settled, instead of pulling every line taut.
+  void follow(const std::vector<double>& strain);
+
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
   void prepare(const std::vector<double>& strain, double reduction);

@@ -1,0 +1,184 @@
+# Carries a shape from one lattice to another of the same parts: to a finer division, or to a design
+# with other lengths. Every node goes where its place on its rope or panel is on the old shape.
+
+# Positions (3 x nodes, m) of a lattice's nodes.
+#
+# panels: the new lattice's table; to, from: of both lattices list(nodes, division, ropes, points,
+# panels), see build_lattice(); position: 3 x points of the old one, tied points last.
+carry_positions <- function(panels, to, from, position) {
+  start <- matrix(NA_real_, 3L, to$nodes)
+  on_ropes <- along_ropes(rope_runs(to$ropes), rope_runs(from$ropes))
+  start[, on_ropes$node] <- between_places(position, on_ropes)
+  if (length(to$panels)) {
+    places <- panel_places(panels, to$division, to$panels)
+    start[, places$node] <- on_rows(places, panel_rows(panels, from, position))
+  }
+  start[, to$points] <- position[, from$points[names(to$points)]]
+  start
+}
+
+# Nodes of all ropes, one rope after the other, as those of edges (see divide()).
+rope_runs <- function(ropes) {
+  count <- as.integer(lengths(lapply(ropes, `[[`, "node")))
+  list(
+    node = as.integer(unlist(lapply(ropes, `[[`, "node"))),
+    fraction = as.double(unlist(lapply(ropes, `[[`, "at"))),
+    count = count, before = cumsum(count) - count
+  )
+}
+
+# Nodes of ropes on old ones: list(node, from, to = the old nodes on both sides, share).
+along_ropes <- function(ropes, old) {
+  on <- along_runs(ropes$fraction, rep.int(seq_along(ropes$count), ropes$count), old)
+  c(list(node = ropes$node), on)
+}
+
+# Places at these fractions of runs of nodes (edges or ropes): list(from, to, share).
+along_runs <- function(at, run, runs) {
+  cell <- cell_of(at, run, runs)
+  low <- runs$fraction[cell]
+  high <- runs$fraction[cell + 1L]
+  share <- (at - low) / (high - low)
+  share[at <= low] <- 0
+  share[at >= high] <- 1
+  list(from = runs$node[cell], to = runs$node[cell + 1L], share = share)
+}
+
+between_places <- function(place, on) {
+  from <- place[, on$from, drop = FALSE]
+  to <- place[, on$to, drop = FALSE]
+  found <- from + (to - from) * rep(on$share, each = 3L)
+  found[, on$share == 1] <- to[, on$share == 1]
+  found
+}
+
+# Where the nodes of panels lie on them: list(node, panel, s, t), s and t fractions across and deep.
+panel_places <- function(panels, division, drawn) {
+  bars <- vapply(drawn, function(panel) panel$netting == "bars", NA)
+  on_grids <- grid_places(division)
+  if (!any(bars)) return(on_grids)
+
+  edge <- rep.int(seq_along(division$count), division$count)
+  panel <- (edge - 1L) %/% 4L + 1L
+  of_bars <- bars[panel]
+  side <- ((edge - 1L) %% 4L + 1L)[of_bars]
+  f <- division$fraction[of_bars]
+  on_edges <- list(
+    node = division$edge_node[of_bars], panel = panel[of_bars],
+    s = ifelse(side <= 2L, f, side - 3), t = ifelse(side <= 2L, side - 1, f)
+  )
+
+  inside <- bar_places(panels, which(bars), drawn)
+  own <- inside$node > division$nodes
+  mapply(c, on_grids, on_edges, lapply(inside, `[`, own), SIMPLIFY = FALSE)
+}
+
+# The same of the nodes of grids alone, the panels of triangles.
+grid_places <- function(division) {
+  size <- lengths(division$grids)
+  panel <- rep.int(seq_along(size), size)
+  columns <- division$count[4L * panel - 3L]
+  k <- sequence(size) - 1L
+  list(
+    node = as.integer(unlist(division$grids)), panel = panel,
+    s = division$fraction[division$before[4L * panel - 3L] + k %% columns + 1L],
+    t = division$fraction[division$before[4L * panel - 1L] + k %/% columns + 1L]
+  )
+}
+
+# The same of all knots and middles of bars of these panels.
+bar_places <- function(panels, numbers, drawn) {
+  field <- function(name) unlist(lapply(drawn[numbers], `[[`, name), use.names = FALSE)
+  panel <- rep.int(numbers, lengths(lapply(drawn[numbers], `[[`, "node")))
+  j <- field("j")
+  shape <- pick_panels(panels, panel, side_fields)
+  left <- panel_left(shape, j)
+  width <- panel_right(shape, j) - left
+  width[width < 1e-9] <- 1e-9
+  s <- (field("i") - left) / width
+  list(node = field("node"), panel = panel, s = pmin(pmax(s, 0), 1), t = j / shape$deep)
+}
+
+# The shape of panels as rows of places, each running from the left edge to the right edge: the rows
+# of a grid, or those of knots.
+#
+# Returns list(panel, t = of every row, row, s = of every place, x = 3 x places), rows and places in
+# order.
+panel_rows <- function(panels, from, position) {
+  division <- from$division
+  bars <- vapply(from$panels, function(panel) panel$netting == "bars", NA)
+  parts <- list()
+  if (!all(bars)) {
+    grid <- grid_places(division)
+    parts$grid <- c(grid[c("panel", "s", "t")], list(x = position[, grid$node, drop = FALSE]))
+  }
+  if (any(bars)) {
+    rows <- mapply(function(panel, p) {
+      round((2 - is_square(pick_panels(panels, p))) * panels$deep[p] / panel$lambda)
+    }, from$panels[bars], which(bars))
+    deep <- at_least_one(rows)
+    knots <- bar_places(panels, which(bars), from$panels)
+    at <- knots$t * deep[match(knots$panel, which(bars))]
+    inner <- abs(at - round(at)) < 1e-6 & at > 0.5 & at < deep[match(knots$panel, which(bars))] - 0.5
+    node <- knots$node[inner]
+    node[node < 0L] <- from$nodes - node[node < 0L]
+    parts$knots <- list(
+      panel = knots$panel[inner], s = knots$s[inner],
+      t = (round(at) / deep[match(knots$panel, which(bars))])[inner],
+      x = position[, node, drop = FALSE]
+    )
+    edges <- list(
+      node = division$edge_node, fraction = division$fraction, count = division$count,
+      before = division$before
+    )
+    panel <- rep.int(which(bars), deep - 1L)
+    t <- sequence(deep - 1L) / rep.int(deep, deep - 1L)
+    for (side in 3:4) {
+      parts[[paste("side", side)]] <- list(
+        panel = panel, s = rep(side - 3, length(t)), t = t,
+        x = between_places(position, along_runs(t, 4L * (panel - 1L) + side, edges))
+      )
+    }
+    edge <- rep.int(seq_along(division$count), division$count)
+    for (side in 1:2) {
+      on <- (edge - 1L) %% 4L + 1L == side & bars[(edge - 1L) %/% 4L + 1L]
+      parts[[paste("end", side)]] <- list(
+        panel = ((edge - 1L) %/% 4L + 1L)[on], s = division$fraction[on],
+        t = rep(side - 1, sum(on)), x = position[, division$edge_node[on], drop = FALSE]
+      )
+    }
+  }
+  all <- lapply(c(panel = "panel", s = "s", t = "t"), function(f) unlist(lapply(parts, `[[`, f)))
+  order <- order(all$panel, all$t, all$s)
+  key <- (2 * all$panel + all$t)[order]
+  row <- cumsum(c(TRUE, diff(key) > 1e-9))
+  first <- !duplicated(row)
+  list(
+    panel = unname(all$panel[order][first]), t = unname(all$t[order][first]), row = row,
+    s = unname(all$s[order]), x = do.call(cbind, lapply(parts, `[[`, "x"))[, order, drop = FALSE]
+  )
+}
+
+# Positions at places of panels: straight along rows, then between rows.
+on_rows <- function(places, rows) {
+  below <- findInterval(2 * places$panel + places$t, 2 * rows$panel + rows$t - 1e-9)
+  last <- rows$panel[pmin(below + 1L, length(rows$panel))] != places$panel |
+    below == length(rows$panel)
+  below[last] <- below[last] - 1L
+  share <- (places$t - rows$t[below]) / (rows$t[below + 1L] - rows$t[below])
+  share <- pmin(pmax(share, 0), 1)
+  keys <- 2 * rows$row + rows$s
+  along <- function(row) {
+    k <- findInterval(2 * row + places$s, keys, all.inside = TRUE)
+    end <- rows$row[k + 1L] != row
+    k[end] <- k[end] - 1L
+    before <- rows$row[k] != row
+    k[before] <- k[before] + 1L
+    width <- rows$s[k + 1L] - rows$s[k]
+    f <- pmin(pmax((places$s - rows$s[k]) / pmax(width, 1e-12), 0), 1)
+    from <- rows$x[, k, drop = FALSE]
+    from + (rows$x[, k + 1L, drop = FALSE] - from) * rep(f, each = 3L)
+  }
+  first <- along(below)
+  first + (along(below + 1L) - first) * rep(share, each = 3L)
+}

@@ -1,0 +1,86 @@
+# Coarse to fine: a gear is settled with few nodes first, and each shape, carried to a finer lattice,
+# is the start of the next.
+
+# How many times as many nodes the next finer level has, and how many the coarsest.
+level_ratio <- 7
+coarsest_nodes <- 250
+# Steps after which a start that should be near counts as a bad one.
+near_steps <- 200L
+
+# The settled shape of the next coarser level, list(lattice, position = 3 x points), or NULL where
+# coarser ones are of no use: ropes alone settle in a few steps.
+coarse_shape <- function(si, nodes, netting, progress) {
+  found <- NULL
+  if (!length(si$panels)) return(found)
+  free <- undivided(si)
+  for (level in coarse_levels(nodes)) {
+    coarse <- settle_level(
+      free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps, progress
+    )
+    if (!coarse$report$converged) next
+    found <- list(lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position))
+  }
+  found
+}
+
+# Nodes of the levels below `nodes`, rising.
+coarse_levels <- function(nodes) {
+  between <- nodes / level_ratio^seq_len(ceiling(log(nodes, level_ratio)))
+  c(if (nodes > 2 * coarsest_nodes) coarsest_nodes, rev(between[between > 2 * coarsest_nodes]))
+}
+
+# A gear whose plan says nothing of how finely it is divided.
+undivided <- function(si) {
+  si$ropes <- lapply(si$ropes, function(rope) {
+    rope$segments <- NULL
+    rope
+  })
+  si$panels <- lapply(si$panels, function(panel) {
+    panel$columns <- panel$rows <- NULL
+    panel
+  })
+  si
+}
+
+# Settles one lattice: list(lattice, position, report). from: a shape to carry over, or NULL; with
+# `strain`, of every line, where it is that of a state.
+settle_level <- function(si, nodes, netting, from, steps, progress) {
+  started <- cpu_clock()
+  lattice <- build_lattice(si, nodes, netting, from)
+  # The factors lie outside R's heap: nothing else makes R release what building left over.
+  if (lattice$nodes > 1e5) gc(verbose = FALSE)
+  seconds_lattice <- cpu_clock() - started
+  alike <- identical(lattice$engine$bars$node, from$lattice$engine$bars$node) &&
+    identical(lattice$engine$triangles$node, from$lattice$engine$triangles$node)
+  report <- engine_settle(
+    lattice$engine, as.double(lattice$start), !is.null(from),
+    as.double(if (alike) from$strain), settle_tolerance, steps, progress
+  )
+  position <- report$position
+  report$position <- NULL
+  report$seconds_lattice <- seconds_lattice
+  list(lattice = lattice, position = position, report = report)
+}
+
+# A state's shape, to carry over.
+state_shape <- function(state) {
+  lines <- state_lines(state)
+  list(
+    lattice = state$lattice, position = state_points(state), strain = lines$length / lines$rest - 1
+  )
+}
+
+# Stops unless a state's gear has the parts of this one.
+check_same_parts <- function(si, from) {
+  check_is_state(from)
+  for (kind in c("ropes", "panels", "points")) {
+    here <- names(si[[kind]])
+    there <- names(from$si[[kind]])
+    if (identical(here, there)) next
+    odd <- c(setdiff(here, there), setdiff(there, here))
+    cli::cli_abort(
+      "{.arg from} must be a state of a gear with the same {kind}; they differ by {.val {odd}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+}
