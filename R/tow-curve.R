@@ -7,8 +7,8 @@
 # A function is taken at steps of this length, s, and smooth between.
 function_step <- 0.1
 
-# value: a number or text with a unit, a data frame of time and value, or a function of time (s) that
-# gives SI. path: how errors name it. until: s.
+# value: a number or text with a unit, a data frame of time and value, or a function of time (s)
+# that gives SI. path: how errors name it. until: s.
 schedule_curve <- function(value, path, dimension, until) {
   if (is.function(value)) return(function_curve(value, path, until))
   if (is.data.frame(value)) return(table_curve(value, path, dimension))

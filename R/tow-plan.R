@@ -200,7 +200,9 @@ current_curves <- function(si, given, until) {
     toward <- schedule_curve(first_of(layers[[k]]$toward, 0), paste0(path, "$toward"), "angle",
       until)
     if (all(toward$begin_rate == 0 & toward$end_rate == 0) && length(toward$begin) == 1L) {
-      return(list(x = scale_curve(speed, cos(toward$begin)), y = scale_curve(speed, sin(toward$begin))))
+      return(list(
+        x = scale_curve(speed, cos(toward$begin)), y = scale_curve(speed, sin(toward$begin))
+      ))
     }
     time <- seq(0, until + 2 * function_step, by = function_step)
     s <- curve_at(speed, time)

@@ -13,7 +13,8 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   # A warp that is still short has few bars of its own: its shape is carried over to all of them.
   progress <- settle_progress()
   found <- settle_level(
-    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations, progress
+    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations,
+    progress
   )
   if (found$report$converged) {
     found$lattice$counts <- NULL
@@ -36,7 +37,7 @@ started_trajectory <- function(state, given, until) {
   for (part in what$plan$parts) {
     if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
       abort_schedule("gear", sprintf(
-        "is a state whose %s is not what the schedule begins with; give the gear itself, to settle so.",
+        "is a state whose %s is not what the schedule begins with; give the gear, to settle so.",
         part$name
       ))
     }

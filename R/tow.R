@@ -1,7 +1,7 @@
 #' Tow a gear through time
 #'
-#' Marches a gear through time: from its steady state, while towing speed and course, warps, currents
-#' and more change.
+#' Marches a gear through time: from its steady state, while towing speed and course, warps,
+#' currents and more change.
 #'
 #' @details
 #' The motion is computed over the ground, where a turn brings in no forces of its own: water stands
@@ -9,12 +9,12 @@
 #' those of the plan at the start, x aft, y to starboard, z up, and stay where they are while the
 #' vessel leaves.
 #'
-#' What changes with time is a constant (a number in SI or a text with a unit), a data frame of `time`
-#' and `value` (straight between its rows, the last value for good; two rows of one time make a jump)
-#' or a function of time in s that gives SI (taken every 0.1 s and smooth between). A gear that is
-#' not yet a state settles first, in the conditions of time 0. What is not given here is taken from
-#' the plan's section `tow`, which has fields of the same names and lists of `time` and `value` for
-#' tables.
+#' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
+#' `time` and `value` (straight between its rows, the last value for good; two rows of one time
+#' make a jump) or a function of time in s that gives SI (taken every 0.1 s and smooth between). A
+#' gear that is not yet a state settles first, in the conditions of time 0. What is not given here
+#' is taken from the plan's section `tow`, which has fields of the same names and lists of `time`
+#' and `value` for tables.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
@@ -25,13 +25,14 @@
 #' points, not the water.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
-#'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own schedule.
+#'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own
+#'   schedule.
 #' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`.
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
 #' @param speed Towing speed, m/s; the plan's when `NULL`.
 #' @param course Course to starboard of that at the start, rad; it starts at 0.
-#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp`, or a list of them
-#'   by rope or by `port` and `starboard`. At least 1 m.
+#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp`, or a list of
+#'   them by rope or by `port` and `starboard`. At least 1 m.
 #' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
 #'   faster, and pay out where their tension at the vessel exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that
@@ -45,11 +46,11 @@
 #' @param catch Share of the plan's pieces of role `catch` that is in the codend.
 #' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
-#' @param scheme `"bdf2"` (when `NULL`), `"trapezoid"`, `"backward_euler"` (implicit, by Newton's method),
-#'   `"substitution"` (the trapezoid by substitution, as Li et al. print it), `"symplectic_euler"` or
-#'   `"rk4"` (explicit).
-#' @param accuracy Largest error of any node's position that one step of an implicit scheme may make,
-#'   m, or text; 0.01 m when `NULL`. Steps are as long as that allows.
+#' @param scheme `"bdf2"` (when `NULL`), `"trapezoid"`, `"backward_euler"` (implicit, by Newton's
+#'   method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
+#'   `"symplectic_euler"` or `"rk4"` (explicit).
+#' @param accuracy Largest error of any node's position that one step of an implicit scheme may
+#'   make, m, or text; 0.01 m when `NULL`. Steps are as long as that allows.
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.

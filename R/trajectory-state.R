@@ -8,8 +8,9 @@
 #'
 #' @param trajectory From [tow()].
 #' @param time s, or a text with a unit; the nearest time that is kept counts.
-#' @return A `codend_state` with the fields of a settled one and `time` (s) and `velocity` (3 x nodes,
-#'   m/s, relative to the vessel). Its net forces are what moves the gear, so they do not vanish.
+#' @return A `codend_state` with the fields of a settled one and `time` (s) and `velocity` (3 x
+#'   nodes, m/s, relative to the vessel). Its net forces are what moves the gear, so they do not
+#'   vanish.
 #' @export
 state_at <- function(trajectory, time) {
   if (!inherits(trajectory, "codend_trajectory")) {

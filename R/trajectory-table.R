@@ -3,14 +3,15 @@
 #' @details
 #' A trajectory is a list of class `codend_trajectory`. Over the ground, with n kept times:
 #'
-#' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy, step);
+#' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy,
+#' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
 #'   line), `u_tension` and `v_tension` (netting triangles x n);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
 #'   (m/s), `course` (rad) and `heave` (m), and the length of each warp that the schedule moves (m);
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
-#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`, `iterations`,
-#'   `shortest_step` and `longest_step` (s);
+#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
+#'   `iterations`, `shortest_step` and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].
@@ -106,8 +107,8 @@ print.codend_trajectory <- function(x, ...) {
 #'
 #' @param object A trajectory, from [tow()].
 #' @param ... Not used.
-#' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at the
-#'   start and at the end, the least and the greatest, and the times of these (s).
+#' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at
+#'   the start and at the end, the least and the greatest, and the times of these (s).
 #' @export
 summary.codend_trajectory <- function(object, ...) {
   table <- as.data.frame(object, what = "measures")

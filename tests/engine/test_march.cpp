@@ -180,7 +180,8 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
   for (int n = bars; n >= 0; --n) {
     const double s = n * length / bars;
     at(chain.start.x.data(), n).z() = z;
-    at(chain.start.x.data(), n).x() = 0.01 * std::cyl_bessel_j(0.0, 2.404826 * std::sqrt(s / length));
+    at(chain.start.x.data(), n).x() =
+        0.01 * std::cyl_bessel_j(0.0, 2.404826 * std::sqrt(s / length));
     z -= length / bars * (1.0 + gravity * (s - 0.5 * length / bars) / 1e6);
   }
   SteadyConditions conditions(chain.model.held, chain.start);

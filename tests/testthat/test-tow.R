@@ -6,7 +6,9 @@ short_cable_plan <- list(
     from = "ship", to = "body", length = 60, diameter = 0.012, axial_stiffness = 2e6,
     mass_per_length = 0.4, segments = 12, role = "warp", strength = 5e3
   )),
-  pieces = list(weight = list(at = "body", mass = 100, volume = 0.02, drag_area = 0.05, role = "catch")),
+  pieces = list(weight = list(
+    at = "body", mass = 100, volume = 0.02, drag_area = 0.05, role = "catch"
+  )),
   measures = list(depth = list(depth = "body"), tension = list(tension = "cable.start"))
 )
 
@@ -40,7 +42,8 @@ test_that("a new speed leads to the gear that settles at it", {
 
 test_that("a gear on a new course is the old one turned", {
   found <- tow(short_cable(), until = 300, every = 300,
-    course = data.frame(time = c(0, 20, 60), value = c("0 deg", "0 deg", "90 deg")), accuracy = 1e-6)
+    course = data.frame(time = c(0, 20, 60), value = c("0 deg", "0 deg", "90 deg")),
+    accuracy = 1e-6)
   before <- state_at(found, 0)
   after <- state_at(found, 300)
   # steps of 1e-6 m of error each, some tens within the gear's memory, on 43 m
@@ -74,7 +77,8 @@ test_that("a winch turns no faster than it can, and gives way at its tension", {
   expect_equal(slow$conditions$cable, c(60, 62, 64, 66, 68, rep(70, 6)), tolerance = 1e-6)
 
   # the weight pulls with 0.92 kN; the limit lets out cable until the weight is nearly free
-  free <- tow(short_cable(), until = 30, every = 5, winch = list(speed_limit = 3, tension_limit = 800))
+  free <- tow(short_cable(), until = 30, every = 5,
+    winch = list(speed_limit = 3, tension_limit = 800))
   expect_true(all(diff(free$conditions$cable) > 0))
   tension <- as.data.frame(free)
   tension <- tension$value[tension$measure == "tension_kN"]
