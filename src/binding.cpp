@@ -353,8 +353,8 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
   });
 }
 
-// Marches from `past` through the stops of list(time, kept, broken, steered): times (s, growing) and
-// at which of them a frame is kept, the motion breaks or winches are steered. keep(frame) gets the
+// Marches from `past` through the stops of list(time, kept, broken, steered): times (s, growing)
+// and at which of them a frame is kept, the motion breaks or winches are steered. keep(frame) gets the
 // motion and tensions, and all that is needed to go on from there; steer(frame) answers with the
 // speed wanted of every growing part; watch(time, steps) is called after steps, at most some ten
 // times a second.
@@ -408,7 +408,8 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
         "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
         "step"_nm = march.step(), "done"_nm = plan_state(schedule.plan()),
-        "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
+        "bar_tension"_nm = as_doubles(e.bar_tension),
+        "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);

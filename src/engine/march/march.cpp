@@ -104,7 +104,9 @@ MarchReport::End March::to(double time) {
       }
     }
     if (conditions_.broken_at(past_.now)) begin_anew();
-    if (control_.watch && !control_.watch(past_.now)) return report_.end = MarchReport::End::stopped;
+    if (control_.watch && !control_.watch(past_.now)) {
+      return report_.end = MarchReport::End::stopped;
+    }
   }
   return report_.end = MarchReport::End::reached;
 }

@@ -2,8 +2,8 @@
 // steps that are not good enough.
 //
 // With an accuracy, a step whose own error of position is larger is repeated shorter, and the next
-// is as long as its error allows. Without one, steps have one length. Where a scheme does not find a
-// step it is repeated at half the length, down to the least; then the march ends and says where.
+// is as long as its error allows. Without one, steps have one length. Where a scheme does not find
+// a step it is repeated at half the length, down to the least; then the march ends and says where.
 // Steps end exactly at the times that are asked for.
 #pragma once
 

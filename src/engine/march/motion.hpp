@@ -14,8 +14,8 @@ struct Motion {
   Values x, v, a;     // m, m/s, m/s2, 3 per node; a is zero where a scheme has no use for it
 };
 
-// The last two steps. Where `steps` is 0 there is none before: at the start, or where an event broke
-// the motion.
+// The last two steps. Where `steps` is 0 there is none before: at the start, or where an event
+// broke the motion.
 struct Past {
   Motion now, before;
   int steps = 0;

@@ -11,8 +11,8 @@
 //
 // Newton's matrix is p^2 M - p dF/dv - dF/dx with the full nonsymmetric derivative of F (drag turns
 // with its line). M is that of the present x1; its own change with x1 is not in the matrix. Added
-// mass acts on accelerations of the nodes alone: no force from a line's turning while it moves, none
-// from accelerations of the water.
+// mass acts on accelerations of the nodes alone: no force from a line's turning while it moves,
+// none from accelerations of the water.
 //
 // The error of a step comes from the difference of velocities over the last two: v[..], the second
 // divided difference of v, is half of x''' (Hairer, Norsett, Wanner, Solving Ordinary Differential

@@ -151,7 +151,8 @@ void Schedule::turn(Winch& winch, double time) {
 double Schedule::longest_step() const {
   double longest = std::numeric_limits<double>::infinity();
   for (const GrowingPart& part : plan_.parts) {
-    if (part.has_winch) longest = std::min(longest, part.winch.near_limit ? slipping_step : idle_step);
+    if (!part.has_winch) continue;
+    longest = std::min(longest, part.winch.near_limit ? slipping_step : idle_step);
   }
   return longest;
 }

@@ -4,11 +4,11 @@
 // Motion is computed over the ground, where a turn brings in no forces of its own: towing points
 // move, and water stands still but for its current.
 //
-// A warp that is paid out keeps its bars: all of them grow by one factor, with their mass, weight and
-// drag. Material passes the nodes at (1 - s) w, w the speed of paying out and s the share of the warp
-// from the vessel. Left out is what that does to the water's friction along the warp (its tangential
-// coefficient, at w beside the towing speed) and to momentum (mass per length times w^2, 16 N for
-// 4 kg/m at 2 m/s).
+// A warp that is paid out keeps its bars: all of them grow by one factor, with their mass, weight
+// and drag. Material passes the nodes at (1 - s) w, w the speed of paying out and s the share of
+// the warp from the vessel. Left out is what that does to the water's friction along the warp (its
+// tangential coefficient, at w beside the towing speed) and to momentum (mass per length times
+// w^2, 16 N for 4 kg/m at 2 m/s).
 #pragma once
 
 #include <limits>
@@ -28,8 +28,8 @@ struct Track {
 };
 
 // A winch that answers to its warp: it is steered, or gives way at a tension. At its limit T_l its
-// brake slips at the speed v where the tension is T_l (1 + v/v_l / 10), v_l its speed limit; between
-// two steps of h this is solved once, with the warp's own stiffness EA/L, as
+// brake slips at the speed v where the tension is T_l (1 + v/v_l / 10), v_l its speed limit;
+// between two steps of h this is solved once, with the warp's own stiffness EA/L, as
 //   v1 = v0 + (T0 - T_l (1 + v0/v_l / 10)) / (h EA/L + T_l/v_l / 10),
 // which is stable since no warp is stiffer than taut and straight.
 struct Winch {
