@@ -170,6 +170,7 @@ check_joined <- function(si) {
     ends <- if (is.null(rope$along)) c(body(rope$from), body(rope$to)) else panels_of(rope$along)
     links <- c(links, list(c(paste0("ropes.", name), ends)))
   }
+  for (board in si$otter_boards) links <- c(links, list(paste0("points.", board$points)))
   for (seam in si$seams) {
     gathered <- if (!is.null(seam$gathered_at)) body(seam$gathered_at)
     held <- prefixed("points.", seam$held_between)

@@ -10,8 +10,8 @@ component <- function(group, fields) {
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `seam()` and
-#'   `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `seam()`
+#'   and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
 #'   `netting`, `coefficients`, `slack_twine`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
 #' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
@@ -103,6 +103,8 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @param knotted Whether the netting has knots.
 #' @param knot_diameter Diameter of a knot; 2.5 twine diameters by default.
 #' @param netting `"triangles"` or `"bars"`, instead of the plan's.
+#' @param shielding Whether it slows the water behind it: `"none"`, `"loland"` or `"cheng"`, instead
+#'   of the plan's; see [settle()].
 #' @param columns,rows Elements across and down a panel.
 #' @param bar_segments Straight segments of each equivalent bar.
 #' @param part Part of the gear that a panel is counted with.
@@ -110,7 +112,8 @@ rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ra
 #' @export
 panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL, tapered = NULL,
                   knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
-                  added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
+                  shielding = NULL, added_mass = NULL, columns = NULL, rows = NULL,
+                  bar_segments = NULL,
                   part = NULL) {
   component("panels", as.list(environment()))
 }
@@ -148,15 +151,37 @@ piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_e
   component("pieces", as.list(environment()))
 }
 
+#' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`.
+#' @param chord,span Chord and span of an otter board.
+#' @param polar Its lift and drag coefficients by angle of attack: the name of a tested board
+#'   ([board_polar()]), or a list of `list(attack, lift, drag)`.
+#' @param attachments Three points of the gear, by name, with their places on the board:
+#'   `list(aft, up, inward)`, aft of the leading edge along the chord, above the middle of the span,
+#'   and from the chord towards the middle of the gear.
+#' @param centre_of_gravity,centre_of_buoyancy Such places; by default the middle of the board, and
+#'   the centre of gravity.
+#' @param centre_of_pressure Where lift and drag act: share of the chord from the leading edge.
+#' @param shoe_area Underside of an otter board on the sea bed.
+#' @rdname gear
+#' @export
+otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
+                        volume = NULL, density = NULL, material = NULL, polar = NULL,
+                        attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
+                        centre_of_buoyancy = NULL, added_mass_kg = NULL, shoe_area = NULL) {
+  component("otter_boards", as.list(environment()))
+}
+
 #' @param spread Two places, or a list of pairs of places: distance across the tow, or its mean (m).
 #' @param height Two places: their vertical distance (m).
 #' @param depth A place: its depth (m).
 #' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
 #' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
 #'   its `"divergence"` sideways (deg).
+#' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
+#'   attack, `"heel"` or `"trim"` (deg).
 #' @rdname gear
 #' @export
 measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
-                    area = NULL, angle = NULL) {
+                    area = NULL, angle = NULL, attitude = NULL) {
   component("measures", as.list(environment()))
 }

@@ -1,12 +1,14 @@
 # Measures as the plan asks for them, taken apart.
 
 measure_units <- c(
-  spread = "m", height = "m", length = "m", depth = "m", tension = "kN", area = "m2", angle = "deg"
+  spread = "m", height = "m", length = "m", depth = "m", tension = "kN", area = "m2", angle = "deg",
+  attitude = "deg"
 )
 
 # Returns list(kind, column, unit) and, by kind: pairs (list of two places each) for spread, height
 # and length; place for depth; rope and place (start, middle, end or max) for tension; ropes for
-# area; rope, place and angle (declination or divergence) for angle.
+# area; rope, place and angle (declination or divergence) for angle; board and angle (attack, heel
+# or trim) for attitude.
 si_measure <- function(measure, path, known) {
   kind <- names(measure)
   asked <- measure[[1]]
@@ -22,10 +24,18 @@ si_measure <- function(measure, path, known) {
     tension = parse_place(place(asked))[c("name", "place")],
     area = list(ropes = vapply(asked, find_rope, "", path = path, known = known,
       USE.NAMES = FALSE)),
+    attitude = list(board = find_board(names(asked), path, known), angle = asked[[1]]),
     angle = c(parse_place(place(names(asked)))[c("name", "place")], angle = asked[[1]])
   )
   names(asks)[names(asks) == "name"] <- "rope"
   c(list(kind = kind, column = paste0(name, "_", unit), unit = unit), asks)
+}
+
+find_board <- function(name, path, known) {
+  if (!name %in% known$otter_boards) {
+    abort_reference(name, name, known$otter_boards, "free otter board", path)
+  }
+  name
 }
 
 spread_pairs <- function(asked, path) {

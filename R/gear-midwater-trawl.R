@@ -44,8 +44,10 @@ expand_midwater_trawl <- function(fields, plan) {
   net <- trawl_net(fields, plan, ring)
   rig <- trawl_rig(fields, plan, ring)
   out <- plan[intersect(
-    c("codend", "name", "notes", "sources", "water", "netting", "coefficients", "slack_twine",
-      "materials", "towing", "tow"),
+    c(
+      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
+      "slack_twine", "shielding", "materials", "towing", "tow"
+    ),
     names(plan)
   )]
   out$points <- c(rig$points, net$points)
@@ -53,11 +55,13 @@ expand_midwater_trawl <- function(fields, plan) {
   out$panels <- net$panels
   out$seams <- net$seams
   out$pieces <- rig$pieces
-  out$measures <- trawl_measures(ring)
+  out$otter_boards <- rig$otter_boards
+  out$measures <- trawl_measures(ring, names(rig$otter_boards))
   out
 }
 
 check_trawl <- function(fields) {
+  check_boards(fields)
   if (fields$panels > 2 && is.null(fields$side_lines)) {
     abort_field("side_lines", NULL, "given where a trawl has side panels", "is missing")
   }
@@ -249,11 +253,44 @@ wing_corners <- function(around) {
   out
 }
 
+# A free board and the points of its backstrops, where the hand ropes begin.
+free_board <- function(plan, side) {
+  given <- plan$otter_boards
+  points <- paste0(c("board_", "backstrop_upper_", "backstrop_lower_"), side)
+  attachments <- given[c("warp_at", "upper_backstrop_at", "lower_backstrop_at")]
+  c(
+    list(pushes = side),
+    given[setdiff(names(given), c("attitude", names(attachments)))],
+    list(attachments = stats::setNames(attachments, points))
+  )
+}
+
+# What a trawl's boards need by their attitude, and what they cannot take.
+check_boards <- function(fields) {
+  boards <- fields$otter_boards
+  fixed <- c("lift_coefficient", "drag_coefficient", "diameter")
+  free <- c("chord", "span", "polar", "warp_at", "upper_backstrop_at", "lower_backstrop_at",
+    "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area")
+  is_free <- boards$attitude == "free"
+  due <- if (is_free) c("mass", free[1:6]) else c("area", fixed[1:2])
+  missing <- setdiff(due, names(boards))
+  if (length(missing)) {
+    abort_field(paste0("otter_boards.", missing[1]), NULL,
+      sprintf("given where the attitude is %s", boards$attitude), "is missing")
+  }
+  excess <- intersect(if (is_free) fixed else free, names(boards))
+  if (length(excess)) {
+    abort_field(paste0("otter_boards.", excess[1]), boards[[excess[1]]],
+      sprintf("left out where the attitude is %s", boards$attitude))
+  }
+}
+
 trawl_rig <- function(fields, plan, ring) {
-  points <- ropes <- pieces <- list()
+  points <- ropes <- pieces <- otter_boards <- list()
   nothing <- stats::setNames(list(), character())
   warp <- plan$warps[setdiff(names(plan$warps), "spacing")]
   aside <- fields$warps$spacing / 2
+  free <- fields$otter_boards$attitude == "free"
   without <- function(given, drop) given[setdiff(names(given), drop)]
   for (side in c("port", "starboard")) {
     block <- paste0("block_", side)
@@ -265,13 +302,23 @@ trawl_rig <- function(fields, plan, ring) {
     ropes[[paste0("warp_", side)]] <- c(list(from = block, to = board), warp, list(role = "warp"))
     for (level in c("upper", "lower")) {
       ropes[[paste("hand_rope", level, side, sep = "_")]] <- c(
-        list(from = board, to = paste(level, side, sep = "_")), plan$hand_ropes[[level]],
+        list(
+          from = if (free) paste0("backstrop_", level, "_", side) else board,
+          to = paste(level, side, sep = "_")
+        ),
+        plan$hand_ropes[[level]],
         list(role = "hand_rope")
       )
     }
-    pieces[[paste0("otter_board_", side)]] <- c(
-      list(at = board), plan$otter_boards, list(lift_direction = side, role = "otter_board")
-    )
+    if (free) {
+      otter_boards[[paste0("otter_board_", side)]] <- free_board(plan, side)
+      points[paste0(c("backstrop_upper_", "backstrop_lower_"), side)] <- list(nothing)
+    } else {
+      pieces[[paste0("otter_board_", side)]] <- c(
+        list(at = board), plan$otter_boards[setdiff(names(plan$otter_boards), "attitude")],
+        list(lift_direction = side, role = "otter_board")
+      )
+    }
     if (!is.null(plan$hammers)) {
       pieces[[paste0("hammer_", side)]] <- c(
         list(at = paste0("lower_", side)), plan$hammers, list(role = "hammer")
@@ -296,10 +343,10 @@ trawl_rig <- function(fields, plan, ring) {
   if (!is.null(plan$catch)) {
     pieces$catch <- c(list(at = "codline"), plan$catch, list(role = "catch"))
   }
-  list(points = points, ropes = ropes, pieces = pieces)
+  list(points = points, ropes = ropes, pieces = pieces, otter_boards = otter_boards)
 }
 
-trawl_measures <- function(ring) {
+trawl_measures <- function(ring, free_boards) {
   pair <- function(level) paste0(level, c("_port", "_starboard"))
   out <- list(
     door_spread = list(spread = pair("board")),
@@ -308,6 +355,13 @@ trawl_measures <- function(ring) {
     wing_end_height = list(height = c("upper_port", "lower_port"))
   )
   if (length(ring$mouth) == 4L) out$mouth_area <- list(area = names(ring$mouth))
+  angles <- lapply(stats::setNames(nm = free_boards), function(board) {
+    stats::setNames(
+      lapply(c("attack", "heel"), function(a) list(attitude = stats::setNames(list(a), board))),
+      paste0(c("attack", "heel"), sub("otter_board", "", board, fixed = TRUE))
+    )
+  })
+  out <- c(out, unlist(unname(angles), recursive = FALSE))
   c(out, list(
     door_depth = list(depth = "board_port"),
     headline_depth = list(depth = "head_line.middle"),

@@ -33,6 +33,7 @@ si_piece <- function(piece, path, fields, known) {
     area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
     lift_direction = first_of(piece$lift_direction, NA_character_),
     added_mass = first_of(piece$added_mass_kg, piece$added_mass * body$volume * water),
+    height = piece_height(piece, body$volume),
     role = first_of(piece$role, NA_character_)
   )
 }
@@ -95,6 +96,15 @@ piece_body <- function(piece, path, fields) {
     )
   }
   list(mass = mass, volume = volume)
+}
+
+# Height (m) of a piece on the ground or at the surface: its diameter, or that of a cube of its
+# volume, or of a square of its area.
+piece_height <- function(piece, volume) {
+  if (!is.null(piece$diameter)) return(piece$diameter)
+  if (volume > 0) return(volume^(1 / 3))
+  area <- first_of(piece_reference_area(piece), NA_real_)
+  if (is.na(area)) 0.1 else sqrt(area)
 }
 
 piece_reference_area <- function(piece) {

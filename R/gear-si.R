@@ -5,7 +5,8 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, measures). Places stay texts that `parse_place()` takes apart; a chain is a list of
+# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
+# takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
 # leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
 # columns, rows) or, of single numbers and texts, NA.
@@ -27,6 +28,9 @@ gear_si <- function(gear) {
   si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
   si$seams <- map_named(fields$seams, "seams", si_seam, known)
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
+  si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
+  known$otter_boards <- names(si$otter_boards)
+  si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
   plan_cache$plan <- gear$plan
@@ -54,7 +58,7 @@ si_water <- function(water) {
     )
   }
   list(
-    density = water$density, viscosity = water$viscosity,
+    density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
     current = data.frame(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
@@ -122,6 +126,7 @@ si_panel <- function(panel, path, fields, law) {
     orientation = panel$orientation, taper_left = left, taper_right = 1 - left,
     knot_diameter = knot,
     netting = first_of(panel$netting, fields$netting),
+    shielding = first_of(panel$shielding, fields$shielding),
     coefficients = if (is.null(panel$coefficients)) law else drag_law(panel$coefficients),
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,

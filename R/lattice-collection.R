@@ -2,7 +2,7 @@
 #
 # Tied points are numbered -1, -2, ... until all nodes are known.
 new_collection <- function(nodes) {
-  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties")
+  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties", "screens")
   chunks <- setNames(rep(list(list()), length(kinds)), kinds)
   ties <- 0L
   add <- function(kind, ...) {
@@ -37,7 +37,7 @@ new_collection <- function(nodes) {
         if (!is.null(out$node)) out$node <- final(out$node)
         out
       }
-      masses <- join("masses", c("node", "mass", "volume"), "node")
+      masses <- join("masses", c("node", "mass", "volume", "height", "area"), "node")
       list(
         nodes = nodes,
         ties = join("ties", c("first", "second", "share"), c("first", "second")),
@@ -45,14 +45,40 @@ new_collection <- function(nodes) {
           c("node", "material", "part")),
         triangles = join("triangles", c("node", "twine", "rest", "multiplicity", "material", "part"),
           c("node", "material", "part")),
-        spheres = join("spheres", c("node", "drag_area", "diameter", "added_mass", "part"),
+        spheres = join("spheres", c("node", "drag_area", "diameter", "added_mass", "height", "part"),
           c("node", "part")),
-        lifts = join("lifts", c("node", "lift_area", "direction", "part"),
+        lifts = join("lifts", c("node", "lift_area", "direction", "height", "part"),
           c("node", "direction", "part")),
+        screens = join("screens", c("node", "twine_area", "part"), c("node", "part")),
         mass = sum_by(masses$mass, masses$node, points),
-        volume = sum_by(masses$volume, masses$node, points)
+        volume = sum_by(masses$volume, masses$node, points), masses = masses
       )
     }
+  )
+}
+
+# Of masses with volume, area on the ground and height: per point the area and the largest half
+# height.
+contact_points <- function(masses) {
+  some <- masses$area > 0
+  node <- masses$node[some]
+  order <- order(node, -masses$height[some])
+  first <- order[!duplicated(node[order])]
+  list(
+    node = node[first], area = as.vector(rowsum(masses$area[some], node)),
+    clearance = masses$height[some][first] / 2
+  )
+}
+
+# Volumes of one height at one point together: list(node, buoyancy (N), height).
+immersed_volumes <- function(masses, density) {
+  some <- which(masses$volume > 0 & masses$height > 0)
+  key <- paste(masses$node[some], masses$height[some])
+  first <- some[!duplicated(key)]
+  list(
+    node = masses$node[first], height = masses$height[first],
+    buoyancy = gear_gravity * density *
+      as.vector(rowsum(masses$volume[some], key, reorder = FALSE))
   )
 }
 

@@ -24,7 +24,8 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL) {
 # Positions (3 x n) of the skeleton's nodes.
 skeleton_positions <- function(si, skeleton, panels) {
   supports <- gear_supports(si, skeleton)
-  strings <- skeleton_strings(si, skeleton, panels)
+  strings <- mapply(c, skeleton_strings(si, skeleton, panels), board_strings(si, skeleton),
+    SIMPLIFY = FALSE)
   load <- skeleton_load(si, skeleton, panels, supports$load)
   # Nothing pulls on a weightless gear at rest: let it hang.
   total <- max(sqrt(colSums(load^2)), 1e-9)
@@ -35,7 +36,26 @@ skeleton_positions <- function(si, skeleton, panels) {
     supports$held, as.vector(supports$position), as.vector(ends), strings$rest[keep],
     strings$strength[keep] * total, as.vector(load)
   )
-  matrix(found, 3L)
+  found <- matrix(found, 3L)
+  for (board in si$otter_boards) {
+    nodes <- skeleton$points[board$points]
+    found[, nodes] <- upright_board(board, rowMeans(found[, nodes]))
+  }
+  found
+}
+
+# Strings between the points of boards, as skeleton_strings().
+board_strings <- function(si, skeleton) {
+  pairs <- rbind(c(1L, 2L), c(2L, 3L), c(3L, 1L))
+  nodes <- lapply(si$otter_boards, function(board) matrix(skeleton$points[board$points][pairs], 3L))
+  rest <- lapply(si$otter_boards, function(board) {
+    sqrt(colSums((board$attachment[, pairs[, 2]] - board$attachment[, pairs[, 1]])^2))
+  })
+  list(
+    first = as.integer(unlist(lapply(nodes, function(n) n[, 1]))),
+    second = as.integer(unlist(lapply(nodes, function(n) n[, 2]))),
+    rest = as.double(unlist(rest)), strength = rep(1, 3L * length(nodes))
+  )
 }
 
 # The skeleton's strings: list(first, second, rest (m), strength (of 1)).
@@ -130,7 +150,15 @@ skeleton_load <- function(si, skeleton, panels, load) {
     n <- length(runs[[k]])
     matrix(force / n, n, 3L, byrow = TRUE)
   })
-  force <- do.call(rbind, c(list(on_ropes, on_ropes, on_panels), on_pieces))
+  on_boards <- lapply(si$otter_boards, function(board) {
+    force <- c(
+      push * board$area * 0.5, push * board$area * 1.2 * board$side,
+      -gear_gravity * (board$mass - density * board$volume)
+    )
+    matrix(force / 3, 3L, 3L, byrow = TRUE)
+  })
+  runs <- c(runs, lapply(si$otter_boards, function(board) unname(skeleton$points[board$points])))
+  force <- do.call(rbind, c(list(on_ropes, on_ropes, on_panels), on_pieces, unname(on_boards)))
   node <- c(ropes$node[first], ropes$node[first + 1L], unlist(skeleton$grids), unlist(runs))
   part <- c(
     rope, rope, length(ropes$count) + panel,

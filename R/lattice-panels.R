@@ -16,7 +16,9 @@ panel_table <- function(panels) {
       vapply(panels, function(p) if (is.null(p[[field]])) NA_real_ else p[[field]], 0,
         USE.NAMES = FALSE)
     }),
-    list(orientation = vapply(panels, `[[`, "", "orientation", USE.NAMES = FALSE))
+    lapply(c(orientation = "orientation", shielding = "shielding"), function(field) {
+      vapply(panels, `[[`, "", field, USE.NAMES = FALSE)
+    })
   )
 }
 

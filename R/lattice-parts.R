@@ -13,7 +13,8 @@ add_rope <- function(build, rope, along, part) {
     material = rep(part, m), part = rep(part, m))
   half <- rep(rest / 2, each = 2L)
   build$add("masses", node = as.vector(ends), mass = half * rope$mass_per_length,
-    volume = half * rope$volume_per_length)
+    volume = half * rope$volume_per_length, height = rep(rope$diameter, 2L * m),
+    area = half * rope$diameter)
 }
 
 # Knots as spheres at nodes of panels; count: knots at each node.
@@ -22,13 +23,16 @@ add_knots <- function(build, panels, parts, panel, node, count) {
   some <- diameter > 0
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count)[some], diameter = diameter[some],
-    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], part = parts[panel][some])
+    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], height = diameter[some],
+    part = parts[panel][some])
 }
 
 # Mass and volume of twine; length: m of it at each of these nodes of panels.
 add_twine <- function(build, panels, panel, node, length) {
+  diameter <- (panels$twine_diameter * panels$twine_count)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
-    volume = length * panels$volume_per_length[panel])
+    volume = length * panels$volume_per_length[panel], height = diameter,
+    area = length * diameter)
 }
 
 # Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
@@ -44,6 +48,10 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   part <- parts[found$panel]
   build$add("triangles", node = node, twine = found$twine, rest = found$rest,
     multiplicity = found$multiplicity, material = part, part = part)
+  shading <- which(panels$shielding[found$panel] != "none")
+  build$add("screens", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
+    twine_area = (2 * found$bars * found$rest *
+      (panels$twine_diameter * panels$twine_count)[found$panel])[shading])
   third <- rep(found$bars / 3, each = 3L)
   panel <- rep(found$panel, each = 3L)
   add_twine(build, panels, panel, node, 2 * third * panels$mesh_size[panel] / 2)
@@ -97,6 +105,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   inner <- ends < 0L
   ends[!inner] <- id[ends[!inner]]
   ends[inner] <- between[-bars$ends[inner]]
+  if (any(panels$shielding != "none")) add_bar_screens(build, panels, parts, bars, ends)
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
   add_twine(build, panels, rep(bars$panel, each = 2L), ends, half)
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
@@ -116,6 +125,36 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
       segments = grouping$segments
     ), NULL
   )
+}
+
+# Sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a mesh
+# above every knot where two end; each panel's twine is spread evenly over its sheets.
+# ends: points at both ends of every segment of a bar.
+add_bar_screens <- function(build, panels, parts, bars, ends) {
+  ends <- matrix(ends, 2L)
+  segments <- panels$bar_segments[bars$panel]
+  first <- cumsum(c(TRUE, diff(bars$panel) != 0))
+  place <- sequence(tabulate(first)) - 1L
+  begins <- which(place %% segments == 0L)
+  from <- ends[1L, begins]
+  to <- ends[2L, begins + segments[begins] - 1L]
+  panel <- bars$panel[begins]
+  pairs <- function(knot, other) {
+    order <- order(panel, knot)
+    n <- length(order)
+    same <- which(knot[order][-1L] == knot[order][-n] & panel[order][-1L] == panel[order][-n])
+    list(
+      node = rbind(knot[order[same]], other[order[same]], other[order[same + 1L]]),
+      panel = panel[order[same]]
+    )
+  }
+  below <- pairs(from, to)
+  above <- pairs(to, from)
+  node <- cbind(below$node, above$node)
+  of <- c(below$panel, above$panel)
+  area <- 2 * panel_bars(panels) * panels$mesh_size / 2 * panels$twine_diameter * panels$twine_count
+  build$add("screens", node = as.vector(node), part = parts[of],
+    twine_area = (area / tabulate(of, length(area)))[of])
 }
 
 lift_directions <- list(
@@ -156,13 +195,15 @@ add_piece <- function(build, piece, run, places, density, part) {
     n <- piece$number * ((to - from) / diff(piece$share))[inside]
   }
   k <- length(node)
-  build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume)
+  build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
+    height = rep(piece$height, k), area = n * piece$height^2)
   build$add("spheres", node = node, drag_area = n * piece$drag_area, diameter = rep(0, k),
-    added_mass = if (density > 0) n * piece$added_mass / density else 0 * n, part = rep(part, k))
+    added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,
+    height = rep(piece$height, k), part = rep(part, k))
   if (piece$lift_area != 0) {
     way <- lift_directions[[piece$lift_direction]]
     build$add("lifts", node = node, lift_area = n * piece$lift_area * way[2],
-      direction = rep(as.integer(way[1]), k), part = rep(part, k))
+      direction = rep(as.integer(way[1]), k), height = rep(piece$height, k), part = rep(part, k))
   }
 }
 

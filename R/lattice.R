@@ -11,7 +11,8 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # designs can be compared node by node.
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, triangle_part, sphere_part,
-# lift_part = rows of parts per element, ropes = nodes along each rope with their fraction of its
+# lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
+# fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
 # division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
@@ -28,11 +29,14 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   division <- divide(si, frame, counts$pieces, counts$ropes, bars)
 
   parts <- data.frame(
-    name = c(names(si$ropes), names(si$panels), names(si$pieces)),
-    kind = rep(c("rope", "netting", "piece"), lengths(si[c("ropes", "panels", "pieces")])),
+    name = c(names(si$ropes), names(si$panels), names(si$pieces), names(si$otter_boards)),
+    kind = rep(
+      c("rope", "netting", "piece", "piece"),
+      lengths(si[c("ropes", "panels", "pieces", "otter_boards")])
+    ),
     role = c(
       vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
-      vapply(si$pieces, `[[`, "", "role")
+      vapply(si$pieces, `[[`, "", "role"), rep("otter_board", length(si$otter_boards))
     ),
     row.names = NULL
   )
@@ -53,33 +57,49 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     add_piece(build, si$pieces[[k]], piece_run(si, division, names(si$pieces)[k]), division$places,
       si$water$density, length(si$ropes) + length(bars) + k)
   }
+  before_boards <- nrow(parts) - length(si$otter_boards)
+  add_otter_boards(build, si, division, before_boards, length(si$ropes) + length(bars))
   collected <- build$collect()
   supports <- gear_supports(si, division)
   density <- si$water$density
   loads <- supports$load
   loads <- cbind(loads, matrix(0, 3L, length(collected$mass) - ncol(loads)))
   loads[3, ] <- loads[3, ] - gear_gravity * (collected$mass - density * collected$volume)
+  contacts <- if (!is.null(si$ground)) contact_points(collected$masses) else no_contacts
+  volumes <- if (si$water$free_surface) {
+    immersed_volumes(collected$masses, density)
+  } else {
+    no_volumes
+  }
 
   engine <- list(
     nodes = collected$nodes, held = c(supports$held, rep(FALSE, collected$nodes - division$nodes)),
     ties = collected$ties,
     water = list(
-      density = density, viscosity = si$water$viscosity, depth = si$water$current$depth,
+      density = density, viscosity = si$water$viscosity, free_surface = si$water$free_surface,
+      depth = si$water$current$depth,
       x = si$water$current$x + si$towing$speed, y = si$water$current$y
     ),
     slack_twine = si$slack_twine,
-    load = as.vector(loads), mass = collected$mass,
-    materials = twine_materials(c(si$ropes, si$panels)),
+    load = as.vector(loads),
+    mass = collected$mass + board_masses(si, division, length(collected$mass)),
+    materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
     bars = collected$bars[c("node", "rest", "multiplicity", "material")],
     triangles = collected$triangles[c("node", "twine", "rest", "multiplicity", "material")],
-    spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass")],
-    lifts = collected$lifts[c("node", "lift_area", "direction")]
+    spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass", "height")],
+    lifts = collected$lifts[c("node", "lift_area", "direction", "height")],
+    boards = lapply(unname(si$otter_boards), function(board) {
+      engine_board(board, unname(division$points[board$points]), density)
+    }),
+    ground = si$ground, contacts = contacts, volumes = volumes,
+    screens = shading_screens(collected$screens, si), wake = numeric()
   )
   lattice <- structure(
     list(
       engine = engine, parts = parts, nodes = engine$nodes,
       bar_part = collected$bars$part, triangle_part = collected$triangles$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
+      board_part = before_boards + seq_along(si$otter_boards),
       division = division[c("nodes", "fraction", "edge_node", "count", "before", "grids")],
       ropes = division$ropes, points = division$points, place = place_finder(division$places),
       held_edges = division$held_edges, panels = drawn, counts = counts
@@ -88,7 +108,12 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   )
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- if (is.null(from)) {
-    lay_out(si, lattice, panels, chains, if (!any(bars)) frame)
+    start <- lay_out(si, lattice, panels, chains, if (!any(bars)) frame)
+    if (is.null(si$ground)) {
+      start
+    } else {
+      stand_on_ground(si, lattice, lay_on_ground(si$ground, start))
+    }
   } else if (alike) {
     from$position[, seq_len(lattice$nodes)]
   } else {
@@ -96,6 +121,22 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   }
   lattice$start[, which(supports$held)] <- supports$position[, supports$held]
   lattice
+}
+
+no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
+no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
+
+wake_laws <- c(none = 0L, loland = 1L, cheng = 2L)
+
+# The sheets of panels that slow the water behind them, with their law.
+shading_screens <- function(screens, si) {
+  law <- unname(wake_laws[vapply(si$panels, `[[`, "", "shielding")])
+  law <- law[screens$part - length(si$ropes)]
+  some <- law > 0L
+  list(
+    node = screens$node[rep(some, each = 3L)], twine_area = screens$twine_area[some],
+    law = as.integer(law[some])
+  )
 }
 
 # A function(text) that tells the node of a parsed place.
@@ -132,11 +173,12 @@ twine_materials <- function(lines) {
   }
   added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
   list(
-    axial_stiffness = number("axial_stiffness"), damping = number("damping"),
+    axial_stiffness = number("axial_stiffness"), damping = vapply(lines, function(line) first_of(line$damping, 0), 0, USE.NAMES = FALSE),
     diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
     law = unname(law_numbers[vapply(laws, `[[`, "", "law")]),
+    strut = vapply(lines, function(line) as.integer(isTRUE(line$strut)), 0L, USE.NAMES = FALSE),
     normal = coefficient("normal"), tangential = coefficient("tangential"),
     skin = coefficient("skin"),
     solidity = vapply(lines, function(line) {

@@ -41,7 +41,8 @@ part_drag <- function(state) {
   sum_by_part(state$bar_drag, lattice$bar_part, n) +
     sum_by_part(state$triangle_drag, lattice$triangle_part, n) +
     sum_by_part(state$sphere_drag, lattice$sphere_part, n) +
-    sum_by_part(state$lift_force, lattice$lift_part, n)
+    sum_by_part(state$lift_force, lattice$lift_part, n) +
+    sum_by_part(state$boards$force, lattice$board_part, n)
 }
 
 # Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
@@ -58,9 +59,11 @@ part_weight <- function(state) {
   excess <- function(mass, volume) mass - si$water$density * volume
   each <- c(
     vapply(c(si$ropes, si$panels), function(x) excess(x$mass_per_length, x$volume_per_length), 0),
-    vapply(si$pieces, function(x) excess(x$mass, x$volume), 0)
+    vapply(c(si$pieces, si$otter_boards), function(x) excess(x$mass, x$volume), 0)
   )
-  pieces <- vapply(si$pieces, function(x) as.double(x$number), 0)
+  pieces <- c(
+    vapply(si$pieces, function(x) as.double(x$number), 0), rep(1, length(si$otter_boards))
+  )
   length[seq_along(pieces) + length(si$ropes) + length(si$panels)] <- pieces
   gear_gravity * unname(each) * length
 }
@@ -110,18 +113,26 @@ reaction_table <- function(state) {
 }
 
 # Balance of all forces on the gear, kN: reactions, hydrodynamic forces, weight in water, loads of
-# the plan, and what remains of their sum, which is zero but for the solver's tolerance.
+# the plan, where there are such the forces of the sea bed and buoyancy lost above the surface, and
+# what remains of their sum, which is zero but for the solver's tolerance.
 balance_table <- function(state) {
   loads <- rowSums(vapply(state$si$points, function(point) as.double(point$load), numeric(3)))
   forces <- rbind(
     reactions = colSums(reaction_table(state)[c("x_kN", "y_kN", "z_kN")]),
     hydrodynamic = rowSums(part_drag(state)) / 1000,
     weight_in_water = c(0, 0, -sum(part_weight(state)) / 1000),
-    loads = loads / 1000
+    loads = loads / 1000,
+    sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total / 1000,
+    out_of_water = if (state$si$water$free_surface) out_of_water(state) / 1000
   )
   forces <- rbind(forces, remainder = colSums(forces))
   colnames(forces) <- c("x_kN", "y_kN", "z_kN")
   data.frame(force = rownames(forces), forces, row.names = NULL)
+}
+
+# Buoyancy that is lost above the surface, N.
+out_of_water <- function(state) {
+  rowSums(state$volume_force) + c(0, 0, sum(state$boards$lost_buoyancy))
 }
 
 # Tensions by rope and panel, of one line, kN: largest, exceeded by 1 % of its length, and mean over

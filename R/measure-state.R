@@ -17,6 +17,8 @@
 #'   straight line.
 #' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
 #'   horizontal (declination) or out of the x axis in plan view (divergence).
+#' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
+#'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
 #'
 #' Then follow, unless the plan has a measure of the same name:
 #'
@@ -32,6 +34,8 @@
 #'   the netting's length of twine exceeds. The very largest, where a rope pulls at the tip of a
 #'   wing, depends on how finely the netting is divided.
 #' - `slack_netting_percent`: share of the netting's length of twine that carries no tension.
+#' - with a sea bed: `rope_on_ground_m` (length of rope that lies on it), `ground_load_kN` (what
+#'   the gear presses on it with) and `ground_friction_percent` (share of friction in the total drag).
 #' - `least_depth_m` and `greatest_depth_m`: depth of the highest and the lowest node of the gear.
 #'
 #' @param state A state, from [settle()].
@@ -42,7 +46,10 @@
 measures <- function(state) {
   check_is_state(state)
   own <- plan_measures(state)
-  general <- c(towing_measures(state, own), tension_measures(state), depth_measures(state))
+  general <- c(
+    towing_measures(state, own), tension_measures(state), ground_measures(state),
+    depth_measures(state)
+  )
   c(own, general[setdiff(names(general), names(own))])
 }
 
@@ -65,7 +72,8 @@ plan_measures <- function(state) {
       depth = measure_depth(state, measure),
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
-      angle = measure_angle(state, measure)
+      angle = measure_angle(state, measure),
+      attitude = measure_attitude(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
@@ -108,6 +116,17 @@ tension_measures <- function(state) {
     found[["slack_netting_percent"]] <- 100 * sum(long[twine$tension == 0]) / sum(long)
   }
   found
+}
+
+ground_measures <- function(state) {
+  if (is.null(state$si$ground)) return(numeric())
+  forces <- ground_forces(state)
+  pull <- colSums(reaction_table(state)[c("x_kN", "y_kN", "z_kN")])
+  drag <- -1000 * sum(pull * flow_axes(state$si)[, "flow"])
+  c(
+    rope_on_ground_m = forces$length, ground_load_kN = forces$normal / 1000,
+    ground_friction_percent = 100 * forces$along_flow / drag
+  )
 }
 
 depth_measures <- function(state) {

@@ -57,23 +57,24 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     as.double(if (alike) from$strain), settle_tolerance, steps, progress
   )
   position <- report$position
-  report$position <- NULL
+  lattice$engine$wake <- report$wake
+  report$position <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
   list(lattice = lattice, position = position, report = report)
 }
 
 # A state's shape, to carry over.
 state_shape <- function(state) {
-  lines <- state_lines(state)
-  list(
-    lattice = state$lattice, position = state_points(state), strain = lines$length / lines$rest - 1
-  )
+  engine <- state$lattice$engine
+  length <- c(state$bar_length, state$u_length, state$v_length)
+  rest <- c(engine$bars$rest, engine$triangles$rest, engine$triangles$rest)
+  list(lattice = state$lattice, position = state_points(state), strain = length / rest - 1)
 }
 
 # Stops unless a state's gear has the parts of this one.
 check_same_parts <- function(si, from) {
   check_is_state(from)
-  for (kind in c("ropes", "panels", "points")) {
+  for (kind in c("ropes", "panels", "points", "otter_boards")) {
     here <- names(si[[kind]])
     there <- names(from$si[[kind]])
     if (identical(here, there)) next

@@ -7,6 +7,18 @@
 #' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
 #' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear.
 #'
+#' Where the plan asks for `shielding`, netting slows the water behind it: every sheet of netting that
+#' the line straight upstream from a point crosses reduces the speed there. `loland`: by
+#' `1 - 0.46 C_D` with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland 1991, Current forces on and flow
+#' through fish farms), whatever the angle; `cheng`: by
+#' `(cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)` with `t` from the netting's normal to the flow (Cheng et
+#' al. 2020, Aquacultural Engineering 90:102070). `Sn` is the solidity of the netting in its present
+#' shape, held at 0.5. Netting nearly along the flow (more than 70 to 80 deg from across it) casts no
+#' wake of its own. A net that narrows aft has no netting straight upstream of most of its panels, so
+#' a trawl is hardly shielded by this; a cage's rear half is. Shape and shading are found in turn until
+#' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
+#' report).
+#'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
@@ -17,6 +29,9 @@
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
+#'   A free otter board that settles stalled, back-winded or fallen over is a warning of class
+#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
+#'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
@@ -40,7 +55,9 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started
   if (!report$converged) abort_not_converged(report, found$lattice, found$position)
-  new_state(gear, si, found$lattice, found$position, report)
+  state <- new_state(gear, si, found$lattice, found$position, report)
+  warn_of_boards(state)
+  state
 }
 
 settle_tolerance <- 1e-8
@@ -93,6 +110,14 @@ settle_progress <- function() {
 abort_not_converged <- function(report, lattice, position) {
   where <- describe_node(lattice, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
+  if (report$shading_change > 1e-5) {
+    cli::cli_abort(
+      "The gear did not settle: shape and shading still changed each other after {report$shadings}
+      rounds, the speed of the flow at a point by {signif(100 * report$shading_change, 2)} % of the
+      free flow's.",
+      class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
+    )
+  }
   cli::cli_abort(
     c(
       "The gear did not settle: after {report$iterations} steps the largest net force is

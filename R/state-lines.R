@@ -17,17 +17,18 @@ lattice_points <- function(lattice, position) {
 # bar's length, so that lines x rest is always a length of twine or rope.
 state_lines <- function(state) {
   lattice <- state$lattice
-  bars <- lattice$engine$bars
+  # A board's struts are no lines of the gear.
+  bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
+  bars <- lapply(lattice$engine$bars[c("rest", "multiplicity")], `[`, bar)
   triangles <- lattice$engine$triangles
   in_triangle <- triangle_bars(triangles)
   triangle <- seq_along(triangles$rest)
-  bar <- seq_along(bars$rest)
   data.frame(
-    part = c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part),
+    part = c(lattice$bar_part[bar], lattice$triangle_part, lattice$triangle_part),
     element = c(bar, triangle, triangle),
     family = rep(c("bar", "u", "v"), c(length(bar), length(triangle), length(triangle))),
-    tension = c(state$bar_tension, state$u_tension, state$v_tension),
-    length = c(state$bar_length, state$u_length, state$v_length),
+    tension = c(state$bar_tension[bar], state$u_tension, state$v_tension),
+    length = c(state$bar_length[bar], state$u_length, state$v_length),
     rest = c(bars$rest, triangles$rest, triangles$rest),
     lines = c(bars$multiplicity, in_triangle, in_triangle)
   )

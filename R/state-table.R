@@ -63,7 +63,9 @@ line_table <- function(state) {
   lines <- state_lines(state)
   points <- state_points(state)
   in_triangles <- element_middles(points, engine$triangles$node, 3L)
-  middle <- cbind(element_middles(points, engine$bars$node, 2L), in_triangles, in_triangles)
+  in_bars <- element_middles(points, engine$bars$node, 2L)
+  in_bars <- in_bars[, lines$element[lines$family == "bar"], drop = FALSE]
+  middle <- cbind(in_bars, in_triangles, in_triangles)
   data.frame(
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,

@@ -14,7 +14,12 @@ new_state <- function(gear, si, lattice, position, report,
       u_tension = found$u_tension, u_length = found$u_length,
       v_tension = found$v_tension, v_length = found$v_length,
       bar_drag = three(found$bar_drag), triangle_drag = three(found$triangle_drag),
-      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force)
+      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force),
+      boards = c(
+        found$boards[c("attack", "heel", "trim", "lift", "drag", "lost_buoyancy")],
+        lapply(found$boards[c("force", "ground_force")], three)
+      ),
+      contact_force = three(found$contact_force), volume_force = three(found$volume_force)
     ),
     class = "codend_state"
   )

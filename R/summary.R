@@ -17,6 +17,7 @@
 #'     Where a point pulls at netting, `max_kN` grows as the netting is divided more finely;
 #'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (share of it
 #'     that carries no tension);
+#'   - `boards`: data frame by free otter board ([board_table()]);
 #'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
 #'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
 #'   - `report`: the solver's report, with `nodes`, `bars` and `triangles`.
@@ -32,7 +33,7 @@ summary.codend_state <- function(object, ...) {
       measures = measures(object),
       drag = drag, drag_totals = drag_totals(drag),
       tensions = tension_table(object), slack = slack_table(object),
-      reactions = reaction_table(object), balance = balance_table(object),
+      boards = board_table(object), reactions = reaction_table(object), balance = balance_table(object),
       report = c(object$report, list(
         nodes = engine$nodes, bars = length(engine$bars$rest),
         triangles = length(engine$triangles$rest)
@@ -56,6 +57,7 @@ format.codend_summary <- function(x, ...) {
     section("Measures", measure_lines(x$measures)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Largest drag", largest_drag_lines(x$drag)),
+    section("Otter boards", board_lines(x$boards)),
     section("Highest rope tensions", rope_tension_lines(x$tensions)),
     section("Highest twine tensions", twine_tension_lines(x$tensions)),
     section("Slack netting", slack_lines(x$slack)),

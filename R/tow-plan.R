@@ -156,11 +156,23 @@ warp_part <- function(si, lattice, rope, curve, given) {
       since = 0, speed = 0, near_limit = FALSE
     )
   }
-  list(
-    name = rope, factor = scale_curve(curve, 1 / full$length), winch = winch, bars = bars,
-    rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
-    drag_area = numeric(), added_mass = numeric()
+  c(
+    list(
+      name = rope, factor = scale_curve(curve, 1 / full$length), winch = winch, bars = bars,
+      rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
+      drag_area = numeric(), added_mass = numeric()
+    ),
+    own_volumes(lattice, points, full$diameter,
+      gear_gravity * si$water$density * sums(half * full$volume_per_length))
   )
+}
+
+# Where a part's buoyancy (N, per point, of bodies of a height) is among the lattice's volumes at a
+# free surface; nowhere in a lattice that knows none.
+own_volumes <- function(lattice, points, height, buoyancy) {
+  known <- lattice$engine$volumes
+  at <- match(paste(points, height), paste(known$node, known$height))
+  list(volumes = at[!is.na(at)], buoyancy = buoyancy[!is.na(at)])
 }
 
 # Rows of the parts that are catch.
@@ -178,7 +190,8 @@ catch_part <- function(si, lattice, part, curve) {
     rest = numeric(), points = node, mass = rep(each * piece$mass, n),
     load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
     spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
-    added_mass = lattice$engine$spheres$added_mass[spheres]
+    added_mass = lattice$engine$spheres$added_mass[spheres],
+    volumes = integer(), buoyancy = numeric()
   )
 }
 
@@ -251,6 +264,8 @@ grown_engine <- function(engine, parts, factor, parted = integer()) {
     engine$load[up] <- engine$load[up] + more * part$load
     engine$spheres$drag_area[part$spheres] <- factor[k] * part$drag_area
     engine$spheres$added_mass[part$spheres] <- factor[k] * part$added_mass
+    engine$volumes$buoyancy[part$volumes] <-
+      engine$volumes$buoyancy[part$volumes] + more * part$buoyancy
   }
   engine$bars$multiplicity[parted] <- 0
   engine

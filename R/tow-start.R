@@ -64,6 +64,7 @@ continued_trajectory <- function(trajectory, given, until) {
 # The lattice over the ground, and the tow in the engine's terms.
 tow_start <- function(gear, si, lattice, given, until) {
   lattice$engine$water$x <- lattice$engine$water$x - si$towing$speed
+  if (!is.null(lattice$engine$ground)) lattice$engine$ground$velocity <- c(0, 0, 0)
   c(
     list(gear = gear, si = si, lattice = lattice, given = given),
     tow_plan(si, lattice, given, until)
@@ -89,6 +90,7 @@ add_start <- function(what, position, velocity) {
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x
+  engine$ground <- what$lattice$engine$ground
   found <- engine_evaluate(engine, motion$position, motion$velocity)
   frame <- list(
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,

@@ -94,6 +94,7 @@ si_at <- function(what, now) {
   turned <- to_vessel(now$course)[1:2, 1:2] %*% ground
   si$water$current$x <- turned[1, ]
   si$water$current$y <- turned[2, ]
+  if (!is.null(si$ground)) si$ground <- ground_from_vessel(si$ground, now)
   si
 }
 
@@ -105,5 +106,17 @@ lattice_at <- function(what, now) {
     now$parted[now$parted > 0])
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
+  if (!is.null(lattice$engine$ground)) {
+    lattice$engine$ground <- ground_from_vessel(lattice$engine$ground, now)
+  }
   lattice
+}
+
+# The sea bed in the vessel's axes, where it passes by at the towing speed.
+ground_from_vessel <- function(ground, now) {
+  ground$height <- ground$height - sum(ground$normal * c(now$x, now$y, 0))
+  ground$normal <- drop(to_vessel(now$course) %*% ground$normal)
+  passing <- c(now$speed, 0, 0)
+  ground$velocity <- passing - sum(passing * ground$normal) * ground$normal
+  ground
 }

@@ -11,7 +11,7 @@ state_drawing <- function(state, limit = drawn_lines) {
   list(
     ropes = rope_lines(state, points, limit),
     netting = netting_lines(state, points, limit),
-    marks = rbind(piece_marks(state, points), support_marks(state))
+    marks = rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   )
 }
 
@@ -210,7 +210,7 @@ marks_of_piece <- 24L
 
 piece_marks <- function(state, points) {
   lattice <- state$lattice
-  pieces <- which(lattice$parts$kind == "piece")
+  pieces <- length(state$si$ropes) + length(state$si$panels) + seq_along(state$si$pieces)
   do.call(rbind, lapply(pieces, function(part) {
     piece <- state$si$pieces[[lattice$parts$name[part]]]
     node <- unique(lattice$engine$spheres$node[lattice$sphere_part == part])
@@ -220,6 +220,18 @@ piece_marks <- function(state, points) {
       x = points[1L, node], y = points[2L, node], z = points[3L, node],
       role = if (is.na(piece$role)) "other" else piece$role, part = lattice$parts$name[part],
       size = sqrt(piece$area), direction = piece$lift_direction
+    )
+  }))
+}
+
+# Free otter boards, in the middle of their points.
+board_marks <- function(state) {
+  do.call(rbind, lapply(names(state$si$otter_boards), function(name) {
+    board <- state$si$otter_boards[[name]]
+    at <- rowMeans(state$position[, state$lattice$points[board$points]])
+    data.frame(
+      x = at[1], y = at[2], z = at[3], role = "otter_board", part = name, size = sqrt(board$area),
+      direction = if (board$side > 0) "starboard" else "port"
     )
   }))
 }

@@ -56,6 +56,53 @@ std::vector<char> marks(const logicals& values) {
 
 double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
 
+codend::Vector vector_of(const list& from, const char* name) {
+  const doubles values(from[name]);
+  return {values[0], values[1], values[2]};
+}
+
+codend::Ground read_ground(const list& from) {
+  codend::Ground ground;
+  ground.present = true;
+  ground.normal = vector_of(from, "normal");
+  ground.height = number(from, "height");
+  ground.velocity = vector_of(from, "velocity");
+  ground.friction = number(from, "friction");
+  ground.stiffness = number(from, "stiffness");
+  return ground;
+}
+
+// A list of boards, each a list of its numbers.
+void read_boards(const list& from, codend::OtterBoards& boards) {
+  for (const SEXP item : from) {
+    const list one(item);
+    for (const int node : places(one, "node")) boards.node.push_back(node);
+    const doubles attachment(one["attachment"]);
+    codend::OtterBoard board;
+    for (int k = 0; k < 3; ++k) {
+      board.attachment[k] = {attachment[3 * k], attachment[3 * k + 1], attachment[3 * k + 2]};
+    }
+    board.side = number(one, "side");
+    board.chord = number(one, "chord");
+    board.span = number(one, "span");
+    board.area = number(one, "area");
+    board.pressure_centre = number(one, "pressure_centre");
+    board.weight = number(one, "weight");
+    board.buoyancy = number(one, "buoyancy");
+    board.gravity_centre = vector_of(one, "gravity_centre");
+    board.buoyancy_centre = vector_of(one, "buoyancy_centre");
+    board.added_mass = number(one, "added_mass");
+    board.shoe_area = number(one, "shoe_area");
+    const list polar(one["polar"]);
+    board.polar.angle = numbers(polar, "angle");
+    board.polar.lift = numbers(polar, "lift");
+    board.polar.drag = numbers(polar, "drag");
+    board.polar.lift_slope = numbers(polar, "lift_slope");
+    board.polar.drag_slope = numbers(polar, "drag_slope");
+    boards.board.push_back(board);
+  }
+}
+
 // Copies every array once. The caller connects the model where it comes to lie.
 codend::Model read_model(const list& lattice) {
   codend::Model model;
@@ -75,6 +122,7 @@ codend::Model read_model(const list& lattice) {
   model.water.viscosity = number(water, "viscosity");
   model.water.depth = numbers(water, "depth");
   const std::vector<double> x = numbers(water, "x"), y = numbers(water, "y");
+  model.water.free_surface = as_cpp<bool>(water["free_surface"]);
   model.water.current.clear();
   for (std::size_t k = 0; k < x.size(); ++k) model.water.current.emplace_back(x[k], y[k], 0.0);
   model.slack = as_cpp<std::string>(lattice["slack_twine"]) == "straight"
@@ -95,7 +143,8 @@ codend::Model read_model(const list& lattice) {
                             skin = numbers(materials, "skin"),
                             solidity = numbers(materials, "solidity"),
                             damping = numbers(materials, "damping");
-  const std::vector<int> law = whole_numbers(materials, "law");
+  const std::vector<int> law = whole_numbers(materials, "law"),
+                         strut = whole_numbers(materials, "strut");
   for (std::size_t m = 0; m < stiffness.size(); ++m) {
     codend::TwineMaterial material;
     material.axial_stiffness = stiffness[m];
@@ -106,6 +155,7 @@ codend::Model read_model(const list& lattice) {
     material.added_mass_tangential = added_tangential[m];
     material.law = {static_cast<codend::CylinderLawKind>(law[m]), normal[m], tangential[m],
                     skin[m], solidity[m]};
+    material.strut = strut[m] != 0;
     model.materials.push_back(material);
   }
 
@@ -127,11 +177,31 @@ codend::Model read_model(const list& lattice) {
   model.spheres.drag_area = numbers(spheres, "drag_area");
   model.spheres.diameter = numbers(spheres, "diameter");
   model.spheres.added_mass = numbers(spheres, "added_mass");
+  model.spheres.height = numbers(spheres, "height");
 
   const list lifts(lattice["lifts"]);
   model.lifts.node = places(lifts, "node");
   model.lifts.lift_area = numbers(lifts, "lift_area");
   model.lifts.direction = whole_numbers(lifts, "direction");
+  model.lifts.height = numbers(lifts, "height");
+
+  const list contacts(lattice["contacts"]);
+  model.contacts.node = places(contacts, "node");
+  model.contacts.area = numbers(contacts, "area");
+  model.contacts.clearance = numbers(contacts, "clearance");
+  const list volumes(lattice["volumes"]);
+  model.volumes.node = places(volumes, "node");
+  model.volumes.buoyancy = numbers(volumes, "buoyancy");
+  model.volumes.height = numbers(volumes, "height");
+  const list screens(lattice["screens"]);
+  model.screens.node = places(screens, "node");
+  model.screens.twine_area = numbers(screens, "twine_area");
+  model.screens.law = whole_numbers(screens, "law");
+  model.wake = numbers(lattice, "wake");
+  read_boards(lattice["boards"], model.boards);
+  if (!Rf_isNull(lattice["ground"])) {
+    model.contacts.ground = model.boards.ground = read_ground(lattice["ground"]);
+  }
   return model;
 }
 
@@ -204,6 +274,8 @@ codend::Plan read_plan(const list& from) {
     p.spheres = places(part, "spheres");
     p.drag_area = numbers(part, "drag_area");
     p.added_mass = numbers(part, "added_mass");
+    p.volumes = places(part, "volumes");
+    p.buoyancy = numbers(part, "buoyancy");
     plan.parts.push_back(p);
   }
   for (const list curve : list(from["current_x"])) plan.current_x.push_back(read_curve(curve));
@@ -270,6 +342,27 @@ doubles as_doubles(const std::vector<double>& values) {
   return out;
 }
 
+// Columns by board: angles (rad), lift and drag (N), forces (N, 3 each).
+list board_table(const std::vector<codend::BoardAttitude>& boards) {
+  writable::doubles attack, heel, trim, lift, drag, force, ground_force, lost_buoyancy;
+  for (const codend::BoardAttitude& board : boards) {
+    attack.push_back(board.attack);
+    heel.push_back(board.heel);
+    trim.push_back(board.trim);
+    lift.push_back(board.lift);
+    drag.push_back(board.drag);
+    lost_buoyancy.push_back(board.lost_buoyancy);
+    for (int k = 0; k < 3; ++k) {
+      force.push_back(board.force[k]);
+      ground_force.push_back(board.ground_force[k]);
+    }
+  }
+  return writable::list({"attack"_nm = attack, "heel"_nm = heel, "trim"_nm = trim,
+                         "lift"_nm = lift, "drag"_nm = drag, "force"_nm = force,
+                         "ground_force"_nm = ground_force,
+                         "lost_buoyancy"_nm = lost_buoyancy});
+}
+
 }  // namespace
 
 [[cpp11::register]]
@@ -303,6 +396,9 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
       "factorisations"_nm = report.factorisations,
       "residual"_nm = report.residual,
       "largest_tension"_nm = report.largest_tension,
+      "shadings"_nm = report.shadings,
+      "shading_change"_nm = report.shading_change,
+      "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
       "worst_node"_nm = report.worst_node + 1,
       "worst_force"_nm = report.worst_force,
       "seconds_forces"_nm = report.seconds_forces,
@@ -332,6 +428,9 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
       "triangle_drag"_nm = as_doubles(e.triangle_drag),
       "sphere_drag"_nm = as_doubles(e.sphere_drag),
       "lift_force"_nm = as_doubles(e.lift_force),
+      "contact_force"_nm = as_doubles(e.contact_force),
+      "volume_force"_nm = as_doubles(e.volume_force),
+      "boards"_nm = board_table(e.boards),
   });
 }
 

@@ -9,13 +9,16 @@ Assembly::Assembly(const Model& model)
       kinds_(model.kinds()),
       free_(model),
       lines_(model.bars, model.triangles, model.water, model.slack),
+      wake_(model.screens, model.points()),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
       load_(position_.size()),
       force_(position_.size()),
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
-  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node}};
+  if (!model.wake.empty()) wake_.set_share(model.wake);
+  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node},
+                                      {1, model.contacts.node}};
   for (const ElementKind* kind : kinds_) {
     elements.push_back({kind->nodes_per_element(), kind->nodes()});
   }
@@ -23,7 +26,7 @@ Assembly::Assembly(const Model& model)
   for (const ElementPoints& kind : elements) places_.emplace_back(free_, pattern_, kind);
   diagonal_.reserve(free_nodes().size());
   for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
-  change_.strain.resize(static_cast<std::size_t>(lines_.count()));
+  change_.strain.resize(static_cast<std::size_t>(model.carriers()));
 }
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
@@ -51,7 +54,8 @@ void Assembly::hand_on(double* values, int width) const {
 void Assembly::move_to(const double* x, const double* v) {
   const std::ptrdiff_t size = 3 * static_cast<std::ptrdiff_t>(model_.nodes);
   const bool same_flow =
-      flow_known_ && model_.water.uniform() && std::equal(v, v + size, velocity_.begin());
+      flow_known_ && !model_.water.varies_with_height() &&
+      std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
   if (!same_flow) {
     spread(v, velocity_);
@@ -63,9 +67,27 @@ void Assembly::move_to(const double* x, const double* v) {
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
 }
 
+double Assembly::shade(bool search, double tolerance) {
+  // The flow at the screens' mean height; where they stand still in still water there is none.
+  Vector flow = Vector::Zero(), current, slope;
+  double height = 0.0;
+  for (const int p : model_.screens.node) {
+    height += at(position_.data(), p).z();
+    flow -= at(velocity_.data(), p);
+  }
+  const double points = static_cast<double>(model_.screens.node.size());
+  model_.water.velocity(height / points, current, slope);
+  flow = flow / points + current;
+  if (flow.norm() == 0.0) return 0.0;
+  flow_known_ = false;
+  return wake_.shade(position_.data(), flow, search, tolerance);
+}
+
 void Assembly::residual(double* force, const CarriedTension* carried) {
   std::copy(load_.begin(), load_.end(), force_.begin());
   lines_.add_force(carried ? carried->tension.data() : lines().tension, force_.data());
+  model_.contacts.add_force(field(), carried ? carried->tension.data() + lines_.count() : nullptr,
+                            force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
 }
@@ -76,8 +98,11 @@ void Assembly::jacobian(const JacobianRequest& request, double* values,
   lines_.add_jacobian(request, carried ? carried->tension.data() : lines().tension,
                       carried ? carried->modulus.data() : nullptr, places_[0].into(values),
                       places_[1].into(values));
+  model_.contacts.add_jacobian(
+      field(), request, carried ? carried->tension.data() + lines_.count() : nullptr,
+      carried ? carried->modulus.data() + lines_.count() : nullptr, places_[2].into(values));
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    kinds_[k]->add_jacobian(field(), request, places_[k + 2].into(values));
+    kinds_[k]->add_jacobian(field(), request, places_[k + 3].into(values));
   }
 }
 
@@ -111,6 +136,7 @@ void Assembly::pseudo_damping(double* damping) {
   std::copy(model_.mass.begin(), model_.mass.end(), scale_.begin());
   lines_.add_drag_scale(scale_.data());
   for (const ElementKind* kind : kinds_) kind->add_drag_scale(field(), scale_.data());
+  model_.contacts.add_drag_scale(field(), scale_.data());
   hand_on(scale_.data(), 1);
   for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]];
 }
@@ -128,11 +154,19 @@ double Assembly::largest_tension() const {
 
 void Assembly::strain(std::vector<double>& values) const {
   values.assign(lines().strain, lines().strain + lines_.count());
+  for (int e = 0; e < model_.contacts.count(); ++e) {
+    values.push_back(model_.contacts.penetration(e, field()));
+  }
 }
 
 const LineChange& Assembly::line_change(const double* dx) {
   spread(dx, moved_);
   change_.rotation = lines_.change(moved_.data(), change_.strain.data());
+  const GroundContacts& contacts = model_.contacts;
+  for (int e = 0; e < contacts.count(); ++e) {
+    change_.strain[static_cast<std::size_t>(lines_.count() + e)] =
+        -contacts.ground.normal.dot(at(moved_.data(), contacts.node[e]));
+  }
   return change_;
 }
 

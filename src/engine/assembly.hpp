@@ -9,7 +9,8 @@
 
 namespace codend {
 
-// Tension (N) and its change per strain (N) of one twine of every line.
+// Tension (N) and its change per strain (N) of one twine of every line; then normal force (N) and its
+// change per penetration (N/m) of every contact with the ground.
 struct CarriedTension {
   std::vector<double> tension, modulus;
 };
@@ -17,7 +18,7 @@ struct CarriedTension {
 // How lines change, to first order, when nodes move.
 struct LineChange {
   double rotation = 0.0;       // largest change of any line's vector over its rest length
-  std::vector<double> strain;  // change of strain, per line
+  std::vector<double> strain;  // change of strain, per line; of penetration (m), per contact
 };
 
 class Assembly {
@@ -40,6 +41,14 @@ class Assembly {
   // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
   // what all the following share, which speak of them.
   void move_to(const double* x, const double* v);
+
+  // Whether netting slows the water behind it.
+  bool shades() const { return wake_.present(); }
+  // Shading of the gear at its last positions, to be used from the next move_to() on (search and
+  // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
+  // Derivatives take the shares as given: the caller repeats until they no longer change.
+  double shade(bool search, double tolerance);
+  const std::vector<double>& wake() const { return wake_.share(); }
 
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // carried: tensions that a solver carries, instead of the law's.
@@ -65,7 +74,7 @@ class Assembly {
   // (a triangle may hold a fraction of a twine, whose tension says little).
   double largest_tension() const;
 
-  // Strain of every line.
+  // Strain of every line, then penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
 
   // How lines change when nodes move by dx (m, 3 per node); valid until the next call.
@@ -74,7 +83,9 @@ class Assembly {
   // For readers: what is known of every line, and of all points, tied ones included; valid until
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
-  Field field() const { return {position_.data(), velocity_.data(), &model_.water}; }
+  Field field() const {
+    return {position_.data(), velocity_.data(), &model_.water, shades() ? wake().data() : nullptr};
+  }
 
  private:
   void spread(const double* nodes, std::vector<double>& points) const;
@@ -83,13 +94,13 @@ class Assembly {
   const std::vector<const ElementKind*> kinds_;
   const FreePoints free_;
   Lines lines_;
+  Wake wake_;
   BlockPattern pattern_;
   std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
-  std::vector<BlockPlaces> places_;     // of bars, of triangles, then one per kind
+  std::vector<BlockPlaces> places_;     // of bars, of triangles, of contacts, then one per kind
   bool flow_known_ = false;
   LineChange change_;
-  // Per point; load_: the model's and the forces of all kinds but lines; masses_: none until they
-  // are asked for.
+  // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };
 

@@ -46,6 +46,11 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
              out.triangle_drag);
   out.sphere_drag = point_forces(model.spheres, assembly.field());
   out.lift_force = point_forces(model.lifts, assembly.field());
+  out.contact_force = point_forces(model.contacts, assembly.field());
+  out.volume_force = point_forces(model.volumes, assembly.field());
+  for (int b = 0; b < model.boards.count(); ++b) {
+    out.boards.push_back(model.boards.attitude(b, assembly.field()));
+  }
   return out;
 }
 

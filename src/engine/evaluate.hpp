@@ -15,6 +15,10 @@ struct Evaluation {
   std::vector<double> u_tension, u_length, v_tension, v_length;
   // Hydrodynamic force of each whole element, N, 3 each.
   std::vector<double> bar_drag, triangle_drag, sphere_drag, lift_force;
+  // Force of the ground on each contact, and of the surface on each volume (buoyancy that is lost),
+  // N, 3 each.
+  std::vector<double> contact_force, volume_force;
+  std::vector<BoardAttitude> boards;
 };
 
 // x (m), v (m/s): 3 per node.

@@ -8,10 +8,14 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/ground_contact.hpp"
+#include "elements/immersed_volume.hpp"
 #include "elements/kind.hpp"
 #include "elements/lifting_surface.hpp"
 #include "elements/netting_triangle.hpp"
+#include "elements/otter_board.hpp"
 #include "elements/sphere.hpp"
+#include "wake.hpp"
 #include "water.hpp"
 
 namespace codend {
@@ -34,19 +38,33 @@ struct Model {
   NettingTriangles triangles;
   Spheres spheres;
   LiftingSurfaces lifts;
+  OtterBoards boards;
+  GroundContacts contacts;
+  ImmersedVolumes volumes;  // empty where water reaches everywhere
+  Screens screens;          // netting that slows the water behind it
+  // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
+  std::vector<double> wake;
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  // All elements but the lines of bars and triangles.
-  std::vector<const ElementKind*> kinds() const { return {&spheres, &lifts}; }
+  // All elements but the lines of bars and triangles, and contacts.
+  std::vector<const ElementKind*> kinds() const { 
+    return {&spheres, &lifts, &boards, &volumes};
+  }
   // Call once after filling; copies of a Model need it again.
   void connect() {
     bars.materials = triangles.materials = &materials;
     triangles.first_line = bars.count();
     triangles.prepare();
+    boards.prepare();
+    // Bodies of unknown height: only asked for at a free surface.
+    spheres.height.resize(spheres.node.size(), 1.0);
+    lifts.height.resize(lifts.node.size(), 1.0);
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
   // lines. each_line() visits them in another order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count(); }
+  // What a solver may carry the force of: lines, then contacts with the ground.
+  int carriers() const { return lines() + contacts.count(); }
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));

@@ -1,4 +1,4 @@
-// The water: density, viscosity and a horizontal current that varies with depth.
+// The water: density, viscosity, a horizontal current that varies with depth, and its surface.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,14 @@ struct Water {
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
 
+  // Whether bodies lose buoyancy and drag where they leave the water at z = 0 (immersion.hpp); else
+  // water reaches everywhere.
+  bool free_surface = false;
+
   // The same current at all depths.
   bool uniform() const { return depth.size() == 1; }
+  // Whether a body's drag depends on its height.
+  bool varies_with_height() const { return free_surface || !uniform(); }
 
   // Water velocity at height z (m, up, 0 at the surface) and its derivative by z (1/s).
   void velocity(double z, Vector& value, Vector& slope) const {

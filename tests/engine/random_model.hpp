@@ -30,6 +30,7 @@ class Random {
 
 struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
+  int boards = 0, contacts = 0, volumes = 0;
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -38,6 +39,9 @@ struct Ingredients {
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
   bool layered = false;          // a current that varies with depth
+  bool free_surface = false;
+  bool wake = false;             // a flow slowed by netting, differently at every point
+  bool struts = false;           // every other bar also pushes
 };
 
 // Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
@@ -72,8 +76,17 @@ class Specimen {
     material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
     material.added_mass_tangential = 0.15;
     material.law = wanted.law;
-    model.materials = {material};
+    model.materials = {material, material};
+    model.materials[1].strut = true;
+    model.water.free_surface = wanted.free_surface;
+    ground();
     fill(random, wanted);
+    if (wanted.wake) {
+      model.screens.node = {0, 1, 2};
+      model.screens.twine_area = {0.1};
+      model.screens.law = {1};
+      for (int p = 0; p < model.points(); ++p) model.wake.push_back(random.between(0.3, 1.0));
+    }
     model.connect();
     stretch(random);
   }
@@ -98,13 +111,54 @@ class Specimen {
     }
   }
 
+  // Soft, so that its forces are of the size of drag, and of a slope.
+  void ground() {
+    Ground bed;
+    bed.present = true;
+    bed.normal = Vector(0.1, -0.2, 1.0).normalized();
+    bed.height = -0.9;
+    bed.velocity = 0.6 * (Vector::UnitX() - bed.normal.x() * bed.normal);
+    bed.friction = 0.5;
+    bed.stiffness = 300.0;
+    bed.onset = 0.3;
+    bed.slip = 0.2;
+    model.contacts.ground = model.boards.ground = bed;
+  }
+
+  OtterBoard otter_board(Random& random) {
+    OtterBoard board;
+    board.attachment[0] = Vector(0.3, random.between(-0.3, -0.1), 0.1);
+    board.attachment[1] = Vector(0.9, 0.1, random.between(0.3, 0.5));
+    board.attachment[2] = Vector(1.0, 0.0, -0.4);
+    board.side = random.below(2) ? 1.0 : -1.0;
+    board.chord = 1.0;
+    board.span = 1.6;
+    board.area = 0.1;
+    board.pressure_centre = 0.4;
+    board.weight = 20.0;
+    board.buoyancy = 15.0;
+    board.gravity_centre = {0.5, 0.1, -0.2};
+    board.buoyancy_centre = {0.5, 0.0, 0.1};
+    board.added_mass = 0.3;
+    board.shoe_area = 0.05;
+    const double pi = 3.14159265358979323846;
+    board.polar.angle = {-pi, -1.5, -0.3, 0.2, 0.8, 1.6, pi};
+    board.polar.lift = {0.0, -0.5, -0.2, 0.9, 1.5, 0.1, 0.0};
+    board.polar.drag = {0.2, 1.2, 0.3, 0.2, 0.8, 1.3, 0.2};
+    board.polar.lift_slope = {-0.4, 0.0, 1.0, 1.2, 0.0, -1.0, -0.4};
+    board.polar.drag_slope = {0.0, 0.0, -0.3, 0.5, 0.6, 0.0, 0.0};
+    return board;
+  }
+
   void fill(Random& random, const Ingredients& wanted) {
     for (int b = 0; b < wanted.bars; ++b) {
       points(random, 2, model.bars.node);
       model.bars.multiplicity.push_back(random.between(0.5, 4.0));
     }
     model.bars.rest.assign(wanted.bars, 1.0);
-    model.bars.material.assign(wanted.bars, 0);
+    for (int b = 0; b < wanted.bars; ++b) {
+      model.bars.material.push_back(wanted.struts && b % 2 ? 1 : 0);
+    }
     for (int e = 0; e < wanted.triangles; ++e) {
       points(random, 3, model.triangles.node);
       const double turn = random.between(0.0, 6.28);
@@ -121,11 +175,27 @@ class Specimen {
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
       model.spheres.diameter.push_back(s < wanted.bodies ? 0.0 : random.between(1e-5, 1e-2));
       model.spheres.added_mass.push_back(random.between(0.0, 0.01));
+      model.spheres.height.push_back(random.between(0.5, 2.0));
     }
     for (int s = 0; s < wanted.lifts_up + wanted.lifts_sideways; ++s) {
       points(random, 1, model.lifts.node);
       model.lifts.lift_area.push_back(random.between(-0.1, 0.1));
       model.lifts.direction.push_back(s < wanted.lifts_up ? 0 : 1);
+      model.lifts.height.push_back(random.between(0.5, 2.0));
+    }
+    for (int s = 0; s < wanted.boards; ++s) {
+      points(random, 3, model.boards.node);
+      model.boards.board.push_back(otter_board(random));
+    }
+    for (int s = 0; s < wanted.contacts; ++s) {
+      points(random, 1, model.contacts.node);
+      model.contacts.area.push_back(random.between(0.01, 0.1));
+      model.contacts.clearance.push_back(random.between(0.0, 0.3));
+    }
+    for (int s = 0; s < wanted.volumes; ++s) {
+      points(random, 1, model.volumes.node);
+      model.volumes.buoyancy.push_back(random.between(1.0, 20.0));
+      model.volumes.height.push_back(random.between(1.5, 4.0));
     }
   }
 

@@ -218,6 +218,7 @@ TEST_CASE("drag of knots by Reynolds number, White's fit for spheres") {
   knots.drag_area = {0.5};
   knots.diameter = {0.01};
   knots.added_mass = {0.0};
+  knots.height = {0.01};
   Water water;
   const double x[3] = {0.0, 0.0, 0.0}, v[3] = {0.0, 0.0, 0.0};
   for (const auto& row : table) {

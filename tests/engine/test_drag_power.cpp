@@ -99,6 +99,44 @@ TEST_CASE("drag in still water takes energy from bodies and knots") {
   }
 }
 
+TEST_CASE("boards in still water lose energy, at every angle of attack") {
+  Random random(20260425);
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Ingredients wanted = still_water();
+    wanted.boards = 1;
+    Specimen s(random, wanted);
+    s.model.boards.ground.present = false;
+    s.model.boards.board[0].weight = s.model.boards.board[0].buoyancy = 0.0;
+    s.model.connect();
+    CHECK(power(s).total < 0.0);
+  }
+}
+
+TEST_CASE("friction takes energy from what slides, and the ground pushes only outward") {
+  Random random(20260426);
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Ingredients wanted = still_water();
+    wanted.contacts = 12;
+    Specimen s(random, wanted);
+    const Ground& ground = s.model.contacts.ground;
+    // Along the ground, where the elastic part does no work.
+    for (int n = 0; n < s.model.nodes; ++n) {
+      at(s.v.data(), n) -= ground.normal.dot(at(s.v.data(), n)) * ground.normal;
+      at(s.v.data(), n) += ground.velocity;
+    }
+    Assembly assembly(s.model);
+    std::vector<double> force(s.x.size());
+    assembly.move_to(s.x.data(), s.v.data());
+    assembly.residual(force.data());
+    double lost = 0.0;
+    for (int n = 0; n < s.model.nodes; ++n) {
+      lost += at(force.data(), n).dot(at(s.v.data(), n) - ground.velocity);
+      CHECK(at(force.data(), n).dot(ground.normal) >= -1e-12);
+    }
+    CHECK(lost < 0.0);
+  }
+}
+
 TEST_CASE("lift in still water does no work") {
   Random random(20260423);
   for (int repeat = 0; repeat < 20; ++repeat) {
@@ -145,6 +183,8 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
       wanted.bars = 10;
       wanted.triangles = 6;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
+      wanted.boards = wanted.contacts = wanted.volumes = 4;
+      wanted.free_surface = true;
       wanted.law = law;
       wanted.slack = slack;
       wanted.current = extreme.current;

@@ -197,6 +197,65 @@ TEST_CASE("derivatives of lifting surfaces") {
   SUBCASE("sideways") { check_points([](Ingredients& i) -> int& { return i.lifts_sideways; }); }
 }
 
+TEST_CASE("derivatives of otter boards, level or on the ground") {
+  for (const bool surface : {false, true}) {
+    CAPTURE(surface);
+    check_points([surface](Ingredients& i) -> int& {
+      i.free_surface = surface;
+      return i.boards;
+    });
+  }
+}
+
+TEST_CASE("derivatives of contacts with the ground") {
+  check_points([](Ingredients& i) -> int& { return i.contacts; });
+}
+
+TEST_CASE("derivatives at the surface") {
+  auto at_surface = [](int Ingredients::*kind) {
+    check_points([kind](Ingredients& i) -> int& {
+      i.free_surface = true;
+      return i.*kind;
+    });
+  };
+  SUBCASE("volumes") { at_surface(&Ingredients::volumes); }
+  SUBCASE("bodies") { at_surface(&Ingredients::bodies); }
+  SUBCASE("lifting surfaces") { at_surface(&Ingredients::lifts_up); }
+  SUBCASE("lines") {
+    Random random(20260409);
+    for (int repeat = 0; repeat < 5; ++repeat) {
+      Ingredients wanted;
+      wanted.bars = wanted.triangles = 12;
+      wanted.free_surface = true;
+      wanted.layered = repeat % 2;
+      wanted.diameter = 1.5;  // the height over which they leave the water
+      wanted.axial_stiffness = 500.0;
+      check_derivatives(random, wanted);
+    }
+  }
+}
+
+TEST_CASE("derivatives in a wake") {
+  Random random(20260410);
+  for (const bool layered : {false, true}) {
+    Ingredients wanted;
+    wanted.bars = wanted.triangles = wanted.knots = wanted.bodies = wanted.lifts_up = 8;
+    wanted.wake = true;
+    wanted.layered = wanted.free_surface = layered;
+    check_derivatives(random, wanted);
+  }
+}
+
+TEST_CASE("derivatives of struts") {
+  Random random(20260408);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Ingredients wanted;
+    wanted.bars = 12;
+    wanted.struts = true;
+    check_derivatives(random, wanted);
+  }
+}
+
 TEST_CASE("derivatives of tensions that a solver carries") {
   Random random(20260403);
   for (int repeat = 0; repeat < 5; ++repeat) {

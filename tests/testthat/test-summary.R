@@ -4,7 +4,8 @@ test_that("a summary holds what it prints", {
     found <- summary(state)
     expect_s3_class(found, "codend_summary")
     expect_named(found, c("name", "conditions", "measures", "drag", "drag_totals", "tensions",
-      "slack", "reactions", "balance", "report"))
+      "slack", "boards", "reactions", "balance",
+      "report"))
     expect_equal(nrow(found$drag), nrow(state$lattice$parts))
     expect_equal(found$report$nodes, ncol(state$position))
   }

@@ -6,6 +6,7 @@
 
 #include "../block_sink.hpp"
 #include "../geometry.hpp"
+#include "../immersion.hpp"
 #include "../water.hpp"
 
 namespace codend {
@@ -15,11 +16,25 @@ struct Field {
   const double* position;  // 3 per point, m
   const double* velocity;  // 3 per point, m/s
   const Water* water;
+  // Speed of the flow past each point as a share of the free flow's, behind netting; null: 1.
+  const double* wake = nullptr;
 
-  // Velocity of the water relative to a point (m/s), and how it changes with height (1/s).
-  void relative_velocity(int point, Vector& u, Vector& slope) const {
-    water->velocity(at(position, point).z(), u, slope);
+  // Velocity of the water relative to a body at a point (m/s), and how it changes with height (1/s).
+  // Of a body (height in m) that is partly out of the water, reduced so that its square drags the
+  // immersed share. Returns the share that is taken of the point's own velocity.
+  double relative_velocity(int point, double height, Vector& u, Vector& slope) const {
+    const double z = at(position, point).z();
+    water->velocity(z, u, slope);
     u -= at(velocity, point);
+    double share = wake ? wake[point] : 1.0;
+    slope *= share;
+    if (water->free_surface) {
+      const Immersion wet = immersion(z, height);
+      slope = wet.root * slope + share * wet.root_slope * u;
+      share *= wet.root;
+    }
+    u *= share;
+    return share;
   }
 };
 

@@ -38,7 +38,7 @@ void LiftingSurfaces::lift(LiftDirection direction, const Vector& u, Vector& val
 void LiftingSurfaces::add_element_force(int e, const Field& field, double* force) const {
   Vector u, du, value;
   Matrix by_velocity;
-  field.relative_velocity(node[e], u, du);
+  field.relative_velocity(node[e], height[e], u, du);
   lift(static_cast<LiftDirection>(direction[e]), u, value, by_velocity);
   at(force, 0) += (0.5 * field.water->density * lift_area[e]) * value;
 }
@@ -49,14 +49,15 @@ void LiftingSurfaces::add_force(const Field& field, double* force) const {
 
 void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& request,
                                    const BlockSink& sink) const {
-  if (request.damping == 0.0 && field.water->uniform()) return;  // it does not depend on x
+  // Without them it does not depend on x.
+  if (request.damping == 0.0 && !field.water->varies_with_height()) return;
   for (int e = 0; e < count(); ++e) {
     Vector u, du, value;
     Matrix by_velocity;
-    field.relative_velocity(node[e], u, du);
+    const double own = field.relative_velocity(node[e], height[e], u, du);
     lift(static_cast<LiftDirection>(direction[e]), u, value, by_velocity);
     by_velocity *= 0.5 * field.water->density * lift_area[e];
-    Matrix block = request.damping * by_velocity;
+    Matrix block = (request.damping * own) * by_velocity;
     block.col(2) -= request.stiffness * (by_velocity * du);
     sink.add(e, 0, 0, block);
   }
@@ -65,7 +66,7 @@ void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& re
 void LiftingSurfaces::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, du;
-    field.relative_velocity(node[e], u, du);
+    field.relative_velocity(node[e], height[e], u, du);
     scale[node[e]] += 0.5 * field.water->density * std::abs(lift_area[e]) * u.norm();
   }
 }

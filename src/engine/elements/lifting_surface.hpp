@@ -18,6 +18,7 @@ class LiftingSurfaces : public ElementKind {
   std::vector<int> node;
   std::vector<double> lift_area;  // C_L A, m2; negative: down, or to port
   std::vector<int> direction;     // LiftDirection
+  std::vector<double> height;     // over which it leaves the water, m
 
   int count() const { return static_cast<int>(node.size()); }
   int nodes_per_element() const override { return 1; }

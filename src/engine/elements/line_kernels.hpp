@@ -14,6 +14,7 @@ struct LineArrays {
   // What the lines are.
   double* inverse_rest;  // 1/L0, 1/m
   double* stiffness;     // EA, N
+  double* least_tension; // 0; of struts, which also push, far below it, N
   double* multiplicity;
   double* drag_weight;   // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
   double *added_normal, *added_tangential;  // added mass, a point's share, kg
@@ -27,7 +28,8 @@ struct LineArrays {
 
   // The flow past them.
   double *u[3], *speed;       // U and |U|, m/s
-  double *slope[3];           // dU/dz, 1/s; null where the current is the same everywhere
+  double *slope[3];           // dU/dz, 1/s; null where it is the same everywhere
+  double* own;                // -dU/dv of the mean velocity v of its points
   double *loose;              // drag of a curled-up line over U, a point's share, N s/m
   double *loose_slope;        // its derivative by |U|
   double *drag_scale;         // drag over U, a point's share, at right angles, N s/m

@@ -165,13 +165,14 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Pack strain = length * inverse_rest - 1.0;
     store(lines.inverse_length + i, inverse_length);
     store(lines.strain + i, strain);
+    const Pack least = load(lines.least_tension + i);
     Pack tension = load(lines.stiffness + i) * strain;
     if (lines.damping) {
       const Pack rate = inverse_length * inverse_rest * dot(e, load(lines.e_rate, i)) -
                         (strain + 1.0) * load(lines.rest_rate + i);
       tension = tension + load(lines.damping + i) * rate;
     }
-    store(lines.tension + i, tension > 0.0 ? tension : Pack{});
+    store(lines.tension + i, tension > least ? tension : least);
 
     const StraightDrag s = straight_drag(lines, i, e, inverse_length);
     const Pack share = straight_share(lines, strain);
@@ -229,21 +230,22 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack many = request.stiffness * load(lines.multiplicity + i);
   const std::int64_t left = request.lines - i;
   const Pack tension = load_before_end(request.tension + i, left);
+  const Pack stiffness = load(lines.stiffness + i), least = load(lines.least_tension + i);
   Pack modulus;
   Triple sideways = {};  // change of the damper's pull when the line turns
   if (request.modulus) {
     modulus = load_before_end(request.modulus + i, left);
   } else if (lines.damping) {
-    const Pack taut = load(lines.tension + i) > 0.0 ? Pack{} + 1.0 : Pack{};
+    const Pack taut = load(lines.tension + i) > least ? Pack{} + 1.0 : Pack{};
     const Pack damping = taut * load(lines.damping + i);
     const Pack by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
     const Triple e_rate = load(lines.e_rate, i);
-    modulus = taut * load(lines.stiffness + i) - damping * load(lines.rest_rate + i);
+    modulus = taut * stiffness - damping * load(lines.rest_rate + i);
     sideways = (request.stiffness * by_rate * inverse_length) *
                    (e_rate - dot(e_rate, s.t) * s.t) +
                (request.damping * by_rate) * s.t;
   } else {
-    modulus = strain > 0.0 ? load(lines.stiffness + i) : Pack{};
+    modulus = stiffness * strain > least ? stiffness : Pack{};
   }
   const Pack across = many * tension * inverse_length;
   out.pull = add_diagonal(across, outer((many * modulus * inverse_rest - across) * s.t, s.t));
@@ -281,7 +283,7 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
         add_diagonal(by_identity, outer(by_flow * s.u, s.u) + outer(by_axis * s.t, s.t) +
                                       outer(by_across, s.across));
     const Pack none = {};
-    out.everywhere = (none + request.damping * point_share) * by_velocity;
+    out.everywhere = (request.damping * point_share * load(lines.own + i)) * by_velocity;
     if (lines.slope[0]) {
       const Triple slope =
           (none - request.stiffness * point_share) * load(lines.slope, i);

@@ -25,14 +25,14 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& w
       count_(bars.count() + 2 * triangles.count()),
       kernels_(kernels) {
   LineArrays& a = arrays_;
-  const bool layered = !water.uniform();
+  const bool by_height = water.varies_with_height();
   std::vector<double**> columns{
-      &a.inverse_rest, &a.stiffness, &a.multiplicity, &a.drag_weight, &a.added_normal,
+      &a.inverse_rest, &a.stiffness, &a.least_tension, &a.multiplicity, &a.drag_weight, &a.added_normal,
       &a.added_tangential, &a.normal, &a.tangential, &a.skin,
-      &a.u[0], &a.u[1], &a.u[2], &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
+      &a.u[0], &a.u[1], &a.u[2], &a.own, &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
       &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
       &a.drag[0], &a.drag[1], &a.drag[2]};
-  if (layered) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   bool damped = false;
   for (const std::vector<TwineMaterial>* materials : {bars.materials, triangles.materials}) {
     if (!materials) continue;
@@ -61,6 +61,7 @@ void Lines::describe(const Line<N>& line) {
   arrays_.inverse_rest[k] = 1.0 / line.rest;
   // Where no line is left, none pulls.
   arrays_.stiffness[k] = line.multiplicity > 0.0 ? m.axial_stiffness : 0.0;
+  arrays_.least_tension[k] = m.strut ? -1e300 : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
   arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
   const double water =
@@ -87,7 +88,7 @@ void Lines::update_bar(int bar, double rest_rate) {
 }
 
 template <int N>
-void Lines::set_velocity(const Field& field, const int* node, std::size_t line) {
+void Lines::set_velocity(const Field& field, const int* node, double height, std::size_t line) {
   Vector u = Vector::Zero();
   double z = 0.0;
   for (int k = 0; k < N; ++k) {
@@ -95,9 +96,24 @@ void Lines::set_velocity(const Field& field, const int* node, std::size_t line) 
     z += at(field.position, node[k]).z();
   }
   u *= 1.0 / N;
+  z *= 1.0 / N;
   Vector current, slope;
-  water_.velocity(z * (1.0 / N), current, slope);
+  water_.velocity(z, current, slope);
   u += current;
+  double own = 1.0;
+  if (field.wake) {
+    own = 0.0;
+    for (int k = 0; k < N; ++k) own += field.wake[node[k]];
+    own *= 1.0 / N;
+    slope *= own;
+  }
+  if (water_.free_surface) {
+    const Immersion wet = immersion(z, height);
+    slope = wet.root * slope + own * wet.root_slope * u;
+    own *= wet.root;
+  }
+  u *= own;
+  arrays_.own[line] = own;
   for (int c = 0; c < 3; ++c) arrays_.u[c][line] = u[c];
   if (arrays_.slope[0]) {
     for (int c = 0; c < 3; ++c) arrays_.slope[c][line] = slope[c];
@@ -106,11 +122,15 @@ void Lines::set_velocity(const Field& field, const int* node, std::size_t line) 
 
 void Lines::set_flow(const Field& field) {
   const std::size_t bars = static_cast<std::size_t>(bars_.count());
-  for (std::size_t b = 0; b < bars; ++b) set_velocity<2>(field, &bars_.node[2 * b], b);
+  for (std::size_t b = 0; b < bars; ++b) {
+    const double height = (*bars_.materials)[bars_.material[b]].diameter;
+    set_velocity<2>(field, &bars_.node[2 * b], height, b);
+  }
   const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
   for (std::size_t e = 0; e < triangles; ++e) {
-    set_velocity<3>(field, &triangles_.node[3 * e], bars + e);
-    set_velocity<3>(field, &triangles_.node[3 * e], bars + triangles + e);
+    const double height = (*triangles_.materials)[triangles_.material[e]].diameter;
+    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + e);
+    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
   }
   kernels_.flow(arrays_, 0, count_);
   if (!arrays_.damping) return;

@@ -47,8 +47,9 @@ class Lines {
  private:
   template <int N>
   void describe(const Line<N>& line);
+  // height: over which a line leaves the water, m.
   template <int N>
-  void set_velocity(const Field& field, const int* node, std::size_t line);
+  void set_velocity(const Field& field, const int* node, double height, std::size_t line);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);

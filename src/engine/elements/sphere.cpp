@@ -20,7 +20,7 @@ void Spheres::coefficient(int e, double speed, double viscosity, double& value,
 
 void Spheres::add_element_force(int e, const Field& field, double* force) const {
   Vector u, du;
-  field.relative_velocity(node[e], u, du);
+  field.relative_velocity(node[e], height[e], u, du);
   double c, slope;
   coefficient(e, u.norm(), field.water->viscosity, c, slope);
   at(force, 0) += (0.5 * field.water->density * drag_area[e] * c) * u;
@@ -32,17 +32,18 @@ void Spheres::add_force(const Field& field, double* force) const {
 
 void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
                            const BlockSink& sink) const {
-  if (request.damping == 0.0 && field.water->uniform()) return;  // it does not depend on x
+  // Without them it does not depend on x.
+  if (request.damping == 0.0 && !field.water->varies_with_height()) return;
   for (int e = 0; e < count(); ++e) {
     Vector u, du;
-    field.relative_velocity(node[e], u, du);
+    const double own = field.relative_velocity(node[e], height[e], u, du);
     const double speed = u.norm();
     double c, slope;
     coefficient(e, speed, field.water->viscosity, c, slope);
     Matrix by_velocity = c * Matrix::Identity();
     if (speed > 0.0) by_velocity += (slope / speed) * (u * u.transpose());
     by_velocity *= 0.5 * field.water->density * drag_area[e];
-    Matrix block = request.damping * by_velocity;
+    Matrix block = (request.damping * own) * by_velocity;
     block.col(2) -= request.stiffness * (by_velocity * du);
     sink.add(e, 0, 0, block);
   }
@@ -58,7 +59,7 @@ void Spheres::add_added_mass(const Field& field, double* mass) const {
 void Spheres::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, du;
-    field.relative_velocity(node[e], u, du);
+    field.relative_velocity(node[e], height[e], u, du);
     double c, slope;
     coefficient(e, u.norm(), field.water->viscosity, c, slope);
     scale[node[e]] += 0.5 * field.water->density * drag_area[e] * c;

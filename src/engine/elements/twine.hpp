@@ -26,18 +26,20 @@ struct TwineMaterial {
   double added_mass_normal = 1.0;  // on the displaced mass of water
   double added_mass_tangential = 0.0;
   CylinderLaw law;
+  bool strut = false;  // also pushes: T = EA (L/L0 - 1) of either sign
 };
 
 enum class SlackDrag { curved = 0, straight = 1 };
 
 // Tension of one line, N.
 inline double twine_tension(const TwineMaterial& m, double length, double rest) {
-  return length > rest ? m.axial_stiffness * (length / rest - 1.0) : 0.0;
+  return length > rest || m.strut ? m.axial_stiffness * (length / rest - 1.0) : 0.0;
 }
 
 // Strain energy of one line, J.
 inline double twine_energy(const TwineMaterial& m, double length, double rest) {
-  return length > rest ? 0.5 * m.axial_stiffness * (length - rest) * (length - rest) / rest : 0.0;
+  if (length <= rest && !m.strut) return 0.0;
+  return 0.5 * m.axial_stiffness * (length - rest) * (length - rest) / rest;
 }
 
 }  // namespace codend

@@ -37,6 +37,11 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   const int count = assembly.model().lines();
   taut.tension.assign(lines.tension, lines.tension + count);
   taut.modulus.assign(lines.stiffness, lines.stiffness + count);
+  for (int e = 0; e < assembly.model().contacts.count(); ++e) {
+    taut.tension.push_back(0.0);
+    taut.modulus.push_back(assembly.model().contacts.ground.stiffness *
+                           assembly.model().contacts.area[e]);
+  }
   FastestRates rates;
   assembly.jacobian({1.0, 0.0}, values.data(), &taut);
   rates.oscillation = std::sqrt(largest_row(assembly, mass, values));

@@ -31,6 +31,10 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
       mass_[part.points[k]] -= part.mass[k];
       load_[3 * static_cast<std::size_t>(part.points[k]) + 2] -= part.load[k];
     }
+    other_buoyancy_.emplace_back();
+    for (std::size_t k = 0; k < part.volumes.size(); ++k) {
+      other_buoyancy_.back().push_back(model.volumes.buoyancy[part.volumes[k]] - part.buoyancy[k]);
+    }
   }
   for (Parting& parting : plan_.partings) {
     if (parting.parted >= 0) part(parting, parting.parted, parting.parted_at);
@@ -94,6 +98,10 @@ void Schedule::grow(double time, Side side) {
     for (std::size_t k = 0; k < part.spheres.size(); ++k) {
       model_.spheres.drag_area[part.spheres[k]] = factor * part.drag_area[k];
       model_.spheres.added_mass[part.spheres[k]] = factor * part.added_mass[k];
+    }
+    for (std::size_t k = 0; k < part.volumes.size(); ++k) {
+      model_.volumes.buoyancy[part.volumes[k]] =
+          other_buoyancy_[p][k] + factor * part.buoyancy[k];
     }
   }
   if (!changed) return;

@@ -60,6 +60,8 @@ struct GrowingPart {
   std::vector<double> mass, load;  // kg; N, upwards
   std::vector<int> spheres;
   std::vector<double> drag_area, added_mass;
+  std::vector<int> volumes;        // of the model's immersed volumes
+  std::vector<double> buoyancy;    // N, the part's own in each of them
 };
 
 // A rope that parts at a time, or where a bar's tension exceeds its strength.
@@ -104,6 +106,8 @@ class Schedule : public Conditions {
   Motion start_;
   std::vector<double> mass_, load_;       // without growing parts
   bool answers_ = false;                  // there are winches or ropes that may part
+  // Per part, buoyancy of its volumes without its own, N.
+  std::vector<std::vector<double>> other_buoyancy_;
   std::vector<double> factor_, rate_;     // of the parts, as the model has them
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <memory>
 
 #include "block_lu.hpp"
 #include "tension_path.hpp"
@@ -16,11 +17,15 @@ namespace {
 constexpr double most_turning = 1.0;
 constexpr double found_turning = 0.02;
 // The law itself is tried once the shape is found and its residual is below law_residual; where it
-// does not close in within law_steps, the path goes on from where it was left, for path_steps.
+// does not close in within law_steps, or goes law_excess times further off, the path goes on from
+// where it was left, for path_steps, and after every failed trial for twice as many.
 constexpr double law_residual = 0.1;
 constexpr double law_turning = 0.05;
 constexpr int law_steps = 6;
-constexpr int path_steps = 3;
+constexpr double law_excess = 100.0;
+constexpr int path_steps = 3, most_path_steps = 48;
+// Steps are solved to this residual over the right side, a measure that more than this makes useless.
+constexpr double solve_tolerance = 1e-4, solve_limit = 0.1;
 // Below this pseudo time step (s) lines turn little because they are held back, not for want of a
 // way to go: the path goes on slowly.
 constexpr double short_pseudo_step = 1.0;
@@ -32,6 +37,10 @@ constexpr double cycle_turning = 0.1;
 // few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
 constexpr int attempt_steps = 400;
 constexpr int attempts = 8;
+// Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
+// the fifth time on the netting upstream of every point stays the same.
+constexpr double shading_tolerance = 1e-5;
+constexpr int shadings = 20, searches = 4;
 constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
 // CPU seconds into a total, from construction to destruction.
@@ -56,16 +65,12 @@ class Settling {
         force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
         dx_(force_.size(), 0.0),
         right_(3 * free_.size()),
+        step_(right_.size()),
         damping_(free_.size()),
         values_(9 * assembly.pattern().column.size()),
         load_(total_load()),
         path_(assembly.model(), load_) {
-    Stopwatch watch(report_.seconds_analysis);
-    std::vector<double> coordinates(3 * free_.size());
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      at(coordinates.data(), static_cast<int>(i)) = at(x_, free_[i]);
-    }
-    lu_.analyse(assembly.pattern(), coordinates.data());
+    analyse(Precision::single_precision);
   }
 
   // Back to a start that the caller has put into x.
@@ -75,6 +80,20 @@ class Settling {
     turning_ = last_turning_ = 1.0;
     on_law_ = begun_ = false;
     steps_to_law_ = cycle_ = 0;
+    path_steps_ = path_steps;
+  }
+
+  // From a settled shape under loads that have changed: the law itself, and where that does not
+  // close in the path from its beginning.
+  void resume() {
+    on_law_ = true;
+    law_steps_done_ = 0;
+    residual_on_law_ = report_.residual;
+    left_x_.assign(x_, x_ + force_.size());
+    left_path_ = TensionPath(assembly_.model(), load_);
+    left_pseudo_step_ = 1.0;
+    turning_ = last_turning_ = found_turning;
+    cycle_ = 0;
   }
 
   // Net forces of the law itself.
@@ -102,7 +121,8 @@ class Settling {
   // Takes the present positions, measured, as nearly settled, with these strains or its own.
   void stay_near(const std::vector<double>& strain) {
     assembly_.strain(strain_);
-    path_.follow(strain.empty() ? strain_ : strain);
+    std::copy(strain.begin(), strain.end(), strain_.begin());
+    path_.follow(strain_);
     // worth a try of the law at once
     if (report_.residual < law_residual) turning_ = 0.0;
   }
@@ -133,16 +153,11 @@ class Settling {
     for (std::size_t i = 0; i < free_.size(); ++i) {
       at(right_.data(), static_cast<int>(i)) = at(force_.data(), free_[i]);
     }
-    {
-      Stopwatch watch(report_.seconds_linear);
-      ++report_.factorisations;
-      if (!lu_.factorise(values_.data())) {
-        pseudo_step_ *= 0.1;
-        return;
-      }
-      lu_.solve(right_.data(), right_.data());
+    if (solve()) {
+      move();
+    } else {
+      pseudo_step_ *= 0.1;
     }
-    move();
   }
 
  private:
@@ -150,9 +165,11 @@ class Settling {
   void choose_law() {
     const bool tried = law_steps_done_ >= law_steps;
     if (on_law_ && (turning_ > law_turning ||
+                    report_.residual > law_excess * residual_before_law_ ||
                     (tried && !(report_.residual < 0.3 * residual_on_law_)))) {
       on_law_ = false;
-      steps_to_law_ = path_steps;
+      steps_to_law_ = path_steps_;
+      path_steps_ = std::min(2 * path_steps_, most_path_steps);
       std::copy(left_x_.begin(), left_x_.end(), x_);
       path_ = left_path_;
       pseudo_step_ = left_pseudo_step_;
@@ -160,6 +177,7 @@ class Settling {
     } else if (!on_law_ && steps_to_law_ <= 0 && found() && report_.residual < law_residual) {
       on_law_ = true;
       law_steps_done_ = 0;
+      residual_before_law_ = report_.residual;
       left_x_.assign(x_, x_ + force_.size());
       left_path_ = path_;
       left_pseudo_step_ = pseudo_step_;
@@ -183,10 +201,41 @@ class Settling {
     return turning_ < 1.0 ? 0.7 : 1.0;
   }
 
+  void analyse(Precision precision) {
+    Stopwatch watch(report_.seconds_analysis);
+    std::vector<double> coordinates(right_.size());
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      at(coordinates.data(), static_cast<int>(i)) = at(x_, free_[i]);
+    }
+    precision_ = precision;
+    lu_ = std::make_unique<BlockLU>(precision);
+    lu_->analyse(assembly_.pattern(), coordinates.data());
+  }
+
+  // The step of the present matrix and right side; false where the matrix is singular. Factors are
+  // in single precision for as long as refinement makes up for it.
+  bool solve() {
+    if (precision_ == Precision::single_precision) {
+      Stopwatch watch(report_.seconds_linear);
+      ++report_.factorisations;
+      if (lu_->factorise(values_.data()) &&
+          lu_->solve_refined(assembly_.pattern(), values_.data(), right_.data(), solve_tolerance,
+                             step_.data()) < solve_limit) {
+        return true;
+      }
+    }
+    if (precision_ == Precision::single_precision) analyse(Precision::double_precision);
+    Stopwatch watch(report_.seconds_linear);
+    ++report_.factorisations;
+    if (!lu_->factorise(values_.data())) return false;
+    lu_->solve(right_.data(), step_.data());
+    return true;
+  }
+
   void move() {
     double damped = 0.0, driven = 0.0;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const Vector dx = at(right_.data(), static_cast<int>(i));
+      const Vector dx = at(step_.data(), static_cast<int>(i));
       at(dx_.data(), free_[i]) = dx;
       damped += damping_[i] * dx.squaredNorm();
       driven += dx.dot(at(force_.data(), free_[i]));
@@ -227,7 +276,7 @@ class Settling {
   // Sum of the sizes of all loads that are not tensions.
   double total_load() {
     CarriedTension none;
-    none.tension.assign(static_cast<std::size_t>(assembly_.model().lines()), 0.0);
+    none.tension.assign(static_cast<std::size_t>(assembly_.model().carriers()), 0.0);
     assembly_.move_to(x_, v_);
     assembly_.residual(force_.data(), &none);
     double total = 0.0;
@@ -240,18 +289,20 @@ class Settling {
   const std::vector<int>& free_;
   const double* v_;
   double* x_;
-  std::vector<double> force_, dx_, right_, damping_, values_, strain_;
+  std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
   double load_;  // N
   double rounding_ = rounding_force();  // N
   TensionPath path_;
-  BlockLU lu_;
+  Precision precision_ = Precision::single_precision;
+  std::unique_ptr<BlockLU> lu_;
   double pseudo_step_ = 1.0;  // s
   double turning_ = 1.0, last_turning_ = 1.0;
   bool begun_ = false;        // a step has been taken
   int cycle_ = 0;             // undamped steps in a row that do not close in
   bool on_law_ = false;
   int law_steps_done_ = 0, steps_to_law_ = 0;
-  double residual_on_law_ = 0.0;
+  int path_steps_ = path_steps;
+  double residual_before_law_ = 0.0, residual_on_law_ = 0.0;
   // Where the path was left for the law.
   std::vector<double> left_x_;
   TensionPath left_path_ = path_;
@@ -275,6 +326,17 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     report.converged =
         (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
         report.worst_force == 0.0;
+    if (report.converged && assembly.shades()) {
+      report.shading_change = assembly.shade(report.shadings < searches, shading_tolerance);
+      ++report.shadings;
+      if (report.shading_change > shading_tolerance) {
+        report.converged = false;
+        settling.measure();
+        if (report.shadings == shadings) return report;
+        settling.resume();
+        steps = 0;
+      }
+    }
     if (report.converged || report.iterations >= control.iterations) return report;
     if (steps == attempt_steps || !std::isfinite(report.residual)) {
       if (++attempt == attempts) return report;

@@ -9,29 +9,42 @@ namespace {
 constexpr double first_parameter = 1e-2;
 // The same of a start that is nearly settled.
 constexpr double near_parameter = 1e-3;
-constexpr double least_parameter = 1e-16;
+constexpr double least_parameter = 1e-24;
 // First tensions over the lines' scales: taut enough that the first steps find the global shape.
 constexpr double first_tension = 10.0;
+// Of contacts, m: the normal force that makes it is their scale.
+constexpr double first_penetration = 1e-3;
 // A step leaves at least this share of a tension or a shortfall.
 constexpr double least_share = 0.02;
-constexpr double least_tension = 1e-14;  // over a line's scale
-constexpr double least_shortfall = 1e-18, most_shortfall = 1e3;
+constexpr double least_tension = 1e-27;  // over a line's scale
+constexpr double least_shortfall = 1e-26, most_shortfall = 1e3;
 // T s is kept above this share of mu, so that no line leaves the path behind.
 constexpr double least_product = 1e-2;
 
 }  // namespace
 
-TensionPath::TensionPath(const Model& model, double load) : parameter_(first_parameter) {
-  const std::size_t lines = static_cast<std::size_t>(model.lines());
+TensionPath::TensionPath(const Model& model, double load)
+    : lines_(static_cast<std::size_t>(model.lines())),
+      ground_(model.contacts.ground),
+      parameter_(first_parameter) {
+  const std::size_t lines = static_cast<std::size_t>(model.carriers());
   stiffness_.resize(lines);
   scale_.resize(lines);
+  strut_.assign(lines, 0);
   shortfall_.assign(lines, first_parameter / first_tension);
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = line.material->axial_stiffness;
-    scale_[line.index] = std::min(0.01 * line.material->axial_stiffness, load);
+    strut_[line.index] = line.material->strut;
+    scale_[line.index] =
+        line.material->strut ? 0.0 : std::min(0.01 * line.material->axial_stiffness, load);
   });
+  for (int e = 0; e < model.contacts.count(); ++e) {
+    const std::size_t k = lines_ + static_cast<std::size_t>(e);
+    stiffness_[k] = ground_.stiffness * model.contacts.area[e];
+    scale_[k] = std::min(first_penetration * stiffness_[k], load);
+  }
   current_.tension.resize(lines);
   for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
   current_.modulus.resize(lines);
@@ -40,7 +53,12 @@ TensionPath::TensionPath(const Model& model, double load) : parameter_(first_par
 
 void TensionPath::follow(const std::vector<double>& strain) {
   parameter_ = near_parameter;
+  begun_ = true;
   for (std::size_t k = 0; k < scale_.size(); ++k) {
+    if (strut_[k]) {
+      current_.tension[k] = stiffness_[k] * strain[k];
+      continue;
+    }
     // T s = mu scale and strain = T/EA - s
     const double product = parameter_ * scale_[k];
     const double root = std::sqrt(strain[k] * strain[k] + 4.0 * product / stiffness_[k]);
@@ -51,16 +69,41 @@ void TensionPath::follow(const std::vector<double>& strain) {
   }
 }
 
+void TensionPath::stretch(std::size_t k, double tension, double& strain, double& slope) const {
+  if (k < lines_) {
+    strain = tension / stiffness_[k];
+    slope = 1.0 / stiffness_[k];
+  } else {
+    ground_.give(tension, stiffness_[k], strain, slope);
+  }
+}
+
+// On the path at the start's own distance from the ground.
+void TensionPath::rest_contact(std::size_t k, double penetration) {
+  shortfall_[k] = std::max(parameter_, -penetration);
+  current_.tension[k] = parameter_ * scale_[k] / shortfall_[k];
+}
+
 void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
   parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
+    if (strut_[k]) {  // either sign: nothing to approach, tension and position meet at once
+      current_.modulus[k] = stiffness_[k];
+      mismatch_[k] = strain[k] - current_.tension[k] / stiffness_[k];
+      predicted_.tension[k] = stiffness_[k] * strain[k];
+      continue;
+    }
+    if (!begun_ && k >= lines_) rest_contact(k, strain[k]);
     const double t = current_.tension[k];
     const double s = shortfall_[k];
-    current_.modulus[k] = 1.0 / (1.0 / stiffness_[k] + s / t);
+    double stretched, slope;
+    stretch(k, t, stretched, slope);
+    current_.modulus[k] = 1.0 / (slope + s / t);
     centring_[k] = parameter_ * scale_[k] / t - s;
-    mismatch_[k] = strain[k] - t / stiffness_[k] + s + centring_[k];
+    mismatch_[k] = strain[k] - stretched + s + centring_[k];
     predicted_.tension[k] = t + current_.modulus[k] * mismatch_[k];
   }
+  begun_ = true;
 }
 
 void TensionPath::advance(const std::vector<double>& strain_change, double share) {
@@ -68,6 +111,10 @@ void TensionPath::advance(const std::vector<double>& strain_change, double share
     double& t = current_.tension[k];
     double& s = shortfall_[k];
     const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
+    if (strut_[k]) {
+      t += share * t_change;
+      continue;
+    }
     const double s_change = centring_[k] - s / t * t_change;
     t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
     s = std::clamp(std::max(s + share * s_change, least_share * s), least_shortfall,

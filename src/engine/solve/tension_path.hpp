@@ -1,12 +1,16 @@
 // Tension-only lines for a Newton method: an interior path to them.
 //
 // A line is taut or slack: with the shortfall s = T/EA - strain, T >= 0, s >= 0 and T s = 0.
-// Newton's method on T(strain) itself cycles, because a line that a step makes taut answers with its
-// whole EA only afterwards. Here tensions and shortfalls are both unknowns beside the positions, and
-// T s = mu times a scale: every line keeps a little tension, and mu goes to zero while the shape is
-// found (a primal-dual interior-point method; S. J. Wright, Primal-Dual Interior-Point Methods,
-// SIAM 1997). What is left at the end is the law itself. Carrying s as well as T lets mu fall by
-// large factors: with s = mu/T eliminated, a step is good only while T changes by less than itself.
+// Newton's method on T(strain) itself cycles, because a line that a step makes taut answers with
+// its whole EA only afterwards. Here tensions and shortfalls are both unknowns beside the
+// positions, and T s = mu times a scale: every line keeps a little tension, and mu goes to zero
+// while the shape is found (a primal-dual interior-point method; S. J. Wright, Primal-Dual
+// Interior-Point Methods, SIAM 1997). Contacts with the ground are the same: what is said of
+// tension and strain here holds of their normal force and penetration. Struts, which also push,
+// carry their tension as an unknown too, without a shortfall: a turn that a linear step
+// overstretches does not stiffen the next one. What is left at the end is the law itself.
+// Carrying s as well as T lets mu fall by large factors: with s = mu/T eliminated, a step is good
+// only while T changes by less than itself.
 #pragma once
 
 #include <vector>
@@ -36,6 +40,14 @@ class TensionPath {
 
  private:
   std::vector<double> stiffness_, scale_, shortfall_, centring_, mismatch_;
+  void rest_contact(std::size_t k, double penetration);
+  // Strain that a tension makes, and its derivative.
+  void stretch(std::size_t k, double tension, double& strain, double& slope) const;
+
+  std::vector<char> strut_;  // lines that also push
+  std::size_t lines_;        // before the contacts
+  Ground ground_;
+  bool begun_ = false;
   CarriedTension current_, predicted_;
   double parameter_;  // mu
 };

@@ -1,0 +1,135 @@
+# Otter boards as rigid bodies, in SI numbers and in the engine's axes.
+
+# Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b its
+# longer side, by b/c (DNV-RP-C205, table D-2).
+plate_added_mass <- data.frame(
+  ratio = c(1, 1.25, 1.59, 2, 2.5, 3.17, 4, 5, 6.25, 8, 10),
+  coefficient = c(0.579, 0.642, 0.690, 0.757, 0.801, 0.840, 0.872, 0.897, 0.917, 0.934, 0.947)
+)
+
+# Volume of water (m3) whose mass a plate adds when it moves across its face.
+plate_added_volume <- function(chord, span) {
+  short <- min(chord, span)
+  long <- max(chord, span)
+  coefficient <- stats::approx(
+    plate_added_mass$ratio, plate_added_mass$coefficient, long / short, rule = 2
+  )$y
+  coefficient * pi / 4 * short^2 * long
+}
+
+# Stiffness of a board's struts over its area, N/m per m2: a board under 25 kN per m2 changes its
+# lengths by a millimetre.
+strut_stiffness <- 3e7
+usual_shoe_width <- 0.05
+
+# A board in SI: its points and their places in the board's axes (see otter_board.hpp: x aft of the
+# leading edge, y to starboard, z up from the middle of the span), centres, polar, mass and volume.
+si_otter_board <- function(board, path, fields, known) {
+  side <- if (board$pushes == "starboard") 1 else -1
+  axes <- function(place) c(place$aft, -side * place$inward, place$up)
+  points <- names(board$attachments)
+  for (name in points) {
+    if (!name %in% known$points) {
+      abort_reference(name, name, known$points, "point", paste0(path, ".attachments"))
+    }
+  }
+  attachment <- vapply(board$attachments, axes, c(0, 0, 0))
+  e1 <- attachment[, 2] - attachment[, 1]
+  e2 <- attachment[, 3] - attachment[, 1]
+  across <- c(e1[2] * e2[3] - e1[3] * e2[2], e1[3] * e2[1] - e1[1] * e2[3],
+    e1[1] * e2[2] - e1[2] * e2[1])
+  if (sqrt(sum(across^2)) < 0.01 * board$chord * board$span) {
+    abort_field(paste0(path, ".attachments"), points,
+      "three places on the board that are not in one line")
+  }
+  body <- piece_body(board, path, fields)
+  middle <- c(board$chord / 2, 0, 0)
+  gravity <- if (is.null(board$centre_of_gravity)) middle else axes(board$centre_of_gravity)
+  water <- fields$water$density
+  added <- if (is.null(board$added_mass_kg)) {
+    plate_added_volume(board$chord, board$span)
+  } else if (water > 0) {
+    board$added_mass_kg / water
+  } else {
+    0
+  }
+  list(
+    points = points, attachment = unname(attachment), side = side,
+    chord = board$chord, span = board$span, area = first_of(board$area, board$chord * board$span),
+    mass = body$mass, volume = body$volume, pressure_centre = board$centre_of_pressure,
+    gravity_centre = gravity,
+    buoyancy_centre = if (is.null(board$centre_of_buoyancy)) {
+      gravity
+    } else {
+      axes(board$centre_of_buoyancy)
+    },
+    added_volume = added,
+    shoe_area = first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
+    polar = si_polar(board$polar, paste0(path, ".polar"), board$span / board$chord)
+  )
+}
+
+# Attack (deg) of the largest lift: beyond it a board is stalled.
+stall_angle <- function(board) {
+  front <- board$polar[board$polar$attack > 0 & board$polar$attack < 90, ]
+  front$attack[which.max(front$lift)]
+}
+
+# The struts that hold a board's points apart, as a line of the engine.
+strut_line <- function(board) {
+  list(
+    axial_stiffness = strut_stiffness * board$area * board$span, diameter = 0.01,
+    volume_per_length = 0, strut = TRUE,
+    coefficients = list(law = "constant", normal = 0, tangential = 0, skin = 0),
+    added_mass = c(normal = 0, tangential = 0)
+  )
+}
+
+# What the engine reads of a board on these nodes.
+engine_board <- function(board, nodes, density) {
+  list(
+    node = nodes, attachment = as.double(board$attachment), side = board$side,
+    chord = board$chord, span = board$span, area = board$area,
+    pressure_centre = board$pressure_centre,
+    weight = gear_gravity * board$mass, buoyancy = gear_gravity * density * board$volume,
+    gravity_centre = board$gravity_centre, buoyancy_centre = board$buoyancy_centre,
+    added_mass = board$added_volume, shoe_area = board$shoe_area,
+    polar = engine_polar(board$polar)
+  )
+}
+
+# Struts and mass of the boards of a gear in its lattice; part: number of the part before the first
+# board; material: number of the material before the first board's struts.
+add_otter_boards <- function(build, si, division, part, material) {
+  for (k in seq_along(si$otter_boards)) {
+    board <- si$otter_boards[[k]]
+    nodes <- unname(division$points[board$points])
+    pairs <- rbind(c(1L, 2L), c(2L, 3L), c(3L, 1L))
+    apart <- board$attachment[, pairs[, 2]] - board$attachment[, pairs[, 1]]
+    build$add("bars", node = as.vector(t(matrix(nodes[pairs], 3L))), rest = sqrt(colSums(apart^2)),
+      multiplicity = rep(1, 3L), material = rep(material + k, 3L), part = rep(part + k, 3L))
+  }
+}
+
+# Mass of boards at their points, kg: shares that have the centre of gravity where the board has it,
+# as far as positive shares can.
+board_masses <- function(si, division, points) {
+  mass <- numeric(points)
+  for (board in si$otter_boards) {
+    share <- qr.solve(rbind(board$attachment, rep(10 * board$span, 3L)),
+      c(board$gravity_centre, 10 * board$span))
+    share <- pmax(share, 0.1)
+    nodes <- division$points[board$points]
+    mass[nodes] <- mass[nodes] + board$mass * share / sum(share)
+  }
+  mass
+}
+
+# Where a board's points are when it stands upright with its leading edge turned outward by this
+# angle, its points' middle at a place (m); towards x the flow.
+upright_board <- function(board, place, attack = 25 * pi / 180) {
+  turn <- board$side * attack
+  rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))
+  at <- rotation %*% board$attachment
+  at - rowMeans(at) + place
+}

@@ -1,0 +1,167 @@
+# Lift and drag of otter boards by angle of attack: published tests, and what lies between and
+# beyond their angles.
+
+# Tested boards. Only values that are printed in public; attack in deg, coefficients on the area.
+# low_aspect_cambered: low-aspect vertical cambered board, without heel, doi
+#   10.3724/SP.J.1231.2013.38768 (largest C_L/C_D at 15 deg, largest C_L at 30 deg).
+# krill_cambered: hollow vertical cambered board of high aspect ratio for a krill trawl, abstract at
+#   drds.library.net.cn (largest C_L/C_D at 10 deg, largest C_L at 30 deg).
+published_polars <- list(
+  low_aspect_cambered = data.frame(
+    attack = c(15, 30), lift = c(1.120, 1.699), drag = c(0.463, 1.140)
+  ),
+  krill_cambered = data.frame(
+    attack = c(10, 30), lift = c(0.981, 1.436), drag = c(0.210, 0.649)
+  )
+)
+
+#' Lift and drag coefficients of an otter board
+#'
+#' The polar that a free otter board is computed with, over the full circle.
+#'
+#' Tests of boards print few angles, so most of a polar is filled in, always in the same way:
+#'
+#' - between and up to the given angles a monotone cubic through the given values
+#'   ([stats::splinefun()], `"monoH.FC"`);
+#' - below the lowest angle, down to where lift is zero, lift on the straight line through the two
+#'   lowest values, and drag by `a + b attack^2` through the same;
+#' - beyond the highest angle, up to 90 deg, the stalled plate of Viterna and Corrigan (1982, NASA
+#'   CP-2230), which starts from the last given values and ends with a drag coefficient of
+#'   `1.11 + 0.018 span/chord`;
+#' - flow on the outer face, or from behind: the same with 0.7 of the lift, as the same source
+#'   takes it.
+#'
+#' Boards by name: `low_aspect_cambered`, a low-aspect vertical cambered board (C_L 1.120, C_D 0.463
+#' at 15 deg and 1.699, 1.140 at 30 deg; doi 10.3724/SP.J.1231.2013.38768), and `krill_cambered`, a
+#' hollow vertical cambered board of high aspect ratio (0.981, 0.210 at 10 deg and 1.436, 0.649 at
+#' 30 deg). Both are printed at two angles only; the highest is that of the largest lift, beyond
+#' which the board counts as stalled.
+#'
+#' @param polar Name of a tested board, or a data frame with columns `attack` (deg), `lift` and
+#'   `drag` (coefficients on the board's area) of at least two angles between 0 and 90 deg.
+#' @param aspect_ratio Span over chord.
+#' @return A data frame with columns `attack` (deg, from -180 to 180), `lift`, `drag` and
+#'   `published` (whether the row is given rather than filled in).
+#' @export
+#' @examples
+#' board_polar("krill_cambered")
+board_polar <- function(polar, aspect_ratio = 2) {
+  if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
+    given <- published_polars[[polar]]
+  } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
+    given <- polar
+  } else {
+    cli::cli_abort(
+      "{.arg polar} must be a data frame with columns {.val attack}, {.val lift} and {.val drag},
+      or one of {.val {names(published_polars)}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+  given <- given[order(given$attack), ]
+  good <- nrow(given) >= 2L && all(is.finite(as.matrix(given[c("attack", "lift", "drag")]))) &&
+    all(diff(given$attack) > 0) && given$attack[1] >= 0 && max(given$attack) < 90 &&
+    given$lift[1] > 0 && max(given$lift) > 0 && all(given$drag > 0)
+  if (!good) {
+    cli::cli_abort(
+      "{.arg polar} must have two angles or more, each once, from 0 to below 90 deg, with positive
+      drag and, at the lowest, positive lift.",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+  n <- nrow(given)
+  steps <- function(from, to) {
+    inner <- seq(ceiling(from / 5) * 5, floor(to / 5) * 5, by = 5)
+    inner[inner > from + 1 & inner < to - 1]
+  }
+
+  rise <- (given$lift[2] - given$lift[1]) / (given$attack[2] - given$attack[1])
+  # Where lift falls or hardly rises between the two, the way down to zero is that of a flat plate.
+  if (rise < 0.5 * given$lift[1] / 30) rise <- given$lift[1] / max(given$attack[1], 10)
+  no_lift <- max(given$attack[1] - given$lift[1] / rise, -30)
+  bend <- max(0, (given$drag[2] - given$drag[1]) / (given$attack[2]^2 - given$attack[1]^2))
+  least <- given$drag[1] - bend * given$attack[1]^2
+  if (least < 0.2 * given$drag[1]) {
+    least <- 0.2 * given$drag[1]
+    bend <- if (given$attack[1] > 0) 0.8 * given$drag[1] / given$attack[1]^2 else 0
+  }
+  low <- c(no_lift, steps(no_lift, given$attack[1]))
+  below <- data.frame(
+    attack = low, lift = given$lift[1] - rise * (given$attack[1] - low), drag = least + bend * low^2
+  )
+  below$lift[1] <- if (no_lift > -30) 0 else below$lift[1]
+  between <- steps(given$attack[1], given$attack[n])
+  between <- between[vapply(between, function(x) min(abs(x - given$attack)) > 1, NA)]
+  through <- function(column) {
+    stats::splinefun(given$attack, given[[column]], method = "monoH.FC")(between)
+  }
+  between <- data.frame(attack = between, lift = through("lift"), drag = through("drag"))
+  stalled <- function(attack) viterna(attack, given[n, ], 1.11 + 0.018 * aspect_ratio)
+  beyond <- stalled(c(steps(given$attack[n], 90), 90))
+  front <- rbind(
+    cbind(below, published = FALSE), cbind(given[c("attack", "lift", "drag")], published = TRUE),
+    cbind(between, published = FALSE), cbind(beyond, published = FALSE)
+  )
+  front <- front[order(front$attack), ]
+  # Flow from behind, and on the outer face.
+  turned <- beyond[beyond$attack < 90, ]
+  behind <- data.frame(attack = 180 - turned$attack, lift = -0.7 * turned$lift, drag = turned$drag)
+  most <- max(behind$attack)
+  flat <- function(attack) data.frame(attack = attack, lift = 0, drag = max(least, min(given$drag)))
+  behind <- rbind(behind, flat(180))
+  outer <- data.frame(
+    attack = -c(beyond$attack, 180 - turned$attack),
+    lift = c(-0.7 * beyond$lift, 0.7 * turned$lift), drag = c(beyond$drag, turned$drag)
+  )
+  outer <- rbind(outer[outer$attack < no_lift - 5, ], flat(-180))
+  out <- rbind(cbind(rbind(outer, behind), published = FALSE), front)
+  out <- out[order(out$attack), ]
+  row.names(out) <- NULL
+  out
+}
+
+# Beyond stall, from the coefficients at the stall angle to those of a plate across the flow, after
+# L. Viterna and R. Corrigan, Fixed pitch rotor performance of large horizontal axis wind turbines,
+# NASA CP-2230 (1982). attack in deg.
+viterna <- function(attack, stall, across) {
+  a <- attack * pi / 180
+  s <- stall$attack * pi / 180
+  lift <- across / 2 * sin(2 * a) +
+    (stall$lift - across * sin(s) * cos(s)) * sin(s) / cos(s)^2 * cos(a)^2 / sin(a)
+  drag <- across * sin(a)^2 + (stall$drag - across * sin(s)^2) / cos(s) * cos(a)
+  data.frame(attack = attack, lift = lift, drag = drag)
+}
+
+# Knots, values and slopes as the engine reads them (rad).
+engine_polar <- function(table) {
+  angle <- table$attack * pi / 180
+  slope <- function(value) {
+    # A turn before and after, so that the circle closes smoothly.
+    n <- length(angle)
+    around <- c(angle[-n] - 2 * pi, angle, angle[-1L] + 2 * pi)
+    found <- stats::splinefun(around, c(value[-n], value, value[-1L]), method = "monoH.FC")
+    found(angle, deriv = 1)
+  }
+  list(
+    angle = c(-pi, angle[-c(1L, length(angle))], pi), lift = table$lift, drag = table$drag,
+    lift_slope = slope(table$lift), drag_slope = slope(table$drag)
+  )
+}
+
+# The polar of a plan: a name, or a list of rows with attack in rad.
+si_polar <- function(polar, path, aspect_ratio) {
+  if (is.list(polar)) {
+    polar <- data.frame(
+      attack = vapply(polar, `[[`, 0, "attack") * 180 / pi,
+      lift = vapply(polar, `[[`, 0, "lift"), drag = vapply(polar, `[[`, 0, "drag")
+    )
+  }
+  tryCatch(
+    board_polar(polar, aspect_ratio),
+    codend_error_argument = function(e) {
+      abort_field(path, polar$attack, paste(
+        "two angles or more, each once, from 0 to below 90 deg, with positive drag and, at the",
+        "lowest, positive lift"
+      ))
+    }
+  )
+}

@@ -1,0 +1,73 @@
+# How free otter boards stand in a state, and what is wrong with them.
+
+# Beyond this heel (deg) a board lies on its side.
+fallen_heel <- 45
+
+#' Free otter boards of a state
+#'
+#' @param state A state, from [settle()].
+#' @return A data frame with a row per otter board whose attitude is free: `board`, `attack_deg`,
+#'   `stall_deg` (angle of attack of its polar's largest lift), `heel_deg` (positive where its upper
+#'   edge leans outward), `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
+#'   flow), `drag_kN`, `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`,
+#'   `"stalled"` (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face)
+#'   or `"fallen over"` (heel beyond 45 deg).
+#' @export
+board_table <- function(state) {
+  check_is_state(state)
+  boards <- state$si$otter_boards
+  found <- state$boards
+  degrees <- function(x) x * 180 / pi
+  stall <- vapply(boards, stall_angle, 0, USE.NAMES = FALSE)
+  attack <- degrees(found$attack)
+  heel <- degrees(found$heel)
+  condition <- rep("flying", length(boards))
+  condition[attack > stall] <- "stalled"
+  condition[attack < 0] <- "back-winded"
+  condition[abs(heel) > fallen_heel] <- "fallen over"
+  data.frame(
+    board = as.character(names(boards)), attack_deg = attack, stall_deg = stall, heel_deg = heel,
+    trim_deg = degrees(found$trim), lift_kN = found$lift / 1000, drag_kN = found$drag / 1000,
+    ground_load_kN = if (is.null(state$si$ground)) {
+      rep(0, length(boards))
+    } else {
+      drop(state$si$ground$normal %*% found$ground_force) / 1000
+    },
+    condition = condition
+  )
+}
+
+# Angle of a free otter board, deg.
+measure_attitude <- function(state, measure) {
+  k <- match(measure$board, names(state$si$otter_boards))
+  state$boards[[measure$angle]][k] * 180 / pi
+}
+
+# Warns of boards that do not fly.
+warn_of_boards <- function(state) {
+  boards <- board_table(state)
+  for (k in which(boards$condition != "flying")) {
+    board <- boards[k, ]
+    kind <- gsub("[^a-z]", "_", board$condition)
+    reason <- switch(board$condition,
+      "stalled" = sprintf("it meets the flow at %.0f deg, and its lift is largest at %.0f deg",
+        board$attack_deg, board$stall_deg),
+      "back-winded" = sprintf("the flow meets its outer face, at %.0f deg", board$attack_deg),
+      "fallen over" = sprintf("it heels by %.0f deg", board$heel_deg)
+    )
+    cli::cli_warn(
+      "Otter board {.field {board$board}} is {board$condition}: {reason}.",
+      class = c(paste0("codend_warning_board_", kind), "codend_warning"), call = NULL
+    )
+  }
+}
+
+board_lines <- function(boards) {
+  if (!nrow(boards)) return(NULL)
+  align_columns(list(
+    c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
+    c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
+    c("lift kN", column_figures(boards$lift_kN)), c("drag kN", column_figures(boards$drag_kN)),
+    c("", boards$condition)
+  ), left = c(1L, 7L))
+}

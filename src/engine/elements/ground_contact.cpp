@@ -1,0 +1,48 @@
+#include "ground_contact.hpp"
+
+namespace codend {
+
+void GroundContacts::add_element_force(int e, const Field& field, double* force) const {
+  double slope;
+  Matrix by_velocity;
+  at(force, 0) += law(e, field, slope) * per_press(e, field, by_velocity);
+}
+
+void GroundContacts::add_force(const Field& field, const double* press, double* force) const {
+  for (int e = 0; e < count(); ++e) {
+    if (!press) {
+      add_element_force(e, field, force + 3 * static_cast<std::ptrdiff_t>(node[e]));
+      continue;
+    }
+    Matrix by_velocity;
+    at(force, node[e]) += press[e] * per_press(e, field, by_velocity);
+  }
+}
+
+void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& request,
+                                  const double* press, const double* modulus,
+                                  const BlockSink& sink) const {
+  for (int e = 0; e < count(); ++e) {
+    double slope;
+    double normal_force = law(e, field, slope);
+    if (press) {
+      normal_force = press[e];
+      slope = modulus[e];
+    }
+    if (slope == 0.0 && normal_force == 0.0) continue;
+    Matrix by_velocity;
+    const Vector direction = per_press(e, field, by_velocity);
+    sink.add(e, 0, 0, Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -
+                             (request.damping * normal_force) * by_velocity));
+  }
+}
+
+void GroundContacts::add_drag_scale(const Field& field, double* scale) const {
+  for (int e = 0; e < count(); ++e) {
+    double slope;
+    const double speed = (at(field.velocity, node[e]) - ground.velocity).norm();
+    scale[node[e]] += ground.friction * law(e, field, slope) / (speed + ground.slip);
+  }
+}
+
+}  // namespace codend

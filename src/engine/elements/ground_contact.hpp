@@ -1,0 +1,45 @@
+// Points of ropes, netting and pieces that may lie on the sea bed (ground.hpp).
+//
+// The ground pushes and never pulls, as a rope pulls and never pushes, so a solver treats both
+// alike: it may carry the normal forces as unknowns (CarriedTension), behind those of the lines.
+#pragma once
+
+#include "../ground.hpp"
+#include "kind.hpp"
+
+namespace codend {
+
+class GroundContacts {
+ public:
+  std::vector<int> node;
+  std::vector<double> area;       // on the ground, m2
+  std::vector<double> clearance;  // from the point to the underside, m
+  Ground ground;
+
+  int count() const { return static_cast<int>(node.size()); }
+  double penetration(int e, const Field& field) const {
+    return ground.penetration(at(field.position, node[e]), clearance[e]);
+  }
+  // Adds every contact's force (N) to its point; press: carried normal forces (N), null for the
+  // law's.
+  void add_force(const Field& field, const double* press, double* force) const;
+  // Adds one contact's force (N) to force[0..2].
+  void add_element_force(int e, const Field& field, double* force) const;
+  // modulus: of the carried forces (N/m), null for the law's.
+  void add_jacobian(const Field& field, const JacobianRequest& request, const double* press,
+                    const double* modulus, const BlockSink& sink) const;
+  void add_drag_scale(const Field& field, double* scale) const;
+
+ private:
+  // Force of the ground per normal force, and its derivative by velocity.
+  Vector per_press(int e, const Field& field, Matrix& by_velocity) const {
+    return ground.per_press(at(field.velocity, node[e]), by_velocity);
+  }
+  double law(int e, const Field& field, double& slope) const {
+    double press;
+    ground.press(penetration(e, field), area[e], press, slope);
+    return press;
+  }
+};
+
+}  // namespace codend

@@ -1,0 +1,27 @@
+// Buoyancy that is lost above the surface: what a node carries is loaded with the weight less the
+// full buoyancy, and here the share of it that is out of the water (immersion.hpp) is taken back.
+#pragma once
+
+#include "kind.hpp"
+
+namespace codend {
+
+class ImmersedVolumes : public ElementKind {
+ public:
+  std::vector<int> node;
+  std::vector<double> buoyancy;  // in full, N
+  std::vector<double> height;    // of the body, m
+
+  int count() const { return static_cast<int>(node.size()); }
+  int nodes_per_element() const override { return 1; }
+  const std::vector<int>& nodes() const override { return node; }
+  void add_force(const Field& field, double* force) const override;
+  // Adds one element's force (N) to force[0..2].
+  void add_element_force(int e, const Field& field, double* force) const;
+  void add_jacobian(const Field& field, const JacobianRequest& request,
+                    const BlockSink& sink) const override;
+  void add_added_mass(const Field&, double*) const override {}
+  void add_drag_scale(const Field&, double*) const override {}
+};
+
+}  // namespace codend

@@ -1,0 +1,280 @@
+#include "otter_board.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <unsupported/Eigen/AutoDiff>
+
+#include "../immersion.hpp"
+
+namespace codend {
+namespace {
+
+// Derivatives by three positions, then three velocities.
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 18, 1>>;
+template <class Scalar>
+using Triple = Eigen::Matrix<Scalar, 3, 1>;
+
+double value_of(double x) { return x; }
+double value_of(const Dual& x) { return x.value(); }
+
+// A function of x by its value and derivative there.
+double follow(double, double value, double) { return value; }
+Dual follow(const Dual& x, double value, double slope) {
+  return Dual(value, slope * x.derivatives());
+}
+
+template <class Scalar>
+Triple<double> values(const Triple<Scalar>& x) {
+  return {value_of(x.x()), value_of(x.y()), value_of(x.z())};
+}
+
+template <class Scalar>
+Scalar square_root(const Scalar& x) {
+  const double root = std::sqrt(value_of(x));
+  return follow(x, root, root > 0.0 ? 0.5 / root : 0.0);
+}
+
+template <class Scalar>
+Scalar angle(const Scalar& y, const Scalar& x) {
+  const double a = value_of(y), b = value_of(x), square = a * a + b * b;
+  if (square == 0.0) return Scalar(0.0);
+  Scalar out = (b / square) * y - (a / square) * x;  // its derivative
+  return follow(out, std::atan2(a, b), 1.0);
+}
+
+template <class Scalar>
+Triple<Scalar> cross(const Triple<Scalar>& a, const Triple<Scalar>& b) {
+  return Triple<Scalar>(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
+                        a.x() * b.y() - a.y() * b.x());
+}
+
+template <class Scalar>
+Scalar dot(const Triple<Scalar>& a, const Triple<Scalar>& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+}  // namespace
+
+// The three points, and how they move.
+template <class Scalar>
+struct OtterBoards::Motion {
+  Triple<Scalar> x[3], v[3];
+  Triple<Scalar> e1, e2, e3, e1_dot, e2_dot, e3_dot;
+
+  void complete() {
+    e1 = x[1] - x[0];
+    e2 = x[2] - x[0];
+    e3 = cross(e1, e2);
+    e1_dot = v[1] - v[0];
+    e2_dot = v[2] - v[0];
+    e3_dot = cross(e1_dot, e2) + cross(e1, e2_dot);
+  }
+  Triple<Scalar> vector(const Parts& p) const { return p.a * e1 + p.b * e2 + p.c * e3; }
+  Triple<Scalar> place(const Parts& p) const { return x[0] + vector(p); }
+  Triple<Scalar> velocity(const Parts& p) const {
+    return v[0] + p.a * e1_dot + p.b * e2_dot + p.c * e3_dot;
+  }
+  void hand_on(const Parts& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
+    const Triple<Scalar> f1 = p.a * load + p.c * cross(e2, load);
+    const Triple<Scalar> f2 = p.b * load + p.c * cross(load, e1);
+    force[0] += load - f1 - f2;
+    force[1] += f1;
+    force[2] += f2;
+  }
+};
+
+void OtterBoards::prepare() {
+  fixed_.clear();
+  for (const OtterBoard& b : board) {
+    Matrix frame;
+    frame.col(0) = b.attachment[1] - b.attachment[0];
+    frame.col(1) = b.attachment[2] - b.attachment[0];
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+    const Matrix inverse = frame.inverse();
+    auto direction = [&](const Vector& of) {
+      const Vector p = inverse * of;
+      return Parts{p.x(), p.y(), p.z()};
+    };
+    auto place = [&](const Vector& at) { return direction(at - b.attachment[0]); };
+    Fixed f;
+    f.leading = place(Vector::Zero());
+    f.chord = direction(Vector::UnitX());
+    f.span = direction(Vector::UnitZ());
+    f.outward = direction(b.side * Vector::UnitY());
+    f.gravity = place(b.gravity_centre);
+    f.buoyancy = place(b.buoyancy_centre);
+    f.middle = place({b.pressure_centre * b.chord, 0.0, 0.0});
+    f.shoe[0] = place({0.0, 0.0, -0.5 * b.span});
+    f.shoe[1] = place({b.chord, 0.0, -0.5 * b.span});
+    fixed_.push_back(f);
+  }
+}
+
+template <class Scalar>
+void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar>& motion,
+                             Triple<Scalar> force[3], BoardAttitude* attitude) const {
+  const OtterBoard& b = board[static_cast<std::size_t>(number)];
+  const Fixed& f = fixed_[static_cast<std::size_t>(number)];
+  const Water& water = *field.water;
+
+  const Triple<Scalar> middle = motion.place(f.middle);
+  Immersion wet{1.0, 0.0, 1.0, 0.0};
+  if (water.free_surface) wet = immersion(value_of(middle.z()), b.span);
+  const Scalar share = follow(middle.z(), wet.share, wet.slope);
+
+  const Scalar none(0.0);
+  motion.hand_on(f.gravity, Triple<Scalar>(none, none, Scalar(-b.weight)), force);
+  motion.hand_on(f.buoyancy, Triple<Scalar>(none, none, b.buoyancy * share), force);
+
+  const Triple<Scalar> chord = motion.vector(f.chord), span = motion.vector(f.span),
+                       outward = motion.vector(f.outward);
+  Vector current, slope;
+  water.velocity(value_of(middle.z()), current, slope);
+  const Triple<Scalar> moving = motion.velocity(f.middle);
+  Triple<Scalar> u;
+  for (int k = 0; k < 3; ++k) u[k] = follow(middle.z(), current[k], slope[k]) - moving[k];
+  const Scalar along_chord = dot(u, chord), along_outward = dot(u, outward),
+               along_span = dot(u, span);
+  const Scalar across2 = along_chord * along_chord + along_outward * along_outward;
+  const Scalar across = square_root(across2);
+  const Scalar speed = square_root(Scalar(dot(u, u)));
+  const Scalar attack = angle(along_outward, along_chord);
+  const PolarPoint polar = b.polar.at_angle(value_of(attack));
+  const double at_zero = b.polar.at_angle(0.0).drag;
+  const Scalar lift_coefficient = follow(attack, polar.lift, polar.lift_slope);
+  const Scalar drag_coefficient = follow(attack, polar.drag, polar.drag_slope);
+  const Scalar push = 0.5 * water.density * b.area * share;
+  // z x U points to starboard of a flow along x.
+  const Triple<Scalar> aside = cross(span, u);
+  const Scalar lift_factor = b.side * push * lift_coefficient * across;
+  const Triple<Scalar> lift = lift_factor * aside;
+  Triple<Scalar> load = lift;
+  double drag_size = 0.0;
+  if (value_of(speed) > 0.0) {
+    const Scalar drag_factor =
+        push * (drag_coefficient * across2 + at_zero * along_span * along_span) / speed;
+    load += drag_factor * u;
+    drag_size = value_of(drag_factor) * value_of(speed);
+  }
+  motion.hand_on(f.middle, load, force);
+
+  Vector on_ground = Vector::Zero();
+  if (ground.present) {
+    for (const Parts& shoe : f.shoe) {
+      const Triple<Scalar> x = motion.place(shoe), v = motion.velocity(shoe);
+      Vector contact;
+      Matrix by_position, by_velocity;
+      ground.contact(values(x), values(v), 0.0, b.shoe_area, contact, by_position, by_velocity);
+      on_ground += contact;
+      Triple<Scalar> carried;
+      const Vector x0 = values(x), v0 = values(v);
+      for (int k = 0; k < 3; ++k) {
+        carried[k] = Scalar(contact[k]);
+        for (int l = 0; l < 3; ++l) {
+          carried[k] += by_position(k, l) * (x[l] - x0[l]) + by_velocity(k, l) * (v[l] - v0[l]);
+        }
+      }
+      motion.hand_on(shoe, carried, force);
+    }
+  }
+
+  if (!attitude) return;
+  const Vector c = values(chord), s = values(span);
+  attitude->attack = value_of(attack);
+  attitude->trim = std::atan2(-c.z(), std::hypot(c.x(), c.y()));
+  // Outward and level, across the chord.
+  const Vector level = b.side * Vector::UnitZ().cross(c);
+  const double size = level.norm();
+  attitude->heel = std::atan2(size > 0.0 ? s.dot(level) / size : 0.0, s.z());
+  attitude->lift = values(lift).norm();
+  attitude->drag = drag_size;
+  attitude->force = values(load);
+  attitude->ground_force = on_ground;
+  attitude->lost_buoyancy = b.buoyancy * (wet.share - 1.0);
+}
+
+void OtterBoards::add_force(const Field& field, double* force) const {
+  for (int e = 0; e < count(); ++e) {
+    Motion<double> motion;
+    Vector f[3];
+    for (int k = 0; k < 3; ++k) {
+      motion.x[k] = at(field.position, node[3 * e + k]);
+      motion.v[k] = at(field.velocity, node[3 * e + k]);
+      f[k].setZero();
+    }
+    motion.complete();
+    add_forces<double>(e, field, motion, f, nullptr);
+    for (int k = 0; k < 3; ++k) at(force, node[3 * e + k]) += f[k];
+  }
+}
+
+BoardAttitude OtterBoards::attitude(int e, const Field& field) const {
+  Motion<double> motion;
+  Vector f[3] = {Vector::Zero(), Vector::Zero(), Vector::Zero()};
+  for (int k = 0; k < 3; ++k) {
+    motion.x[k] = at(field.position, node[3 * e + k]);
+    motion.v[k] = at(field.velocity, node[3 * e + k]);
+  }
+  motion.complete();
+  BoardAttitude out;
+  add_forces<double>(e, field, motion, f, &out);
+  return out;
+}
+
+void OtterBoards::add_jacobian(const Field& field, const JacobianRequest& request,
+                               const BlockSink& sink) const {
+  for (int e = 0; e < count(); ++e) {
+    Motion<Dual> motion;
+    Triple<Dual> f[3];
+    for (int k = 0; k < 3; ++k) {
+      for (int c = 0; c < 3; ++c) {
+        const std::ptrdiff_t place = 3 * static_cast<std::ptrdiff_t>(node[3 * e + k]) + c;
+        motion.x[k][c] = Dual(field.position[place], 18, 3 * k + c);
+        motion.v[k][c] = Dual(field.velocity[place], 18, 9 + 3 * k + c);
+        f[k][c] = Dual(0.0);
+      }
+    }
+    motion.complete();
+    add_forces<Dual>(e, field, motion, f, nullptr);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        Matrix block;
+        for (int r = 0; r < 3; ++r) {
+          for (int c = 0; c < 3; ++c) {
+            const auto& d = f[i][r].derivatives();
+            block(r, c) = -request.stiffness * d[3 * j + c] - request.damping * d[9 + 3 * j + c];
+          }
+        }
+        sink.add(e, i, j, block);
+      }
+    }
+  }
+}
+
+void OtterBoards::add_added_mass(const Field& field, double* mass) const {
+  for (int e = 0; e < count(); ++e) {
+    Motion<double> motion;
+    for (int k = 0; k < 3; ++k) {
+      motion.x[k] = at(field.position, node[3 * e + k]);
+      motion.v[k].setZero();
+    }
+    motion.complete();
+    const Vector across = motion.vector(fixed_[e].outward);
+    const Block share =
+        (field.water->density * board[e].added_mass / 3.0) * across * across.transpose();
+    for (int k = 0; k < 3; ++k) {
+      Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(node[3 * e + k])) += share;
+    }
+  }
+}
+
+void OtterBoards::add_drag_scale(const Field& field, double* scale) const {
+  for (int e = 0; e < count(); ++e) {
+    Vector u, slope;
+    field.relative_velocity(node[3 * e], board[e].span, u, slope);
+    const double share = 0.5 * field.water->density * board[e].area * u.norm() / 3.0;
+    for (int k = 0; k < 3; ++k) scale[node[3 * e + k]] += share;
+  }
+}
+
+}  // namespace codend

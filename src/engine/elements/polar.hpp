@@ -1,0 +1,24 @@
+// Lift and drag coefficients of a board by its angle of attack, over the full circle.
+//
+// Between its knots a cubic that takes over values and slopes, so that forces have continuous
+// derivatives.
+#pragma once
+
+#include <vector>
+
+namespace codend {
+
+struct PolarPoint {
+  double lift, drag, lift_slope, drag_slope;  // coefficients and their derivatives (1/rad)
+};
+
+class Polar {
+ public:
+  // Ascending from -pi to pi (rad), where the values are those at the beginning.
+  std::vector<double> angle, lift, drag, lift_slope, drag_slope;
+
+  // angle in [-pi, pi].
+  PolarPoint at_angle(double angle) const;
+};
+
+}  // namespace codend

@@ -1,0 +1,53 @@
+// Water behind netting is slower: the speed of the flow past every point as a share of the free
+// flow's, from the netting that lies straight upstream of it.
+//
+// Every sheet of netting that the line upstream from a point crosses multiplies the speed by r:
+//   Loland (1991, Current forces on and flow through fish farms, NTH Trondheim):
+//     r = 1 - 0.46 C_D, C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3, of a sheet across the flow;
+//   Cheng et al. (2020, Aquacultural Engineering 90:102070):
+//     r = max(0, (cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)), t from the sheet's normal to the flow.
+// Sn is the twine's area over the sheet's in its present shape, held at 0.5, beyond which neither was
+// measured. A sheet along the flow casts no wake of its own: r fades to 1 between 70 and 80 deg.
+//
+// Crossings come and go when the gear moves, so that shape and shading may chase each other;
+// shade() can therefore keep the crossings that were found and only renew r.
+#pragma once
+
+#include <vector>
+
+#include "geometry.hpp"
+
+namespace codend {
+
+enum class WakeLaw { none = 0, loland = 1, cheng = 2 };
+
+// Sheets of netting as triangles.
+struct Screens {
+  std::vector<int> node;           // 3 points each
+  std::vector<double> twine_area;  // diameter times length of the twine in each, m2
+  std::vector<int> law;            // WakeLaw
+  int count() const { return static_cast<int>(law.size()); }
+};
+
+// r of a sheet of this solidity whose normal has this cosine (not negative) to the flow.
+double speed_reduction(WakeLaw law, double solidity, double cosine);
+
+class Wake {
+ public:
+  Wake(const Screens& screens, int points) : screens_(screens), share_(points, 1.0) {}
+  bool present() const { return screens_.count() > 0; }
+  const std::vector<double>& share() const { return share_; }
+  void set_share(const std::vector<double>& share) { share_ = share; }
+  // Renews the shares of all points at these positions (m, 3 each) in a flow of this direction (of
+  // any length but zero), if one of them changes by more than a tolerance; search: also which screens
+  // lie upstream. Returns the largest change.
+  double shade(const double* position, const Vector& flow, bool search, double tolerance);
+
+ private:
+  void search(const double* position, const Vector& flow);
+  const Screens& screens_;
+  std::vector<double> share_;
+  std::vector<int> start_, crossed_;  // screens upstream of point p: crossed_[start_[p] ...)
+};
+
+}  // namespace codend

@@ -1,0 +1,77 @@
+// Shading by netting upstream: the published reductions, and which points they reach.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "wake.hpp"
+
+namespace {
+
+using namespace codend;
+
+// A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all.
+void add_sheet(double x, double twine, Screens& screens, std::vector<double>& position) {
+  const int first = static_cast<int>(position.size() / 3);
+  for (const double y : {-1.0, 1.0}) {
+    for (const double z : {-1.0, 1.0}) position.insert(position.end(), {x, y, z});
+  }
+  for (const int k : {0, 1, 3, 0, 3, 2}) screens.node.push_back(first + k);
+  for (int k = 0; k < 2; ++k) {
+    screens.twine_area.push_back(0.5 * twine);
+    screens.law.push_back(static_cast<int>(WakeLaw::loland));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("speed behind netting is that of the published laws") {
+  // Loland: C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3 is 0.28856 at Sn 0.2 and 0.55584 at 0.3.
+  CHECK(speed_reduction(WakeLaw::loland, 0.2, 1.0) == doctest::Approx(1 - 0.46 * 0.28856));
+  CHECK(speed_reduction(WakeLaw::loland, 0.3, 0.8) == doctest::Approx(1 - 0.46 * 0.55584));
+  // Cheng: (cos + 0.05 - 0.38 Sn)/(cos + 0.05).
+  CHECK(speed_reduction(WakeLaw::cheng, 0.2, 1.0) == doctest::Approx(0.974 / 1.05));
+  CHECK(speed_reduction(WakeLaw::cheng, 0.3, 0.5) == doctest::Approx(0.436 / 0.55));
+  for (const WakeLaw law : {WakeLaw::none, WakeLaw::loland, WakeLaw::cheng}) {
+    CHECK(speed_reduction(law, 0.4, 0.0) == 1.0);
+    CHECK(speed_reduction(law, 0.0, 1.0) == 1.0);
+    for (double solidity = 0.0; solidity <= 2.0; solidity += 0.1) {
+      for (double cosine = 0.0; cosine <= 1.0; cosine += 0.05) {
+        const double r = speed_reduction(law, solidity, cosine);
+        CHECK(r >= 0.0);
+        CHECK(r <= 1.0);
+      }
+    }
+  }
+}
+
+TEST_CASE("only points behind a sheet are in its wake") {
+  Screens screens;
+  std::vector<double> x;
+  add_sheet(0.0, 0.8, screens, x);  // Sn 0.2
+  add_sheet(5.0, 0.8, screens, x);
+  const double places[][3] = {{-1, 0, 0}, {1, 0.2, 0.3}, {6, -0.3, 0.1}, {6, 1.5, 0}, {6, 0, -1.2}};
+  for (const auto& place : places) x.insert(x.end(), place, place + 3);
+  const double r = speed_reduction(WakeLaw::loland, 0.2, 1.0);
+  const int points = static_cast<int>(x.size() / 3);
+  for (const double speed : {0.1, 3.0}) {
+    Wake wake(screens, points);
+    CHECK(wake.shade(x.data(), {speed, 0.0, 0.0}, true, 1e-5) > 0.1);
+    const std::vector<double>& share = wake.share();
+    for (int k = 0; k < 4; ++k) {
+      CHECK(share[k] == 1.0);
+      CHECK(share[4 + k] == doctest::Approx(r));
+    }
+    CHECK(share[8] == 1.0);
+    CHECK(share[9] == doctest::Approx(r));
+    CHECK(share[10] == doctest::Approx(r * r));
+    CHECK(share[11] == 1.0);
+    CHECK(share[12] == 1.0);
+    // Again on the same shape: nothing changes.
+    CHECK(wake.shade(x.data(), {speed, 0.0, 0.0}, false, 1e-5) == 0.0);
+  }
+  // From behind, the other sheet is shaded.
+  Wake wake(screens, points);
+  wake.shade(x.data(), {-1.0, 0.0, 0.0}, true, 1e-5);
+  CHECK(wake.share()[0] == doctest::Approx(r));
+  CHECK(wake.share()[4] == 1.0);
+}

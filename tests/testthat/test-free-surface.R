@@ -1,0 +1,57 @@
+# What leaves the water at its surface loses buoyancy and drag.
+
+test_that("a float swims with the draught of its weight", {
+  state <- settle(gear("float",
+    anchor = point(position = c(0, 0, -10), held = "fixed"), at_float = point(),
+    line = rope("anchor", "at_float", length = "14 m", diameter = "6 mm", material = "polyamide"),
+    float = piece(at = "at_float", mass = "5 kg", diameter = "300 mm"),
+    water = list(free_surface = TRUE, current = list(speed = "0.4 m/s", toward = "0 deg"))
+  ), nodes = 60)
+  at <- state$position[3, state$lattice$points[["at_float"]]]
+  # Volume of a spherical cap of height h below the surface, by the sphere's radius.
+  h <- 0.15 - at
+  carried <- 1025 * gear_gravity * pi * h^2 * (3 * 0.15 - h) / 3
+  down <- summary(state)$balance
+  weight <- down$z_kN[down$force == "weight_in_water"] * 1000
+  full <- 1025 * gear_gravity * pi / 6 * 0.3^3
+  lost <- -1000 * down$z_kN[down$force == "out_of_water"]
+  # Besides, the line's last half element, 0.12 m of 6 mm: 0.03 N of 88 N.
+  expect_equal(lost, full - carried, tolerance = 5e-4)
+  # It carries its own weight and the line's pull, so it swims a little deeper than alone.
+  alone <- uniroot(function(h) 1025 * pi * h^2 * (3 * 0.15 - h) / 3 - 5, c(0, 0.3), tol = 1e-12)$root
+  expect_gt(h, alone)
+  expect_lt(h, 0.3)
+  expect_lt(abs(down$z_kN[down$force == "remainder"]), 1e-9)
+})
+
+test_that("drag fades with what is in the water", {
+  rope_at <- function(height, free) {
+    state <- settle(gear("a bar",
+      a = point(position = c(0, 0, height), held = "fixed"),
+      b = point(position = c(0, 1, height), held = "fixed"),
+      bar = rope("a", "b", length = "1 m", diameter = "20 mm", axial_stiffness = "1 MN",
+        mass_per_length = "0.3 kg/m", segments = 1),
+      water = list(free_surface = free, current = list(speed = "1 m/s", toward = "0 deg"))
+    ))
+    state$bar_drag[1, 1]
+  }
+  deep <- rope_at(-1, FALSE)
+  expect_identical(rope_at(-1, TRUE), deep)
+  expect_equal(rope_at(0, TRUE), deep / 2, tolerance = 1e-12)
+  expect_equal(rope_at(0.02, TRUE), 0)
+})
+
+test_that("a free surface far above changes nothing", {
+  cable <- read_gear("crossing_cables")
+  deep <- update(cable, water.free_surface = TRUE)
+  if (max(settle(cable)$position[3, ]) < -0.1) {
+    expect_identical(settle(deep)$position, settle(cable)$position)
+  }
+  chain <- gear("deep",
+    top = point(position = c(0, 0, -50), held = "fixed"), end = point(),
+    rope = rope("top", "end", length = "10 m", diameter = "10 mm", material = "steel_wire"),
+    water = list(current = list(speed = "1 m/s", toward = "0 deg"))
+  )
+  expect_equal(settle(update(chain, water.free_surface = TRUE))$position, settle(chain)$position,
+    tolerance = 1e-12)
+})

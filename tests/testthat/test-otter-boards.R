@@ -1,0 +1,179 @@
+# Otter boards as rigid bodies: their coefficients, balance of forces and moments, and what is told
+# of boards that do not fly.
+
+towed_board <- function(...) update(read_gear(test_path("plans", "towed_board.yaml")), ...)
+
+test_that("named boards have the published coefficients at the published angles", {
+  # Printed values; the angles between are filled in.
+  published <- list(
+    low_aspect_cambered = rbind(c(15, 1.120, 0.463), c(30, 1.699, 1.140)),
+    krill_cambered = rbind(c(10, 0.981, 0.210), c(30, 1.436, 0.649))
+  )
+  for (name in names(published)) {
+    polar <- board_polar(name)
+    engine <- engine_polar(polar)
+    rows <- published[[name]]
+    at <- match(rows[, 1], polar$attack)
+    expect_equal(as.matrix(polar[at, c("lift", "drag")]), rows[, 2:3], ignore_attr = TRUE)
+    expect_true(all(polar$published[at]))
+    expect_equal(polar$attack[which.max(polar$lift)], 30)
+    expect_equal(engine$lift[at], rows[, 2])
+    expect_true(all(diff(engine$angle) > 0))
+    expect_equal(range(engine$angle), c(-pi, pi))
+    expect_true(all(polar$drag > 0))
+    # Across the flow a plate has no lift.
+    expect_equal(polar$lift[polar$attack == 90], 0, tolerance = 1e-12)
+    # Lift grows all the way to the stall, and is gone where the straight line says.
+    front <- polar[polar$lift > 0 & polar$attack > 0 & polar$attack <= 30, ]
+    expect_true(all(diff(front$lift) > 0))
+  }
+})
+
+test_that("a board without two angles, or a wrong name, is refused", {
+  expect_error(board_polar("suberkrub"), class = "codend_error_argument")
+  expect_error(
+    board_polar(data.frame(attack = 20, lift = 1, drag = 0.3)), class = "codend_error_argument"
+  )
+  expect_error(
+    towed_board(otter_boards.otter_board.polar = list(list(attack = "95 deg", lift = 1, drag = 1),
+      list(attack = "10 deg", lift = 1, drag = 1))),
+    class = "codend_error_plan"
+  )
+  expect_error(
+    towed_board(otter_boards.otter_board.attachments = list(
+      board = list(aft = 0.5, up = 0), upper = list(aft = 0.5, up = 1),
+      lower = list(aft = 0.5, up = -1)
+    )),
+    "not in one line", class = "codend_error_plan"
+  )
+})
+
+test_that("a plate's added mass is that of DNV-RP-C205", {
+  # C_A = 0.757 for sides of 2:1: 0.757 rho pi/4 c^2 b.
+  expect_equal(1025 * plate_added_volume(2.45, 4.9), 0.757 * 1025 * pi / 4 * 2.45^2 * 4.9)
+  expect_equal(plate_added_volume(1, 3), plate_added_volume(3, 1))
+})
+
+test_that("forces and moments on a board balance", {
+  state <- settle(towed_board())
+  board <- state$si$otter_boards$otter_board
+  x <- state$position[, state$lattice$points[board$points]]
+  # Its axes, found from its three points by least squares (Kabsch), apart from the engine's way.
+  local <- board$attachment - rowMeans(board$attachment)
+  turned <- svd((x - rowMeans(x)) %*% t(local))
+  rotation <- turned$u %*% diag(c(1, 1, det(turned$u %*% t(turned$v)))) %*% t(turned$v)
+  place <- function(p) drop(rotation %*% (p - rowMeans(board$attachment))) + rowMeans(x)
+  # 30 kN on struts of 1e8 N/m each: below a millimetre.
+  expect_lt(max(abs(rotation %*% local + rowMeans(x) - x)), 1e-3)
+
+  pull <- function(rope, node) {
+    bars <- rope_bars(state$lattice, rope)
+    ends <- matrix(state$lattice$engine$bars$node[rbind(2L * bars - 1L, 2L * bars)], 2L)
+    k <- which(ends == node, arr.ind = TRUE)
+    d <- state$position[, ends[3L - k[1, 1], k[1, 2]]] - state$position[, node]
+    bar <- bars[k[1, 2]]
+    # its tension, and half of its drag and weight in water
+    rest <- state$lattice$engine$bars$rest[bar]
+    line <- state$si$ropes[[rope]]
+    weight <- gear_gravity * rest * (line$mass_per_length - 1025 * line$volume_per_length)
+    state$bar_tension[bar] * d / sqrt(sum(d^2)) + state$bar_drag[, bar] / 2 - c(0, 0, weight / 2)
+  }
+  ropes <- c("warp", "backstrop_upper", "backstrop_lower")
+  pulls <- mapply(pull, ropes, state$lattice$points[board$points])
+  speed <- 3 * 1852 / 3600
+  attack <- state$boards$attack
+  flow <- c(1, 0, 0)
+  span <- drop(rotation %*% c(0, 0, 1))
+  across <- flow - sum(flow * span) * span
+  chord <- drop(rotation %*% c(1, 0, 0))
+  outward <- drop(rotation %*% c(0, 1, 0))
+  expect_equal(attack, atan2(sum(flow * outward), sum(flow * chord)), tolerance = 1e-3)
+  polar <- engine_polar(board$polar)
+  coefficient <- function(which, slope, at) {
+    stats::splinefunH(polar$angle, polar[[which]], polar[[slope]])(at)
+  }
+  q <- 0.5 * 1025 * board$area * speed^2
+  crossing <- function(a, b) c(a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3],
+    a[1] * b[2] - a[2] * b[1])
+  lift <- q * coefficient("lift", "lift_slope", attack) * sqrt(sum(across^2)) * crossing(span, flow)
+  drag <- q * (coefficient("drag", "drag_slope", attack) * sum(across^2) +
+    coefficient("drag", "drag_slope", 0) * sum(flow * span)^2) * flow
+  forces <- cbind(
+    pulls, lift + drag, c(0, 0, -gear_gravity * board$mass),
+    c(0, 0, gear_gravity * 1025 * board$volume)
+  )
+  arms <- cbind(
+    x, place(c(board$pressure_centre * board$chord, 0, 0)), place(board$gravity_centre),
+    place(board$buoyancy_centre)
+  ) - rowMeans(x)
+  moments <- sapply(seq_len(ncol(forces)), function(k) crossing(arms[, k], forces[, k]))
+  # The deformed struts turn the axes by about 1e-4; forces of 10 kN.
+  expect_lt(max(abs(rowSums(forces))), 1e-3 * max(abs(forces)))
+  expect_lt(max(abs(rowSums(moments))), 1e-3 * max(abs(moments)))
+})
+
+test_that("the warp's place on the board sets its angle of attack", {
+  at <- c(0.5, 0.6, 0.7)
+  attack <- vapply(at, function(aft) {
+    state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = aft))
+    measures(state)[["attack_deg"]]
+  }, 0)
+  expect_true(all(diff(attack) > 1))
+})
+
+test_that("a board to port is the mirror image of one to starboard", {
+  starboard <- settle(towed_board())
+  port <- settle(towed_board(otter_boards.otter_board.pushes = "port"))
+  # Both are found to 1e-8 of the largest tension; a board turns by as much.
+  expect_equal(port$position * c(1, -1, 1), starboard$position, tolerance = 1e-6)
+  expect_equal(port$boards$heel, starboard$boards$heel, tolerance = 1e-5)
+})
+
+test_that("stalled and fallen boards are told of", {
+  expect_warning(
+    state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")),
+    class = "codend_warning_board_stalled"
+  )
+  table <- board_table(state)
+  expect_equal(table$condition, "stalled")
+  expect_gt(table$attack_deg, table$stall_deg)
+  expect_match(paste(format(summary(state)), collapse = " "), "stalled")
+  expect_warning(
+    state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.8 m")),
+    class = "codend_warning_board_fallen_over"
+  )
+  expect_gt(abs(board_table(state)$heel_deg), 45)
+})
+
+test_that("a trawl's boards may be free, and need their places then", {
+  trawl <- read_gear("midwater_trawl")
+  boards <- list(
+    attitude = "free", chord = "2.45 m", span = "4.9 m", mass = "4 tonne", density = "7850 kg/m3",
+    polar = "krill_cambered", centre_of_gravity = list(aft = "1.2 m", up = "-0.5 m"),
+    warp_at = list(aft = "0.9 m", up = "0 m", inward = "0.6 m"),
+    upper_backstrop_at = list(aft = "2.2 m", up = "1.2 m", inward = "0.1 m"),
+    lower_backstrop_at = list(aft = "2.2 m", up = "-1.2 m", inward = "0.1 m")
+  )
+  free <- update(trawl, otter_boards = boards)
+  expect_named(assembly(free)$plan$otter_boards, c("otter_board_port", "otter_board_starboard"))
+  boards$warp_at <- NULL
+  expect_error(update(trawl, otter_boards = boards), class = "codend_error_plan")
+  expect_error(
+    update(trawl, otter_boards.polar = "krill_cambered"), "left out where the attitude is fixed",
+    class = "codend_error_plan"
+  )
+})
+
+test_that("views show a free board where it is", {
+  state <- settle(towed_board())
+  marks <- board_marks(state)
+  expect_equal(nrow(marks), 1L)
+  points <- state$position[, state$lattice$points[c("board", "upper", "lower")]]
+  expect_equal(unlist(marks[c("x", "y", "z")], use.names = FALSE), rowMeans(points))
+  file <- tempfile(fileext = ".png")
+  on.exit(unlink(file))
+  grDevices::png(file)
+  plot(state)
+  grDevices::dev.off()
+  expect_gt(file.size(file), 1000)
+})

@@ -1,0 +1,78 @@
+# The sea bed under a gear: how a dragged chain lies on it, what it carries and how it rubs.
+
+# A chain without water, so that only weight and ground act, dragged over level ground.
+dragged_chain <- function(...) {
+  gear("dragged chain",
+    ship = point(position = c(0, 0, 0), held = "moved"), tail = point(),
+    chain = rope("ship", "tail", length = "60 m", diameter = "13 mm", axial_stiffness = "50 MN",
+      mass_per_length = "4 kg/m"),
+    seabed = list(depth = "15 m", friction = 0.6),
+    water = list(density = 0), towing = list(speed = "1 m/s"), ...
+  )
+}
+
+test_that("a dragged chain hangs in the catenary above the length that its friction needs", {
+  state <- settle(dragged_chain(), nodes = 400)
+  w <- 4 * gear_gravity
+  # A hanging length s pulls down with V = w s; what lies drags with H = mu w (L - s), mu reduced by
+  # the slip speed of 0.02 m/s; the catenary rises by H/w (sqrt(1 + (V/H)^2) - 1).
+  mu <- 0.6 / sqrt(1 + 0.02^2)
+  rise <- function(s) {
+    h <- mu * (60 - s)
+    h * (sqrt(1 + (s / h)^2) - 1)
+  }
+  s <- uniroot(function(s) rise(s) - 15, c(15, 59), tol = 1e-10)$root
+  found <- measures(state)
+  pull <- summary(state)$reactions
+  # Elements of 0.15 m: the lowest hanging one is half on the ground, 0.15 m of s = 30 m.
+  expect_equal(pull$z_kN, w * s / 1000, tolerance = 0.15 / s)
+  expect_equal(-pull$x_kN, mu * w * (60 - s) / 1000, tolerance = 0.15 / (60 - s))
+  expect_equal(found[["ground_load_kN"]], 60 * w / 1000 - pull$z_kN, tolerance = 1e-6)
+  expect_equal(found[["ground_friction_percent"]], 100, tolerance = 1e-6)
+  # It sinks in until the ground bears it: p^2 = 2 h w / (k d), h = 0.02 m, k = 3e6 Pa/m.
+  sunk <- sqrt(2 * 0.02 * w / (3e6 * 0.013))
+  # So the chain, curved with a radius of H/w, touches the ground sooner by sqrt(2 sunk H/w).
+  sooner <- sqrt(2 * sunk * mu * (60 - s))
+  expect_gt(found[["rope_on_ground_m"]], 60 - s)
+  expect_lt(found[["rope_on_ground_m"]], 60 - s + sooner + 0.15)
+  tail <- state$position[3, state$lattice$points[["tail"]]]
+  expect_equal(-15 - tail, sunk - 0.013 / 2, tolerance = 1e-4)
+})
+
+test_that("ground out of reach changes nothing", {
+  cable <- read_gear("towed_cable")
+  # The steps round differently: positions of 1000 m to 1e-12 of it.
+  expect_equal(
+    settle(update(cable, seabed = list(depth = "3000 m")))$position,
+    settle(cable)$position, tolerance = 1e-12
+  )
+})
+
+test_that("a gear lies on sloping ground, and all forces balance", {
+  state <- settle(update(dragged_chain(),
+    seabed.slope = list(angle = "10 deg", toward = "90 deg"), water.density = 1025
+  ), nodes = 100)
+  x <- state$position[, state$lattice$points[["tail"]]]
+  # It slides down aside, and its middle stays half a diameter, less a millimetre or two, above.
+  expect_gt(x[2], 1)
+  above <- height_above_ground(state$si$ground, cbind(x))
+  expect_lt(abs(above - 0.013 / 2), 0.007)
+  remainder <- summary(state)$balance
+  remainder <- unlist(remainder[remainder$force == "remainder", -1])
+  expect_lt(max(abs(remainder)), 1e-6)
+})
+
+test_that("an otter board stands on the ground by its shoe", {
+  board <- read_gear(test_path("plans", "towed_board.yaml"))
+  state <- settle(update(board,
+    seabed = list(depth = "9.7 m", friction = 0.5), ropes.warp.length = "60 m",
+    otter_boards.otter_board.centre_of_gravity.up = "-0.6 m"
+  ), nodes = 100)
+  table <- board_table(state)
+  expect_equal(table$condition, "flying")
+  expect_gt(table$ground_load_kN, 0.01)
+  # The warp is fastened 1.35 m above its lower edge, which is level within the trim.
+  expect_equal(measures(state)[["depth_m"]], 9.7 - 1.35, tolerance = 0.05 / 8)
+  remainder <- summary(state)$balance
+  expect_lt(max(abs(unlist(remainder[remainder$force == "remainder", -1]))), 1e-6)
+})

@@ -1,0 +1,81 @@
+# Netting slows the water behind it, by published laws, consistently with its own shape.
+
+# Square sheets of netting one behind the other, held stretched along their upper and lower edges.
+sheets <- function(law, number = 2, ...) {
+  points <- seams <- panels <- list()
+  for (k in seq_len(number)) {
+    for (level in c("upper", "lower")) {
+      z <- if (level == "upper") -1 else -3.04
+      for (side in c("port", "starboard")) {
+        y <- if (side == "port") -1.01 else 1.01
+        points[[paste(level, side, k, sep = "_")]] <-
+          point(position = c(4 * (k - 1), y, z), held = "fixed")
+      }
+      seams[[paste(level, k, sep = "_")]] <- seam(
+        edges = list(paste0("sheet_", k, ".", level)),
+        held_between = paste(level, c("port", "starboard"), k, sep = "_")
+      )
+    }
+    panels[[paste0("sheet_", k)]] <- panel(
+      mesh_size = "40 mm", meshes = list(upper = 100, lower = 100, deep = 100), knotted = FALSE,
+      orientation = "square",
+      twine = list(diameter = "2 mm", axial_stiffness = "30 kN", mass_per_length = "3 g/m"), ...
+    )
+  }
+  # Numbered after the lower seams of the panels.
+  do.call(gear, c(list("sheets"), points, panels, seams, list(
+    water = list(current = list(speed = "0.5 m/s", toward = "0 deg")),
+    shielding = law, coefficients = list(normal = 1.2)
+  )))
+}
+
+drag_of <- function(state) {
+  drag <- as.data.frame(state, what = "drag")
+  drag$drag_kN[drag$kind == "netting"]
+}
+
+test_that("the laws are as printed", {
+  laws <- list(
+    loland = function(sn) 1 - 0.46 * (0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3),
+    cheng = function(sn) (1 + 0.05 - 0.38 * sn) / (1 + 0.05)
+  )
+  for (netting in c("triangles", "bars")) {
+    for (law in names(laws)) {
+      state <- settle(sheets(law), nodes = 400, netting = netting)
+      # Twine of 2 mm, bars of 20 mm: Sn = 0.2 as the sum of its twine, less where it is stretched.
+      lines <- state_lines(state)
+      sn <- 0.2 / mean(lines$length / lines$rest)^2
+      drag <- drag_of(state)
+      # Drag goes with the speed squared; sheets bow by a few deg. Middles of bars on a sheet's border
+      # are beside the shadow: of 8 by 8 meshes a tenth of the twine, its speed reduced by half as
+      # much: 2 %.
+      expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
+        tolerance = c(triangles = 0.005, bars = 0.025)[[netting]])
+      expect_lt(state$report$shading_change, 1e-5)
+      expect_gt(state$report$shadings, 1)
+    }
+  }
+})
+
+test_that("each sheet upstream slows the water again", {
+  drag <- drag_of(settle(sheets("loland", 3), nodes = 600))
+  expect_equal(drag[3] / drag[2], drag[2] / drag[1], tolerance = 0.01)
+})
+
+test_that("shielding is per panel and off unless asked for", {
+  none <- drag_of(settle(sheets("none"), nodes = 400))
+  expect_equal(none[1], none[2], tolerance = 1e-6)
+  own <- drag_of(settle(sheets("loland", shielding = "none"), nodes = 400))
+  expect_equal(own, none)
+  expect_error(sheets("some"), class = "codend_error_plan")
+})
+
+test_that("shielded states are in balance and repeat to the bit", {
+  plan <- sheets("cheng")
+  state <- settle(plan, nodes = 400)
+  balance <- summary(state)$balance
+  remainder <- unlist(balance[balance$force == "remainder", -1])
+  # 1e-8 of the largest tension on each node.
+  expect_lt(max(abs(remainder)), 1e-6)
+  expect_identical(settle(plan, nodes = 400)$position, state$position)
+})
