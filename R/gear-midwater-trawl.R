@@ -46,7 +46,7 @@ expand_midwater_trawl <- function(fields, plan) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "slack_twine", "shielding", "materials", "towing"
+      "slack_twine", "shielding", "materials", "towing", "tow"
     ),
     names(plan)
   )]

@@ -33,6 +33,15 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles, const Water& w
       &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
       &a.drag[0], &a.drag[1], &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  bool damped = false;
+  for (const std::vector<TwineMaterial>* materials : {bars.materials, triangles.materials}) {
+    if (!materials) continue;
+    for (const TwineMaterial& m : *materials) damped = damped || m.damping > 0.0;
+  }
+  if (damped) {
+    columns.insert(columns.end(),
+                   {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
+  }
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
   for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
@@ -50,7 +59,8 @@ void Lines::describe(const Line<N>& line) {
   const TwineMaterial& m = *line.material;
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
-  arrays_.stiffness[k] = m.axial_stiffness;
+  // Where no line is left, none pulls.
+  arrays_.stiffness[k] = line.multiplicity > 0.0 ? m.axial_stiffness : 0.0;
   arrays_.least_tension[k] = m.strut ? -1e300 : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
   arrays_.drag_weight[k] = 0.5 * water_.density * m.diameter * line.rest * line.multiplicity / N;
@@ -58,6 +68,9 @@ void Lines::describe(const Line<N>& line) {
       water_.density * m.volume_per_length * line.rest * line.multiplicity / N;
   arrays_.added_normal[k] = m.added_mass_normal * water;
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
+  if (arrays_.damping) {
+    arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
+  }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential;
@@ -67,6 +80,11 @@ void Lines::describe(const Line<N>& line) {
     speed_law_[k] = &m;
     arrays_.speed_law = speed_law_.data();
   }
+}
+
+void Lines::update_bar(int bar, double rest_rate) {
+  describe(bars_.line(bar));
+  if (arrays_.damping) arrays_.rest_rate[bar] = rest_rate;
 }
 
 template <int N>
@@ -115,6 +133,16 @@ void Lines::set_flow(const Field& field) {
     set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
   }
   kernels_.flow(arrays_, 0, count_);
+  if (!arrays_.damping) return;
+  double* rate[3];
+  double* v_rate[3];
+  for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c];
+  bars_.vectors(field.velocity, 0, bars_.count(), rate);
+  for (int c = 0; c < 3; ++c) {
+    rate[c] += bars;
+    v_rate[c] = rate[c] + triangles;
+  }
+  triangles_.vectors(field.velocity, 0, triangles_.count(), rate, v_rate);
 }
 
 template <class Visit>
