@@ -1,6 +1,6 @@
 # make bench: everything that is measured, in one run. Argument: the most nodes (1e5).
 library(codend)
-rooms <- c("cases", "crude-starts", "own-process", "sizes", "results", "page", "cost-plot")
+rooms <- c("cases", "crude-starts", "own-process", "sizes", "rivals", "results", "page", "cost-plot")
 for (room in rooms) source(file.path("bench", paste0(room, ".R")))
 
 given <- commandArgs(TRUE)
@@ -17,5 +17,7 @@ save_table(runs, "runs")
 save_table(medians, "medians")
 save_table(exponents, "exponents")
 save_cost_plot(medians, exponents)
-write_page(runs, medians, exponents, rivals = NULL)
+rivals <- compare_rivals()
+save_table(rivals, "rivals")
+write_page(runs, medians, exponents, rivals)
 cat(readLines(file.path(results_folder, "results.md")), sep = "\n")

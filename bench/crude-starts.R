@@ -31,8 +31,9 @@ bend <- function(position, start) {
 # argument for this, which nobody but a bench would use.
 use_start <- function(start) replace_layout(function(position) bend(position, start))
 
+crude_layout <- codend:::lay_out
+
 # From here on, every crude layout of this R process goes through `change` (3 x n to 3 x n, m).
 replace_layout <- function(change) {
-  lay_out <- codend:::lay_out
-  utils::assignInNamespace("lay_out", function(...) change(lay_out(...)), "codend")
+  utils::assignInNamespace("lay_out", function(...) change(crude_layout(...)), "codend")
 }

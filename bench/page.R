@@ -20,7 +20,7 @@ write_page <- function(runs, medians, exponents, rivals) {
     markdown_table(public_table(medians)), "",
     "The other programs' figures are in [published-figures.csv](../published-figures.csv), with",
     "what each stands for. No row but codend's was measured in this run.", "",
-    if (!is.null(rivals)) rival_lines(rivals)
+    rival_lines(rivals)
   ), "results")
 }
 
