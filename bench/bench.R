@@ -1,6 +1,7 @@
 # make bench: everything that is measured, in one run. Argument: the most nodes (1e5).
 library(codend)
-rooms <- c("cases", "crude-starts", "own-process", "sizes", "rivals", "results", "page", "cost-plot")
+rooms <- c("cases", "crude-starts", "own-process", "sizes", "rivals", "results", "page",
+  "cost-plot")
 for (room in rooms) source(file.path("bench", paste0(room, ".R")))
 
 given <- commandArgs(TRUE)

@@ -28,12 +28,16 @@ draw_costs <- function(medians, exponents) {
   up <- range(c(medians$settle_least, medians$settle_most)) * c(0.6, 1.7)
   graphics::plot(NA, xlim = across, ylim = up, log = "xy", axes = FALSE, xlab = "nodes", ylab = "")
   graphics::title(ylab = "CPU seconds of settle()", mgp = c(3.4, 0.6, 0))
-  decades <- function(range) 10^seq(floor(log10(range[1])), ceiling(log10(range[2])))
+  # 1, 2 and 5 of every decade
+  ticks <- function(range) {
+    decades <- 10^seq(floor(log10(range[1])), ceiling(log10(range[2])))
+    sort(c(decades, 2 * decades, 5 * decades))
+  }
   plain <- function(x) format(x, scientific = FALSE, big.mark = ",", drop0trailing = TRUE,
     trim = TRUE)
-  graphics::abline(v = decades(across), h = decades(up), col = "grey90")
-  graphics::axis(1, decades(across), vapply(decades(across), plain, ""))
-  graphics::axis(2, decades(up), vapply(decades(up), plain, ""))
+  graphics::abline(v = ticks(across), h = ticks(up), col = "grey90")
+  graphics::axis(1, ticks(across), vapply(ticks(across), plain, ""))
+  graphics::axis(2, ticks(up), vapply(ticks(up), plain, ""))
   graphics::box(col = "grey60")
   for (case in unique(medians$case)) {
     of <- medians[medians$case == case, ]
