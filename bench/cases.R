@@ -1,5 +1,5 @@
-# The gears that are measured, by name: list(label, gear = function() -> a read gear, netting = as in
-# settle()). Those of `refined` are measured at every size, those of `public` as their plans say.
+# The gears that are measured, by name: list(label, gear = function() -> a read gear, netting = as
+# in settle()). Those of `refined` are measured at every size, those of `public` as their plans say.
 
 refined <- list(
   trawl_bars = list(
@@ -18,7 +18,9 @@ refined <- list(
   )
 )
 
-test_plan <- function(name) read_gear(file.path("tests", "testthat", "plans", paste0(name, ".yaml")))
+test_plan <- function(name) {
+  read_gear(file.path("tests", "testthat", "plans", paste0(name, ".yaml")))
+}
 
 # n x n knots of square netting, 0.5 m apart, held by the upper edge.
 square_net <- function(n) {

@@ -13,7 +13,19 @@ limit <- as.numeric(given[4])
 read <- cpu(gear <- case$gear())
 use_start(as.integer(given[3]))
 before <- memory("VmRSS")
+
+# Reports of the levels that settle() goes through, which a state keeps of the finest alone.
+levels <- NULL
+settle_level <- codend:::settle_level
+utils::assignInNamespace("settle_level", function(...) {
+  list(...)  # a coarser level may hide in an argument that nobody has looked at yet
+  whole <- cpu(found <- settle_level(...))
+  levels <<- c(levels, list(c(found$report, whole = whole)))
+  found
+}, "codend")
+
 settle_once <- function() {
+  levels <<- NULL
   setTimeLimit(cpu = limit, transient = TRUE)
   on.exit(setTimeLimit())
   if (nodes > 0) settle(gear, nodes, case$netting) else settle(gear)
@@ -21,25 +33,29 @@ settle_once <- function() {
 first <- cpu(state <- tryCatch(settle_once(), error = identity))
 peak <- memory("VmHWM")
 
-parts <- c("lattice", "analysis", "forces", "jacobian", "linear")
-# CPU seconds by part of one settle(); `rest` is what the report does not name.
-costs_of <- function(report, whole) {
+# CPU seconds by part of one settle(): sums over its levels, from the coarsest to the finest. `rest`
+# is what no level's report names.
+costs_of <- function(levels, whole) {
+  parts <- c("lattice", "analysis", "forces", "jacobian", "linear")
   known <- vapply(parts, function(part) {
-    seconds <- report[[paste0("seconds_", part)]]
-    if (is.null(seconds)) NA_real_ else seconds
+    sum(vapply(levels, `[[`, 0, paste0("seconds_", part)))
   }, 0)
-  c(settle = whole, known, rest = whole - sum(known, na.rm = TRUE))
+  c(settle = whole, known, rest = whole - sum(known), coarse = whole_of(levels[-length(levels)]))
 }
+
+whole_of <- function(levels) sum(vapply(levels, `[[`, 0, "whole"))
+
+steps_of <- function(levels) sum(vapply(levels, `[[`, 0L, "factorisations"))
 
 if (inherits(state, "codend_state")) {
   # The first call of a process compiles R code on its way: the next ones tell what a call takes.
-  costs <- costs_of(state$report, first)
+  costs <- costs_of(levels, first)
   if (first < 2) {
     costs <- NULL
     begun <- proc.time()
     repeat {
-      whole <- cpu(again <- settle_once())
-      costs <- cbind(costs, costs_of(again$report, whole))
+      whole <- cpu(settle_once())
+      costs <- cbind(costs, costs_of(levels, whole))
       if (ncol(costs) == 9L || sum((proc.time() - begun)[1:2]) > 2) break
     }
     costs <- apply(costs, 1L, stats::median)
@@ -47,8 +63,9 @@ if (inherits(state, "codend_state")) {
   picture <- tempfile(fileext = ".png")
   results <- c(
     list(
-      outcome = "settled", nodes = ncol(state$position), iterations = state$report$iterations,
-      factorisations = state$report$factorisations, residual = state$report$residual
+      outcome = "settled", nodes = ncol(state$position), levels = length(levels),
+      iterations = state$report$iterations, factorisations = steps_of(levels),
+      residual = state$report$residual
     ),
     as.list(costs),
     list(

@@ -1,7 +1,7 @@
 # What runs in an R process of its own, so that its memory is its own and a crash is one row.
 
-# Memory (MB) of this process: `VmHWM`, its peak so far, or `VmRSS`, that of now. NA where the system
-# does not tell.
+# Memory (MB) of this process: `VmHWM`, its peak so far, or `VmRSS`, that of now. NA where the
+# system does not tell.
 memory <- function(kind) {
   file <- "/proc/self/status"
   if (!file.exists(file)) return(NA_real_)

@@ -1,6 +1,8 @@
 # The page for people, bench/results/results.md, from the tables.
 
-label_of <- function(case) vapply(case, function(name) known_cases[[name]]$label, "", USE.NAMES = FALSE)
+label_of <- function(case) {
+  vapply(case, function(name) known_cases[[name]]$label, "", USE.NAMES = FALSE)
+}
 
 write_page <- function(runs, medians, exponents, rivals) {
   save_page(c(
@@ -10,7 +12,8 @@ write_page <- function(runs, medians, exponents, rivals) {
     "## Refined gears", "",
     "Medians over the crude starts that settled; `settle` is CPU seconds of the whole call.", "",
     markdown_table(size_table(medians[medians$case %in% names(refined), ])), "",
-    "Its parts, CPU seconds, and what comes before and after it:", "",
+    "Its parts over all levels, CPU seconds (`coarse`: everything before the finest level), and",
+    "what comes before and after it:", "",
     markdown_table(part_table(medians[medians$case %in% names(refined), ])), "",
     "![CPU seconds against nodes](cost.svg)", "",
     "Exponents, from the fewest to the most nodes of each row:", "",
@@ -28,8 +31,9 @@ size_table <- function(medians) {
   data.frame(
     gear = label_of(medians$case), nodes = medians$nodes,
     settled = sprintf("%d of %d", medians$settled, medians$starts), settle = medians$settle,
-    from = medians$settle_least, to = medians$settle_most, iterations = medians$iterations,
-    factorisations = medians$factorisations, residual = medians$residual,
+    from = medians$settle_least, to = medians$settle_most, levels = medians$levels,
+    `steps on the finest` = medians$iterations, factorisations = medians$factorisations,
+    residual = medians$residual,
     `memory, MB` = medians$rise, `peak, MB` = medians$peak, check.names = FALSE
   )[medians$settled > 0, ]
 }
@@ -37,7 +41,7 @@ size_table <- function(medians) {
 part_table <- function(medians) {
   data.frame(
     gear = label_of(medians$case), nodes = medians$nodes,
-    medians[c("lattice", "analysis", "forces", "jacobian", "linear", "rest")],
+    medians[c("lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")],
     `reading the plan` = medians$read, summary = medians$summary, picture = medians$picture,
     `first call` = medians$first, check.names = FALSE
   )[medians$settled > 0, ]

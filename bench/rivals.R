@@ -19,7 +19,9 @@ rival_problem <- function() {
   engine <- lattice$engine
   start <- as.double(lattice$start)
   free <- which(rep(!engine$held, each = 3L))
-  known <- codend:::engine_settle(engine, start, 1e-12, 3200L, function(iteration, residual) NULL)
+  known <- codend:::engine_settle(
+    engine, start, FALSE, numeric(), 1e-12, 3200L, function(iteration, residual) NULL
+  )
   stopifnot(known$converged)
   evaluations <- 0
   reached <- 0

@@ -32,16 +32,14 @@ try_settling <- function(name, gear, netting) {
     said = if (settled) "" else gsub("[[:space:]]+", " ", conditionMessage(found))
   )
   if (!settled) write_gear(gear, file.path(failed_folder, paste0(gsub(" ", "-", name), ".yaml")))
-  cat(sprintf("%-16s %-10s %s %5.1f CPU s %s\n", name, netting, if (settled) "settled" else "FAILED ",
-    seconds, substr(row$said, 1, 120)))
+  cat(sprintf("%-16s %-10s %s %5.1f CPU s %s\n", name, netting,
+    if (settled) "settled" else "FAILED ", seconds, substr(row$said, 1, 120)))
   list(row = row, state = if (settled) found)
 }
 
 rows <- lapply(seq_len(count), function(number) {
   variation <- vary_trawl(number)
-  row <- try_settling(paste("variation", number), variation$gear, variation$netting)$row
-  row$changes <- paste(variation$changes$path, variation$changes$value, collapse = "; ")
-  row
+  try_settling(paste("variation", number), variation$gear, variation$netting)$row
 })
 
 for (netting in c("bars", "triangles")) {
@@ -49,7 +47,9 @@ for (netting in c("bars", "triangles")) {
   rows <- c(rows, list(found$row))
 }
 
-# Tangled starts: every node of the crude layout 10 m (standard deviation) off in each direction.
+# Tangled starts: every node of the crude layout 10 m (standard deviation) off in each direction,
+# and no coarser levels, which would leave little of a tangle.
+utils::assignInNamespace("coarse_shape", function(...) NULL, "codend")
 trawl <- read_gear("midwater_trawl")
 answer <- as.vector(settle(trawl, nodes, "bars")$position)
 for (number in seq_len(min(30L, count))) {

@@ -7,14 +7,15 @@ sizes <- data.frame(nodes = c(1500, 1e4, 1e5, 1e6), limit = c(20, 60, 600, 3600)
 # Fitted over these sizes, both included.
 fitted_nodes <- c(1000, 150000)
 
-cost_columns <- c("settle", "lattice", "analysis", "forces", "jacobian", "linear", "rest")
+cost_columns <- c("settle", "lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")
 
 # Runs one case from every start: a data frame, a row per run. A start that fails at a size of a
 # minute and more ends its row of starts, so that a bench of what does not work yet ends.
 run_case <- function(name, nodes, limit) {
   rows <- list()
   for (start in starts) {
-    found <- in_own_process("measure-settle.R", name, format(nodes, scientific = FALSE), start, limit)
+    asked <- format(nodes, scientific = FALSE)
+    found <- in_own_process("measure-settle.R", name, asked, start, limit)
     rows[[start]] <- c(
       list(case = name, asked = nodes, start = start), found[!vapply(found, is.null, NA)]
     )
@@ -28,8 +29,8 @@ run_case <- function(name, nodes, limit) {
   bind_rows(rows)
 }
 
-# The public cases and the refined ones up to `most` nodes, a row per run. A case none of whose starts
-# settled at one size is not tried at the next.
+# The public cases and the refined ones up to `most` nodes, a row per run. A case none of whose
+# starts settled at one size is not tried at the next.
 run_all <- function(most) {
   runs <- lapply(names(public), run_case, nodes = 0, limit = 60)
   for (name in names(refined)) {

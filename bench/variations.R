@@ -1,11 +1,10 @@
 # Random variations of the shipped trawl: what designers change, further than they would, and what
 # goes wrong at sea.
 
-# Variation number `number`, the same on every machine: list(gear, netting, changes = data frame of
-# path and value). All of speed (x 0.3 to 2), warps (x 0.5 to 2), area of the boards (x 0.5 to 2),
-# mass of boards and hammers (x 0.5 to 2), twine (x 0.7 to 1.5) and hanging ratios of the lines
-# around the net (x 0.9 to 1.1) change; in one of four a rope is 5 % shorter, in one of eight a board
-# is lost.
+# Variation number `number`, the same on every machine: list(gear, netting). All of speed (x 0.3 to
+# 2), warps (x 0.5 to 2), area of the boards (x 0.5 to 2), mass of boards and of hammers (x 0.5 to
+# 2), twine (x 0.7 to 1.5) and hanging ratios of the lines around the net (x 0.9 to 1.1) change; in
+# one of four a rope is 5 % shorter, in one of eight a board is lost.
 vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   between <- function(low, high) exp(stats::runif(1, log(low), log(high)))
@@ -40,11 +39,7 @@ vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
     changes <- changes[!startsWith(names(changes), paste0("pieces.", lost, "."))]
     changes[paste0("pieces.", lost)] <- list(NULL)
   }
-  list(gear = do.call(update, c(list(trawl), changes)), netting = netting, changes = data.frame(
-    path = names(changes),
-    value = vapply(changes, function(value) if (is.null(value)) "none" else format(value), ""),
-    row.names = NULL
-  ))
+  list(gear = do.call(update, c(list(trawl), changes)), netting = netting)
 }
 
 # A plan's value, as "12 m2" or a number, times a factor.
