@@ -3,8 +3,8 @@
 # Start 1 is the crude layout of the lattice as it is. Starts 2 to 5 are that layout, bent: three
 # waves, whose lengths are a half, a quarter and an eighth of the gear's size, move every point in a
 # direction of their own by up to 1.6 % of their length, so that lines change their lengths and
-# directions by up to a tenth for each wave. A wave knows places and no nodes, so a start is
-# the same shape however fine the lattice. Directions and phases come from R's generator, seeded by the
+# directions by up to a tenth for each wave. A wave knows places and no nodes, so a start is the
+# same shape however fine the lattice. Directions and phases come from R's generator, seeded by the
 # number of the start. Supports stay where the plan puts them.
 
 starts <- 1:5
