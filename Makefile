@@ -1,8 +1,10 @@
 # make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
 # make test    every test of the engine and of the package
-# Both install whatever is missing first (tools/setup) and nothing when nothing is.
+# make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
+# make robust  how many of 500 variations of the trawl settle, to bench/results/
+# All install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test
+.PHONY: trawl test bench robust
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -10,3 +12,12 @@ trawl:
 test:
 	@tools/setup --tests
 	@Rscript tools/test.R
+
+NODES ?= 100000
+bench:
+	@tools/setup --tests
+	@Rscript bench/bench.R $(NODES)
+
+robust:
+	@tools/setup --tests
+	@Rscript bench/robust.R

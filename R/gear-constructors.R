@@ -75,6 +75,8 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #'   or one of the plan's own `materials`.
 #' @param axial_stiffness,mass_per_length,volume_per_length EA, mass in air and displaced volume per
 #'   length; each wins over the material's.
+#' @param damping_ratio Damping of a rope's stretch while the gear moves ([tow()]), as a share of
+#'   what is critical for one bar of the lattice; 0 by default.
 #' @param coefficients Drag coefficients of this rope or panel instead of its material's or the
 #'   plan's: the name of a published set, or `list(normal, tangential, skin)`; see [netting].
 #' @param added_mass Added mass as a share of the mass of the displaced water:
@@ -85,16 +87,17 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @rdname gear
 #' @export
 rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
-                 diameter = NULL, material = NULL, axial_stiffness = NULL, mass_per_length = NULL,
-                 volume_per_length = NULL, coefficients = NULL, added_mass = NULL, strength = NULL,
-                 segments = NULL, role = NULL) {
+                 diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
+                 mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
+                 added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))
 }
 
 #' @param mesh_size Stretched length of a full mesh.
 #' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
 #'   to the other (bars, in square netting).
-#' @param twine `list(diameter, material, double, axial_stiffness, mass_per_length)`.
+#' @param twine `list(diameter, material, double, axial_stiffness, damping_ratio,
+#'   mass_per_length)`.
 #' @param orientation `"diamond"`, `"square"`, `"turned"`, `"hexagonal"` or `"hexagonal_turned"`;
 #'   see [netting].
 #' @param straight_bar Length of the straight bars of hexagonal meshes; see [netting].

@@ -51,7 +51,7 @@ find_material <- function(name, own, path) {
   gear_materials[name, ]
 }
 
-# Mass, volume, stiffness and strength of one rope or twine of a diameter: explicit values first,
+# Mass, volume, stiffness, damping and strength of one rope or twine of a diameter: explicit values first,
 # then the material's. Displaced volume is that of the material's solid, or of the full circle when
 # there is no material.
 line_properties <- function(given, own, path) {
@@ -67,8 +67,11 @@ line_properties <- function(given, own, path) {
   } else {
     mass / material[["density"]]
   }
+  stiffness <- first_of(given$axial_stiffness, material[["stiffness"]] * square)
   list(
-    axial_stiffness = first_of(given$axial_stiffness, material[["stiffness"]] * square),
+    axial_stiffness = stiffness,
+    # on the rate of strain, per length of a bar: see elements/twine.hpp
+    damping = given$damping_ratio * sqrt(stiffness * mass),
     mass_per_length = mass,
     volume_per_length = first_of(given$volume_per_length, volume),
     strength = first_of(given$strength, material[["strength"]] * square)

@@ -46,7 +46,7 @@ expand_midwater_trawl <- function(fields, plan) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing"
+      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
     ),
     names(plan)
   )]

@@ -70,7 +70,7 @@ panel_places <- function(panels, division, drawn) {
 
   inside <- bar_places(panels, which(bars), drawn)
   own <- inside$node > division$nodes
-  mapply(c, on_grids, on_edges, lapply(inside, `[`, own), SIMPLIFY = FALSE)
+  mapply(c, on_grids, on_edges, lapply(inside[names(on_grids)], `[`, own), SIMPLIFY = FALSE)
 }
 
 # The same of the nodes of grids alone, the panels of triangles.
@@ -86,7 +86,7 @@ grid_places <- function(division) {
   )
 }
 
-# The same of all knots and middles of bars of these panels.
+# The same of all knots and middles of bars of these panels, with their mesh coordinates i and j.
 bar_places <- function(panels, numbers, drawn) {
   field <- function(name) unlist(lapply(drawn[numbers], `[[`, name), use.names = FALSE)
   panel <- rep.int(numbers, lengths(lapply(drawn[numbers], `[[`, "node")))
@@ -96,7 +96,10 @@ bar_places <- function(panels, numbers, drawn) {
   width <- panel_right(shape, j) - left
   width[width < 1e-9] <- 1e-9
   s <- (field("i") - left) / width
-  list(node = field("node"), panel = panel, s = pmin(pmax(s, 0), 1), t = j / shape$deep)
+  list(
+    node = field("node"), panel = panel, s = pmin(pmax(s, 0), 1), t = j / shape$deep,
+    i = field("i"), j = j
+  )
 }
 
 # The shape of panels as rows of places, each running from the left edge to the right edge: the rows
@@ -159,26 +162,28 @@ panel_rows <- function(panels, from, position) {
   )
 }
 
-# Positions at places of panels: straight along rows, then between rows.
+# Values at places of panels: straight along rows, then between rows. rows: see panel_rows(), its
+# panels being whatever `places` names so; beyond the outermost rows and places their values hold.
 on_rows <- function(places, rows) {
-  below <- findInterval(2 * places$panel + places$t, 2 * rows$panel + rows$t - 1e-9)
-  last <- rows$panel[pmin(below + 1L, length(rows$panel))] != places$panel |
-    below == length(rows$panel)
-  below[last] <- below[last] - 1L
-  share <- (places$t - rows$t[below]) / (rows$t[below + 1L] - rows$t[below])
-  share <- pmin(pmax(share, 0), 1)
-  keys <- 2 * rows$row + rows$s
+  row <- between_values(places$panel, places$t, rows$panel, rows$t)
   along <- function(row) {
-    k <- findInterval(2 * row + places$s, keys, all.inside = TRUE)
-    end <- rows$row[k + 1L] != row
-    k[end] <- k[end] - 1L
-    before <- rows$row[k] != row
-    k[before] <- k[before] + 1L
-    width <- rows$s[k + 1L] - rows$s[k]
-    f <- pmin(pmax((places$s - rows$s[k]) / pmax(width, 1e-12), 0), 1)
-    from <- rows$x[, k, drop = FALSE]
-    from + (rows$x[, k + 1L, drop = FALSE] - from) * rep(f, each = 3L)
+    on <- between_values(row, places$s, rows$row, rows$s)
+    from <- rows$x[, on$low, drop = FALSE]
+    from + (rows$x[, on$high, drop = FALSE] - from) * rep(on$share, each = nrow(rows$x))
   }
-  first <- along(below)
-  first + (along(below + 1L) - first) * rep(share, each = 3L)
+  first <- along(row$low)
+  first + (along(row$high) - first) * rep(row$share, each = nrow(first))
+}
+
+# The values (0 to 1) of a group next to x in it: list(low, high = their numbers, share of the way).
+# groups, values: in order, groups as whole numbers of which each that is asked for is there.
+between_values <- function(group, x, groups, values) {
+  low <- findInterval(2 * group + x, 2 * groups + values)
+  low <- pmax(low, match(group, groups))
+  high <- pmin(low + 1L, length(groups))
+  beyond <- groups[high] != group
+  high[beyond] <- low[beyond]
+  width <- values[high] - values[low]
+  share <- pmin(pmax((x - values[low]) / pmax(width, 1e-12), 0), 1)
+  list(low = low, high = high, share = share)
 }

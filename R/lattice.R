@@ -192,7 +192,7 @@ twine_materials <- function(lines, alone = TRUE) {
   law[screens] <- law_numbers[["constant"]]
   added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
   list(
-    axial_stiffness = number("axial_stiffness"),
+    axial_stiffness = number("axial_stiffness"), damping = vapply(lines, function(line) first_of(line$damping, 0), 0, USE.NAMES = FALSE),
     diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),

@@ -7,8 +7,8 @@ coarsest_nodes <- 250
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
 
-# The settled shape of the next coarser level, list(lattice, position = 3 x points), or NULL where
-# coarser ones are of no use: ropes alone settle in a few steps.
+# The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of every
+# line or NULL), or NULL where coarser ones are of no use: ropes alone settle in a few steps.
 coarse_shape <- function(si, nodes, netting, progress) {
   found <- NULL
   if (!length(si$panels)) return(found)
@@ -18,7 +18,11 @@ coarse_shape <- function(si, nodes, netting, progress) {
       free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps, progress
     )
     if (!coarse$report$converged) next
-    found <- list(lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position))
+    found <- list(
+      lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position),
+      # Coarse triangles are too stiff for theirs to be of use.
+      strain = if (level > coarsest_nodes) coarse$strain
+    )
   }
   found
 }
@@ -42,20 +46,20 @@ undivided <- function(si) {
   si
 }
 
-# Settles one lattice: list(lattice, position, report). from: a shape to carry over, or NULL; with
-# `strain`, of every line, where it is that of a state.
+# Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
   # The factors lie outside R's heap: nothing else makes R release what building left over.
   if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
-  alike <- identical(lattice$engine$bars$node, from$lattice$engine$bars$node) &&
-    identical(lattice$engine$triangles$node, from$lattice$engine$triangles$node)
+  strain <- if (!is.null(from$strain)) {
+    carry_strains(panel_table(si$panels), lattice, from$lattice, from$strain)
+  }
   solve <- function(lattice) {
     engine_settle(
-      lattice$engine, as.double(lattice$start), !is.null(from),
-      as.double(if (alike) from$strain), settle_tolerance, steps, progress
+      lattice$engine, as.double(lattice$start), !is.null(from), as.double(strain), settle_tolerance,
+      steps, progress
     )
   }
   if (is.null(si$catch) || is.na(si$catch$volume)) {
@@ -66,31 +70,22 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     report <- lattice$found
     lattice$found <- NULL
   }
-  position <- report$position
-  lattice$engine$wake <- report$wake
-  report$position <- report$wake <- NULL
+  found <- list(lattice = lattice, position = report$position, strain = report$strain)
+  found$lattice$engine$wake <- report$wake
+  report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
-  list(lattice = lattice, position = position, report = report)
+  c(found, list(report = report))
 }
 
 # A state's shape, to carry over.
 state_shape <- function(state) {
   engine <- state$lattice$engine
-  bars <- engine$bars
   triangles <- engine$triangles
-  # The engine numbers the lines of hexagonal triangles last, the straight ones first.
-  hexagonal <- triangles$straight > 0
-  strain <- function(length, rest, some) length[some] / rest[some] - 1
-  list(
-    lattice = state$lattice, position = state_points(state),
-    strain = c(
-      state$bar_length / bars$rest - 1, strain(state$u_length, triangles$rest, !hexagonal),
-      strain(state$v_length, triangles$rest, !hexagonal),
-      strain(state$straight_length, triangles$straight, hexagonal),
-      strain(state$u_length, triangles$rest, hexagonal),
-      strain(state$v_length, triangles$rest, hexagonal)
-    )
+  strain <- engine_order(
+    state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / triangles$rest - 1,
+    state$v_length / triangles$rest - 1, state$straight_length / triangles$straight - 1
   )
+  list(lattice = state$lattice, position = state_points(state), strain = strain)
 }
 
 # Stops unless a state's gear has the parts of this one.

@@ -69,7 +69,11 @@ print.codend_state <- function(x, ...) {
   found <- measures(x)
   shown <- unique(c(utils::head(names(found), 4), "total_drag_kN"))
   cat(
-    paste0("Settled gear \"", x$si$name, "\""),
+    if (is.null(x$time)) {
+      paste0("Settled gear \"", x$si$name, "\"")
+    } else {
+      sprintf("Gear \"%s\" at %s s of a tow", x$si$name, format(signif(x$time, 6)))
+    },
     paste0("  ", conditions_text(x$si)),
     paste0("  ", size_text(x)),
     paste0("  ", measure_text(found[shown])),

@@ -1,7 +1,9 @@
 # A state: where every node is and what every element carries, with the gear that it belongs to.
 
-new_state <- function(gear, si, lattice, position, report) {
-  found <- engine_evaluate(lattice$engine, position, numeric(length(position)))
+# velocity: 3 per node, m/s, relative to the vessel.
+new_state <- function(gear, si, lattice, position, report,
+                      velocity = numeric(length(position))) {
+  found <- engine_evaluate(lattice$engine, position, velocity)
   three <- function(x) matrix(x, 3L)
   triangle_drag <- three(found$triangle_drag)
   screens <- lattice$engine$drag_screens$triangle
@@ -11,7 +13,7 @@ new_state <- function(gear, si, lattice, position, report) {
   structure(
     list(
       gear = gear, si = si, lattice = lattice, report = report,
-      position = three(position),
+      position = three(position), velocity = three(velocity),
       force = three(found$force),
       bar_tension = found$bar_tension, bar_length = found$bar_length,
       u_tension = found$u_tension, u_length = found$u_length,

@@ -27,6 +27,13 @@ extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity,
   END_CPP11
 }
 // binding.cpp
+list engine_tow(list lattice, list plan, list past, list control, list stops, function keep, function steer, function watch);
+extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP plan, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP watch) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(plan), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+  END_CPP11
+}
+// binding.cpp
 doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
 extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
   BEGIN_CPP11
@@ -40,6 +47,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_lay_out",  (DL_FUNC) &_codend_engine_lay_out,  6},
     {"_codend_engine_march",    (DL_FUNC) &_codend_engine_march,    7},
     {"_codend_engine_settle",   (DL_FUNC) &_codend_engine_settle,   7},
+    {"_codend_engine_tow",      (DL_FUNC) &_codend_engine_tow,      8},
     {NULL, NULL, 0}
 };
 }

@@ -113,6 +113,14 @@ void Assembly::add_diagonal(const double* numbers, double* values) const {
   }
 }
 
+void Assembly::add_blocks(const double* blocks, double factor, double* values) const {
+  for (int i = 0; i < unknowns(); ++i) {
+    const double* from = blocks + 9 * static_cast<std::ptrdiff_t>(free_nodes()[i]);
+    double* block = values + 9 * diagonal_[i];
+    for (int k = 0; k < 9; ++k) block[k] += factor * from[k];
+  }
+}
+
 void Assembly::mass(double* mass) {
   masses_.assign(3 * position_.size(), 0.0);
   for (int p = 0; p < model_.points(); ++p) {

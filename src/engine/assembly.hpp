@@ -23,7 +23,8 @@ struct LineChange {
 
 class Assembly {
  public:
-  // The model must outlive the assembly and not change.
+  // The model must outlive the assembly. Loads, masses and speeds of the current may change, rest
+  // lengths and multiplicities of bars too: update() and update_bar() tell of it. Nothing else may.
   explicit Assembly(const Model& model);
   Assembly(const Assembly&) = delete;
 
@@ -32,6 +33,10 @@ class Assembly {
   const std::vector<int>& free_nodes() const { return free_.nodes(); }
   int unknowns() const { return static_cast<int>(free_nodes().size()); }
   const BlockPattern& pattern() const { return pattern_; }
+
+  void update() { flow_known_ = false; }
+  // rest_rate: dL0/dt over L0, 1/s.
+  void update_bar(int bar, double rest_rate) { lines_.update_bar(bar, rest_rate); }
 
   // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
   // what all the following share, which speak of them.
@@ -55,6 +60,9 @@ class Assembly {
 
   // Adds a number per free node to the diagonal of its block.
   void add_diagonal(const double* numbers, double* values) const;
+
+  // Adds factor times a 3x3 block per node (9 each, row-major) to the diagonal blocks.
+  void add_blocks(const double* blocks, double factor, double* values) const;
 
   // Mass and added mass, 9 per node (row-major).
   void mass(double* mass);

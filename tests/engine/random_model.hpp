@@ -36,6 +36,7 @@ struct Ingredients {
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
   double axial_stiffness = 1.0;  // N
+  double damping = 0.0;          // c over L0, N s/m
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
   int screen_law = 0;
@@ -72,6 +73,7 @@ class Specimen {
     }
     TwineMaterial material;
     material.axial_stiffness = wanted.axial_stiffness;
+    material.damping = wanted.damping;
     material.diameter = wanted.diameter;
     material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
     material.added_mass_tangential = 0.15;

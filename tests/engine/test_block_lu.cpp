@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <new>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -14,24 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "allocation_count.hpp"
 #include "solve/block_lu.hpp"
-
-namespace {
-
-size_t allocations = 0;
-
-}  // namespace
-
-void* operator new(size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size ? size : 1);
-}
-void* operator new(size_t size) {
-  if (void* p = operator new(size, std::nothrow)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, size_t) noexcept { std::free(p); }
 
 namespace {
 
@@ -473,14 +456,14 @@ TEST_CASE("block LU allocates only when it analyses") {
   std::vector<double> x(b.size());
   const auto check = [&](Precision precision, int threads) {
     BlockLU lu(precision, threads);
-    const size_t before_analysis = allocations;
+    const long before_analysis = codend::allocation_count();
     lu.analyse(pattern, mesh.coordinates.data());
-    REQUIRE(allocations > before_analysis);
-    const size_t before = allocations;
+    REQUIRE(codend::allocation_count() > before_analysis);
+    const long before = codend::allocation_count();
     const bool sound = lu.factorise(values.data());
     lu.solve(b.data(), x.data());
     lu.solve_refined(pattern, values.data(), b.data(), 1e-12, x.data());
-    CHECK(allocations == before);
+    CHECK(codend::allocation_count() == before);
     CHECK(sound);
   };
   check(Precision::double_precision, 1);

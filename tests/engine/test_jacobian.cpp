@@ -157,6 +157,40 @@ TEST_CASE("derivatives of netting triangles") { check_lines(0, 10, 0); }
 
 TEST_CASE("derivatives of hexagonal triangles") { check_lines(0, 0, 8); }
 
+// Speeds of 0.5 m/s and lines of 1 m: the damper pulls or loosens by as much as the stretch.
+TEST_CASE("derivatives of lines with damping") {
+  Random random(20260404);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    CAPTURE(repeat);
+    Ingredients wanted;
+    wanted.bars = repeat % 2 ? 20 : 0;
+    wanted.triangles = repeat % 2 ? 0 : 10;
+    wanted.hexagons = repeat % 2 ? 0 : 5;
+    wanted.damping = 0.5;
+    wanted.layered = repeat % 3 == 0;
+    check_derivatives(random, wanted);
+  }
+}
+
+TEST_CASE("derivatives of damped bars that are paid out") {
+  Random random(20260405);
+  Ingredients wanted;
+  wanted.bars = 20;
+  wanted.damping = 0.5;
+  Specimen s(random, wanted);
+  Assembly assembly(s.model);
+  for (int b = 0; b < 20; ++b) assembly.update_bar(b, random.between(-0.3, 0.3));
+  auto force = [&](std::vector<double>& out) {
+    assembly.move_to(s.x.data(), s.v.data());
+    assembly.residual(out.data());
+  };
+  std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
+  force(f);
+  assembly.jacobian({1.0, 0.0}, values.data());
+  CHECK(error(dense(assembly, values), by_differences(assembly, s.x, force), largest(f)) <
+        tolerance);
+}
+
 TEST_CASE("derivatives of bodies and knots") {
   SUBCASE("bodies") { check_points([](Ingredients& i) -> int& { return i.bodies; }); }
   SUBCASE("knots") { check_points([](Ingredients& i) -> int& { return i.knots; }); }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "random_model.hpp"
-#include "solve/substitution.hpp"
+#include "march/substitution.hpp"
 
 namespace {
 

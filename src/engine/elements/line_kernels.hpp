@@ -19,6 +19,8 @@ struct LineArrays {
   double* drag_weight;   // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
   double *added_normal, *added_tangential;  // added mass, a point's share, kg
   double *normal, *tangential, *skin;  // C_n, C_t, C_f
+  double* damping;    // c, N s; null where no line has any
+  double* rest_rate;  // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
   double viscosity;  // m2/s
@@ -31,6 +33,8 @@ struct LineArrays {
   double *loose;              // drag of a curled-up line over U, a point's share, N s/m
   double *loose_slope;        // its derivative by |U|
   double *drag_scale;         // drag over U, a point's share, at right angles, N s/m
+
+  double* e_rate[3];          // de/dt, m/s; with damping
 
   // Where they are.
   double* e[3];              // m

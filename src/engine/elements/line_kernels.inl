@@ -165,8 +165,14 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Pack strain = length * inverse_rest - 1.0;
     store(lines.inverse_length + i, inverse_length);
     store(lines.strain + i, strain);
-    const Pack pull = load(lines.stiffness + i) * strain, least = load(lines.least_tension + i);
-    store(lines.tension + i, pull > least ? pull : least);
+    const Pack least = load(lines.least_tension + i);
+    Pack tension = load(lines.stiffness + i) * strain;
+    if (lines.damping) {
+      const Pack rate = inverse_length * inverse_rest * dot(e, load(lines.e_rate, i)) -
+                        (strain + 1.0) * load(lines.rest_rate + i);
+      tension = tension + load(lines.damping + i) * rate;
+    }
+    store(lines.tension + i, tension > least ? tension : least);
 
     const StraightDrag s = straight_drag(lines, i, e, inverse_length);
     const Pack share = straight_share(lines, strain);
@@ -224,12 +230,26 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack many = request.stiffness * load(lines.multiplicity + i);
   const std::int64_t left = request.lines - i;
   const Pack tension = load_before_end(request.tension + i, left);
-  const Pack stiffness = load(lines.stiffness + i);
-  const Pack modulus =
-      request.modulus ? load_before_end(request.modulus + i, left)
-                      : (stiffness * strain > load(lines.least_tension + i) ? stiffness : Pack{});
+  const Pack stiffness = load(lines.stiffness + i), least = load(lines.least_tension + i);
+  Pack modulus;
+  Triple sideways = {};  // change of the damper's pull when the line turns
+  if (request.modulus) {
+    modulus = load_before_end(request.modulus + i, left);
+  } else if (lines.damping) {
+    const Pack taut = load(lines.tension + i) > least ? Pack{} + 1.0 : Pack{};
+    const Pack damping = taut * load(lines.damping + i);
+    const Pack by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
+    const Triple e_rate = load(lines.e_rate, i);
+    modulus = taut * stiffness - damping * load(lines.rest_rate + i);
+    sideways = (request.stiffness * by_rate * inverse_length) *
+                   (e_rate - dot(e_rate, s.t) * s.t) +
+               (request.damping * by_rate) * s.t;
+  } else {
+    modulus = stiffness * strain > least ? stiffness : Pack{};
+  }
   const Pack across = many * tension * inverse_length;
   out.pull = add_diagonal(across, outer((many * modulus * inverse_rest - across) * s.t, s.t));
+  if (lines.damping) out.pull = out.pull + outer(s.t, sideways);
 
   // q_n falls by along/q_n, and U_t grows, where the axis turns towards the flow.
   const Pack weight = load(lines.drag_weight + i);

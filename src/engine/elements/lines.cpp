@@ -35,6 +35,15 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
       &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
       &a.drag[0], &a.drag[1], &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  bool damped = false;
+  for (const std::vector<TwineMaterial>* materials : {bars.materials, triangles.materials}) {
+    if (!materials) continue;
+    for (const TwineMaterial& m : *materials) damped = damped || m.damping > 0.0;
+  }
+  if (damped) {
+    columns.insert(columns.end(),
+                   {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
+  }
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
   for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
@@ -55,7 +64,8 @@ void Lines::describe(const Line<N>& line) {
   const TwineMaterial& m = *line.material;
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
-  arrays_.stiffness[k] = m.axial_stiffness;
+  // Where no line is left, none pulls.
+  arrays_.stiffness[k] = line.multiplicity > 0.0 ? m.axial_stiffness : 0.0;
   arrays_.least_tension[k] = m.strut ? -1e300 : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
   const double length = line.rest * line.multiplicity * line.point_share;
@@ -63,6 +73,9 @@ void Lines::describe(const Line<N>& line) {
   const double water = water_.density * m.volume_per_length * length;
   arrays_.added_normal[k] = m.added_mass_normal * water;
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
+  if (arrays_.damping) {
+    arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
+  }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential * m.law.tangential_share;
@@ -72,6 +85,11 @@ void Lines::describe(const Line<N>& line) {
     speed_law_[k] = &m;
     arrays_.speed_law = speed_law_.data();
   }
+}
+
+void Lines::update_bar(int bar, double rest_rate) {
+  describe(bars_.line(bar));
+  if (arrays_.damping) arrays_.rest_rate[bar] = rest_rate;
 }
 
 template <int N>
@@ -139,6 +157,21 @@ void Lines::set_flow(const Field& field) {
     }
   }
   kernels_.flow(arrays_, 0, count_);
+  if (!arrays_.damping) return;
+  double* rate[3];
+  double* v_rate[3];
+  for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c];
+  bars_.vectors(field.velocity, 0, bars_.count(), rate);
+  for (int c = 0; c < 3; ++c) {
+    rate[c] += bars;
+    v_rate[c] = rate[c] + triangles;
+  }
+  triangles_.vectors(field.velocity, 0, triangles_.count(), rate, v_rate);
+  for (int which = 0; which < 3; ++which) {
+    const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count();
+    for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c] + first;
+    hexagons_.vectors(which, field.velocity, 0, hexagons_.count(), rate);
+  }
 }
 
 template <class Visit>

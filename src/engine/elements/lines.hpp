@@ -25,6 +25,8 @@ class Lines {
   int count() const { return count_; }
   const LineArrays& arrays() const { return arrays_; }
 
+  // To be called where a bar's rest length or multiplicity has changed; rate: dL0/dt over L0, 1/s.
+  void update_bar(int bar, double rest_rate);
   // The flow past all lines: to be called where velocities, or depths in a current that varies with
   // them, have changed; before move_to().
   void set_flow(const Field& field);

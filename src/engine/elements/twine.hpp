@@ -2,7 +2,8 @@
 //
 // One element stands for `multiplicity` equal lines in parallel. With e = sum_k a_k x_k the vector
 // along the line, L = |e|, L0 its unstretched length:
-//   tension  T = EA max(0, L/L0 - 1), the gradient of W(L) = EA (L - L0)^2 / (2 L0);
+//   tension  T = max(0, EA s + c ds/dt), s = L/L0 - 1 the strain: without damping c the gradient
+//            of W(L) = EA (L - L0)^2 / (2 L0). The damper acts within the max: no line pushes;
 //   drag     of a cylinder of diameter d and length L0 (elements/cylinder_law.hpp) at the relative
 //            velocity U = sum_k w_k (u_k - v_k), shared over the nodes by w_k.
 // A slack line (L < L0) hangs in a curve, so its drag loses its direction: a share L/L0 of it is
@@ -17,6 +18,9 @@ namespace codend {
 
 struct TwineMaterial {
   double axial_stiffness = 0.0;    // EA, N
+  // Damping c over L0, N s/m: a damping ratio z of one line makes z sqrt(EA m), m its mass per
+  // length. With half a line's mass at each end z = 1 then damps its own stretching critically.
+  double damping = 0.0;
   double diameter = 0.0;           // m
   double volume_per_length = 0.0;  // m2
   double added_mass_normal = 1.0;  // on the displaced mass of water

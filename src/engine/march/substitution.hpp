@@ -13,9 +13,34 @@
 // implicit, but its steps are as short as an explicit method's.
 #pragma once
 
-#include "../assembly.hpp"
+#include <algorithm>
+
+#include "accelerate.hpp"
+#include "stepper.hpp"
 
 namespace codend {
+
+class SubstitutionStep : public Stepper {
+ public:
+  // A step is found when a substitution changes no velocity by more than `tolerance` (m/s) and no
+  // position by more than `tolerance * h`, in at most `most` of them.
+  SubstitutionStep(Assembly& assembly, double tolerance, int most, const Motion& start);
+
+  // Heun's guess needs that the last step was as long; else Euler's is taken.
+  StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) override;
+  int order() const override { return 2; }
+  // The substitutions shrink by h/2 times the largest rate.
+  double longest_step(const FastestRates& rates) const override {
+    return 2.0 / std::max(rates.oscillation, rates.decay);
+  }
+
+ private:
+  const std::vector<int>& free_;
+  double tolerance_;
+  int most_;
+  Acceleration acceleration_;
+  Values a_, next_a_;
+};
 
 struct SubstitutionReport {
   bool converged = true;       // every step did
@@ -27,7 +52,7 @@ struct SubstitutionReport {
 // Marches `steps` steps of length `step` (s). A step is found when a substitution changes no
 // velocity by more than `tolerance` (m/s) and no position by more than `tolerance * step`; where
 // that takes more than `substitutions` of them, or numbers overflow, the march ends before that
-// step and says so.
+// step and says so. This is the paper's scheme as printed: steps of one length, nothing repeated.
 // x (m), v (m/s): 3 per node, the start on entry and the last step found on return; held nodes keep
 // their velocity. Throws std::invalid_argument where a free node has no mass.
 SubstitutionReport march_by_substitution(Assembly& assembly, double step, int steps,

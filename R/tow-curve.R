@@ -1,0 +1,128 @@
+# Numbers that change with time, as the engine reads them: pieces of cubic polynomials.
+#
+# A curve is list(time, begin, end, begin_rate, end_rate): piece k runs from time[k] to time[k + 1],
+# from value begin[k] at rate begin_rate[k] to end[k] at end_rate[k]; before the first and after the
+# last the number stays.
+
+# A function is taken at steps of this length, s, and smooth between.
+function_step <- 0.1
+
+# value: a number or text with a unit, a data frame of time and value, or a function of time (s)
+# that gives SI. path: how errors name it. until: s.
+schedule_curve <- function(value, path, dimension, until) {
+  if (is.function(value)) return(function_curve(value, path, until))
+  if (is.data.frame(value)) return(table_curve(value, path, dimension))
+  constant_curve(schedule_number(value, path, dimension))
+}
+
+constant_curve <- function(value) {
+  list(time = c(0, 1), begin = value, end = value, begin_rate = 0, end_rate = 0)
+}
+
+# Straight between its times; two rows of one time make a jump.
+table_curve <- function(table, path, dimension) {
+  known <- c("time", "value")
+  if (!all(known %in% names(table)) || nrow(table) == 0L) {
+    abort_schedule(path, "has no columns {.field time} and {.field value} with rows.")
+  }
+  numbers <- function(column, of) {
+    vapply(seq_len(nrow(table)), function(k) {
+      schedule_number(table[[column]][k], sprintf("%s$%s[%d]", path, column, k), of)
+    }, 0)
+  }
+  time <- numbers("time", "time")
+  value <- numbers("value", dimension)
+  if (is.unsorted(time)) abort_schedule(path, "must list its times in order.")
+  if (length(time) == 1L) return(constant_curve(value))
+  straight_curve(time, value)
+}
+
+straight_curve <- function(time, value) {
+  n <- length(time)
+  if (time[n] == time[n - 1L]) {  # the last value stays after a jump to it
+    time <- c(time, time[n] + 1)
+    value <- c(value, value[n])
+    n <- n + 1L
+  }
+  piece <- which(diff(time) > 0)
+  if (!length(piece)) return(constant_curve(value[n]))
+  slope <- (diff(value) / diff(time))[piece]
+  list(
+    time = c(time[piece], time[n]), begin = value[piece], end = value[piece + 1L],
+    begin_rate = slope, end_rate = slope
+  )
+}
+
+function_curve <- function(value, path, until) {
+  time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 3)
+  found <- vapply(time, function(t) {
+    y <- value(t)
+    if (!is.numeric(y) || length(y) != 1L || !is.finite(y)) {
+      abort_schedule(path, sprintf("must give one finite number; at %s s it does not.", format(t)))
+    }
+    as.double(y)
+  }, 0)
+  smooth_curve(time, found)
+}
+
+# Through all values, with rates from their neighbours (Catmull and Rom 1974).
+smooth_curve <- function(time, value) {
+  n <- length(time)
+  slope <- diff(value) / diff(time)
+  rate <- c(slope[1], (slope[-1] + slope[-length(slope)]) / 2, slope[n - 1L])
+  list(
+    time = time, begin = value[-n], end = value[-1L], begin_rate = rate[-n], end_rate = rate[-1L]
+  )
+}
+
+# Values of a curve at times; at a jump those before it, or after it.
+curve_at <- function(curve, t, after = FALSE) {
+  n <- length(curve$begin)
+  k <- findInterval(t, curve$time, left.open = !after)
+  inside <- k >= 1L & k <= n
+  out <- ifelse(k < 1L, curve$begin[1L], curve$end[n])
+  j <- k[inside]
+  h <- curve$time[j + 1L] - curve$time[j]
+  s <- (t[inside] - curve$time[j]) / h
+  rise <- curve$end[j] - curve$begin[j]
+  a <- h * curve$begin_rate[j] - rise
+  b <- rise - h * curve$end_rate[j]
+  out[inside] <- curve$begin[j] + s * rise + s * (1 - s) * (a * (1 - s) + b * s)
+  out
+}
+
+scale_curve <- function(curve, factor) {
+  curve[-1L] <- lapply(curve[-1L], function(x) x * factor)
+  curve
+}
+
+# Times at which a curve jumps, or, with `kinks`, its rate does.
+curve_breaks <- function(curve, kinks) {
+  n <- length(curve$begin)
+  differ <- function(a, b) abs(a - b) > 1e-9 * max(1, abs(a), abs(b))
+  inner <- seq_len(n - 1L)
+  broken <- differ(curve$end[inner], curve$begin[inner + 1L])
+  if (kinks) broken <- broken | differ(curve$end_rate[inner], curve$begin_rate[inner + 1L])
+  ends <- if (kinks) c(curve$begin_rate[1L], curve$end_rate[n]) != 0 else c(FALSE, FALSE)
+  c(curve$time[1L][ends[1]], curve$time[inner + 1L][broken], curve$time[n + 1L][ends[2]])
+}
+
+schedule_number <- function(value, path, dimension) {
+  si <- if (length(value) == 1L && (is_text(value) || is.numeric(value))) {
+    quantity_si(value, dimension)
+  } else {
+    NA_real_
+  }
+  if (!is.finite(si)) {
+    abort_schedule(path, paste0(
+      "is ", show_value(value), "; it must be ", noun(gsub("_", " ", dimension)),
+      if (dimension != "number") paste0(" (units: ", unit_examples(dimension), ")"), "."
+    ))
+  }
+  si
+}
+
+abort_schedule <- function(path, problem) {
+  cli::cli_abort(paste0("{.arg {path}} ", problem),
+    class = c("codend_error_argument", "codend_error"), call = NULL)
+}

@@ -1,0 +1,101 @@
+# Where a tow starts from: a gear that settles in the conditions of time 0, a state, or a trajectory
+# that goes on.
+
+settled_trajectory <- function(gear, given, until, nodes, netting) {
+  check_settle_arguments(gear, nodes, netting)
+  si <- gear_si(gear)
+  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
+  now <- conditions_at(what, 0)
+  first <- si_at(what, now)
+  if (identical(first, si) && !length(what$plan$parts) && now$heave == 0) {
+    return(started_trajectory(settle(gear, nodes, netting), given, until))
+  }
+  # A warp that is still short has few bars of its own: its shape is carried over to all of them.
+  progress <- settle_progress()
+  found <- settle_level(
+    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations,
+    progress
+  )
+  if (found$report$converged) {
+    found$lattice$counts <- NULL
+    shape <- list(
+      lattice = found$lattice, position = lattice_points(found$lattice, found$position)
+    )
+    what <- tow_start(gear, si, build_lattice(si, nodes, netting, shape), given, until)
+  }
+  moved <- what$plan$track$node
+  what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
+  start <- lattice_at(what, now)
+  settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
+    numeric(), settle_tolerance, settle_iterations, progress)
+  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  add_start(what, settled$position, c(-now$speed, 0, 0))
+}
+
+started_trajectory <- function(state, given, until) {
+  what <- tow_start(state$gear, state$si, state$lattice, given, until)
+  for (part in what$plan$parts) {
+    if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
+      abort_schedule("gear", sprintf(
+        "is a state whose %s is not what the schedule begins with; give the gear, to settle so.",
+        part$name
+      ))
+    }
+  }
+  add_start(what, state$position, c(-state$si$towing$speed, 0, 0))
+}
+
+continued_trajectory <- function(trajectory, given, until) {
+  new <- names(Filter(Negate(is.null), given[names(given) != "control_every"]))
+  if (length(new)) {
+    abort_schedule(new[1], "is given for a trajectory, which goes on in its own schedule.")
+  }
+  if (until <= trajectory$memory$now$time) {
+    abort_schedule("until", sprintf("is %s s; the trajectory is already at %s s.", format(until),
+      format(trajectory$memory$now$time)))
+  }
+  lattice <- trajectory$lattice
+  lattice$engine$water$x <- lattice$engine$water$x + trajectory$si$towing$speed
+  fresh <- tow_start(trajectory$gear, trajectory$si, lattice, trajectory$given, until)
+  trajectory[c("plan", "curves", "breaks")] <- fresh[c("plan", "curves", "breaks")]
+  trajectory
+}
+
+# The lattice over the ground, and the tow in the engine's terms.
+tow_start <- function(gear, si, lattice, given, until) {
+  lattice$engine$water$x <- lattice$engine$water$x - si$towing$speed
+  if (!is.null(lattice$engine$ground)) lattice$engine$ground$velocity <- c(0, 0, 0)
+  c(
+    list(gear = gear, si = si, lattice = lattice, given = given),
+    tow_plan(si, lattice, given, until)
+  )
+}
+
+# A trajectory of one moment.
+add_start <- function(what, position, velocity) {
+  n <- what$lattice$engine$nodes
+  held <- what$lattice$engine$held
+  speed <- matrix(velocity, 3L, n)
+  speed[, setdiff(which(held), what$plan$track$node)] <- 0
+  motion <- list(
+    time = 0, position = as.vector(position), velocity = as.vector(speed),
+    acceleration = numeric(3L * n)
+  )
+  winches <- lapply(what$plan$parts, `[[`, "winch")
+  of <- function(field) vapply(winches, function(w) if (is.null(w)) 0 else w[[field]], 0)
+  done <- list(
+    length = of("length"), since = of("since"), speed = of("speed"),
+    speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
+    parted = rep(0L, length(what$plan$partings)), parted_at = rep(0, length(what$plan$partings))
+  )
+  engine <- lattice_at(what, conditions_at(what, 0))$engine
+  engine$water$x <- what$lattice$engine$water$x
+  engine$ground <- what$lattice$engine$ground
+  found <- engine_evaluate(engine, motion$position, motion$velocity)
+  frame <- list(
+    now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
+    bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
+    report = NULL
+  )
+  gather_trajectory(what, list(frame), "reached")
+}

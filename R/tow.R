@@ -1,0 +1,165 @@
+#' Tow a gear through time
+#'
+#' Marches a gear through time: from its steady state, while towing speed and course, warps,
+#' currents and more change.
+#'
+#' @details
+#' The motion is computed over the ground, where a turn brings in no forces of its own: water stands
+#' still but for its current, and the towing points (`held: moved` in the plan) move. x, y and z are
+#' those of the plan at the start, x aft, y to starboard, z up, and stay where they are while the
+#' vessel leaves.
+#'
+#' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
+#' `time` and `value` (straight between its rows, the last value for good; two rows of one time
+#' make a jump) or a function of time in s that gives SI (taken every 0.1 s and smooth between). A
+#' gear that is not yet a state settles first, in the conditions of time 0. What is not given here
+#' is taken from the plan's section `tow`, which has fields of the same names and lists of `time`
+#' and `value` for tables.
+#'
+#' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
+#' passing of the warp itself through the water does: friction along it at its own speed beside the
+#' towing speed, and a share m w^2 of its tension, 16 N for 4 kg/m at w = 2 m/s.
+#'
+#' Added mass acts on accelerations of the gear alone, by where its lines are at each step; a
+#' current that changes with time brings in no force by its acceleration, and waves move the towing
+#' points, not the water.
+#'
+#' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
+#'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own
+#'   schedule.
+#' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`.
+#' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
+#' @param speed Towing speed, m/s; the plan's when `NULL`.
+#' @param course Course to starboard of that at the start, rad; it starts at 0.
+#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp`, or a list of
+#'   them by rope or by `port` and `starboard`. At least 1 m.
+#' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
+#'   faster, and pay out where their tension at the vessel exceeds the limit.
+#' @param control A function of `measures` (as [measures()] of the present state) and `time` that
+#'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope. It is
+#'   asked every `control_every` seconds.
+#' @param control_every s or text.
+#' @param current `list(speed = , toward = )`, two schedules (m/s, rad), or a list of one such per
+#'   depth of the plan's current.
+#' @param heave Height of the towing points above where the plan has them, m: one schedule; a sea
+#'   state is a function of time.
+#' @param catch Share of the plan's pieces of role `catch` that is in the codend.
+#' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
+#'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
+#' @param scheme `"bdf2"` (when `NULL`), `"trapezoid"`, `"backward_euler"` (implicit, by Newton's
+#'   method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
+#'   `"symplectic_euler"` or `"rk4"` (explicit).
+#' @param accuracy Largest error of any node's position that one step of an implicit scheme may
+#'   make, m, or text; 0.01 m when `NULL`. Steps are as long as that allows.
+#' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
+#'   is nine tenths of the longest that is surely stable.
+#' @param nodes,netting As in [settle()], where `gear` is not yet a state.
+#' @return A trajectory of class `codend_trajectory`; see [as.data.frame.codend_trajectory()] for
+#'   what it holds. Interrupted by the user it holds what was done, and `end` says so. A motion that
+#'   stands still, because no step down to 1e-7 s is found, is an error of class
+#'   `codend_error_not_converged` that names the part and carries the `trajectory`.
+#' @examples
+#' faster <- tow("towed_cable", until = 60, every = 20,
+#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#' measures(state_at(faster, 60))
+#' @export
+tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
+                winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
+                catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
+                nodes = 1500, netting = NULL) {
+  going_on <- inherits(gear, "codend_trajectory")
+  if (is.character(gear)) gear <- read_gear(gear)
+  planned <- if (going_on) {
+    c(gear["every"], scheme = gear$method$scheme, accuracy = positive_or_null(gear$method$accuracy))
+  } else {
+    plan_tow(if (inherits(gear, "codend_state")) gear$gear else checked_gear(gear))
+  }
+  asked <- function(name, value) if (is.null(value)) planned[[name]] else value
+  given <- list(
+    speed = asked("speed", speed), course = asked("course", course),
+    warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
+    control = control, current = asked("current", current), heave = asked("heave", heave),
+    catch = asked("catch", catch), part = asked("part", part)
+  )
+  method <- tow_method(
+    first_of(asked("scheme", scheme), "bdf2"), first_of(asked("accuracy", accuracy), 0.01), step
+  )
+  until <- asked("until", until)
+  every <- asked("every", every)
+  until <- tow_quantity(until, "until", "time")
+  every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
+  given$control_every <- tow_quantity(control_every, "control_every", "time")
+  trajectory <- if (going_on) {
+    continued_trajectory(gear, given, until)
+  } else if (inherits(gear, "codend_state")) {
+    started_trajectory(gear, given, until)
+  } else {
+    settled_trajectory(gear, given, until, nodes, netting)
+  }
+  march_trajectory(trajectory, until, every, method)
+}
+
+checked_gear <- function(gear) {
+  check_is_gear(gear)
+  gear
+}
+
+positive_or_null <- function(x) if (!is.null(x) && x > 0) x
+
+tow_schemes <- c(
+  "bdf2", "trapezoid", "backward_euler", "substitution", "symplectic_euler", "rk4"
+)
+
+# How to march: list(scheme, accuracy (m, 0 for steps of one length), step, tolerance, least_step,
+# most_step).
+tow_method <- function(scheme, accuracy, step) {
+  if (!is_text(scheme) || !scheme %in% tow_schemes) {
+    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {tow_schemes}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL)
+  }
+  implicit <- scheme %in% tow_schemes[1:3]
+  accuracy <- tow_quantity(accuracy, "accuracy", "length")
+  adaptive <- implicit && is.null(step)
+  list(
+    scheme = scheme, accuracy = if (adaptive) accuracy else 0,
+    step = if (is.null(step)) {
+      # cut down by the march to what is accurate or stable
+      if (implicit) 0.01 else 0.1
+    } else {
+      tow_quantity(step, "step", "time")
+    },
+    # Newton's method ends far below a step's own error, substitution at a share of its velocities
+    tolerance = if (implicit) 0.05 * accuracy else 1e-6 * accuracy,
+    least_step = 1e-7, most_step = if (adaptive) 60 else Inf
+  )
+}
+
+checked_winch <- function(winch) {
+  if (is.null(winch)) return(NULL)
+  known <- c("speed_limit", "tension_limit")
+  if (!is.list(winch) || !length(winch) || !all(names(winch) %in% known)) {
+    abort_schedule("winch", "must be a list of {.field speed_limit} and {.field tension_limit}.")
+  }
+  of <- c(speed_limit = "speed", tension_limit = "force")
+  for (name in names(winch)) {
+    winch[[name]] <- tow_quantity(winch[[name]], paste0("winch$", name), of[[name]])
+  }
+  winch
+}
+
+# A positive number in SI from a number or a text with a unit.
+tow_quantity <- function(value, name, dimension) {
+  si <- if (length(value) == 1L && (is_text(value) || is.numeric(value))) {
+    quantity_si(value, dimension)
+  } else {
+    NA_real_
+  }
+  if (!is.finite(si) || si <= 0) {
+    cli::cli_abort(
+      "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
+      {unit_examples(dimension)}).",
+      class = c("codend_error_argument", "codend_error"), call = NULL
+    )
+  }
+  si
+}

@@ -1,0 +1,137 @@
+#' Tables of a trajectory
+#'
+#' @details
+#' A trajectory is a list of class `codend_trajectory`. Over the ground, with n kept times:
+#'
+#' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy,
+#' step);
+#' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
+#'   line), `u_tension` and `v_tension` (netting triangles x n);
+#' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
+#'   (m/s), `course` (rad) and `heave` (m), and the length of each warp that the schedule moves (m);
+#' - `end`: `"reached"`, or `"interrupted"` by the user;
+#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
+#'   `iterations`, `shortest_step` and `longest_step` (s);
+#' - `memory`: what [tow()] needs to go on.
+#'
+#' @param x A trajectory, from [tow()].
+#' @param row.names `NULL` or names for the rows.
+#' @param optional Not used.
+#' @param what Which table (give it by name, as `what = "nodes"`), with a first column `time_s`:
+#'
+#'   - `"measures"`: `measure`, `value`, `unit` ([measures()] of the state at every time).
+#'   - `"conditions"`: what the schedule made of the vessel and its warps.
+#'   - `"tensions"`: `part`, `kind`, `role`, the largest and the mean tension of one line, `max_kN`,
+#'     `mean_kN`.
+#'   - `"nodes"`: `node` and its place over the ground, `x_m`, `y_m`, `z_m`.
+#' @param ... Not used.
+#' @return A data frame.
+#' @export
+as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
+                                            what = c("measures", "conditions", "tensions", "nodes"),
+                                            ...) {
+  what <- match.arg(what)
+  table <- switch(what,
+    measures = by_time(x, function(k) measure_table(state_at(x, x$time[k]))),
+    conditions = condition_units(x$conditions),
+    tensions = by_time(x, function(k) part_tensions(x, k)),
+    nodes = by_time(x, function(k) {
+      place <- x$position[, , k]
+      data.frame(
+        node = seq_len(ncol(place)), x_m = place[1, ], y_m = place[2, ], z_m = place[3, ]
+      )
+    })
+  )
+  if (!is.null(row.names)) row.names(table) <- row.names
+  table
+}
+
+by_time <- function(trajectory, table_at) {
+  tables <- lapply(seq_along(trajectory$time), function(k) {
+    table <- table_at(k)
+    cbind(time_s = rep(trajectory$time[k], nrow(table)), table)
+  })
+  do.call(rbind, tables)
+}
+
+# Conditions with units in the names of their columns.
+condition_units <- function(conditions) {
+  known <- c(
+    time = "time_s", x = "x_m", y = "y_m", speed = "speed_m_per_s", course = "course_deg",
+    heave = "heave_m"
+  )
+  parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
+  out <- conditions[c(names(known), parts)]
+  out$course <- out$course * 180 / pi
+  attr(out, "factor") <- NULL
+  setNames(out, c(known, parts))
+}
+
+# Largest and mean tension of every rope and panel at one of the kept times.
+part_tensions <- function(trajectory, k) {
+  lattice <- trajectory$lattice
+  parts <- lattice$parts
+  of <- c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part)
+  tension <- c(
+    trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k]
+  )
+  here <- sort(unique(of))
+  group <- factor(of, levels = here)
+  data.frame(
+    part = parts$name[here], kind = parts$kind[here], role = parts$role[here],
+    max_kN = as.double(tapply(tension, group, max)) / 1000,
+    mean_kN = as.double(tapply(tension, group, mean)) / 1000
+  )
+}
+
+#' @export
+print.codend_trajectory <- function(x, ...) {
+  last <- x$time[length(x$time)]
+  ended <- if (x$end == "interrupted") ", interrupted" else ""
+  cat(
+    sprintf("Tow of \"%s\": %s s, %d states%s", x$si$name, format(signif(last, 6)),
+      length(x$time), ended),
+    paste0("  ", size_text(x)),
+    sprintf("  %.0f steps of %s to %s s, %.0f repeated", first_of(x$report$steps, 0),
+      format(signif(first_of(x$report$shortest_step, 0), 3)),
+      format(signif(first_of(x$report$longest_step, 0), 3)),
+      first_of(x$report$repeated, 0) + first_of(x$report$not_found, 0)),
+    "  More: summary(), as.data.frame(), state_at(), measures(state_at())",
+    sep = "\n"
+  )
+  cat("\n")
+  invisible(x)
+}
+
+#' Summary of a trajectory
+#'
+#' @param object A trajectory, from [tow()].
+#' @param ... Not used.
+#' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at
+#'   the start and at the end, the least and the greatest, and the times of these (s).
+#' @export
+summary.codend_trajectory <- function(object, ...) {
+  table <- as.data.frame(object, what = "measures")
+  rows <- lapply(unique(table$measure), function(measure) {
+    of <- table[table$measure == measure, ]
+    data.frame(
+      measure = measure, unit = of$unit[1], start = of$value[1], end = of$value[nrow(of)],
+      least = min(of$value), least_at_s = of$time_s[which.min(of$value)],
+      greatest = max(of$value), greatest_at_s = of$time_s[which.max(of$value)]
+    )
+  })
+  structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"))
+}
+
+#' @export
+print.codend_trajectory_summary <- function(x, ...) {
+  said <- measure_words(x$measure)
+  number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
+  columns <- c(
+    list(c("", said$words)), list(c("", said$unit)),
+    lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(x[[name]])))
+  )
+  cat(align_columns(columns, left = 1:2), sep = "\n")
+  cat("\n")
+  invisible(x)
+}

@@ -1,0 +1,160 @@
+# A trajectory: states of a gear at chosen times, over the ground, and what is needed to go on.
+
+# What of a trajectory does not change as it is marched.
+trajectory_constants <- c(
+  "gear", "si", "lattice", "given", "plan", "curves", "breaks", "method", "every"
+)
+
+# What a march needs of the one before: see engine_tow().
+memory_fields <- c("now", "before", "steps", "caution", "step", "done")
+
+# what: the constants, as a list; frames: as the engine hands them over.
+gather_trajectory <- function(what, frames, end) {
+  last <- frames[[length(frames)]]
+  each <- function(pick) matrix(as.double(unlist(lapply(frames, pick))), ncol = length(frames))
+  n <- what$lattice$engine$nodes
+  three <- function(x) array(x, c(3L, n, length(frames)))
+  out <- c(what, list(
+    time = vapply(frames, function(f) f$now$time, 0),
+    position = three(each(function(f) f$now$position)),
+    velocity = three(each(function(f) f$now$velocity)),
+    bar_tension = each(function(f) f$bar_tension),
+    u_tension = each(function(f) f$u_tension),
+    v_tension = each(function(f) f$v_tension),
+    winch_length = each(function(f) f$done$length),
+    parted = each(function(f) f$done$parted),
+    end = end, report = last$report,
+    memory = last[memory_fields]
+  ))
+  out$conditions <- conditions_table(out)
+  structure(out, class = "codend_trajectory")
+}
+
+# Goes on with a trajectory until a time.
+march_trajectory <- function(trajectory, until, every, method) {
+  what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
+  what$method <- method
+  what$every <- every
+  past <- trajectory$memory
+  if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
+  stops <- tow_stops(past$now$time, until, every, what)
+  frames <- new.env(parent = emptyenv())
+  frames$list <- list()
+  keep <- function(frame) frames$list[[length(frames$list) + 1L]] <- frame
+  end <- "interrupted"
+  report <- NULL
+  tryCatch(
+    {
+      report <- engine_tow(what$lattice$engine, plan_as_done(what$plan, past$done), past, method,
+        stops, keep, steerer(what), tow_progress(past$now$time, until))
+      end <- report$end
+    },
+    interrupt = function(e) NULL
+  )
+  out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
+  if (end == "stuck") abort_stuck(report, out)
+  out
+}
+
+# Times at which steps end, and what happens there.
+tow_stops <- function(begun, until, every, what) {
+  steps_to <- function(every) {
+    first <- floor(begun / every + 1e-9) + 1
+    times <- every * seq(first, max(first, ceiling(until / every - 1e-9)))
+    pmin(times, until)
+  }
+  kept <- unique(steps_to(every))
+  steered <- if (is.null(what$given[["control"]])) numeric() else steps_to(what$given$control_every)
+  broken <- what$breaks[what$breaks > begun & what$breaks <= until]
+  time <- sort(unique(c(kept, broken, steered)))
+  list(
+    time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered
+  )
+}
+
+# The plan with its winches and ropes as they are.
+plan_as_done <- function(plan, done) {
+  for (k in seq_along(plan$parts)) {
+    if (is.null(plan$parts[[k]]$winch)) next
+    for (field in c("length", "since", "speed", "speed_wanted", "near_limit")) {
+      plan$parts[[k]]$winch[[field]] <- done[[field]][k]
+    }
+  }
+  for (k in seq_along(plan$partings)) {
+    plan$partings[[k]]$parted <- done$parted[k]
+    plan$partings[[k]]$parted_at <- done$parted_at[k]
+  }
+  plan
+}
+
+# A function(frame) that asks the user's control for the speed of every growing part, m/s.
+steerer <- function(what) {
+  control <- what$given$control
+  names <- vapply(what$plan$parts, `[[`, "", "name")
+  function(frame) {
+    now <- gather_trajectory(what, list(frame), "reached")
+    found <- control(measures(state_at(now, frame$now$time)), frame$now$time)
+    good <- is.numeric(found) && all(is.finite(found)) &&
+      (length(found) == 1L || all(names %in% names(found)))
+    if (!good) {
+      abort_schedule("control", "must give one finite speed in m/s, or one for each warp by name.")
+    }
+    if (length(found) == 1L) rep(as.double(found), length(names)) else as.double(found[names])
+  }
+}
+
+# The frames that a trajectory was gathered from.
+trajectory_frames <- function(trajectory) {
+  count <- length(trajectory$time)
+  lapply(seq_len(count), function(k) {
+    now <- list(
+      time = trajectory$time[k], position = as.vector(trajectory$position[, , k]),
+      velocity = as.vector(trajectory$velocity[, , k])
+    )
+    frame <- list(
+      now = now, bar_tension = trajectory$bar_tension[, k],
+      u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
+      done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
+    )
+    if (k == count) {
+      frame[memory_fields] <- trajectory$memory
+      frame$report <- trajectory$report
+    }
+    frame
+  })
+}
+
+# A function(time, steps) that shows simulated time, step and time left once a run has taken two
+# seconds.
+tow_progress <- function(begun, until) {
+  if (!cli::is_dynamic_tty()) return(function(time, steps) NULL)
+  started <- proc.time()[["elapsed"]]
+  bar <- NULL
+  frame <- parent.frame()
+  function(time, steps) {
+    if (is.null(bar)) {
+      if (proc.time()[["elapsed"]] - started < 2) return(NULL)
+      bar <<- cli::cli_progress_bar(
+        total = until - begun, .envir = frame, format = paste(
+          "{cli::pb_bar} Towing: {cli::pb_status} [{cli::pb_elapsed}], {cli::pb_eta} left"
+        )
+      )
+    }
+    cli::cli_progress_update(
+      set = time - begun, id = bar, .envir = frame,
+      status = sprintf("%.1f of %.1f s, step %.0f", time, until, steps)
+    )
+  }
+}
+
+abort_stuck <- function(report, trajectory) {
+  where <- describe_node(trajectory$lattice, report$worst_node)
+  cli::cli_abort(
+    c(
+      "The motion stands still at {signif(report$time, 6)} s: no step down to 1e-7 s was found.",
+      "x" = "Worst at {where}. What is done is the condition's {.field trajectory}."
+    ),
+    class = c("codend_error_not_converged", "codend_error"), report = report,
+    trajectory = trajectory, call = NULL
+  )
+}

@@ -1,0 +1,24 @@
+# make bench: everything that is measured, in one run. Argument: the most nodes (1e5).
+library(codend)
+rooms <- c("cases", "crude-starts", "own-process", "sizes", "rivals", "results", "page",
+  "cost-plot")
+for (room in rooms) source(file.path("bench", paste0(room, ".R")))
+
+given <- commandArgs(TRUE)
+most <- if (length(given)) as.numeric(given[1]) else 1e5
+if (is.na(most) || most < sizes$nodes[1]) {
+  stop("NODES is ", given[1], "; it must be a number of nodes, ", sizes$nodes[1], " or more.")
+}
+
+dir.create(results_folder, showWarnings = FALSE)
+runs <- run_all(most)
+medians <- summarise_runs(runs)
+exponents <- fit_exponents(medians)
+save_table(runs, "runs")
+save_table(medians, "medians")
+save_table(exponents, "exponents")
+save_cost_plot(medians, exponents)
+rivals <- compare_rivals()
+save_table(rivals, "rivals")
+write_page(runs, medians, exponents, rivals)
+cat(readLines(file.path(results_folder, "results.md")), sep = "\n")

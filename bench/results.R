@@ -1,0 +1,44 @@
+# Results as files: tables for programs (CSV) and one page for people (markdown), whole or not at
+# all.
+
+results_folder <- file.path("bench", "results")
+
+save_table <- function(table, name) {
+  codend:::write_whole(file.path(results_folder, paste0(name, ".csv")), function(path) {
+    utils::write.csv(table, path, row.names = FALSE)
+  })
+}
+
+save_page <- function(lines, name) {
+  codend:::write_whole(file.path(results_folder, paste0(name, ".md")), function(path) {
+    writeLines(lines, path)
+  })
+}
+
+# A data frame as lines of a markdown table, its names as the heads.
+markdown_table <- function(table) {
+  row <- function(cells) paste0("| ", paste(cells, collapse = " | "), " |")
+  is_number <- vapply(table, is.numeric, NA)
+  cells <- table
+  cells[] <- lapply(table, function(column) {
+    if (is.numeric(column)) vapply(column, plain_number, "") else ifelse(is.na(column), "", column)
+  })
+  body <- vapply(seq_len(nrow(cells)), function(i) row(unlist(cells[i, ])), "")
+  c(row(names(table)), row(ifelse(is_number, "---:", "---")), body)
+}
+
+# Three digits, without an exponent where people read it easily without.
+plain_number <- function(x) {
+  if (is.na(x)) return("")
+  if (x != 0 && abs(x) < 1e-4) return(format(x, digits = 2))
+  if (x == round(x)) return(format(x, big.mark = ",", scientific = FALSE))
+  format(signif(x, 3), big.mark = ",", scientific = FALSE, drop0trailing = TRUE)
+}
+
+# The terms under which figures were taken, in one line.
+measured_with <- function() {
+  sprintf(
+    "codend %s, %s, %d cores seen, %s.", utils::packageVersion("codend"), R.version.string,
+    parallel::detectCores(), format(Sys.Date())
+  )
+}

@@ -1,0 +1,92 @@
+# The refined cases at every size from five crude starts, and what their medians grow as.
+
+# Nodes asked for, and the CPU seconds (of one settle()) after which a run counts as failed: some
+# twenty times what each size should take.
+sizes <- data.frame(nodes = c(1500, 1e4, 1e5, 1e6), limit = c(20, 60, 600, 3600))
+
+# Fitted over these sizes, both included.
+fitted_nodes <- c(1000, 150000)
+
+cost_columns <- c("settle", "lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")
+
+# Runs one case from every start: a data frame, a row per run. A start that fails at a size of a
+# minute and more ends its row of starts, so that a bench of what does not work yet ends.
+run_case <- function(name, nodes, limit) {
+  rows <- list()
+  for (start in starts) {
+    asked <- format(nodes, scientific = FALSE)
+    found <- in_own_process("measure-settle.R", name, asked, start, limit)
+    rows[[start]] <- c(
+      list(case = name, asked = nodes, start = start), found[!vapply(found, is.null, NA)]
+    )
+    cat(sprintf(
+      "%-28s %8s nodes, start %d: %s, %s CPU s\n", known_cases[[name]]$label,
+      if (nodes > 0) format(nodes, big.mark = ",", scientific = FALSE) else "plan's", start,
+      substr(found$outcome, 1, 60), format(signif(c(found$settle, NA)[1], 3))
+    ))
+    if (found$outcome != "settled" && limit > 60) break
+  }
+  bind_rows(rows)
+}
+
+# The public cases and the refined ones up to `most` nodes, a row per run. A case none of whose
+# starts settled at one size is not tried at the next.
+run_all <- function(most) {
+  runs <- lapply(names(public), run_case, nodes = 0, limit = 60)
+  for (name in names(refined)) {
+    for (k in which(sizes$nodes <= most)) {
+      found <- run_case(name, sizes$nodes[k], sizes$limit[k])
+      runs <- c(runs, list(found))
+      if (!any(found$outcome == "settled")) break
+    }
+  }
+  bind_rows(unlist(lapply(runs, function(run) split(run, seq_len(nrow(run)))), recursive = FALSE))
+}
+
+# One data frame of lists of single values that need not have the same names.
+bind_rows <- function(rows) {
+  columns <- unique(unlist(lapply(rows, names)))
+  as.data.frame(
+    stats::setNames(lapply(columns, function(column) {
+      unlist(lapply(rows, function(row) if (is.null(row[[column]])) NA else row[[column]]))
+    }), columns)
+  )
+}
+
+# A row per case and size: how many of the runs settled, and medians over those.
+summarise_runs <- function(runs) {
+  groups <- split(runs, list(factor(runs$case, unique(runs$case)), runs$asked), drop = TRUE)
+  rows <- lapply(groups, function(group) {
+    settled <- group[group$outcome == "settled", ]
+    numbers <- setdiff(names(group)[vapply(group, is.numeric, NA)], c("asked", "start"))
+    c(
+      list(case = group$case[1], asked = group$asked[1], starts = nrow(group),
+        settled = nrow(settled)),
+      lapply(settled[numbers], stats::median),
+      list(settle_least = least(settled$settle), settle_most = -least(-settled$settle))
+    )
+  })
+  found <- bind_rows(rows)
+  found[order(match(found$case, names(known_cases)), found$asked), ]
+}
+
+least <- function(x) if (length(x)) min(x) else NA_real_
+
+# Exponents of medians against nodes, a row per case; NA where fewer than two sizes settled.
+fit_exponents <- function(medians) {
+  cases <- intersect(names(refined), medians$case)
+  rows <- lapply(cases, function(case) {
+    of <- medians[medians$case == case & medians$settled > 0 &
+      medians$asked >= fitted_nodes[1] & medians$asked <= fitted_nodes[2], ]
+    slope <- function(column) {
+      use <- which(of[[column]] > 0)
+      if (length(use) < 2L) return(NA_real_)
+      stats::coef(stats::lm(log(of[[column]][use]) ~ log(of$nodes[use])))[[2]]
+    }
+    columns <- stats::setNames(nm = c(cost_columns, "iterations", "rise"))
+    c(
+      list(case = case, from = least(of$nodes), to = -least(-of$nodes)), lapply(columns, slope)
+    )
+  })
+  bind_rows(rows)
+}

@@ -1,0 +1,27 @@
+// Where all nodes are and how they move, at one time, and what a scheme remembers of times before.
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+
+namespace codend {
+
+using Values = Eigen::VectorXd;
+
+struct Motion {
+  double time = 0.0;  // s
+  Values x, v, a;     // m, m/s, m/s2, 3 per node; a is zero where a scheme has no use for it
+};
+
+// The last two steps. Where `steps` is 0 there is none before: at the start, or where an event
+// broke the motion.
+struct Past {
+  Motion now, before;
+  int steps = 0;
+  int caution = 0;  // steps that may not grow yet, after one that was not found
+
+  double last_step() const { return now.time - before.time; }
+};
+
+}  // namespace codend

@@ -1,0 +1,405 @@
+// Time schemes against closed forms, and the march's own promises.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "march/explicit_step.hpp"
+#include "march/march.hpp"
+#include "march/newton_step.hpp"
+#include "march/substitution.hpp"
+#include "random_model.hpp"
+
+namespace {
+
+using namespace codend;
+
+// 1 kg between two bars that are both taut within 0.5 m of the middle: 100 N/m along x, 10 rad/s.
+struct Oscillator {
+  Model model;
+  Motion start;
+  Oscillator() {
+    model.nodes = 3;
+    model.held = {1, 0, 1};
+    model.water.density = 0.0;
+    model.load.assign(9, 0.0);
+    model.mass = {0.0, 1.0, 0.0};
+    TwineMaterial material;
+    material.axial_stiffness = 50.0;
+    model.materials = {material};
+    model.bars.node = {0, 1, 1, 2};
+    model.bars.rest = {1.0, 1.0};
+    model.bars.multiplicity = {1.0, 1.0};
+    model.bars.material = {0, 0};
+    model.connect();
+    start.x = Values::Zero(9);
+    start.x << -1.5, 0.0, 0.0, 0.1, 0.0, 0.0, 1.5, 0.0, 0.0;
+    start.v = Values::Zero(9);
+  }
+  Oscillator(const Oscillator&) = delete;
+};
+
+enum class Name { backward_euler, bdf2, trapezoid, substitution, symplectic_euler, rk4 };
+constexpr Name names[] = {Name::backward_euler, Name::bdf2, Name::trapezoid, Name::substitution,
+                          Name::symplectic_euler, Name::rk4};
+
+std::unique_ptr<Stepper> stepper(Name name, Assembly& assembly, const Motion& start) {
+  switch (name) {
+    case Name::backward_euler:
+      return std::make_unique<NewtonStep>(assembly, NewtonScheme::backward_euler, 1e-12);
+    case Name::bdf2:
+      return std::make_unique<NewtonStep>(assembly, NewtonScheme::bdf2, 1e-12);
+    case Name::trapezoid:
+      return std::make_unique<NewtonStep>(assembly, NewtonScheme::trapezoid, 1e-12);
+    case Name::substitution:
+      return std::make_unique<SubstitutionStep>(assembly, 1e-13, 1000, start);
+    case Name::symplectic_euler:
+      return std::make_unique<SymplecticEulerStep>(assembly, start);
+    default:
+      return std::make_unique<RungeKuttaStep>(assembly, start);
+  }
+}
+
+Motion march(const Model& model, const Motion& start, Name name, double until,
+             const MarchControl& control, MarchReport* report = nullptr) {
+  Assembly assembly(model);
+  SteadyConditions conditions(model.held, start);
+  const std::unique_ptr<Stepper> scheme = stepper(name, assembly, start);
+  Past past;
+  past.now = start;
+  March march(assembly, *scheme, conditions, control, past);
+  CHECK(march.to(until) == MarchReport::End::reached);
+  if (report) *report = march.report();
+  return march.now();
+}
+
+}  // namespace
+
+TEST_CASE("every scheme has its order on a smooth motion") {
+  const Oscillator o;
+  const double order[] = {1.0, 2.0, 2.0, 2.0, 1.0, 4.0};
+  for (const Name name : names) {
+    CAPTURE(static_cast<int>(name));
+    auto error = [&](double step) {
+      MarchControl control;
+      control.step = step;
+      const Motion end = march(o.model, o.start, name, 1.0, control);
+      CHECK(end.time == doctest::Approx(1.0).epsilon(1e-12));
+      const double x = end.x[3] - 0.1 * std::cos(10.0), v = end.v[3] + std::sin(10.0);
+      return std::hypot(x, 0.1 * v);
+    };
+    // h w = 0.01 and 0.005: the next term of the error is smaller by some 1e-2.
+    const double slope = std::log2(error(1e-3) / error(5e-4));
+    CHECK(slope == doctest::Approx(order[static_cast<int>(name)]).epsilon(0.02));
+  }
+}
+
+namespace {
+
+constexpr double gravity = 9.81;
+
+// A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
+// end of a bar; in vacuum unless told.
+struct String {
+  Model model;
+  Motion start;
+  String(int bars, double length, double axial_stiffness, double mass_per_length) {
+    const double rest = length / bars;
+    model.nodes = bars + 1;
+    model.held.assign(model.nodes, 0);
+    model.water.density = 0.0;
+    model.load.assign(3 * static_cast<std::size_t>(model.nodes), 0.0);
+    model.mass.assign(model.nodes, rest * mass_per_length);
+    model.mass.front() = model.mass.back() = 0.5 * rest * mass_per_length;
+    TwineMaterial material;
+    material.axial_stiffness = axial_stiffness;
+    model.materials = {material};
+    for (int b = 0; b < bars; ++b) {
+      model.bars.node.push_back(b);
+      model.bars.node.push_back(b + 1);
+    }
+    model.bars.rest.assign(bars, rest);
+    model.bars.multiplicity.assign(bars, 1.0);
+    model.bars.material.assign(bars, 0);
+    model.connect();
+    start.x = start.v = Values::Zero(3 * model.nodes);
+    for (int n = 0; n < model.nodes; ++n) at(start.x.data(), n).z() = n * rest;
+  }
+  String(const String&) = delete;
+
+  double energy(const Motion& motion) const {
+    double sum = 0.0;
+    for (int n = 0; n < model.nodes; ++n) {
+      sum += 0.5 * model.mass[n] * at(motion.v.data(), n).squaredNorm() -
+             at(model.load.data(), n).dot(at(motion.x.data(), n));
+    }
+    model.each_line([&](const auto& line) {
+      sum += line.multiplicity *
+             twine_energy(*line.material, line.vector(motion.x.data()).norm(), line.rest);
+    });
+    return sum;
+  }
+};
+
+Vector momentum(const Model& model, const Motion& motion) {
+  Vector sum = Vector::Zero();
+  for (int n = 0; n < model.nodes; ++n) sum += model.mass[n] * at(motion.v.data(), n);
+  return sum;
+}
+
+// Time between the first and the last crossing of zero over the half swings between them.
+template <class Sample>
+double half_swing(double step, int steps, Sample sample) {
+  double first = 0.0, last = 0.0, before = sample();
+  int crossings = 0;
+  for (int k = 1; k <= steps; ++k) {
+    const double now = sample();
+    if ((before > 0.0) != (now > 0.0)) {
+      last = step * (k - 1 + before / (before - now));
+      if (crossings++ == 0) first = last;
+    }
+    before = now;
+  }
+  return (last - first) / (crossings - 1);
+}
+
+}  // namespace
+
+TEST_CASE("a hanging chain swings at its lowest frequency") {
+  // w = j0/2 sqrt(g/L), j0 = 2.404826 the first zero of the Bessel function J0.
+  const int bars = 40;
+  const double length = 10.0;
+  String chain(bars, length, 1e6, 1.0);
+  chain.model.held.back() = 1;
+  for (int n = 0; n < chain.model.nodes; ++n) {
+    at(chain.model.load.data(), n).z() = -gravity * chain.model.mass[n];
+  }
+  Assembly assembly(chain.model);
+  // Stretched as it hangs, and its free end set off as the mode J0(j0 sqrt(s/L)) is, nearly.
+  double z = length;
+  for (int n = bars; n >= 0; --n) {
+    const double s = n * length / bars;
+    at(chain.start.x.data(), n).z() = z;
+    at(chain.start.x.data(), n).x() =
+        0.01 * std::cyl_bessel_j(0.0, 2.404826 * std::sqrt(s / length));
+    z -= length / bars * (1.0 + gravity * (s - 0.5 * length / bars) / 1e6);
+  }
+  SteadyConditions conditions(chain.model.held, chain.start);
+  NewtonStep scheme(assembly, NewtonScheme::trapezoid, 1e-12);
+  MarchControl control;
+  control.step = 0.02;
+  Past past;
+  past.now = chain.start;
+  March march(assembly, scheme, conditions, control, past);
+  int k = 0;
+  const double period = 2.0 * half_swing(control.step, 1000, [&] {
+    REQUIRE(march.to(++k * control.step) == MarchReport::End::reached);
+    return march.now().x[0];
+  });
+  const double exact = 2.0 * 3.14159265358979 / (0.5 * 2.404826 * std::sqrt(gravity / length));
+  // (w h)^2/12 = 5e-6 of the rule, 1/(4 bars)^2 = 4e-5 of the lumped chain; 1e-3 in all with the
+  // linear crossing of zero and the small share of other modes.
+  CHECK(period == doctest::Approx(exact).epsilon(1e-3));
+}
+
+TEST_CASE("a wave travels along a taut rope at sqrt(T/m)") {
+  // 100 N, 1 kg/m: 10 m/s. A hump 4 m wide splits in two; each half has moved 20 m after 2 s.
+  const int bars = 400;
+  const double length = 100.0, tension = 100.0, stiffness = 1e5;
+  String rope(bars, length, stiffness, 1.0);
+  rope.model.held.front() = rope.model.held.back() = 1;
+  const double stretch = 1.0 + tension / stiffness;
+  for (int n = 0; n <= bars; ++n) {
+    at(rope.start.x.data(), n).z() *= stretch;
+    const double s = (n * length / bars - 0.5 * length) / 4.0;
+    at(rope.start.x.data(), n).x() = 0.01 * std::exp(-s * s);
+  }
+  MarchControl control;
+  control.step = 0.01;
+  for (const Name name : {Name::bdf2, Name::trapezoid}) {
+    CAPTURE(static_cast<int>(name));
+    const Motion end = march(rope.model, rope.start, name, 2.0, control);
+    double weight = 0.0, place = 0.0, top = 0.0;
+    for (int n = bars / 2; n <= bars; ++n) {
+      const double x = end.x[3 * n], s = n * length / bars - 0.5 * length;
+      weight += x;
+      place += x * s;
+      top = std::max(top, x);
+    }
+    // A whole node is 0.25 m; BDF2 slows waves of 2 pi/w = 1 s by (w h)^2/3 = 1e-3.
+    CHECK(place / weight == doctest::Approx(20.0).epsilon(0.005));
+    CHECK(top == doctest::Approx(0.005).epsilon(0.02));
+  }
+}
+
+TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
+  const double volume = 3.14159265358979323846 / 6.0 * 0.027;
+  Model model;
+  model.nodes = 1;
+  model.held = {0};
+  model.load = {0.0, 0.0, -gravity * volume * (2000.0 - 1025.0)};
+  model.mass = {2000.0 * volume};
+  model.spheres.node = {0};
+  model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
+  model.spheres.diameter = {0.0};
+  model.spheres.added_mass = {0.5 * volume};
+  model.connect();
+  Motion start;
+  start.x = start.v = Values::Zero(3);
+  for (const Name name : names) {
+    CAPTURE(static_cast<int>(name));
+    MarchControl control;
+    control.step = 1e-3;
+    const Motion end = march(model, start, name, 1.0, control);
+    const bool first_order = name == Name::backward_euler || name == Name::symplectic_euler;
+    // h/tau = 1.4e-3 of the speed gained, times the curvature's 1 or less.
+    CHECK(-end.v[2] == doctest::Approx(2.8180971 * std::tanh(1.0 / 0.74026701))
+                           .epsilon(first_order ? 1.5e-3 : 1e-6));
+  }
+}
+
+TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
+  // A ring of 12 taut bars with slack ones across, thrown and turning.
+  String net(12, 12.0, 500.0, 0.5);
+  Random random(20260460);
+  for (int n = 0; n < 13; ++n) {
+    const double turn = 2.0 * 3.14159265358979 * n / 13;
+    at(net.start.x.data(), n) = Vector(2.4 * std::cos(turn), 2.4 * std::sin(turn), 0.0);
+    at(net.start.v.data(), n) =
+        Vector(1.0, -0.5, 0.3) + 0.8 * Vector(-std::sin(turn), std::cos(turn), 0.0) +
+        random.vector(0.05);
+  }
+  for (const int other : {3, 6, 9}) {
+    net.model.bars.node.push_back(0);
+    net.model.bars.node.push_back(other);
+    net.model.bars.rest.push_back(6.0);
+    net.model.bars.multiplicity.push_back(1.0);
+    net.model.bars.material.push_back(0);
+  }
+  net.model.connect();
+  const Vector before = momentum(net.model, net.start);
+  const double energy = net.energy(net.start);
+  // w h = 0.045 for the fastest swing of a bar. The trapezoid and the explicit schemes shift the
+  // energy by (w h)^2; BDF2 damps what swings that fast by (w h)^4/2 a step, 1e-2 in all.
+  MarchControl control;
+  control.step = 1e-3;
+  for (const Name name : names) {
+    CAPTURE(static_cast<int>(name));
+    const Motion end = march(net.model, net.start, name, 5.0, control);
+    // 5000 steps, each found to 1e-12 m or rounding: p^2 M dx = 1e-6 kg m/s2 over 1 ms.
+    CHECK((momentum(net.model, end) - before).norm() < 1e-7 * before.norm());
+    const double drift = net.energy(end) / energy - 1.0;
+    const bool damps = name == Name::backward_euler || name == Name::bdf2;
+    if (damps) CHECK(drift < 0.0);
+    if (name == Name::bdf2) CHECK(drift > -1e-2);
+    if (!damps) CHECK(std::abs(drift) < 2e-3);
+  }
+}
+
+TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") {
+  const Oscillator o;
+  for (const Name name : {Name::bdf2, Name::trapezoid, Name::backward_euler}) {
+    CAPTURE(static_cast<int>(name));
+    double last = 1.0;
+    for (const double accuracy : {1e-4, 1e-6}) {
+      MarchControl control;
+      control.accuracy = accuracy;
+      control.step = 1e-3;
+      MarchReport report;
+      const Motion end = march(o.model, o.start, name, 1.0, control, &report);
+      const double error = std::abs(end.x[3] - 0.1 * std::cos(10.0));
+      // An undamped swing adds up the errors of its steps, in position and in velocity over w.
+      CHECK(error < 2.0 * accuracy * static_cast<double>(report.steps));
+      CHECK(error < last);
+      last = error;
+    }
+  }
+  Oscillator still;
+  still.start.x[3] = 0.0;
+  MarchControl control;
+  control.accuracy = 1e-3;
+  control.step = 1e-3;
+  MarchReport report;
+  const Motion end = march(still.model, still.start, Name::bdf2, 500.0, control, &report);
+  CHECK(end.x[3] == 0.0);
+  CHECK(report.longest_step == doctest::Approx(60.0));
+  CHECK(report.steps < 40);
+}
+
+TEST_CASE("an explicit step that is too long is cut to what is stable") {
+  const Oscillator o;
+  for (const Name name : {Name::symplectic_euler, Name::rk4, Name::substitution}) {
+    CAPTURE(static_cast<int>(name));
+    MarchControl control;
+    control.step = 1.0;
+    MarchReport report;
+    const Motion end = march(o.model, o.start, name, 20.0, control, &report);
+    CHECK(std::abs(end.x[3]) < 0.2);
+    // w = 10 1/s exactly: below 2/w, or 2.78/w with RK4.
+    CHECK(report.longest_step < (name == Name::rk4 ? 0.278 : 0.2));
+    CHECK(report.longest_step > 0.15);
+  }
+}
+
+TEST_CASE("equal marches give equal bytes, and so does one that is taken up half-way") {
+  const Oscillator o;
+  MarchControl control;
+  control.accuracy = 1e-4;
+  control.step = 1e-2;
+  for (const Name name : {Name::bdf2, Name::trapezoid}) {
+    auto go = [&](bool halt) {
+      Assembly assembly(o.model);
+      SteadyConditions conditions(o.model.held, o.start);
+      std::unique_ptr<Stepper> scheme = stepper(name, assembly, o.start);
+      Past past;
+      past.now = o.start;
+      March first(assembly, *scheme, conditions, control, past);
+      first.to(0.7);
+      if (!halt) {
+        first.to(1.5);
+        return first.now().x;
+      }
+      Assembly other(o.model);
+      std::unique_ptr<Stepper> again = stepper(name, other, o.start);
+      MarchControl go_on = control;
+      go_on.step = first.step();
+      March second(other, *again, conditions, go_on, first.past());
+      second.to(1.5);
+      return second.now().x;
+    };
+    const Values whole = go(false);
+    CHECK(whole == go(false));
+    CHECK(whole == go(true));
+  }
+}
+
+TEST_CASE("a damper takes the energy out of a swing at its rate") {
+  // 1 kg on 100 N/m with c_physical = 2 z w m in all: x = 0.1 exp(-z w t) cos(w sqrt(1 - z^2) t) ..
+  Oscillator o;
+  const double ratio = 0.05, rate = 10.0;
+  // Two bars of 1 m: 2 c / L0^2 = 2 z w m, and the table holds c/L0.
+  o.model.materials[0].damping = ratio * rate;
+  o.model.connect();
+  MarchControl control;
+  control.step = 1e-3;
+  const Motion end = march(o.model, o.start, Name::trapezoid, 1.0, control);
+  const double w = rate * std::sqrt(1.0 - ratio * ratio);
+  const double exact = 0.1 * std::exp(-ratio * rate) *
+                       (std::cos(w) + ratio / std::sqrt(1.0 - ratio * ratio) * std::sin(w));
+  CHECK(end.x[3] == doctest::Approx(exact).epsilon(1e-3));  // (w h)^2/12 of w t = 10
+}
+
+TEST_CASE("curves are cubics between their ends, with jumps") {
+  // t^3 on [0, 2], then 5 for good.
+  Curve curve{{0.0, 2.0, 3.0}, {0.0, 5.0}, {8.0, 5.0}, {0.0, 0.0}, {12.0, 0.0}};
+  double value, rate;
+  for (const double t : {0.1, 0.7, 1.9}) {
+    curve.at(t, Side::before, value, rate);
+    CHECK(value == doctest::Approx(t * t * t).epsilon(1e-14));
+    CHECK(rate == doctest::Approx(3.0 * t * t).epsilon(1e-13));
+  }
+  CHECK(curve.at(2.0, Side::before) == 8.0);
+  CHECK(curve.at(2.0, Side::after) == 5.0);
+  CHECK(curve.at(-1.0) == 0.0);
+  CHECK(curve.at(9.0) == 5.0);
+}

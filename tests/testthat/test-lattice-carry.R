@@ -1,0 +1,84 @@
+# Shapes carried from lattice to lattice.
+
+tapered_panel <- function(deep = 30) {
+  list(
+    codend = 1, name = "Tapered panel", water = list(density = 0),
+    points = list(
+      left = list(position = c(0, 0, 0), held = "fixed"),
+      right = list(position = c(0, 4, 0), held = "fixed")
+    ),
+    panels = list(net = list(
+      mesh_size = 0.1, meshes = list(upper = 60, lower = 24, deep = deep),
+      twine = list(diameter = 0.002, axial_stiffness = 1e3, mass_per_length = 0.01)
+    )),
+    ropes = list(line = list(
+      along = list("net.right"), length = 3, diameter = "8 mm", material = "PP"
+    )),
+    seams = list(top = list(edges = list("net.upper"), held_between = c("left", "right")))
+  )
+}
+
+# The lattice with a shape that is linear in the panel's mesh coordinates, and the places of all
+# nodes in these.
+drawn_flat <- function(si, nodes, netting) {
+  lattice <- build_lattice(si, nodes, netting)
+  table <- panel_table(si$panels)
+  at <- panel_places(table, lattice$division, lattice$panels)
+  j <- at$t * table$deep
+  left <- panel_left(table, j)
+  i <- left + at$s * (panel_right(table, j) - left)
+  position <- matrix(NA_real_, 3L, lattice$nodes)
+  position[, at$node] <- rbind(2 * i - j, i + 3 * j, 0.5 * j)
+  list(lattice = lattice, position = lattice_points(lattice, position), nodes = position)
+}
+
+test_that("shapes linear in mesh coordinates are carried exactly, whatever the netting", {
+  si <- gear_si(as_gear(tapered_panel()))
+  for (from in c("triangles", "bars")) {
+    for (to in c("triangles", "bars")) {
+      coarse <- drawn_flat(si, 80, from)
+      fine <- drawn_flat(si, 1000, to)
+      carried <- carry_positions(
+        panel_table(si$panels), fine$lattice, coarse$lattice, coarse$position
+      )
+      free <- !fine$lattice$engine$held
+      expect_gt(fine$lattice$nodes, 4 * coarse$lattice$nodes)
+      # Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.
+      expect_lt(max(abs(carried - fine$nodes)[, free]), if (to == "bars") 1e-6 else 1e-11)
+    }
+  }
+})
+
+test_that("a shape carried to the same division is the same shape", {
+  si <- gear_si(as_gear(tapered_panel()))
+  lattice <- build_lattice(si, 200, "bars")
+  shape <- matrix(seq_len(3 * lattice$nodes) / 7, 3L)
+  from <- list(lattice = lattice, position = lattice_points(lattice, shape))
+  again <- build_lattice(si, 200, "bars", from)
+  free <- !lattice$engine$held
+  expect_identical(again$start[, free], shape[, free])
+  expect_identical(again$engine$bars, lattice$engine$bars)
+})
+
+test_that("strains linear along and across each family are carried, and others held at the ends", {
+  si <- gear_si(as_gear(tapered_panel()))
+  table <- panel_table(si$panels)
+  for (from in c("triangles", "bars")) {
+    for (to in c("triangles", "bars")) {
+      coarse <- build_lattice(si, 400, from)
+      fine <- build_lattice(si, 2000, to)
+      strain <- function(lattice) {
+        at <- line_places(table, lattice)
+        # the rope is part 1, the panel part 2: families 2, 4 and 5
+        list(at = at, value = ifelse(at$family == 2, at$s, at$family + at$s - 2 * at$t))
+      }
+      carried <- carry_strains(table, fine, coarse, strain(coarse)$value)
+      wanted <- strain(fine)
+      expect_setequal(wanted$at$family, c(2, 4, 5))
+      inner <- abs(wanted$at$s - 0.5) < 0.3 & abs(wanted$at$t - 0.5) < 0.4
+      expect_gt(sum(inner), 500)
+      # depths are told apart to 1e-6 of the panel's
+      expect_lt(max(abs(carried[inner] - wanted$value[inner])), 3e-6)
+    }
+  }
+})

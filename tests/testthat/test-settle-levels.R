@@ -1,0 +1,49 @@
+# Coarse to fine, and from a state.
+
+test_that("levels grow by the ratio from the coarsest", {
+  expect_identical(coarse_levels(300), numeric())
+  expect_identical(coarse_levels(501), 250)
+  expect_equal(coarse_levels(1e5), c(250, 1e5 / 7^2, 1e5 / 7))
+  expect_equal(coarse_levels(1e4), c(250, 1e4 / 7))
+})
+
+test_that("coarse to fine ends where the crude start ends", {
+  gear <- read_gear("midwater_trawl")
+  state <- settle(gear, nodes = 1000, netting = "bars")
+  crude <- settle_level(gear_si(gear), 1000, "bars", NULL, 800L, function(...) NULL)
+  expect_true(crude$report$converged)
+  # Forces in balance to 1e-8 of the largest tension; slack twine has little to hold it in place.
+  expect_equal(crude$position, as.vector(state$position), tolerance = 1e-6)
+  expect_lt(state$report$iterations, crude$report$iterations)
+})
+
+test_that("a state is the start of another speed, warp or finer lattice", {
+  gear <- read_gear("midwater_trawl")
+  state <- settled("midwater_trawl", nodes = 500)
+  again <- settle(gear, nodes = 500, from = state)
+  expect_identical(again$report$factorisations, 0L)
+  expect_identical(again$position, state$position)
+
+  faster <- update(gear, towing = list(speed = "5 knot"))
+  near <- settle(faster, nodes = 500, from = state)
+  anew <- settle(faster, nodes = 500)
+  expect_equal(measures(near), measures(anew), tolerance = 1e-5)
+  crude <- settle_level(gear_si(faster), 500, NULL, NULL, 800L, function(...) NULL)
+  expect_lt(near$report$factorisations, crude$report$factorisations)
+
+  finer <- settle(gear, nodes = 1500, from = state)
+  expect_gt(finer$lattice$nodes, 1000)
+  expect_equal(
+    measures(finer)[["total_drag_kN"]], measures(settled("midwater_trawl"))[["total_drag_kN"]],
+    tolerance = 1e-6
+  )
+})
+
+test_that("a state of other parts is refused", {
+  state <- settled("towed_cable")
+  expect_error(
+    settle("crossing_cables", from = state), "must be a state of a gear with the same ropes",
+    class = "codend_error_argument"
+  )
+  expect_error(settle("towed_cable", from = 3), "must be a state", class = "codend_error_argument")
+})

@@ -1,0 +1,199 @@
+# A short cable with a weight: cheap enough to tow many times.
+short_cable_plan <- list(
+  codend = 1, name = "Short cable", towing = list(speed = 2),
+  points = list(ship = list(position = c(0, 0, 0), held = "moved"), body = list()),
+  ropes = list(cable = list(
+    from = "ship", to = "body", length = 60, diameter = 0.012, axial_stiffness = 2e6,
+    mass_per_length = 0.4, segments = 12, role = "warp", strength = 5e3
+  )),
+  pieces = list(weight = list(
+    at = "body", mass = 100, volume = 0.02, drag_area = 0.05, role = "catch"
+  )),
+  measures = list(depth = list(depth = "body"), tension = list(tension = "cable.start"))
+)
+
+short_cable <- function(...) {
+  plan <- short_cable_plan
+  plan$tow <- list(...)
+  as_gear(plan)
+}
+
+test_that("a settled gear stays as it is with every scheme", {
+  state <- settle(short_cable())
+  for (scheme in tow_schemes) {
+    found <- tow(state, until = 2, every = 1, scheme = scheme)
+    expect_identical(found$time, c(0, 1, 2))
+    # settled to 1e-8 of the tension, 16 N/m or more at every node: far below 1e-6 m
+    moved <- found$position[, , 3] - (state$position - c(2 * 2, 0, 0))
+    expect_lt(max(abs(moved)), 1e-6)
+    expect_equal(measures(state_at(found, 2)), measures(state), tolerance = 1e-6)
+  }
+})
+
+test_that("a new speed leads to the gear that settles at it", {
+  for (scheme in c("bdf2", "backward_euler")) {
+    found <- tow(short_cable(), until = 400, every = 400, scheme = scheme,
+      speed = data.frame(time = c(0, 5, 5), value = c(2, 2, 3)), accuracy = 1e-6)
+    expected <- settle(update(short_cable(), towing.speed = 3))
+    # swings die out within some 20 s; accuracies of 1e-6 m leave what is left of them small
+    expect_equal(measures(state_at(found, 400)), measures(expected), tolerance = 1e-6)
+  }
+})
+
+test_that("a gear on a new course is the old one turned", {
+  found <- tow(short_cable(), until = 300, every = 300,
+    course = data.frame(time = c(0, 20, 60), value = c("0 deg", "0 deg", "90 deg")),
+    accuracy = 1e-6)
+  before <- state_at(found, 0)
+  after <- state_at(found, 300)
+  # steps of 1e-6 m of error each, some tens within the gear's memory, on 43 m
+  expect_equal(after$position, before$position, tolerance = 3e-6)
+  expect_equal(found$conditions$speed, c(2, 2))
+  # 20 s ahead, a quarter of a circle of 80 m of arc, then 240 s to starboard
+  radius <- 80 / (pi / 2)
+  expect_equal(found$conditions$x[2], -40 - radius, tolerance = 1e-7)
+  expect_equal(found$conditions$y[2], radius + 480, tolerance = 1e-7)
+})
+
+test_that("a warp that is paid out hangs as a warp of its new length", {
+  found <- tow(short_cable(), until = 400, every = 400,
+    warp_out = data.frame(time = c(0, 100), value = c(60, 90)), accuracy = 1e-6)
+  expected <- settle(update(short_cable(), ropes.cable.length = 90))
+  expect_equal(measures(state_at(found, 400)), measures(expected), tolerance = 1e-5)
+  expect_equal(found$conditions$cable, c(60, 90))
+  expect_equal(sum(state_at(found, 400)$lattice$engine$bars$rest), 90)
+})
+
+test_that("a tow begins settled with the warp and speed of its start", {
+  found <- tow(short_cable(), until = 1, every = 1, speed = 1.5, warp_out = 30)
+  expected <- settle(update(short_cable(), towing.speed = 1.5, ropes.cable.length = 30))
+  expect_equal(measures(state_at(found, 0)), measures(expected), tolerance = 1e-6)
+  expect_equal(measures(state_at(found, 1)), measures(expected), tolerance = 1e-6)
+})
+
+test_that("a winch turns no faster than it can, and gives way at its tension", {
+  slow <- tow(short_cable(), until = 100, every = 10, winch = list(speed_limit = 0.2),
+    warp_out = data.frame(time = c(0, 10), value = c(60, 70)))
+  expect_equal(slow$conditions$cable, c(60, 62, 64, 66, 68, rep(70, 6)), tolerance = 1e-6)
+
+  # the weight pulls with 0.92 kN; the limit lets out cable until the weight is nearly free
+  free <- tow(short_cable(), until = 30, every = 5,
+    winch = list(speed_limit = 3, tension_limit = 800))
+  expect_true(all(diff(free$conditions$cable) > 0))
+  tension <- as.data.frame(free)
+  tension <- tension$value[tension$measure == "tension_kN"]
+  expect_gt(tension[1], 0.88)
+  # it slips at full speed where 10 % above its limit
+  expect_lt(max(tension[-1]), 0.88)
+})
+
+test_that("a control holds a weight at its depth by the warp", {
+  found <- tow(short_cable(), until = 600, every = 600, winch = list(speed_limit = 0.5),
+    control = function(measures, time) 0.05 * (60 - measures[["depth_m"]]))
+  expect_equal(measures(state_at(found, 600))[["depth_m"]], 60, tolerance = 1e-3)
+  expect_error(
+    tow(short_cable(), until = 20, control = function(measures, time) NA),
+    class = "codend_error_argument"
+  )
+})
+
+test_that("a cable that parts lets the weight sink freely", {
+  found <- tow(short_cable(), until = 60, every = 10,
+    part = list(list(rope = "cable", time = 10, place = "end")))
+  expect_true(all(found$parted[1, found$time < 10] == 0))
+  expect_true(all(found$parted[1, found$time >= 10] == 12))
+  body <- found$lattice$place("body")
+  # weight in water over drag, with the half bar that stays on the weight
+  bar <- 60 / 12 / 2
+  weight <- 9.81 * (100 - 1025 * 0.02 + bar * (0.4 - 1025 * pi / 4 * 0.012^2))
+  expect_equal(-found$velocity[3, body, 7], sqrt(weight / (0.5 * 1025 * 0.05)), tolerance = 1e-4)
+  expect_equal(found$bar_tension[12, 7], 0)
+
+  # 5 kN of breaking load and 0.8 kN of pull: a heave of 20 m in 2 s does it
+  snatched <- tow(short_cable(), until = 5, every = 1, part = list(list(rope = "cable")),
+    heave = data.frame(time = c(0, 1, 2), value = c(0, 0, 20)))
+  expect_gt(max(snatched$parted), 0)
+  expect_identical(max(tow(short_cable(), until = 5, part = list(list(rope = "cable")))$parted), 0)
+})
+
+test_that("the catch weighs and drags by its share", {
+  found <- tow(short_cable(), until = 300, every = 300,
+    catch = data.frame(time = c(0, 100), value = c(1, 0.5)))
+  expected <- settle(update(short_cable(), pieces.weight.mass = 50, pieces.weight.volume = 0.01,
+    pieces.weight.drag_area = 0.025))
+  expect_equal(measures(state_at(found, 300))[["tension_kN"]], measures(expected)[["tension_kN"]],
+    tolerance = 1e-5)
+})
+
+test_that("a current by time carries the gear, seen from the ground and from the vessel", {
+  found <- tow(short_cable(), until = 400, every = 400,
+    current = list(speed = data.frame(time = c(0, 50), value = c(0, 0.7)), toward = "90 deg"))
+  plan <- short_cable_plan
+  plan$water <- list(current = list(speed = 0.7, toward = pi / 2))
+  expect_equal(state_at(found, 400)$position, settle(as_gear(plan))$position, tolerance = 1e-5)
+})
+
+test_that("towing points follow the heave", {
+  found <- tow(short_cable(), until = 10, every = 1, heave = function(t) 0.5 * sin(t))
+  ship <- found$lattice$points[["ship"]]
+  # cubics through values 0.1 s apart, with rates by central differences: h^2/6 of the rate
+  expect_equal(found$position[3, ship, ], 0.5 * sin(found$time), tolerance = 1e-4)
+  expect_equal(found$velocity[3, ship, -1], 0.5 * cos(found$time[-1]), tolerance = 5e-3)
+})
+
+test_that("a tow gives the same bytes again, and when it goes on from its middle", {
+  gear <- short_cable(until = 40, every = 5, course = list(list(time = 0, value = 0),
+    list(time = 30, value = 1)), warp_out = list(list(time = 0, value = 60),
+    list(time = 20, value = 70)), winch = list(tension_limit = 2000))
+  whole <- tow(gear)
+  expect_identical(tow(gear)$position, whole$position)
+  half <- tow(tow(gear, until = 20), until = 40)
+  for (field in c("time", "position", "velocity", "bar_tension", "winch_length", "memory")) {
+    expect_identical(half[[field]], whole[[field]])
+  }
+})
+
+test_that("wrong arguments are named", {
+  gear <- short_cable()
+  wrong <- function(message, ...) {
+    expect_error(tow(gear, ...), message, class = "codend_error_argument")
+  }
+  wrong("`until`")
+  wrong("`until` is 10 kg", until = "10 kg")
+  wrong("`scheme` is \"rk5\"", until = 1, scheme = "rk5")
+  wrong("`course` must be 0 at the start", until = 1, course = 1)
+  wrong("`warp_out` falls below", until = 1, warp_out = 0.5)
+  wrong("warps are cable", until = 1, warp_out = list(port = 60))
+  wrong("`speed` must list its times in order", until = 1,
+    speed = data.frame(time = c(1, 0), value = 1:2))
+  wrong("names the rope \"warp\"", until = 1, part = list(list(rope = "warp", time = 1)))
+  expect_error(tow(tow(gear, until = 1), until = 1), class = "codend_error_argument")
+  expect_error(tow(settle(gear), until = 1, warp_out = 50), class = "codend_error_argument")
+})
+
+test_that("a plan's tow is checked with the plan", {
+  expect_identical(
+    tryCatch(as_gear(c(short_cable_plan, list(tow = list(until = "10 kg")))),
+      codend_error_plan = function(e) e$path),
+    "tow.until"
+  )
+  expect_identical(
+    tryCatch(as_gear(c(short_cable_plan, list(tow = list(speed = list(list(time = 0)))))),
+      codend_error_plan = function(e) e$path),
+    "tow.speed[1].value"
+  )
+})
+
+test_that("tables, prints and summaries of a trajectory", {
+  found <- tow(short_cable(), until = 4, every = 2)
+  expect_identical(nrow(as.data.frame(found, what = "nodes")), 13L * 3L)
+  measured <- as.data.frame(found)
+  expect_identical(unique(measured$time_s), c(0, 2, 4))
+  expect_identical(
+    measured$value[measured$time_s == 2], unname(measures(state_at(found, "2 s")))
+  )
+  tension <- as.data.frame(found, what = "tensions")
+  expect_equal(tension$max_kN[1], max(state_at(found, 0)$bar_tension) / 1000)
+  expect_output(print(found), "4 s, 3 states")
+  expect_output(print(summary(found)), "depth +m")
+})
