@@ -11,10 +11,9 @@ if (is.na(most) || most < sizes$nodes[1]) {
 }
 
 dir.create(results_folder, showWarnings = FALSE)
-runs <- run_all(most)
+runs <- run_all(most, keep = function(runs) save_table(runs, "runs"))
 medians <- summarise_runs(runs)
 exponents <- fit_exponents(medians)
-save_table(runs, "runs")
 save_table(medians, "medians")
 save_table(exponents, "exponents")
 save_cost_plot(medians, exponents)

@@ -29,18 +29,22 @@ run_case <- function(name, nodes, limit) {
   bind_rows(rows)
 }
 
-# The public cases and the refined ones up to `most` nodes, a row per run. A case none of whose
-# starts settled at one size is not tried at the next.
-run_all <- function(most) {
-  runs <- lapply(names(public), run_case, nodes = 0, limit = 60)
-  for (name in names(refined)) {
-    for (k in which(sizes$nodes <= most)) {
-      found <- run_case(name, sizes$nodes[k], sizes$limit[k])
-      runs <- c(runs, list(found))
-      if (!any(found$outcome == "settled")) break
-    }
+# The public cases and the refined ones up to `most` nodes, a row per run, in the order of sizes. A
+# case none of whose starts settled at one size is not tried at the next. keep: called with the rows
+# so far after each case, since the last ones take hours.
+run_all <- function(most, keep) {
+  rows <- NULL
+  add <- function(found) {
+    rows <<- c(rows, split(found, seq_len(nrow(found))))
+    keep(bind_rows(rows))
+    any(found$outcome == "settled")
   }
-  bind_rows(unlist(lapply(runs, function(run) split(run, seq_len(nrow(run)))), recursive = FALSE))
+  for (name in names(public)) add(run_case(name, 0, 60))
+  works <- names(refined)
+  for (k in which(sizes$nodes <= most)) {
+    works <- Filter(function(name) add(run_case(name, sizes$nodes[k], sizes$limit[k])), works)
+  }
+  bind_rows(rows)
 }
 
 # One data frame of lists of single values that need not have the same names.
