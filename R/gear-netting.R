@@ -44,17 +44,16 @@
 #' last one's cylinder drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a
 #' solidity of 0.1 `loland` and `aarsnes`, whose least drag is that of 0.04 of the netting's area
 #' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
-#' of a midwater trawl they still give far too much. Solidity counts knots by their
-#' spheres. Where netting lies nearly along the flow its twines stand in each other's wake, which
-#' the sum over twines does not know: above some 70 degrees between normal and flow it gives too
-#' much drag (flume tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al.,
-#' Aquacultural Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
+#' of a midwater trawl they still give far too much. Solidity counts knots by their spheres. Where
+#' netting lies nearly along the flow its twines stand in each other's wake, which the sum over
+#' twines does not know: above some 70 degrees between normal and flow it gives too much drag (flume
+#' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural
+#' Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
-#' 1) back to the sum. These bounds are a choice made here. With
-#' coefficients whose part along the twine is small, such as `hoerner`, the screen may be the larger
-#' of the two. A mesh that closes up loses its area, and as a
-#' screen its drag. Only netting of triangles can be a screen or blended, and only screens can be
-#' hexagonal.
+#' 1) back to the sum. These bounds are a choice made here. With coefficients whose part along the
+#' twine is small, such as `hoerner`, the screen may be the larger of the two. A mesh that closes up
+#' loses its area, and as a screen its drag. Only netting of triangles can be a screen or blended,
+#' and only screens can be hexagonal.
 #'
 #' @section Stiffness of meshes:
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
@@ -70,8 +69,8 @@ NULL
 #' The plan's field `catch` fills netting from its closed end with a catch that the water cannot
 #' flow through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the
 #' outward normal, with V the speed of the water past that netting and C_d 1.4 where
-#' `drag_coefficient` gives no other (D. Priour, Modelling axisymmetric codends made of
-#' hexagonal mesh types, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037, and the program
+#' `drag_coefficient` gives no other (D. Priour, Modelling axisymmetric codends made of hexagonal
+#' mesh types, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037, and the program
 #' AxiCodend). The resultant is p times the area of the catch's front.
 #'
 #' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that

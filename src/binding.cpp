@@ -186,6 +186,18 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
   }
 }
 
+// Of every triangle the length of its straight bars, 0 of a plain one.
+doubles straight_bars(const list& lattice) {
+  const list triangles(lattice["triangles"]);
+  return doubles(triangles["straight"]);
+}
+
+// One family of lines: of plain triangles, and the part of all three of hexagonal ones.
+doubles family_in_order(const doubles& straight, const std::vector<double>& plain,
+                        const std::vector<double>& hexagonal, std::size_t which) {
+  return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
+}
+
 // Copies every array once. The caller connects the model where it comes to lie.
 codend::Model read_model(const list& lattice) {
   codend::Model model;
@@ -494,13 +506,11 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
   codend::Assembly assembly(model);
   const codend::Evaluation e =
       codend::evaluate(assembly, REAL(position), REAL(velocity));
-  const list triangles(lattice["triangles"]);
-  const doubles straight(triangles["straight"]);
-  const std::size_t hexagons = e.hexagon_tension.size() / 3;
+  const doubles straight = straight_bars(lattice);
   const std::vector<double> none(straight.size(), 0.0);
   auto family = [&](const std::vector<double>& plain, const std::vector<double>& hexagonal,
                     std::size_t which) {
-    return in_order(straight, 1, plain.data(), hexagonal.data() + which * hexagons);
+    return family_in_order(straight, plain, hexagonal, which);
   };
   return writable::list({
       "force"_nm = as_doubles(e.force),
@@ -593,6 +603,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
         "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
   };
+  const doubles straight = straight_bars(lattice);
   auto frame = [&] {
     const codend::Motion& now = march.now();
     const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
@@ -601,7 +612,8 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
         "step"_nm = march.step(), "done"_nm = plan_state(schedule.plan()),
         "bar_tension"_nm = as_doubles(e.bar_tension),
-        "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
+        "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
+        "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);
