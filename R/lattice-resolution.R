@@ -133,6 +133,8 @@ count_nodes <- function(of, h) {
 # Element length h at which the gear has about `nodes` nodes.
 element_length <- function(of, nodes) {
   size <- max(of$length, unlist(of$size), 0.1)
+  # Nothing left to choose.
+  if (!length(of$bars) && !anyNA(of$segments[of$own])) return(size)
   low <- log(size * 1e-6)
   high <- log(size * 10)
   for (step in seq_len(40L)) {
