@@ -4,14 +4,16 @@
 # is 1e-8 m off.
 track_step <- 0.25
 
+# A track has knots at its multiples, s. So its pieces, to their last bits, are the same however far
+# a tow goes, and a tow that goes on is one that never stopped.
+track_span <- 600
+
 # speed (m/s), course (rad, to starboard of the start, which heads towards -x): curves.
 # Returns curves x and y (m) of the vessel's origin.
 vessel_track <- function(speed, course, until) {
-  until <- until + 1  # what moves goes on moving at the end
-  knots <- c(0, until, speed$time, course$time)
-  turns <- any(course$begin_rate != 0 | course$end_rate != 0)
-  if (turns || length(speed$time) > 1000L) knots <- c(knots, seq(0, until, by = track_step))
-  knots <- sort(unique(knots[knots >= 0 & knots <= until]))
+  last <- (floor(until / track_span) + 1) * track_span
+  knots <- c(seq(0, last, by = track_span), speed$time, course$time, turning_knots(course, last))
+  knots <- sort(unique(knots[knots >= 0 & knots <= last]))
   n <- length(knots)
   velocity <- function(t, after) {
     v <- curve_at(speed, t, after)
@@ -35,4 +37,12 @@ vessel_track <- function(speed, course, until) {
       end_rate = end[row, ])
   }
   list(x = curve(1L), y = curve(2L))
+}
+
+# Knots within the pieces of a course on which it turns.
+turning_knots <- function(course, last) {
+  turns <- course$begin_rate != 0 | course$end_rate != 0
+  knots <- seq(0, last, by = track_step)
+  piece <- findInterval(knots, course$time)
+  knots[c(FALSE, turns, FALSE)[piece + 1L]]
 }

@@ -54,6 +54,9 @@
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.
+#' @param file `NULL`, or a file ending in `.nc` that is written while the tow runs: every kept state
+#'   is in it as soon as it is reached, so [read_trajectory()] gives what a broken run had done. See
+#'   [write_trajectory()].
 #' @return A trajectory of class `codend_trajectory`; see [as.data.frame.codend_trajectory()] for
 #'   what it holds. Interrupted by the user it holds what was done, and `end` says so. A motion that
 #'   stands still, because no step down to 1e-7 s is found, is an error of class
@@ -66,7 +69,8 @@
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
                 catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
-                nodes = 1500, netting = NULL) {
+                nodes = 1500, netting = NULL, file = NULL) {
+  if (!is.null(file)) check_trajectory_path(file)
   going_on <- inherits(gear, "codend_trajectory")
   if (is.character(gear)) gear <- read_gear(gear)
   planned <- if (going_on) {
@@ -96,7 +100,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   } else {
     settled_trajectory(gear, given, until, nodes, netting)
   }
-  march_trajectory(trajectory, until, every, method)
+  march_trajectory(trajectory, until, every, method, file)
 }
 
 checked_gear <- function(gear) {

@@ -13,9 +13,7 @@
 #'   vanish.
 #' @export
 state_at <- function(trajectory, time) {
-  if (!inherits(trajectory, "codend_trajectory")) {
-    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
-  }
+  check_is_trajectory(trajectory)
   k <- which.min(abs(trajectory$time - schedule_number(time, "time", "time")))
   now <- as.list(trajectory$conditions[k, ])
   now$factor <- attr(trajectory$conditions, "factor")[, k]

@@ -30,8 +30,8 @@ gather_trajectory <- function(what, frames, end) {
   structure(out, class = "codend_trajectory")
 }
 
-# Goes on with a trajectory until a time.
-march_trajectory <- function(trajectory, until, every, method) {
+# Goes on with a trajectory until a time; file: where to write it meanwhile, or NULL.
+march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
   what$method <- method
   what$every <- every
@@ -40,8 +40,13 @@ march_trajectory <- function(trajectory, until, every, method) {
   stops <- tow_stops(past$now$time, until, every, what)
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
-  keep <- function(frame) frames$list[[length(frames$list) + 1L]] <- frame
+  record <- if (!is.null(file)) record_trajectory(what, trajectory_frames(trajectory), file)
+  keep <- function(frame) {
+    frames$list[[length(frames$list) + 1L]] <- frame
+    if (!is.null(record)) record$add(frame)
+  }
   end <- "interrupted"
+  if (!is.null(record)) on.exit(record$close(end))
   report <- NULL
   tryCatch(
     {

@@ -1,0 +1,405 @@
+# A trajectory on disk: NetCDF in the classic format (64-bit offsets), whose records can grow while
+# others read, with names and units of the CF conventions.
+#
+# A record is one kept time. It counts once its mark `complete` is set, which is after its numbers
+# have reached the file, so a run that dies leaves all records but the one it was writing. What a
+# tow needs to go on is kept for the two last records in turn, so that one is always whole.
+
+#' Trajectories in files
+#'
+#' A trajectory as a NetCDF file with names and units of the CF conventions, which most languages
+#' and tools read. [read_trajectory()] gives the same trajectory back, to the last bit, and [tow()]
+#' goes on with it as if it had never stopped. `tow(file = )` writes the same file while it runs.
+#'
+#' @details
+#' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`, `y`,
+#' `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
+#' `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension` (N,
+#' of one twine); per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
+#' `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
+#' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
+#' gear's plan as text. Read only times at which `complete` is 1.
+#'
+#' `r_objects` and what is named `resume_` serve [tow()] alone. The first holds objects of R, with the
+#' functions of the schedule if there are any: go on only with files that you trust.
+#'
+#' Both take the package RNetCDF.
+#'
+#' @param trajectory From [tow()].
+#' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
+#' @return `write_trajectory()` gives `file`, invisibly. `read_trajectory()` gives a trajectory as
+#'   [tow()] returns; of a run that did not end, one with all that was kept, whose `end` is
+#'   `"interrupted"`. A file that cannot be read or written is an error of class
+#'   `codend_error_input`; a missing RNetCDF one of class `codend_error_package`.
+#' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
+#' file <- tempfile(fileext = ".nc")
+#' write_trajectory(tow("towed_cable", until = 20, every = 10), file)
+#' tow(read_trajectory(file), until = 40)
+#' @export
+write_trajectory <- function(trajectory, file) {
+  check_is_trajectory(trajectory)
+  check_trajectory_path(file)
+  record <- record_trajectory(
+    unclass(trajectory)[trajectory_constants], trajectory_frames(trajectory), file
+  )
+  record$close(trajectory$end)
+  invisible(file)
+}
+
+#' @rdname write_trajectory
+#' @export
+read_trajectory <- function(file) {
+  check_netcdf()
+  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
+  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
+    abort_trajectory_file(file, "is no NetCDF file.")
+  })
+  on.exit(RNetCDF::close.nc(nc))
+  version <- tryCatch(
+    RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_trajectory"),
+    error = function(e) abort_trajectory_file(file, "holds no trajectory of codend.")
+  )
+  if (version != trajectory_file_version) {
+    abort_trajectory_file(file, sprintf(
+      "is of version %s; this codend reads version %d.", version, trajectory_file_version
+    ))
+  }
+  get <- file_getter(nc)
+  what <- unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
+  n <- complete_records(get)
+  if (n == 0L) abort_trajectory_file(file, "holds no complete record.")
+  end <- file_ends[1L + get("end")]
+  gather_trajectory(what, read_frames(get, n), end)
+}
+
+trajectory_file_version <- 1L
+
+# How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
+file_ends <- c("interrupted", "reached", "stuck")
+
+# Numbers that a record has of every node, and of every bar, triangle and part.
+node_variables <- rbind(
+  x = c("m", "place aft of the start, over the ground"),
+  y = c("m", "place to starboard of the start, over the ground"),
+  z = c("m", "height above the water surface"),
+  x_velocity = c("m s-1", "velocity aft of the start, over the ground"),
+  y_velocity = c("m s-1", "velocity to starboard of the start, over the ground"),
+  z_velocity = c("m s-1", "upward velocity")
+)
+
+other_variables <- data.frame(
+  name = c("bar_tension", "u_tension", "v_tension", "winch_length", "parted"),
+  across = c("bar", "triangle", "triangle", "growing_part", "parting"),
+  unit = c("N", "N", "N", "m", "1"),
+  words = c(
+    "tension of one line", "tension of one twine along u", "tension of one twine along v",
+    "length that a winch has paid out", "bar that has parted, 0 for none"
+  )
+)
+
+vessel_variables <- rbind(
+  vessel_x = c("m", "place of the vessel aft of its start, over the ground"),
+  vessel_y = c("m", "place of the vessel to starboard of its start, over the ground"),
+  vessel_speed = c("m s-1", "speed of the vessel over the ground"),
+  course = c("radian", "course to starboard of that at the start")
+)
+
+# Numbers of a march beside its nodes; a winch's and a parting's are vectors.
+resume_numbers <- c("steps", "caution", "step")
+resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
+report_numbers <- c(
+  "steps", "repeated", "not_found", "iterations", "shortest_step", "longest_step", "worst_node",
+  "time"
+)
+report_ends <- c("reached", "stopped", "stuck")
+resume_motions <- c("now", "before")
+motion_vectors <- c("position", "velocity", "acceleration")
+
+# Writes a file with the frames of a trajectory, whole or not at all, and leaves it open for more.
+# what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
+record_trajectory <- function(what, frames, file) {
+  beside <- tempfile(".trajectory-", tmpdir = dirname(file), fileext = ".nc")
+  on.exit(unlink(beside))
+  count <- 0L
+  add_to <- function(nc, frame) {
+    count <<- count + 1L
+    put_frame(nc, what, frame, count)
+  }
+  tryCatch(
+    {
+      nc <- RNetCDF::create.nc(beside, format = "offset64")
+      tryCatch(
+        {
+          define_trajectory(nc, what, frames[[1L]])
+          for (frame in frames) add_to(nc, frame)
+        },
+        finally = RNetCDF::close.nc(nc)
+      )
+    },
+    error = function(e) {
+      abort_trajectory_file(file, paste("cannot be written:", conditionMessage(e)))
+    }
+  )
+  if (!suppressWarnings(file.rename(beside, file))) {
+    abort_trajectory_file(file, "cannot be written.")
+  }
+  nc <- RNetCDF::open.nc(file, write = TRUE)
+  list(
+    add = function(frame) add_to(nc, frame),
+    close = function(end) {
+      put(nc, "end", match(end, file_ends) - 1L)
+      RNetCDF::close.nc(nc)
+    }
+  )
+}
+
+# ---- what a file holds --------------------------------------------------------------------------
+
+define_trajectory <- function(nc, what, frame) {
+  lattice <- what$lattice
+  engine <- lattice$engine
+  objects <- memCompress(serialize(what, NULL), "gzip")
+  names <- enc2utf8(lattice$parts$name)
+  sizes <- c(
+    node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
+    part = length(names), growing_part = length(frame$done$length),
+    parting = length(frame$done$parted), component = 3L * engine$nodes,
+    slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
+    report_number = length(report_numbers), byte = length(objects)
+  )
+  sizes <- sizes[sizes > 0L]
+  RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)
+  for (name in names(sizes)) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
+  define <- function(name, type, across, unit = NULL, words = NULL) {
+    if (!all(across %in% c("time", names(sizes)))) return(invisible())
+    RNetCDF::var.def.nc(nc, name, type, if (length(across)) across else NA)
+    if (!is.null(unit)) RNetCDF::att.put.nc(nc, name, "units", "NC_CHAR", unit)
+    if (!is.null(words)) RNetCDF::att.put.nc(nc, name, "long_name", "NC_CHAR", words)
+  }
+  define_records(define)
+  define("bar_node", "NC_INT", c("bar_end", "bar"), words = "nodes that a bar joins, from 1")
+  define("bar_part", "NC_INT", "bar", words = "part that a bar belongs to, from 1")
+  define("triangle_node", "NC_INT", c("corner", "triangle"),
+    words = "nodes at a triangle's corners, from 1")
+  define("triangle_part", "NC_INT", "triangle", words = "part that a triangle belongs to, from 1")
+  define("part_name", "NC_CHAR", c("letter", "part"), words = "name of a part in the plan")
+  define_resume(define)
+  text <- function(variable, name, value) {
+    RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
+  }
+  text("time", "axis", "T")
+  text("z", "positive", "up")
+  text("end", "flag_meanings", paste(file_ends, collapse = " "))
+  RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
+  text("NC_GLOBAL", "Conventions", "CF-1.10")
+  text("NC_GLOBAL", "title", paste("Tow of", what$gear$plan$name))
+  text("NC_GLOBAL", "source", "codend")
+  text("NC_GLOBAL", "plan", enc2utf8(format(what$gear)))
+  RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_trajectory", "NC_INT", trajectory_file_version)
+
+  put(nc, "end", 0L)
+  put(nc, "bar_node", matrix(engine$bars$node, 2L))
+  put(nc, "bar_part", lattice$bar_part)
+  put(nc, "triangle_node", matrix(engine$triangles$node, 3L))
+  put(nc, "triangle_part", lattice$triangle_part)
+  put(nc, "part_name", names)
+  put(nc, "r_objects", objects)
+}
+
+define_records <- function(define) {
+  define("time", "NC_DOUBLE", "time", "s", "time since the start of the tow")
+  define("complete", "NC_INT", "time", "1", "1 where all numbers of a time are written")
+  define("end", "NC_INT", character(), words = "how the tow ended")
+  for (name in rownames(node_variables)) {
+    of <- node_variables[name, ]
+    define(name, "NC_DOUBLE", c("node", "time"), of[1], of[2])
+  }
+  for (k in seq_len(nrow(other_variables))) {
+    of <- other_variables[k, ]
+    type <- if (of$name == "parted") "NC_INT" else "NC_DOUBLE"
+    define(of$name, type, c(of$across, "time"), of$unit, of$words)
+  }
+  for (name in rownames(vessel_variables)) {
+    of <- vessel_variables[name, ]
+    define(name, "NC_DOUBLE", "time", of[1], of[2])
+  }
+}
+
+define_resume <- function(define) {
+  define("r_objects", "NC_CHAR", "byte", words = "constants of the tow, serialized by R and gzip")
+  define("resume_record", "NC_INT", "slot", words = "which time a slot is of, from 1")
+  for (motion in resume_motions) {
+    define(paste0("resume_", motion, "_time"), "NC_DOUBLE", "slot", "s")
+    for (vector in motion_vectors) {
+      define(paste("resume", motion, vector, sep = "_"), "NC_DOUBLE", c("component", "slot"))
+    }
+  }
+  for (name in resume_numbers) define(paste0("resume_", name), "NC_DOUBLE", "slot")
+  for (name in resume_winch) {
+    define(paste0("resume_winch_", name), "NC_DOUBLE", c("growing_part", "slot"))
+  }
+  define("resume_parted", "NC_INT", c("parting", "slot"))
+  define("resume_parted_at", "NC_DOUBLE", c("parting", "slot"), "s")
+  define("resume_report", "NC_DOUBLE", c("report_number", "slot"))
+  define("resume_report_end", "NC_INT", "slot")
+}
+
+# ---- writing ------------------------------------------------------------------------------------
+
+# Nothing is written where there is nothing to write: such a variable is not in the file.
+put <- function(nc, name, value, start = NA, count = NA) {
+  if (length(value) == 0L) return(invisible())
+  # without a change to what is missing
+  RNetCDF::var.put.nc(nc, name, value, start, count, na.mode = 3)
+}
+
+put_frame <- function(nc, what, frame, k) {
+  now <- gather_trajectory(what, list(frame), "interrupted")
+  put_at <- function(name, value) {
+    if (length(value) > 1L) {
+      put(nc, name, value, c(1, k), c(length(value), 1))
+    } else if (RNetCDF::var.inq.nc(nc, name)$ndims == 2L) {
+      put(nc, name, value, c(1, k), c(1, 1))
+    } else {
+      put(nc, name, value, k, 1)
+    }
+  }
+  put_at("time", now$time)
+  for (axis in 1:3) {
+    put_at(rownames(node_variables)[axis], now$position[axis, , 1L])
+    put_at(rownames(node_variables)[axis + 3L], now$velocity[axis, , 1L])
+  }
+  for (name in other_variables$name) {
+    if (length(now[[name]])) put_at(name, as.vector(now[[name]]))
+  }
+  put_at("vessel_x", now$conditions$x)
+  put_at("vessel_y", now$conditions$y)
+  put_at("vessel_speed", now$conditions$speed)
+  put_at("course", now$conditions$course)
+  if (!is.null(frame$step)) put_resume(nc, frame, k)
+  RNetCDF::sync.nc(nc)
+  put_at("complete", 1L)
+  RNetCDF::sync.nc(nc)
+}
+
+put_resume <- function(nc, frame, k) {
+  slot <- 1L + k %% 2L
+  put_one <- function(name, value) put(nc, paste0("resume_", name), value, slot, 1)
+  put_all <- function(name, value) {
+    put(nc, paste0("resume_", name), value, c(1, slot), c(length(value), 1))
+  }
+  for (motion in resume_motions) {
+    put_one(paste0(motion, "_time"), frame[[motion]]$time)
+    for (vector in motion_vectors) {
+      put_all(paste(motion, vector, sep = "_"), frame[[motion]][[vector]])
+    }
+  }
+  for (name in resume_numbers) put_one(name, as.double(frame[[name]]))
+  for (name in resume_winch) put_all(paste0("winch_", name), as.double(frame$done[[name]]))
+  put_all("parted", frame$done$parted)
+  put_all("parted_at", frame$done$parted_at)
+  if (is.null(frame$report)) {
+    put_one("report_end", 0L)
+  } else {
+    put_all("report", as.double(unlist(frame$report[report_numbers])))
+    put_one("report_end", match(frame$report$end, report_ends))
+  }
+  put_one("record", k)
+}
+
+# ---- reading ------------------------------------------------------------------------------------
+
+# A function(name, start, count) that gives a variable's numbers, none where it is not in the file.
+file_getter <- function(nc) {
+  info <- RNetCDF::file.inq.nc(nc)
+  known <- vapply(seq_len(info$nvars) - 1L, function(id) RNetCDF::var.inq.nc(nc, id)$name, "")
+  function(name, start = NA, count = NA, rawchar = FALSE) {
+    if (!name %in% known) return(numeric())
+    RNetCDF::var.get.nc(nc, name, start, count, na.mode = 3, rawchar = rawchar, collapse = FALSE)
+  }
+}
+
+# How many records from the first are complete.
+complete_records <- function(get) sum(cumprod(get("complete") == 1L))
+
+read_frames <- function(get, n) {
+  records <- function(name) {
+    value <- get(name)
+    if (length(value)) value[, seq_len(n), drop = FALSE] else matrix(value, 0L, n)
+  }
+  of_nodes <- lapply(rownames(node_variables), records)
+  other <- lapply(setNames(other_variables$name, other_variables$name), records)
+  time <- as.vector(get("time"))[seq_len(n)]
+  bound <- function(axes, k) {
+    as.vector(do.call(rbind, lapply(of_nodes[axes], function(x) x[, k])))
+  }
+  frames <- lapply(seq_len(n), function(k) {
+    list(
+      now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
+      bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
+      v_tension = other$v_tension[, k],
+      done = list(length = other$winch_length[, k], parted = other$parted[, k])
+    )
+  })
+  frames[[n]][c(memory_fields, "report")] <- read_resume(get, n)
+  frames
+}
+
+read_resume <- function(get, n) {
+  slot <- match(n, get("resume_record"))
+  one <- function(name) get(paste0("resume_", name), slot, 1)[1L]
+  all <- function(name) as.vector(get(paste0("resume_", name), c(1, slot), c(NA, 1)))
+  motion <- function(name) {
+    vectors <- lapply(setNames(motion_vectors, motion_vectors), function(v) {
+      all(paste(name, v, sep = "_"))
+    })
+    c(list(time = one(paste0(name, "_time"))), vectors)
+  }
+  done <- lapply(setNames(resume_winch, resume_winch), function(name) all(paste0("winch_", name)))
+  done$near_limit <- as.logical(done$near_limit)
+  done$parted <- as.integer(all("parted"))
+  done$parted_at <- all("parted_at")
+  report <- NULL
+  if (one("report_end") > 0L) {
+    report <- c(
+      list(end = report_ends[one("report_end")]),
+      as.list(setNames(all("report"), report_numbers))
+    )
+    report$worst_node <- as.integer(report$worst_node)
+  }
+  list(
+    now = motion("now"), before = motion("before"), steps = as.integer(one("steps")),
+    caution = as.integer(one("caution")), step = one("step"), done = done, report = report
+  )
+}
+
+# ---- checks -------------------------------------------------------------------------------------
+
+check_is_trajectory <- function(trajectory) {
+  if (!inherits(trajectory, "codend_trajectory")) {
+    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
+  }
+}
+
+check_trajectory_path <- function(file) {
+  check_netcdf()
+  if (!is_text(file) || !grepl("[.]nc$", file)) {
+    abort_trajectory_file(file, "must be one path that ends in .nc.")
+  }
+  if (!dir.exists(dirname(file))) {
+    abort_trajectory_file(file, "must lie in a folder that exists.")
+  }
+}
+
+check_netcdf <- function() {
+  if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
+  cli::cli_abort(
+    "Trajectories in files take the package {.pkg RNetCDF}, which is not installed.",
+    class = c("codend_error_package", "codend_error"), call = NULL
+  )
+}
+
+abort_trajectory_file <- function(file, what) {
+  cli::cli_abort("{.arg file} is {show_value(file)}; it {what}",
+    class = c("codend_error_input", "codend_error"), call = NULL)
+}

@@ -1,0 +1,131 @@
+skip_if_not_installed("RNetCDF")
+
+# A weight on a cable whose winch gives way, and a rope behind it that parts.
+hauled_plan <- list(
+  codend = 1, name = "Hauled \u00e5 weight", towing = list(speed = 2),
+  points = list(ship = list(position = c(0, 0, 0), held = "moved"), body = list()),
+  ropes = list(
+    cable = list(
+      from = "ship", to = "body", length = 60, diameter = 0.012, axial_stiffness = 2e6,
+      mass_per_length = 0.4, segments = 12, role = "warp", strength = 5e3
+    ),
+    tail = list(
+      from = "body", to = "end", length = 5, diameter = 0.01, axial_stiffness = 1e5,
+      mass_per_length = 0.1, segments = 4
+    )
+  ),
+  pieces = list(weight = list(at = "body", mass = 100, volume = 0.02, drag_area = 0.05))
+)
+hauled_plan$points$end <- list(load = c(200, 0, 0))
+
+hauled <- function(...) {
+  tow(as_gear(hauled_plan), every = 5,
+    speed = data.frame(time = c(0, 20), value = c(2, 3)),
+    winch = list(speed_limit = 0.5, tension_limit = 1000),
+    part = list(list(rope = "tail", time = 12)), ...)
+}
+
+# A trajectory without the lattice's function `place`, which is never identical to another.
+known <- function(trajectory) {
+  trajectory$lattice$place <- NULL
+  unclass(trajectory)
+}
+
+test_that("a trajectory that is read is the one that was written", {
+  folder <- test_folder()
+  file <- file.path(folder, "tow.nc")
+  trajectory <- hauled(until = 30)
+  expect_identical(write_trajectory(trajectory, file), file)
+  expect_gt(max(trajectory$winch_length), 60)
+  expect_identical(known(read_trajectory(file)), known(trajectory))
+  expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "tow.nc")
+
+  netting <- tow("midwater_trawl", until = 0.2, every = 0.1, nodes = 300, netting = "triangles",
+    step = 0.1)
+  expect_gt(length(netting$u_tension), 0)
+  write_trajectory(netting, file)
+  expect_identical(known(read_trajectory(file)), known(netting))
+})
+
+test_that("a tow goes on from a file as if it had never stopped", {
+  file <- file.path(test_folder(), "tow.nc")
+  whole <- hauled(until = 30)
+  write_trajectory(hauled(until = 15), file)
+  on <- tow(read_trajectory(file), until = 30, file = file)
+  # what a march counts begins anew
+  same <- setdiff(names(whole), "report")
+  expect_identical(known(on)[same], known(whole)[same])
+  expect_identical(known(read_trajectory(file)), known(on))
+})
+
+test_that("a file says in plain NetCDF what the trajectory holds", {
+  file <- file.path(test_folder(), "tow.nc")
+  trajectory <- hauled(until = 10, file = file)
+  nc <- RNetCDF::open.nc(file)
+  on.exit(RNetCDF::close.nc(nc))
+  expect_equal(as.vector(RNetCDF::var.get.nc(nc, "time")), c(0, 5, 10))
+  expect_identical(RNetCDF::var.get.nc(nc, "z"), trajectory$position[3, , ])
+  expect_identical(RNetCDF::var.get.nc(nc, "bar_tension"), trajectory$bar_tension)
+  expect_equal(as.vector(RNetCDF::var.get.nc(nc, "vessel_x")), trajectory$conditions$x)
+  expect_equal(RNetCDF::att.get.nc(nc, "z", "units"), "m")
+  expect_equal(RNetCDF::att.get.nc(nc, "z_velocity", "units"), "m s-1")
+  part <- as.vector(RNetCDF::var.get.nc(nc, "part_name"))[RNetCDF::var.get.nc(nc, "bar_part")]
+  expect_equal(part, rep(c("cable", "tail"), c(12, 4)))
+  plan <- file.path(dirname(file), "plan.yaml")
+  writeBin(charToRaw(RNetCDF::att.get.nc(nc, "NC_GLOBAL", "plan")), plan)
+  expect_identical(read_gear(plan)$plan, trajectory$gear$plan)
+})
+
+test_that("a run that is killed leaves what it had kept, and a tow goes on from there", {
+  folder <- test_folder()
+  file <- file.path(folder, "tow.nc")
+  # pays out slowly; kills its own process between the states of 15 and 20 s where it is told to
+  control <- function(measures, time) {
+    if (time > 17 && nzchar(Sys.getenv("CODEND_TEST_DIES"))) tools::pskill(Sys.getpid(), 9)
+    0.1
+  }
+  environment(control) <- globalenv()
+  steered <- function(plan, control, file) {
+    codend::tow(plan, until = 30, every = 5, control = control, control_every = 6, file = file)
+  }
+  environment(steered) <- globalenv()
+  # killed before the state of 20 s
+  plan <- write_gear(as_gear(hauled_plan), file.path(folder, "plan.yaml"))
+  saveRDS(list(steered, plan, control, file), file.path(folder, "run.rds"))
+  script <- file.path(folder, "run.R")
+  writeLines(sprintf("run <- readRDS(%s); run[[1]](run[[2]], run[[3]], run[[4]])",
+    deparse(file.path(folder, "run.rds"))), script)
+  libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
+  status <- system2(file.path(R.home("bin"), "Rscript"), shQuote(script), stdout = FALSE,
+    stderr = FALSE, env = c("CODEND_TEST_DIES=yes", paste0("R_LIBS=", shQuote(libraries))))
+  expect_false(status == 0)
+  found <- read_trajectory(file)
+  expect_identical(found$end, "interrupted")
+  expect_identical(found$time, c(0, 5, 10, 15))
+  whole <- steered(plan, control, NULL)
+  expect_identical(tow(found, until = 30, control_every = 6)$position, whole$position)
+
+  # a record that was being written: its numbers are there, and its mark is not
+  nc <- RNetCDF::open.nc(file, write = TRUE)
+  RNetCDF::var.put.nc(nc, "time", 20, 5, 1)
+  RNetCDF::var.put.nc(nc, "resume_now_time", 20, 2, 1)
+  RNetCDF::close.nc(nc)
+  expect_identical(read_trajectory(file)[c("time", "memory")], found[c("time", "memory")])
+})
+
+test_that("files that cannot be read or written are clear errors that leave nothing", {
+  folder <- test_folder()
+  trajectory <- hauled(until = 5)
+  wrong <- function(code) expect_error(code, class = "codend_error_input")
+  wrong(write_trajectory(trajectory, file.path(folder, "tow.csv")))
+  wrong(write_trajectory(trajectory, file.path(folder, "no", "tow.nc")))
+  wrong(tow(trajectory, until = 10, file = 3))
+  wrong(read_trajectory(file.path(folder, "tow.nc")))
+  expect_error(write_trajectory(list(), file.path(folder, "tow.nc")), class = "codend_error")
+  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+  writeLines("no", file.path(folder, "text.nc"))
+  wrong(read_trajectory(file.path(folder, "text.nc")))
+  other <- RNetCDF::create.nc(file.path(folder, "other.nc"))
+  RNetCDF::close.nc(other)
+  wrong(read_trajectory(file.path(folder, "other.nc")))
+})
