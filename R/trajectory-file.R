@@ -12,16 +12,16 @@
 #' goes on with it as if it had never stopped. `tow(file = )` writes the same file while it runs.
 #'
 #' @details
-#' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`, `y`,
-#' `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
+#' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`,
+#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
 #' `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension` (N,
 #' of one twine); per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
 #' `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
 #' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
 #' gear's plan as text. Read only times at which `complete` is 1.
 #'
-#' `r_objects` and what is named `resume_` serve [tow()] alone. The first holds objects of R, with the
-#' functions of the schedule if there are any: go on only with files that you trust.
+#' `r_objects` and what is named `resume_` serve [tow()] alone. The first holds objects of R, with
+#' the functions of the schedule if there are any: go on only with files that you trust.
 #'
 #' Both take the package RNetCDF.
 #'

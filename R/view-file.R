@@ -33,6 +33,27 @@ write_whole <- function(file, write) {
   invisible(file)
 }
 
+picture_types <- c("png", "pdf", "svg")
+
+# page: width and height, inches; draw: a function(page) that draws on the open device.
+write_picture <- function(file, page, title, draw) {
+  extension <- picture_extension(file, picture_types)
+  write_whole(file, function(path) {
+    before <- grDevices::dev.cur()
+    switch(extension,
+      png = grDevices::png(path, page[1], page[2], units = "in", res = 200),
+      pdf = grDevices::pdf(path, page[1], page[2], title = title),
+      svg = grDevices::svg(path, page[1], page[2])
+    )
+    device <- grDevices::dev.cur()
+    on.exit({
+      grDevices::dev.off(device)
+      if (before > 1L) grDevices::dev.set(before)
+    })
+    draw(page)
+  })
+}
+
 abort_view <- function(message, values = list()) {
   cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
     .envir = list2env(values, parent = environment()))

@@ -29,27 +29,14 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   }
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  extension <- if (!is.null(file)) picture_extension(file, c("png", "pdf", "svg"))
+  if (!is.null(file)) picture_extension(file, picture_types)
   figure <- plane_figure(x, intersect(known, planes))
   if (is.null(file)) {
     draw_figure(figure, grDevices::dev.size())
     return(invisible(x))
   }
   page <- c(width, if (is.null(height)) fitting_height(figure, width) else height)
-  write_whole(file, function(path) {
-    before <- grDevices::dev.cur()
-    switch(extension,
-      png = grDevices::png(path, page[1], page[2], units = "in", res = 200),
-      pdf = grDevices::pdf(path, page[1], page[2], title = figure$title),
-      svg = grDevices::svg(path, page[1], page[2])
-    )
-    device <- grDevices::dev.cur()
-    on.exit({
-      grDevices::dev.off(device)
-      if (before > 1L) grDevices::dev.set(before)
-    })
-    draw_figure(figure, page)
-  })
+  write_picture(file, page, figure$title, function(page) draw_figure(figure, page))
   invisible(x)
 }
 
