@@ -6,7 +6,11 @@
 #' longer than its net, the page opens at the net; buttons look at the net or the whole gear. Pieces
 #' are drawn large enough to be seen.
 #'
-#' @param state A state, from [settle()].
+#' The page of a trajectory plays it, as seen from the vessel, with a button and a slider of time;
+#' the space bar plays and stops, the arrow keys step from kept time to kept time. All of it is in
+#' the one file: some 12 bytes per node and time, and a third more for its text.
+#'
+#' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
 #'   nothing of the network. It is written whole or not at all. This takes pandoc.
 #' @return An HTML widget, which prints in the viewer or browser; invisibly where `file` is given.
@@ -17,13 +21,15 @@
 #' class(page)
 #' @export
 view <- function(state, file = NULL) {
-  check_is_state(state)
+  moves <- inherits(state, "codend_trajectory")
+  if (!moves) check_is_state(state)
   if (!is.null(file)) {
     picture_extension(file, "html")
     check_pandoc()
   }
   # In a file a fixed name, so that every new session writes the same page of the same state.
-  page <- gear_page(state, if (!is.null(file)) "gear")
+  element <- if (!is.null(file)) "gear"
+  page <- if (moves) motion_page(state, element) else gear_page(state, element)
   if (is.null(file)) return(page)
   write_whole(file, function(path) {
     htmlwidgets::saveWidget(page, path, selfcontained = TRUE, title = state$gear$plan$name)
@@ -49,17 +55,24 @@ gear_page <- function(state, element) {
     rope = tension_scale(drawing$ropes$tension, "rope"),
     netting = tension_scale(drawing$netting$tension, "netting")
   )
-  whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
-  if (state$si$water$density > 0) whole[2, 3] <- max(whole[2, 3], 0)
+  whole <- page_ranges(drawing, state)
   net <- net_to_enlarge(drawing, whole)
   scene <- gear_scene(state, drawing, scales, whole, net)
   gear_widget(scene, page_legend(state, drawing, scales), whole, net, element)
 }
 
+# Ranges of what is drawn, with the water's surface.
+page_ranges <- function(drawing, state) {
+  whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
+  if (state$si$water$density > 0) whole[2, 3] <- max(whole[2, 3], 0)
+  whole
+}
+
 # The scene, drawn on a device of its own that needs no display. It turns around the middle of the
 # net's ranges where they are given, else of the whole's. Returns the scene with the object numbers
-# of its axes as `net_axes` and `whole_axes`.
-gear_scene <- function(state, drawing, scales, whole, net) {
+# of its axes as `net_axes` and `whole_axes`, and those of what it shows as `drawn`. flow: m/s, an
+# arrow beside the axes.
+gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(state)) {
   kept <- options(rgl.useNULL = TRUE)
   on.exit(options(kept))
   before <- rgl::cur3d()
@@ -70,15 +83,15 @@ gear_scene <- function(state, drawing, scales, whole, net) {
   }, add = TRUE, after = FALSE)
   rgl::bg3d("#F7FAFC")
   focus <- if (is.null(net)) whole else net
-  scene_lines(drawing$netting, scales$netting, 1)
-  scene_lines(drawing$ropes, scales$rope, 4)
+  netting <- scene_lines(drawing$netting, scales$netting, 1)
+  ropes <- scene_lines(drawing$ropes, scales$rope, 4)
   # To be seen from near and from far.
-  scene_marks(drawing$marks, (longest_side(focus)^2 * longest_side(whole))^(1 / 3))
+  marks <- scene_marks(drawing$marks, (longest_side(focus)^2 * longest_side(whole))^(1 / 3))
   if (state$si$water$density > 0) scene_surface(whole)
   # Axes lie around the box that the scene turns in.
   rgl::par3d(ignoreExtent = TRUE)
-  whole_axes <- scene_axes(whole, flow_past(state))
-  net_axes <- if (!is.null(net)) scene_axes(net, flow_past(state))
+  whole_axes <- scene_axes(whole, flow)
+  net_axes <- if (!is.null(net)) scene_axes(net, flow)
   rgl::par3d(ignoreExtent = FALSE)
   # A scene turns around the middle of its box: make the middle of the focus that of the box.
   middle <- colMeans(focus)
@@ -89,6 +102,7 @@ gear_scene <- function(state, drawing, scales, whole, net) {
   scene <- rgl::scene3d(minimal = FALSE)
   scene$whole_axes <- whole_axes
   scene$net_axes <- net_axes
+  scene$drawn <- c(list(netting = netting, ropes = ropes), marks)
   scene
 }
 
@@ -111,23 +125,27 @@ zoom_to <- function(ranges, reach) {
   max(half[1] / (0.82 * 1.5), half[2] / 0.7) / sqrt(sum(reach^2))
 }
 
+# Returns the number of the object drawn, NULL for none.
 scene_lines <- function(lines, scale, width) {
   n <- length(lines$tension)
-  if (!n) return(invisible())
+  if (!n) return(NULL)
   ends <- matrix(rbind(lines$from, lines$to), 3L)
   colour <- rep(tension_colours(scale, lines$tension), each = 2L)
-  rgl::segments3d(t(ends), color = colour, lwd = width, lit = FALSE)
+  as.integer(rgl::segments3d(t(ends), color = colour, lwd = width, lit = FALSE))
 }
 
+# Returns the numbers of the objects drawn with the rows of the marks that they show: a list of
+# plates, and balls, which are one object or NULL.
 scene_marks <- function(marks, size) {
   flat <- marks$role %in% c("otter_board", "canvas")
-  for (k in which(flat)) scene_plate(marks[k, ], size)
+  plates <- lapply(which(flat), function(k) list(id = scene_plate(marks[k, ], size), mark = k))
   round <- marks[!flat, ]
-  if (!NROW(round)) return(invisible())
+  if (!NROW(round)) return(list(plates = plates))
   least <- 0.004 * size * symbol_of(round$role)$size
   radius <- pmax(least, ifelse(is.na(round$size), 0, round$size / sqrt(pi)))
-  rgl::spheres3d(round$x, round$y, round$z, radius = radius, color = symbol_of(round$role)$fill,
-    lit = TRUE, specular = "#303030")
+  balls <- rgl::spheres3d(round$x, round$y, round$z, radius = radius,
+    color = symbol_of(round$role)$fill, lit = TRUE, specular = "#303030")
+  list(plates = plates, balls = list(id = as.integer(balls), mark = which(!flat)))
 }
 
 # A square plate: upright and at 30 degrees to the flow where it lifts sideways, else across it and
@@ -142,7 +160,7 @@ scene_plate <- function(mark, size) {
   second <- switch(direction, up = c(-1, 0, 1) / sqrt(2), down = c(1, 0, 1) / sqrt(2), c(0, 0, 1))
   corners <- rbind(-first - second, first - second, first + second, -first + second) * half
   centre <- c(mark$x, mark$y, mark$z)
-  rgl::quads3d(t(t(corners) + centre), color = symbol_of(mark$role)$fill, lit = FALSE)
+  as.integer(rgl::quads3d(t(t(corners) + centre), color = symbol_of(mark$role)$fill, lit = FALSE))
 }
 
 scene_surface <- function(ranges) {
@@ -214,7 +232,6 @@ gear_widget <- function(scene, legend, whole, net, element) {
     defaultWidth = "100%", defaultHeight = 640, padding = 0, browser.fill = TRUE,
     viewer.fill = TRUE, knitr.figure = FALSE
   )
-  script <- readLines(system.file("view", "page.js", package = "codend"), encoding = "UTF-8")
   data <- list(html = legend)
   if (!is.null(net)) {
     data$move <- unname(colMeans(net) - colMeans(whole))
@@ -222,5 +239,11 @@ gear_widget <- function(scene, legend, whole, net, element) {
     data$whole_axes <- scene$whole_axes
     data$net_axes <- scene$net_axes
   }
+  run_script(widget, "page.js", data)
+}
+
+# Runs one of the package's scripts once the page is there.
+run_script <- function(widget, name, data) {
+  script <- readLines(system.file("view", name, package = "codend"), encoding = "UTF-8")
   htmlwidgets::onRender(widget, paste(script, collapse = "\n"), data = data)
 }

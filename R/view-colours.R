@@ -53,12 +53,18 @@ scale_share <- function(scale, tension) {
 }
 
 tension_colours <- function(scale, tension) {
-  colours <- rep(slack_colour, length(tension))
+  c(slack_colour, scale$colours)[1L + colour_numbers(scale, tension)]
+}
+
+# Places of tensions (N) among a scale's colours, at most 255; 0 is slack.
+colour_numbers <- function(scale, tension) {
+  numbers <- integer(length(tension))
   taut <- tension > 0
-  if (!any(taut)) return(colours)
-  n <- length(scale$colours)
-  colours[taut] <- scale$colours[1L + round(scale_share(scale, tension[taut]) * (n - 1L))]
-  colours
+  if (!any(taut)) return(numbers)
+  numbers[taut] <- 1L + as.integer(
+    round(scale_share(scale, tension[taut]) * (length(scale$colours) - 1L))
+  )
+  numbers
 }
 
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)

@@ -15,12 +15,13 @@ state_drawing <- function(state, limit = drawn_lines) {
   )
 }
 
-# Lines between points: ends (3 x n, m), tension (N; of one twine in netting) and part (row of the
-# lattice's table of parts).
+# Lines between points: from and to (3 x n, m), ends (2 x n, which points), tension (N; of one twine
+# in netting) and part (row of the lattice's table of parts).
 new_lines <- function(points, first, second, tension, part) {
   list(
     from = points[, first, drop = FALSE], to = points[, second, drop = FALSE],
-    tension = tension, part = rep_len(part, length(tension))
+    ends = rbind(as.vector(first), as.vector(second)), tension = tension,
+    part = rep_len(part, length(tension))
   )
 }
 
@@ -28,6 +29,7 @@ join_lines <- function(lines) {
   list(
     from = do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(lines, `[[`, "from"))),
     to = do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(lines, `[[`, "to"))),
+    ends = do.call(cbind, c(list(matrix(0L, 2L, 0L)), lapply(lines, `[[`, "ends"))),
     tension = as.double(unlist(lapply(lines, `[[`, "tension"))),
     part = as.integer(unlist(lapply(lines, `[[`, "part")))
   )
