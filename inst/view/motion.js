@@ -1,8 +1,8 @@
 // Plays a trajectory: moves the lines and marks of the scene between kept times, by a slider, a
 // button and the keyboard (space plays and stops, arrows step, Home and End go to the ends).
 // data: time (s) and label per kept time; points (3 x points x times), lines (each with its rgl
-// object, the points at its ends, palette and colour numbers), marks (3 x marks x times), plates and
-// balls (rgl objects and the marks they show).
+// object, the points at its ends, palette and colour numbers), marks (3 x marks x times), plates
+// and balls (rgl objects and the marks they show).
 function (el, x, data) {
   var scene = el.rglinstance;
   var times = data.time;
