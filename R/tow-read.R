@@ -2,7 +2,8 @@
 
 # Returns a list by argument; arguments that the plan leaves out are not in it.
 plan_tow <- function(gear) {
-  tow <- check_plan(gear$plan)$tow
+  # never a plan's section `towing`, which begins alike
+  tow <- check_plan(gear$plan)[["tow"]]
   if (is.null(tow)) return(list())
   for (name in intersect(c("speed", "course", "catch"), names(tow))) {
     tow[[name]] <- plan_schedule(tow[[name]])

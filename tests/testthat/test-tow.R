@@ -197,3 +197,18 @@ test_that("tables, prints and summaries of a trajectory", {
   expect_output(print(found), "4 s, 3 states")
   expect_output(print(summary(found)), "depth +m")
 })
+
+test_that("a gear that hangs from a fixed point and is not towed can move, and stays at rest", {
+  plan <- list(
+    codend = 1, name = "Hung rope",
+    points = list(
+      nail = list(position = c(0, 0, -1), held = "fixed"), end = list(load = c(0, 0, -10))
+    ),
+    ropes = list(rope = list(from = "nail", to = "end", length = 5, diameter = 0.01,
+      material = "PA"))
+  )
+  found <- tow(as_gear(plan), until = 2, every = 1)
+  # the tolerance of a settled gear: 1e-8 of its tensions
+  expect_equal(found$position[, , 3], found$position[, , 1], tolerance = 1e-6)
+  expect_equal(found$conditions$speed, c(0, 0, 0))
+})
