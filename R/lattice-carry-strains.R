@@ -18,7 +18,7 @@ carry_strains <- function(panels, to, from, strain) {
   row <- cumsum(start)
   end <- c(which(start)[-1L] - 1L, length(order))
   reach <- old$s[order][end] - old$s[order][start]
-  widest <- ave(reach, old$family[order][start], FUN = max)
+  widest <- stats::ave(reach, old$family[order][start], FUN = max)
   long <- reach >= widest / 2
   order <- order[long[row]]
   row <- match(row[long[row]], which(long))
@@ -46,8 +46,8 @@ line_places <- function(panels, lattice) {
   s <- t <- numeric(n)
   second <- logical(n)
 
-  begun <- ave(bars$rest, part, FUN = cumsum)
-  s <- (begun - bars$rest / 2) / ave(bars$rest, part, FUN = sum)
+  begun <- stats::ave(bars$rest, part, FUN = cumsum)
+  s <- (begun - bars$rest / 2) / stats::ave(bars$rest, part, FUN = sum)
   of_panels <- which(part > ropes & part <= ropes + length(lattice$panels))
   if (length(of_panels)) {
     of_bars <- which(vapply(lattice$panels, function(p) p$netting == "bars", NA))
