@@ -44,7 +44,7 @@ rival_problem <- function() {
     reset = function() evaluations <<- reached <<- 0,
     force = function(x) evaluate(x, 0 * x)$force[free],
     rate = function(t, y, parameters = NULL) {
-      reached <<- t
+      reached <<- t + 0  # a copy: deSolve goes on writing into its t
       v <- y[-half]
       found <- evaluate(y[half], v)
       list(c(v, accelerations(found, free)))
