@@ -8,7 +8,7 @@
 # mostly R's, so every row also has what its evaluations alone would cost inside the engine.
 
 asked_error <- 0.01  # m
-rival_limit <- 60   # CPU seconds; beyond, a march's cost is extrapolated from how far it got
+rival_limit <- 120   # CPU seconds; beyond, a march's cost is extrapolated from how far it got
 
 # The net as a system of equations: list(engine, start = 3n, answer = 3n, free = places of the free
 # coordinates in them, error = function(3n), evaluations = function() -> calls of rate and force so
