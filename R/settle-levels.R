@@ -48,6 +48,8 @@ undivided <- function(si) {
 
 # Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
+  # A coarser level that is still to be settled is not of this one's time.
+  force(from)
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
   # The factors lie outside R's heap: nothing else makes R release what building left over.
