@@ -4,8 +4,8 @@
 # Share of the volume within which it is met.
 catch_tolerance <- 1e-6
 
-# solve: function(lattice) that settles; returns the lattice with the front that was found and, as
-# `found`, what it returned for that, with the steps and factorisations of all tries.
+# solve: function(lattice) that settles. Returns list(lattice = with the front that was found, report
+# = what `solve` returned for that, with the steps and factorisations of all tries).
 settle_catch <- function(si, lattice, solve) {
   wanted <- log(si$catch$volume)
   # Fronts known to enclose too little and too much, in the logarithms of meshes and of volume.
@@ -16,24 +16,22 @@ settle_catch <- function(si, lattice, solve) {
   for (try in seq_len(40L)) {
     # Always from the first start: a settled shape leads the path astray.
     lattice <- set_catch_front(lattice, exp(front))
-    found <- solve(lattice)
-    iterations <- iterations + found$iterations
-    factorisations <- factorisations + found$factorisations
-    found$iterations <- iterations
-    found$factorisations <- factorisations
-    lattice$found <- found
-    if (!found$converged) return(lattice)
-    volume <- catch_volume(lattice, matrix(found$position, 3L))
+    report <- solve(lattice)
+    report$iterations <- iterations <- iterations + report$iterations
+    report$factorisations <- factorisations <- factorisations + report$factorisations
+    found <- list(lattice = lattice, report = report)
+    if (!report$converged) return(found)
+    volume <- catch_volume(lattice, matrix(report$position, 3L))
     off <- if (volume > 0) log(volume) - wanted else -Inf
-    if (abs(off) < catch_tolerance) return(lattice)
+    if (abs(off) < catch_tolerance) return(found)
     here <- list(front = front, off = off)
     if (off < 0 && front >= end) abort_catch_volume(si, volume)
     if (off < 0) low <- here else high <- here
     front <- next_front(here, before, low, high, end)
     before <- here
   }
-  lattice$found$converged <- FALSE
-  lattice
+  found$report$converged <- FALSE
+  found
 }
 
 # The volume grows with a power of the meshes behind the front that changes slowly: a secant through

@@ -64,15 +64,14 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
       steps, progress
     )
   }
-  if (is.null(si$catch) || is.na(si$catch$volume)) {
-    report <- solve(lattice)
+  settled <- if (is.null(si$catch) || is.na(si$catch$volume)) {
+    list(lattice = lattice, report = solve(lattice))
   } else {
     if (!is.null(from)) lattice <- set_catch_front(lattice, from$lattice$catch$blocked)
-    lattice <- settle_catch(si, lattice, solve)
-    report <- lattice$found
-    lattice$found <- NULL
+    settle_catch(si, lattice, solve)
   }
-  found <- list(lattice = lattice, position = report$position, strain = report$strain)
+  report <- settled$report
+  found <- list(lattice = settled$lattice, position = report$position, strain = report$strain)
   found$lattice$engine$wake <- report$wake
   report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
