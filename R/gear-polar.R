@@ -4,8 +4,9 @@
 # Tested boards. Only values that are printed in public; attack in deg, coefficients on the area.
 # low_aspect_cambered: low-aspect vertical cambered board, without heel, doi
 #   10.3724/SP.J.1231.2013.38768 (largest C_L/C_D at 15 deg, largest C_L at 30 deg).
-# krill_cambered: hollow vertical cambered board of high aspect ratio for a krill trawl, abstract at
-#   drds.library.net.cn (largest C_L/C_D at 10 deg, largest C_L at 30 deg).
+# krill_cambered: hollow vertical cambered board of high aspect ratio for a krill trawl, from the
+#   public abstract of its tank test in the DRDS journal database (largest C_L/C_D at
+#   10 deg, largest C_L at 30 deg).
 published_polars <- list(
   low_aspect_cambered = data.frame(
     attack = c(15, 30), lift = c(1.120, 1.699), drag = c(0.463, 1.140)
