@@ -42,18 +42,15 @@ line_places <- function(panels, lattice) {
   ropes <- length(lattice$ropes)
   bars <- lattice$engine$bars
   part <- lattice$bar_part
-  n <- length(part)
-  s <- t <- numeric(n)
-  second <- logical(n)
-
+  t <- numeric(length(part))
+  second <- logical(length(part))
   begun <- stats::ave(bars$rest, part, FUN = cumsum)
   s <- (begun - bars$rest / 2) / stats::ave(bars$rest, part, FUN = sum)
   of_panels <- which(part > ropes & part <= ropes + length(lattice$panels))
   if (length(of_panels)) {
     of_bars <- which(vapply(lattice$panels, function(p) p$netting == "bars", NA))
     known <- bar_places(panels, of_bars, lattice$panels)
-    tied <- known$node < 0L
-    known$node[tied] <- lattice$nodes - known$node[tied]
+    known$node <- point_number(known$node, lattice$nodes)
     panel <- part[of_panels] - ropes
     ends <- lapply(1:2, function(end) {
       at <- match_places(panel, bars$node[2L * (of_panels - 1L) + end], known)

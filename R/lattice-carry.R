@@ -108,58 +108,56 @@ bar_places <- function(panels, numbers, drawn) {
 # Returns list(panel, t = of every row, row, s = of every place, x = 3 x places), rows and places in
 # order.
 panel_rows <- function(panels, from, position) {
-  division <- from$division
-  bars <- vapply(from$panels, function(panel) panel$netting == "bars", NA)
-  parts <- list()
-  if (!all(bars)) {
-    grid <- grid_places(division)
-    parts$grid <- c(grid[c("panel", "s", "t")], list(x = position[, grid$node, drop = FALSE]))
-  }
-  if (any(bars)) {
-    rows <- mapply(function(panel, p) {
-      round((2 - is_square(pick_panels(panels, p))) * panels$deep[p] / panel$lambda)
-    }, from$panels[bars], which(bars))
-    deep <- at_least_one(rows)
-    knots <- bar_places(panels, which(bars), from$panels)
-    at <- knots$t * deep[match(knots$panel, which(bars))]
-    inner <- abs(at - round(at)) < 1e-6 & at > 0.5 & at < deep[match(knots$panel, which(bars))] - 0.5
-    node <- knots$node[inner]
-    node[node < 0L] <- from$nodes - node[node < 0L]
-    parts$knots <- list(
-      panel = knots$panel[inner], s = knots$s[inner],
-      t = (round(at) / deep[match(knots$panel, which(bars))])[inner],
-      x = position[, node, drop = FALSE]
-    )
-    edges <- list(
-      node = division$edge_node, fraction = division$fraction, count = division$count,
-      before = division$before
-    )
-    panel <- rep.int(which(bars), deep - 1L)
-    t <- sequence(deep - 1L) / rep.int(deep, deep - 1L)
-    for (side in 3:4) {
-      parts[[paste("side", side)]] <- list(
-        panel = panel, s = rep(side - 3, length(t)), t = t,
-        x = between_places(position, along_runs(t, 4L * (panel - 1L) + side, edges))
-      )
-    }
-    edge <- rep.int(seq_along(division$count), division$count)
-    for (side in 1:2) {
-      on <- (edge - 1L) %% 4L + 1L == side & bars[(edge - 1L) %/% 4L + 1L]
-      parts[[paste("end", side)]] <- list(
-        panel = ((edge - 1L) %/% 4L + 1L)[on], s = division$fraction[on],
-        t = rep(side - 1, sum(on)), x = position[, division$edge_node[on], drop = FALSE]
-      )
-    }
-  }
+  bars <- which(vapply(from$panels, function(panel) panel$netting == "bars", NA))
+  grid <- grid_places(from$division)
+  parts <- c(
+    list(c(grid[c("panel", "s", "t")], list(x = position[, grid$node, drop = FALSE]))),
+    if (length(bars)) bar_rows(panels, bars, from, position)
+  )
   all <- lapply(c(panel = "panel", s = "s", t = "t"), function(f) unlist(lapply(parts, `[[`, f)))
   order <- order(all$panel, all$t, all$s)
-  key <- (2 * all$panel + all$t)[order]
-  row <- cumsum(c(TRUE, diff(key) > 1e-9))
+  row <- cumsum(c(TRUE, diff((2 * all$panel + all$t)[order]) > 1e-9))
   first <- !duplicated(row)
   list(
-    panel = unname(all$panel[order][first]), t = unname(all$t[order][first]), row = row,
-    s = unname(all$s[order]), x = do.call(cbind, lapply(parts, `[[`, "x"))[, order, drop = FALSE]
+    panel = all$panel[order][first], t = all$t[order][first], row = row, s = all$s[order],
+    x = do.call(cbind, lapply(parts, `[[`, "x"))[, order, drop = FALSE]
   )
+}
+
+# Places on the rows of panels of bars, in no order: knots between the edges, then the ends of their
+# rows on the left and the right edge, then all of the upper and the lower edge.
+bar_rows <- function(panels, numbers, from, position) {
+  division <- from$division
+  lambda <- vapply(from$panels[numbers], `[[`, 0, "lambda", USE.NAMES = FALSE)
+  own <- pick_panels(panels, numbers)
+  rows <- at_least_one(round((2 - is_square(own)) * own$deep / lambda))
+
+  knots <- bar_places(panels, numbers, from$panels)
+  of_knots <- rows[match(knots$panel, numbers)]
+  row <- round(knots$t * of_knots)
+  inner <- abs(knots$t * of_knots - row) < 1e-6 & row > 0 & row < of_knots
+  node <- point_number(knots$node[inner], from$nodes)
+  between <- list(
+    panel = knots$panel[inner], s = knots$s[inner], t = (row / of_knots)[inner],
+    x = position[, node, drop = FALSE]
+  )
+
+  edges <- c(list(node = division$edge_node), division[c("fraction", "count", "before")])
+  panel <- rep.int(numbers, rows - 1L)
+  t <- sequence(rows - 1L) / rep.int(rows, rows - 1L)
+  sides <- lapply(3:4, function(side) {
+    on <- along_runs(t, 4L * (panel - 1L) + side, edges)
+    list(panel = panel, s = rep(side - 3, length(t)), t = t, x = between_places(position, on))
+  })
+  edge <- rep.int(seq_along(division$count), division$count)
+  ends <- lapply(1:2, function(side) {
+    on <- which(edge %in% (4L * (numbers - 1L) + side))
+    list(
+      panel = (edge[on] - 1L) %/% 4L + 1L, s = division$fraction[on],
+      t = rep(side - 1, length(on)), x = position[, division$edge_node[on], drop = FALSE]
+    )
+  })
+  c(list(between), sides, ends)
 }
 
 # Values at places of panels: straight along rows, then between rows. rows: see panel_rows(), its

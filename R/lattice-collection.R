@@ -25,16 +25,12 @@ new_collection <- function(nodes) {
     },
     collect = function() {
       points <- nodes + ties
-      final <- function(id) {
-        id[id < 0L] <- nodes - id[id < 0L]
-        id
-      }
       join <- function(kind, fields, whole = character()) {
         out <- lapply(setNames(fields, fields), function(f) {
           all <- unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE)
           if (f %in% whole) as.integer(all) else as.double(all)
         })
-        if (!is.null(out$node)) out$node <- final(out$node)
+        if (!is.null(out$node)) out$node <- point_number(out$node, nodes)
         out
       }
       masses <- join("masses", c("node", "mass", "volume", "height", "area"), "node")
@@ -81,6 +77,13 @@ immersed_volumes <- function(masses, density) {
     buoyancy = gear_gravity * density *
       as.vector(rowsum(masses$volume[some], key, reorder = FALSE))
   )
+}
+
+# Numbers among all points, nodes first: tied ones are drawn as -1, -2, ...
+point_number <- function(node, nodes) {
+  tied <- node < 0L
+  node[tied] <- nodes - node[tied]
+  node
 }
 
 # Sums of x over groups 1..n, numbered by `group`.

@@ -181,8 +181,7 @@ panel_bar_lines <- function(state, points, name, part, length) {
 bar_twines <- function(state, name, ends) {
   panel <- state$si$panels[[name]]
   drawn <- state$lattice$panels[[name]]
-  node <- drawn$node
-  node[node < 0L] <- state$lattice$engine$nodes - node[node < 0L]
+  node <- point_number(drawn$node, state$lattice$engine$nodes)
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)
   j <- matrix(drawn$j[at], 2L)
