@@ -60,10 +60,10 @@ si_water <- function(water) {
   }
   list(
     density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
-    current = data.frame(
+    current = list2DF(list(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
-    )
+    ))
   )
 }
 

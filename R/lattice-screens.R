@@ -50,11 +50,12 @@ blended_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
   some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "blended")
+  panels <- if (length(some)) si$panels
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
     rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
-    material = as.integer(panel[some]), materials = twine_materials(si$panels, alone = FALSE)
+    material = as.integer(panel[some]), materials = twine_materials(panels, alone = FALSE)
   )
 }
 

@@ -32,20 +32,19 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   counts <- if (alike) from$lattice$counts else division_counts(resolution, asked)
   division <- divide(si, frame, counts$pieces, counts$ropes, bars)
 
-  parts <- data.frame(
-    name = c(names(si$ropes), names(si$panels), names(si$pieces), names(si$otter_boards),
-      if (!is.null(si$catch)) "catch"),
+  parts <- list2DF(list(
+    name = as.character(c(names(si$ropes), names(si$panels), names(si$pieces),
+      names(si$otter_boards), if (!is.null(si$catch)) "catch")),
     kind = rep(
       c("rope", "netting", "piece", "piece", "catch"),
       c(lengths(si[c("ropes", "panels", "pieces", "otter_boards")]), !is.null(si$catch))
     ),
-    role = c(
+    role = unname(c(
       vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
       vapply(si$pieces, `[[`, "", "role"), rep("otter_board", length(si$otter_boards)),
       if (!is.null(si$catch)) "catch"
-    ),
-    row.names = NULL
-  )
+    ))
+  ))
   build <- new_collection(division$nodes)
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
   drawn <- setNames(vector("list", length(bars)), names(si$panels))

@@ -45,7 +45,7 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- settle_level(
