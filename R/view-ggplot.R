@@ -111,10 +111,11 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   )
   ggplot2::ggplot(data, mapping) + ggplot2::geom_line() + ggplot2::geom_point() +
     ggplot2::facet_wrap("measure", scales = "free_y") +
-    ggplot2::scale_colour_manual(study$groups_title, values = series_colours(n)) +
-    ggplot2::scale_shape_manual(study$groups_title, values = rep_len(series_symbols, n)) +
+    ggplot2::scale_colour_manual(values = series_colours(n)) +
+    ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
     ggplot2::labs(
-      title = variations_title(object), y = NULL,
+      title = variations_title(object), y = NULL, colour = study$groups_title,
+      shape = study$groups_title,
       x = do.call(words_and_unit, field_words(study$field))
     ) + gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
 }
@@ -138,11 +139,11 @@ autoplot.codend_rope_tensions <- function(object, ...) {
   )
   ggplot2::ggplot(drawn, mapping) + ggplot2::geom_line() +
     ggplot2::facet_wrap("heading", scales = "free") +
-    ggplot2::scale_colour_manual(NULL, values = colours) +
-    ggplot2::scale_linetype_manual(NULL,
+    ggplot2::scale_colour_manual(values = colours) +
+    ggplot2::scale_linetype_manual(
       values = ifelse(drawn$group[first] %% 2L == 0L, "33", "solid")) +
     ggplot2::labs(
-      title = "Tension along ropes", x = "distance along the rope (m)", y = "tension (kN)",
+      title = "Tension along ropes", colour = NULL, linetype = NULL, x = "distance along the rope (m)", y = "tension (kN)",
       subtitle = paste(c(attr(object, "gear_name"), attr(object, "conditions")), collapse = ", ")
     ) +
     gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
