@@ -99,7 +99,8 @@ void read_triangles(const list& from, codend::Model& model) {
                          material = places(from, "material");
   const std::vector<double> twine = numbers(from, "twine"), rest = numbers(from, "rest"),
                             straight = numbers(from, "straight"),
-                            multiplicity = numbers(from, "multiplicity");
+                            multiplicity = numbers(from, "multiplicity"),
+                            height = numbers(from, "height");
   auto copy = [](const auto& values, std::size_t width, std::size_t element, auto& to) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * element);
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
@@ -114,6 +115,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.oblique.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     } else {
       codend::NettingTriangles& to = model.triangles;
       copy(node, 3, e, to.node);
@@ -121,6 +123,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.rest.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     }
   }
 }
@@ -234,6 +237,7 @@ codend::Model read_model(const list& lattice) {
   model.bars.rest = numbers(bars, "rest");
   model.bars.multiplicity = numbers(bars, "multiplicity");
   model.bars.material = places(bars, "material");
+  model.bars.height = numbers(bars, "height");
 
   read_triangles(lattice["triangles"], model);
 
@@ -277,6 +281,7 @@ codend::Model read_model(const list& lattice) {
   model.drag_screens.node = places(drag_screens, "node");
   model.drag_screens.twine_area = numbers(drag_screens, "twine_area");
   model.drag_screens.diameter = numbers(drag_screens, "diameter");
+  model.drag_screens.height = numbers(drag_screens, "height");
   model.drag_screens.multiplicity = numbers(drag_screens, "multiplicity");
   model.drag_screens.law = whole_numbers(drag_screens, "law");
 
@@ -284,6 +289,7 @@ codend::Model read_model(const list& lattice) {
   model.blended.node = places(blended, "node");
   model.blended.twine = numbers(blended, "twine");
   model.blended.rest = numbers(blended, "rest");
+  model.blended.height = numbers(blended, "height");
   model.blended.multiplicity = numbers(blended, "multiplicity");
   model.blended.material = places(blended, "material");
   model.blended.materials = read_materials(blended["materials"]);
