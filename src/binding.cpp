@@ -201,6 +201,12 @@ doubles family_in_order(const doubles& straight, const std::vector<double>& plai
   return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
 }
 
+// Of the straight bars of hexagonal triangles.
+doubles straight_tension(const codend::Evaluation& e) {
+  const auto first = e.hexagon_tension.begin();
+  return as_doubles({first, first + static_cast<std::ptrdiff_t>(e.hexagon_tension.size() / 3)});
+}
+
 // Copies every array once. The caller connects the model where it comes to lie.
 codend::Model read_model(const list& lattice) {
   codend::Model model;
@@ -620,6 +626,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "bar_tension"_nm = as_doubles(e.bar_tension),
         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
+        "straight_tension"_nm = straight_tension(e),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);
