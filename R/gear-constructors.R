@@ -144,7 +144,7 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #'   the volume.
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
 #' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
-#'   end: the area across the tow that they enclose (m2).
+#'   end: the area that they enclose, seen level and from right ahead of them (m2).
 #' @param drag_coefficient,drag_area Drag coefficient, or its product with the area.
 #' @param lift_coefficient,lift_area Lift coefficient, or its product with the area.
 #' @param lift_direction `"up"`, `"down"`, `"port"` or `"starboard"`.
@@ -179,7 +179,7 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
   component("otter_boards", as.list(environment()))
 }
 
-#' @param spread Two places, or a list of pairs of places: distance across the tow, or its mean (m).
+#' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
 #' @param height Two places: their vertical distance (m).
 #' @param depth A place: its depth (m).
 #' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).

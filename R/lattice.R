@@ -89,9 +89,9 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     load = as.vector(loads),
     mass = collected$mass + board_masses(si, division, length(collected$mass)),
     materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
-    bars = collected$bars[c("node", "rest", "multiplicity", "material")],
+    bars = collected$bars[c("node", "rest", "multiplicity", "height", "material")],
     triangles = collected$triangles[
-      c("node", "twine", "rest", "straight", "inner", "multiplicity", "material")
+      c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material")
     ],
     spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass", "height")],
     lifts = collected$lifts[c("node", "lift_area", "direction", "height")],

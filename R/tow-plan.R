@@ -162,17 +162,22 @@ warp_part <- function(si, lattice, rope, curve, given) {
       rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
       drag_area = numeric(), added_mass = numeric()
     ),
-    own_volumes(lattice, points, full$diameter,
-      gear_gravity * si$water$density * sums(half * full$volume_per_length))
+    own_volumes(lattice, ends, surface_height(full$diameter, rep(rest, each = 2L)),
+      gear_gravity * si$water$density * half * full$volume_per_length)
   )
 }
 
-# Where a part's buoyancy (N, per point, of bodies of a height) is among the lattice's volumes at a
-# free surface; nowhere in a lattice that knows none.
-own_volumes <- function(lattice, points, height, buoyancy) {
+# Where a part's buoyancy (N, of bodies that leave the water over these heights at these points) is
+# among the lattice's volumes at a free surface; nowhere in a lattice that knows none.
+own_volumes <- function(lattice, point, height, buoyancy) {
   known <- lattice$engine$volumes
-  at <- match(paste(points, height), paste(known$node, known$height))
-  list(volumes = at[!is.na(at)], buoyancy = buoyancy[!is.na(at)])
+  at <- match(paste(point, height), paste(known$node, known$height))
+  volumes <- unique(at[!is.na(at)])
+  own <- buoyancy[!is.na(at)]
+  list(
+    volumes = volumes,
+    buoyancy = as.double(rowsum(own, match(at[!is.na(at)], volumes), reorder = TRUE))
+  )
 }
 
 # Rows of the parts that are catch.

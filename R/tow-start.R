@@ -95,7 +95,7 @@ add_start <- function(what, position, velocity) {
   frame <- list(
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
-    report = NULL
+    straight_tension = found$straight_tension[has_straight_bars(what$lattice)], report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

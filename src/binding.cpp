@@ -99,7 +99,8 @@ void read_triangles(const list& from, codend::Model& model) {
                          material = places(from, "material");
   const std::vector<double> twine = numbers(from, "twine"), rest = numbers(from, "rest"),
                             straight = numbers(from, "straight"),
-                            multiplicity = numbers(from, "multiplicity");
+                            multiplicity = numbers(from, "multiplicity"),
+                            height = numbers(from, "height");
   auto copy = [](const auto& values, std::size_t width, std::size_t element, auto& to) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * element);
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
@@ -114,6 +115,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.oblique.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     } else {
       codend::NettingTriangles& to = model.triangles;
       copy(node, 3, e, to.node);
@@ -121,6 +123,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.rest.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     }
   }
 }
@@ -198,6 +201,12 @@ doubles family_in_order(const doubles& straight, const std::vector<double>& plai
   return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
 }
 
+// Of the straight bars of hexagonal triangles.
+doubles straight_tension(const codend::Evaluation& e) {
+  const auto first = e.hexagon_tension.begin();
+  return as_doubles({first, first + static_cast<std::ptrdiff_t>(e.hexagon_tension.size() / 3)});
+}
+
 // Copies every array once. The caller connects the model where it comes to lie.
 codend::Model read_model(const list& lattice) {
   codend::Model model;
@@ -234,6 +243,7 @@ codend::Model read_model(const list& lattice) {
   model.bars.rest = numbers(bars, "rest");
   model.bars.multiplicity = numbers(bars, "multiplicity");
   model.bars.material = places(bars, "material");
+  model.bars.height = numbers(bars, "height");
 
   read_triangles(lattice["triangles"], model);
 
@@ -277,6 +287,7 @@ codend::Model read_model(const list& lattice) {
   model.drag_screens.node = places(drag_screens, "node");
   model.drag_screens.twine_area = numbers(drag_screens, "twine_area");
   model.drag_screens.diameter = numbers(drag_screens, "diameter");
+  model.drag_screens.height = numbers(drag_screens, "height");
   model.drag_screens.multiplicity = numbers(drag_screens, "multiplicity");
   model.drag_screens.law = whole_numbers(drag_screens, "law");
 
@@ -284,6 +295,7 @@ codend::Model read_model(const list& lattice) {
   model.blended.node = places(blended, "node");
   model.blended.twine = numbers(blended, "twine");
   model.blended.rest = numbers(blended, "rest");
+  model.blended.height = numbers(blended, "height");
   model.blended.multiplicity = numbers(blended, "multiplicity");
   model.blended.material = places(blended, "material");
   model.blended.materials = read_materials(blended["materials"]);
@@ -614,6 +626,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "bar_tension"_nm = as_doubles(e.bar_tension),
         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
+        "straight_tension"_nm = straight_tension(e),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);

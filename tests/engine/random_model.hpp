@@ -159,6 +159,7 @@ class Specimen {
       model.bars.multiplicity.push_back(random.between(0.5, 4.0));
     }
     model.bars.rest.assign(wanted.bars, 1.0);
+    model.bars.height.assign(wanted.bars, 1.5);
     for (int b = 0; b < wanted.bars; ++b) {
       model.bars.material.push_back(wanted.struts && b % 2 ? 1 : 0);
     }
@@ -169,6 +170,7 @@ class Specimen {
     }
     model.triangles.rest.assign(wanted.triangles, 1.0);
     model.triangles.material.assign(wanted.triangles, 0);
+    model.triangles.height.assign(wanted.triangles, 1.5);
     for (int s = 0; s < wanted.bodies + wanted.knots; ++s) {
       points(random, 1, model.spheres.node);
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
@@ -216,6 +218,7 @@ class Specimen {
     model.hexagons.straight.assign(wanted.hexagons, 1.0);
     model.hexagons.oblique.assign(wanted.hexagons, 1.0);
     model.hexagons.material.assign(wanted.hexagons, 0);
+    model.hexagons.height.assign(wanted.hexagons, 1.5);
     for (int e = 0; e < wanted.pressed; ++e) {
       points(random, 3, model.pressure.node);
       for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
@@ -225,6 +228,7 @@ class Specimen {
       // solidities from some 0.01 to beyond the laws' range
       model.drag_screens.twine_area.push_back(random.between(0.01, 0.5));
       model.drag_screens.diameter.push_back(wanted.diameter);
+      model.drag_screens.height.push_back(1.5);
       model.drag_screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
       model.drag_screens.law.push_back(wanted.screen_law);
     }
@@ -236,6 +240,7 @@ class Specimen {
       model.blended.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
     model.blended.material.assign(wanted.blended, 0);
+    model.blended.height.assign(wanted.blended, 1.5);
     model.blended.materials = model.materials;
     model.blended.slack = wanted.slack;
     for (int e = 0; e < wanted.openings; ++e) {

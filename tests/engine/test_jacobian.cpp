@@ -262,7 +262,7 @@ TEST_CASE("derivatives at the surface") {
       wanted.bars = wanted.triangles = 12;
       wanted.free_surface = true;
       wanted.layered = repeat % 2;
-      wanted.diameter = 1.5;  // the height over which they leave the water
+      wanted.diameter = 1.5;  // much drag
       wanted.axial_stiffness = 500.0;
       check_derivatives(random, wanted);
     }
