@@ -170,6 +170,7 @@ si_rope <- function(rope, path, fields, law, known) {
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
   list(
+    material = first_of(rope$material, NA_character_),
     from = if (!is.null(rope$from)) find_place(rope$from, paste0(path, ".from"), known),
     to = if (!is.null(rope$to)) find_place(rope$to, paste0(path, ".to"), known),
     along = along, length = length, diameter = rope$diameter,
