@@ -14,7 +14,7 @@ flume_server <- function(start, marked, nodes) {
     show <- function(answers = 0) {
       message <- tank$picture()
       session$sendCustomMessage("flume_picture", c(list(
-        answers = answers, said = spoken(tank$state), notes = I(tank$notes)
+        answers = answers, said = spoken(tank$measures), notes = I(tank$notes)
       ), message))
       tank$changed(shiny::isolate(tank$changed()) + 1L)
     }
@@ -73,7 +73,7 @@ flume_server <- function(start, marked, nodes) {
         make()
       })
     }
-    output$measures <- of_state(function() measures_html(measures(tank$state), tank$pinned_measures))
+    output$measures <- of_state(function() measures_html(tank$measures, tank$pinned$measures))
     output$tensions <- of_state(function() tensions_html(tank$state))
     output$drag <- of_state(function() drag_html(tank$state))
     output$differences <- of_state(function() differences_html(tank$pinned$gear, tank$gear))
@@ -98,6 +98,7 @@ new_tank <- function(start, marked, nodes) {
   tank$gear <- start$gear
   tank$state <- start$state
   tank$drawing <- flume_drawing(start$state)
+  tank$measures <- measures(start$state)
   tank$notes <- character()
   tank$known <- list()
   tank$changed <- shiny::reactiveVal(0L)
@@ -111,6 +112,7 @@ new_tank <- function(start, marked, nodes) {
     tank$state <- found$state
     tank$notes <- found$notes
     tank$drawing <- drawing
+    tank$measures <- measures(found$state)
   }
   lay_out <- function() {
     tank$base <- tank$gear
@@ -136,13 +138,10 @@ new_tank <- function(start, marked, nodes) {
     lay_out()
   }
   tank$pin <- function() {
-    tank$pinned <- list(gear = tank$gear, state = tank$state, drawing = tank$drawing)
-    tank$pinned_measures <- measures(tank$state)
+    tank$pinned <- as.list(tank)[c("gear", "state", "drawing", "measures")]
   }
   tank$reset <- function() {
-    tank$gear <- tank$pinned$gear
-    tank$state <- tank$pinned$state
-    tank$drawing <- tank$pinned$drawing
+    list2env(tank$pinned, tank)
     tank$notes <- character()
     lay_out()
   }
@@ -215,10 +214,9 @@ read_typed <- function(text, like) {
 }
 
 # The first measures of a gear as a sentence, for those who listen.
-spoken <- function(state) {
-  found <- measures(state)
-  shown <- unique(c(utils::head(names(found), 3L), "total_drag_kN"))
-  paste0("Settled. ", paste(measure_text(found[shown]), collapse = ", "), ".")
+spoken <- function(measures) {
+  shown <- unique(c(utils::head(names(measures), 3L), "total_drag_kN"))
+  paste0("Settled. ", paste(measure_text(measures[shown]), collapse = ", "), ".")
 }
 
 # What can be saved of what is on screen.
@@ -234,7 +232,7 @@ flume_saves <- function(output, tank) {
   }
   output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
   output$save_measures <- save("-measures", "csv", table(function() {
-    measure_changes(measures(tank$state), tank$pinned_measures)
+    measure_changes(tank$measures, tank$pinned$measures)
   }))
   output$save_tensions <- save("-tensions", "csv", table(function() {
     as.data.frame(tank$state, what = "tensions")

@@ -183,6 +183,7 @@
 
   function listen() {
     window.codendTank.listen();
+    find('plan_drop').querySelector('[type=text]').setAttribute('aria-label', 'Name of the plan file');
     Shiny.addCustomMessageHandler('flume_palettes', window.codendTank.palettes);
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
       clearErrors();

@@ -439,7 +439,8 @@ window.codendTank = (function () {
     waiting = false;
     if (!shown.now) return;
     paintTank();
-    Object.keys(planes).forEach(paintPlane);
+    // A frame later: the eye is on the tank.
+    window.requestAnimationFrame(function () { Object.keys(planes).forEach(paintPlane); });
   }
 
   function repaint() {
