@@ -186,8 +186,10 @@ flume_problem <- function(expression) {
   )
 }
 
+# A condition's message on one line, without the marks of cli's list items.
 plain_message <- function(condition) {
-  trimws(gsub("[[:space:]]+", " ", cli::ansi_strip(conditionMessage(condition))))
+  text <- gsub("\n[^[:alnum:][:space:]] ", " ", cli::ansi_strip(conditionMessage(condition)))
+  trimws(gsub("[[:space:]]+", " ", text))
 }
 
 # The gear of an uploaded file, whose messages name the file as its owner does.
