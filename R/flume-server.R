@@ -106,6 +106,8 @@ new_tank <- function(start, marked, nodes) {
 
   # Puts a gear that settles on screen; what fails leaves everything as it is.
   put <- function(gear, from) {
+    # Checked before it is asked for: a gear just checked is not checked again.
+    force(gear)
     found <- settle_noted(gear, nodes, from)
     drawing <- flume_drawing(found$state)
     tank$gear <- gear

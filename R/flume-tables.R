@@ -36,30 +36,41 @@ measure_changes <- function(now, pinned) {
   )
 }
 
+# Numbers as text with given decimals, thousands apart. (formatC would take as long as settling.)
+fixed_decimals <- function(x, decimals) {
+  text <- sprintf("%.*f", as.integer(decimals), x)
+  long <- which(abs(x) >= 1e4)
+  text[long] <- vapply(text[long], format_thousands, "")
+  text[is.na(x)] <- ""
+  text
+}
+
+format_thousands <- function(text) {
+  parts <- strsplit(text, ".", fixed = TRUE)[[1]]
+  parts[1] <- gsub("(?<=[0-9])(?=(?:[0-9]{3})+$)", "\u202f", parts[1], perl = TRUE)
+  paste(parts, collapse = ".")
+}
+
 # Differences as text, "+3.2" or "\u2212" for minus; "0" where nothing that shows has changed.
 signed <- function(x, decimals) {
-  text <- mapply(formatC, abs(x), digits = decimals, MoreArgs = list(format = "f", big.mark = "\u202f"))
+  text <- fixed_decimals(abs(x), decimals)
   text <- ifelse(grepl("[1-9]", text), paste0(ifelse(x < 0, "\u2212", "+"), text), "0")
   text[is.na(x)] <- ""
   text
 }
 
-# Changes have the decimals of the values that they are changes of.
+# A row has one number of decimals: four figures of its larger value, as in summaries, and at most four
+# decimals.
 measures_html <- function(now, pinned) {
   table <- measure_changes(now, pinned)
-  shown <- figures(ifelse(is.na(table$now), table$pinned, table$now))
-  decimals <- nchar(sub("^[^.]*[.]?", "", shown))
-  value <- function(x) {
-    text <- mapply(formatC, x, digits = decimals,
-      MoreArgs = list(format = "f", big.mark = "\u202f"))
-    ifelse(is.na(x), "", text)
-  }
+  shown <- signif(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE), 4)
+  decimals <- ifelse(shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
   change <- signed(table$change, decimals)
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
   rows <- data.frame(
-    paste0(table$measure, " (", table$unit, ")"), value(table$now), value(table$pinned), change,
-    percent
+    paste0(table$measure, " (", table$unit, ")"), fixed_decimals(table$now, decimals),
+    fixed_decimals(table$pinned, decimals), change, percent
   )
   html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows))
 }

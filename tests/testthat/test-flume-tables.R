@@ -6,8 +6,8 @@ test_that("changes are those of the measures, by name", {
 })
 
 test_that("changes show a sign and no more decimals than their values", {
-  expect_identical(signed(c(1.26, -0.04, 0.04, NA, -1234.5), c(1, 1, 2, 1, 0)),
-    c("+1.3", "0", "+0.04", "", "\u22121\u202f234"))
+  expect_identical(signed(c(1.26, -0.04, 0.04, NA, -12345.6), c(1, 1, 2, 1, 0)),
+    c("+1.3", "0", "+0.04", "", "\u221212\u202f346"))
 })
 
 test_that("tables hold text as text", {
