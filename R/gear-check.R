@@ -2,7 +2,7 @@
 
 check_gear <- function(si) {
   check_points(si)
-  check_seams(si)
+  remembered("check_seams", si[c("points", "panels", "seams")], function() check_seams(si))
   check_places(si)
   check_joined(si)
 }

@@ -7,7 +7,13 @@ gear_expanders <- list(
 # The tree of the assembly that a checked plan stands for: the plan itself when it is one.
 expand_plan <- function(fields, plan) {
   if (fields$kind == "assembly") return(plan)
-  plain_tree(gear_expanders[[fields$kind]](fields, plan))
+  tree <- gear_expanders[[fields$kind]](fields, plan)
+  for (name in names(tree)) {
+    tree[[name]] <- remembered(paste0("plain ", name), list(tree[[name]]), function() {
+      plain_tree(tree[[name]])
+    })
+  }
+  tree
 }
 
 # The checked fields, in SI, of the assembly that a plan stands for.

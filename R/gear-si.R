@@ -26,7 +26,9 @@ gear_si <- function(gear) {
   )
   si$points <- map_named(fields$points, "points", si_point, known)
   si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
-  si$seams <- map_named(fields$seams, "seams", si_seam, known)
+  si$seams <- remembered("seams", list(fields$seams, known), function() {
+    map_named(fields$seams, "seams", si_seam, known)
+  })
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
