@@ -24,6 +24,13 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL) {
 # Positions (3 x n) of the skeleton's nodes.
 skeleton_positions <- function(si, skeleton, panels) {
   supports <- gear_supports(si, skeleton)
+  for (name in names(si$points)) {
+    near <- si$points[[name]]$near
+    node <- skeleton$points[[name]]
+    if (is.null(near) || supports$held[node]) next
+    supports$held[node] <- TRUE
+    supports$position[, node] <- near
+  }
   strings <- mapply(c, skeleton_strings(si, skeleton, panels), board_strings(si, skeleton),
     SIMPLIFY = FALSE)
   load <- skeleton_load(si, skeleton, panels, supports$load)

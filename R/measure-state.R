@@ -17,6 +17,11 @@
 #'   straight line.
 #' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
 #'   horizontal (declination) or out of the x axis in plan view (divergence).
+#' - `volume` (m3): within panels that follow each other around an opening, such as a cage's walls and
+#'   bottom, closed by a lid from the rim of the opening to its middle; `volume_share` (percent): the
+#'   same as a share of a volume `of`.
+#' - `drag`, `lift` (kN): hydrodynamic force on ropes, panels and pieces together, along the flow and
+#'   upwards.
 #' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
 #'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
 #'
@@ -76,7 +81,9 @@ plan_measures <- function(state) {
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
       angle = measure_angle(state, measure),
-      attitude = measure_attitude(state, measure)
+      attitude = measure_attitude(state, measure),
+      volume = , volume_share = measure_volume(state, measure),
+      drag = , lift = measure_part_force(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
