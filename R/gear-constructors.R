@@ -57,9 +57,11 @@ gear <- function(name, ..., kind = "assembly") {
 #' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, or a
 #'   rope's start, middle or end such as `"warp.end"`.
 #' @param load Force on a point: x, y, z (three forces).
+#' @param near Where a free point lies, about: three lengths. Only for where the solver starts, in
+#'   gears whose stiff parts (rings of pipe, poles) it could not unfold by itself.
 #' @rdname gear
 #' @export
-point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
+point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = NULL) {
   component("points", as.list(environment()))
 }
 
@@ -75,6 +77,9 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #'   or one of the plan's own `materials`.
 #' @param axial_stiffness,mass_per_length,volume_per_length EA, mass in air and displaced volume per
 #'   length; each wins over the material's.
+#' @param bending_stiffness EI of a pipe or pole, N m2 or text: it resists bending, is straight at
+#'   rest and also pushes. Where its start is its end, so for a ring; 0 for ropes.
+#' @param pushes Whether it also pushes, as a pole does, and never goes slack.
 #' @param damping_ratio Damping of a rope's stretch while the gear moves ([tow()]), as a share of
 #'   what is critical for one bar of the lattice; 0 by default.
 #' @param coefficients Drag coefficients of this rope or panel instead of its material's or the
@@ -87,7 +92,8 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @rdname gear
 #' @export
 rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
-                 diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
+                 diameter = NULL, material = NULL, axial_stiffness = NULL,
+                 bending_stiffness = NULL, pushes = NULL, damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))
@@ -187,9 +193,13 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
 #'   its `"divergence"` sideways (deg).
 #' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
 #'   attack, `"heel"` or `"trim"` (deg).
+#' @param volume_share `list(panels, of)`: the volume within panels as a share of another (percent).
+#' @param drag,lift Names of ropes, panels and pieces: the hydrodynamic force on them together, along
+#'   the flow or upwards (kN).
 #' @rdname gear
 #' @export
 measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
-                    area = NULL, angle = NULL, attitude = NULL) {
+                    area = NULL, angle = NULL, attitude = NULL, volume = NULL,
+                    volume_share = NULL, drag = NULL, lift = NULL) {
   component("measures", as.list(environment()))
 }

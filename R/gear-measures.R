@@ -2,12 +2,12 @@
 
 measure_units <- c(
   spread = "m", height = "m", length = "m", depth = "m", tension = "kN", area = "m2", angle = "deg",
-  attitude = "deg"
+  attitude = "deg", volume = "m3", volume_share = "percent", drag = "kN", lift = "kN"
 )
 
 # Returns list(kind, column, unit) and, by kind: pairs (list of two places each) for spread, height
 # and length; place for depth; rope and place (start, middle, end or max) for tension; ropes for
-# area; rope, place and angle (declination or divergence) for angle; board and angle (attack, heel
+# area; panels, and of (m3) for volume_share; parts for drag and lift; rope, place and angle (declination or divergence) for angle; board and angle (attack, heel
 # or trim) for attitude.
 si_measure <- function(measure, path, known) {
   kind <- names(measure)
@@ -24,11 +24,33 @@ si_measure <- function(measure, path, known) {
     tension = parse_place(place(asked))[c("name", "place")],
     area = list(ropes = vapply(asked, find_rope, "", path = path, known = known,
       USE.NAMES = FALSE)),
+    volume = list(panels = find_panels(asked, path, known)),
+    volume_share = list(
+      panels = find_panels(asked$panels, paste0(path, ".panels"), known), of = asked$of
+    ),
+    drag = , lift = list(parts = find_parts(asked, path, known)),
     attitude = list(board = find_board(names(asked), path, known), angle = asked[[1]]),
     angle = c(parse_place(place(names(asked)))[c("name", "place")], angle = asked[[1]])
   )
   names(asks)[names(asks) == "name"] <- "rope"
   c(list(kind = kind, column = paste0(name, "_", unit), unit = unit), asks)
+}
+
+find_panels <- function(names, path, known) {
+  for (name in names) {
+    if (!name %in% names(known$panels)) {
+      abort_reference(name, name, names(known$panels), "panel", path)
+    }
+  }
+  names
+}
+
+find_parts <- function(names, path, known) {
+  parts <- c(known$ropes, names(known$panels), known$pieces, known$otter_boards)
+  for (name in names) {
+    if (!name %in% parts) abort_reference(name, name, parts, "rope, panel or piece", path)
+  }
+  names
 }
 
 find_board <- function(name, path, known) {

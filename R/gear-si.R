@@ -8,7 +8,7 @@ gear_gravity <- 9.81
 # seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
 # takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
-# leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
+# leave out and has no default is NULL (position, at, near, from, to, along, held_between, segments,
 # columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
@@ -33,6 +33,7 @@ gear_si <- function(gear) {
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
   known$otter_boards <- names(si$otter_boards)
+  known$pieces <- names(si$pieces)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
@@ -149,9 +150,13 @@ si_panel <- function(panel, path, fields, law) {
 }
 
 si_point <- function(point, path, known) {
+  if (!is.null(point$near) && !is.null(point$position)) {
+    abort_field(paste0(path, ".near"), point$near, "left out where `position` is given")
+  }
   list(
     position = point$position, held = first_of(point$held, NA_character_),
     at = if (!is.null(point$at)) find_place(point$at, paste0(path, ".at"), known),
+    near = point$near,
     load = first_of(point$load, c(0, 0, 0))
   )
 }
@@ -177,6 +182,8 @@ si_rope <- function(rope, path, fields, law, known) {
     to = if (!is.null(rope$to)) find_place(rope$to, paste0(path, ".to"), known),
     along = along, length = length, diameter = rope$diameter,
     axial_stiffness = line$axial_stiffness, damping = line$damping,
+    bending_stiffness = rope$bending_stiffness,
+    strut = rope$pushes || rope$bending_stiffness > 0,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
     coefficients = line_law(rope$coefficients, rope$material, fields, law),

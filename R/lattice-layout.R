@@ -24,9 +24,17 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL) {
 # Positions (3 x n) of the skeleton's nodes.
 skeleton_positions <- function(si, skeleton, panels) {
   supports <- gear_supports(si, skeleton)
+  for (name in names(si$points)) {
+    near <- si$points[[name]]$near
+    node <- skeleton$points[[name]]
+    if (is.null(near) || supports$held[node]) next
+    supports$held[node] <- TRUE
+    supports$position[, node] <- near
+  }
   strings <- mapply(c, skeleton_strings(si, skeleton, panels), board_strings(si, skeleton),
     SIMPLIFY = FALSE)
   load <- skeleton_load(si, skeleton, panels, supports$load)
+  if (si$water$free_surface) load <- floated(load)
   # Nothing pulls on a weightless gear at rest: let it hang.
   total <- max(sqrt(colSums(load^2)), 1e-9)
   load[3, ] <- load[3, ] - 1e-3 * total * !supports$held
@@ -37,11 +45,22 @@ skeleton_positions <- function(si, skeleton, panels) {
     strings$strength[keep] * total, as.vector(load)
   )
   found <- matrix(found, 3L)
+  # What floats stays at the surface.
+  if (si$water$free_surface) found[3, ] <- pmin(found[3, ], 0)
   for (board in si$otter_boards) {
     nodes <- skeleton$points[board$points]
     found[, nodes] <- upright_board(board, rowMeans(found[, nodes]))
   }
   found
+}
+
+# Loads at a free surface, where floats lift no more than hangs from them.
+floated <- function(load) {
+  up <- load[3, ] > 0
+  lifted <- sum(load[3, up])
+  hanging <- -sum(load[3, !up])
+  if (lifted > hanging) load[3, up] <- load[3, up] * hanging / lifted
+  load
 }
 
 # Strings between the points of boards, as skeleton_strings().

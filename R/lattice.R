@@ -116,6 +116,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice$engine$drag_screens <- screen_elements(si, lattice)
   lattice$engine$blended <- blended_elements(si, lattice)
   lattice$engine$openings <- opening_elements(si, lattice)
+  lattice$engine$bends <- bend_elements(si, lattice)
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- if (is.null(from)) {
     start <- lay_out(si, lattice, panels, chains, if (!any(bars)) frame)

@@ -20,6 +20,11 @@
 #' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
 #'   horizontal (declination) or, in plan view, out of the vessel's centre line (divergence), in a
 #'   turn too.
+#' - `volume` (m3): within panels that follow each other around an opening, such as a cage's walls and
+#'   bottom, closed by a lid from the rim of the opening to its middle; `volume_share` (percent): the
+#'   same as a share of a volume `of`.
+#' - `drag`, `lift` (kN): hydrodynamic force on ropes, panels and pieces together, along the flow and
+#'   upwards.
 #' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
 #'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
 #'
@@ -82,7 +87,9 @@ plan_measures <- function(state) {
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
       angle = measure_angle(state, measure),
-      attitude = measure_attitude(state, measure)
+      attitude = measure_attitude(state, measure),
+      volume = , volume_share = measure_volume(state, measure),
+      drag = , lift = measure_part_force(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))

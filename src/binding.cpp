@@ -307,6 +307,10 @@ codend::Model read_model(const list& lattice) {
   model.openings.couple = numbers(openings, "couple");
   model.openings.angle = numbers(openings, "angle");
   model.openings.multiplicity = numbers(openings, "multiplicity");
+
+  const list bends(lattice["bends"]);
+  model.bends.node = places(bends, "node");
+  model.bends.couple = numbers(bends, "couple");
   return model;
 }
 

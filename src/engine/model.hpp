@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/bending.hpp"
 #include "elements/blended_netting.hpp"
 #include "elements/catch_pressure.hpp"
 #include "elements/ground_contact.hpp"
@@ -48,6 +49,7 @@ struct Model {
   NettingScreens drag_screens;  // netting whose drag is a screen's
   BlendedNetting blended;
   MeshOpenings openings;
+  Bends bends;  // of ropes that resist bending
   OtterBoards boards;
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
@@ -58,7 +60,8 @@ struct Model {
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but lines and contacts.
   std::vector<const ElementKind*> kinds() const {
-    return {&spheres, &lifts, &boards, &volumes, &pressure, &drag_screens, &blended, &openings};
+    return {&spheres,      &lifts,   &boards,   &volumes, &pressure,
+            &drag_screens, &blended, &openings, &bends};
   }
   // Call once after filling; copies of a Model need it again.
   void connect() {

@@ -30,7 +30,7 @@ class Random {
 
 struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
-  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0;
+  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
   int boards = 0, contacts = 0, volumes = 0;
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
@@ -249,6 +249,10 @@ class Specimen {
       model.openings.couple.push_back(random.between(0.1, 2.0));
       model.openings.angle.push_back(random.between(0.0, 3.1));
       model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    for (int e = 0; e < wanted.bends; ++e) {
+      points(random, 3, model.bends.node);
+      model.bends.couple.push_back(random.between(0.1, 2.0));
     }
   }
 
