@@ -54,8 +54,9 @@ gear <- function(name, ..., kind = "assembly") {
 #' @param position Where a held point is: x aft of the towing point, y to starboard, z up from the
 #'   water surface (three lengths).
 #' @param held `"fixed"` in the earth frame or `"moved"`: towed.
-#' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, or a
-#'   rope's start, middle or end such as `"warp.end"`.
+#' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, a
+#'   rope's start, middle or end such as `"warp.end"`, or the place at a share of its length such as
+#'   `"warp[0.25]"` (on a rope that is not laced, the node next to it).
 #' @param load Force on a point: x, y, z (three forces).
 #' @rdname gear
 #' @export
@@ -67,6 +68,9 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @param along Panel edges that a rope is laced to, or that a piece is spread along (a piece: also
 #'   a rope's name): an edge such as `"belly.left"`, a range of its meshes such as
 #'   `"belly.upper[0:6]"`, backwards such as `"-belly.right"`, or several of these end to end.
+#' @param through Places that a rope slides through, in order from its start, such as rings or
+#'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in equal
+#'   shares from place to place.
 #' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
@@ -86,7 +90,7 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
 #' @rdname gear
 #' @export
-rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
+rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL, hanging_ratio = NULL,
                  diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {

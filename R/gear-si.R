@@ -172,7 +172,10 @@ si_rope <- function(rope, path, fields, law, known) {
   list(
     from = if (!is.null(rope$from)) find_place(rope$from, paste0(path, ".from"), known),
     to = if (!is.null(rope$to)) find_place(rope$to, paste0(path, ".to"), known),
-    along = along, length = length, diameter = rope$diameter,
+    along = along,
+    through = vapply(as.character(rope$through), find_place, "",
+      path = paste0(path, ".through"), known = known, USE.NAMES = FALSE),
+    length = length, diameter = rope$diameter,
     axial_stiffness = line$axial_stiffness, damping = line$damping,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,

@@ -19,6 +19,7 @@
 #include "elements/netting_screen.hpp"
 #include "elements/netting_triangle.hpp"
 #include "elements/otter_board.hpp"
+#include "elements/sliding_rope.hpp"
 #include "elements/sphere.hpp"
 #include "wake.hpp"
 #include "water.hpp"
@@ -49,6 +50,7 @@ struct Model {
   BlendedNetting blended;
   MeshOpenings openings;
   OtterBoards boards;
+  std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
   Screens screens;          // netting that slows the water behind it
@@ -58,7 +60,10 @@ struct Model {
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but lines and contacts.
   std::vector<const ElementKind*> kinds() const {
-    return {&spheres, &lifts, &boards, &volumes, &pressure, &drag_screens, &blended, &openings};
+    std::vector<const ElementKind*> all = {&spheres,  &lifts,        &boards,  &volumes,
+                                           &pressure, &drag_screens, &blended, &openings};
+    for (const SlidingRope& rope : sliding) all.push_back(&rope);
+    return all;
   }
   // Call once after filling; copies of a Model need it again.
   void connect() {
@@ -68,6 +73,7 @@ struct Model {
     hexagons.first_line = bars.count() + 2 * triangles.count();
     hexagons.prepare();
     boards.prepare();
+    for (SlidingRope& rope : sliding) rope.connect(bars);
     // Bodies of unknown height: only asked for at a free surface.
     spheres.height.resize(spheres.node.size(), 1.0);
     lifts.height.resize(lifts.node.size(), 1.0);

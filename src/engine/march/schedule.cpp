@@ -142,8 +142,7 @@ void Schedule::turn(Winch& winch, double time) {
   }
   speed = std::clamp(speed, -winch.speed_limit, winch.speed_limit);
   if (std::isfinite(winch.tension_limit)) {
-    const LineArrays& lines = assembly_.lines();
-    const double tension = lines.multiplicity[winch.bar] * lines.tension[winch.bar];
+    const double tension = assembly_.bar_pull(winch.bar);
     const double slope = full_share * winch.tension_limit / winch.speed_limit;
     const double over = tension - winch.tension_limit - slope * winch.speed;
     const double slipping =
@@ -169,14 +168,14 @@ bool Schedule::broken_at(const Motion& now) {
   bool broken = false;
   if (!answers_) return broken;
   assembly_.move_to(now.x.data(), now.v.data());
-  const LineArrays& lines = assembly_.lines();
   for (Parting& parting : plan_.partings) {
     if (parting.parted >= 0) continue;
     int bar = now.time >= parting.time * (1.0 - 1e-12) ? parting.at : -1;
     double most = parting.strength;
     for (const int b : parting.bars) {
-      if (!(lines.tension[b] > most)) continue;
-      most = lines.tension[b];
+      const double pull = assembly_.bar_pull(b);
+      if (!(pull > most)) continue;
+      most = pull;
       bar = b;
     }
     if (bar < 0) continue;
