@@ -191,9 +191,13 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
 #'   its `"divergence"` sideways (deg).
 #' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
 #'   attack, `"heel"` or `"trim"` (deg).
+#' @param sinking_speed A place: its downward speed (m/s).
+#' @param enclosed_volume Name of the rope along the lower edge of netting that hangs from the surface:
+#'   the volume of water that it encloses (m3); see [measures()].
 #' @rdname gear
 #' @export
 measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
-                    area = NULL, angle = NULL, attitude = NULL) {
+                    area = NULL, angle = NULL, attitude = NULL, sinking_speed = NULL,
+                    enclosed_volume = NULL) {
   component("measures", as.list(environment()))
 }

@@ -5,7 +5,7 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
+# seams, pieces, otter_boards, ground, shooting, measures). Places stay texts that `parse_place()`
 # takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
 # leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
@@ -32,6 +32,7 @@ gear_si <- function(gear) {
   si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
   known$otter_boards <- names(si$otter_boards)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
+  si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
   plan_cache$plan <- gear$plan

@@ -14,7 +14,7 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
 # fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
-# catch = where the catch may lie (see add_catch()),
+# catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see hang_out(),
 # division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
@@ -135,6 +135,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice <- add_catch(si, lattice)
   if (!is.null(si$catch) && is.null(from)) lattice$start <- round_start(si, lattice)
   if (is.null(from) || !alike) lattice$start <- place_inner_nodes(lattice)
+  if (!is.null(si$shooting)) lattice$hung <- hang_out(si, lattice, panels, chains)
   lattice
 }
 

@@ -366,6 +366,9 @@ codend::Plan read_plan(const list& from) {
   plan.track.y = read_curve(list(track["y"]));
   plan.track.heave = read_curve(list(track["heave"]));
   plan.track.course = read_curve(list(track["course"]));
+  const list shooting(from["shooting"]);
+  plan.shooting.node = places(shooting, "node");
+  plan.shooting.time = numbers(shooting, "time");
   for (const list part : list(from["parts"])) {
     codend::GrowingPart p;
     p.has_winch = !Rf_isNull(part["winch"]);

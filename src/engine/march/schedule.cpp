@@ -12,6 +12,8 @@ constexpr double catch_up = 5.0;
 constexpr double full_share = 0.1;
 // A winch is asked this often (s), while it slips or may slip soon, and else.
 constexpr double slipping_step = 0.05, idle_step = 0.5;
+// Steps are no longer (s) while a gear is shot, so that each node begins in its turn.
+constexpr double shooting_step = 0.5;
 // Steps may grow by this factor before a winch is asked again.
 constexpr double next_growth = 2.0;
 
@@ -38,6 +40,10 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
   }
   for (Parting& parting : plan_.partings) {
     if (parting.parted >= 0) part(parting, parting.parted, parting.parted_at);
+  }
+  if (!plan_.shooting.node.empty()) {
+    kept_.assign(static_cast<std::size_t>(model.nodes), 0);
+    all_shot_ = *std::max_element(plan_.shooting.time.begin(), plan_.shooting.time.end());
   }
   answers_ = !plan_.partings.empty();
   for (const GrowingPart& part : plan_.parts) answers_ = answers_ || part.has_winch;
@@ -72,7 +78,21 @@ void Schedule::to_time(double time, Side side, Motion& motion) {
                                0.0};
   }
   grow(time, side);
+  shoot(time);
   assembly_.update();
+}
+
+void Schedule::shoot(double time) {
+  time_ = time;
+  if (kept_.empty()) return;
+  bool changed = false;
+  for (std::size_t k = 0; k < plan_.shooting.node.size(); ++k) {
+    const char kept = plan_.shooting.time[k] > time;
+    char& was = kept_[static_cast<std::size_t>(plan_.shooting.node[k])];
+    changed = changed || was != kept;
+    was = kept;
+  }
+  if (changed) assembly_.keep(kept_);
 }
 
 void Schedule::grow(double time, Side side) {
@@ -157,6 +177,7 @@ void Schedule::turn(Winch& winch, double time) {
 
 double Schedule::longest_step() const {
   double longest = std::numeric_limits<double>::infinity();
+  if (time_ < all_shot_) longest = shooting_step;
   for (const GrowingPart& part : plan_.parts) {
     if (!part.has_winch) continue;
     longest = std::min(longest, part.winch.near_limit ? slipping_step : idle_step);
