@@ -12,8 +12,8 @@ component <- function(group, fields) {
 #' @param name Name of the gear.
 #' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `seam()`
 #'   and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
-#'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `materials`,
-#'   `notes`, `sources`) as lists or text.
+#'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `shooting`,
+#'   `tow`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
 #' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
 #'   wrong plan is an error of class `codend_error_plan`.
