@@ -3,7 +3,8 @@
 gear_expanders <- list(
   cage = function(fields, plan) expand_cage(fields, plan),
   longline = function(fields, plan) expand_longline(fields, plan),
-  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan)
+  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
+  purse_seine = function(fields, plan) expand_purse_seine(fields, plan)
 )
 
 # The tree of the assembly that a checked plan stands for: the plan itself when it is one.

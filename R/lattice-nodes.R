@@ -66,8 +66,11 @@ divide <- function(si, frame, counts, rope_count, bars) {
   last <- points + sum(on$size)
   ropes <- lapply(setNames(seq_along(si$ropes), names(si$ropes)), function(r) {
     if (!is.null(si$ropes[[r]]$along)) return(run(chains$laced[[names(si$ropes)[r]]]))
-    ids <- last + seq_len(rope_count[r] + 1L)
-    last <<- last + rope_count[r] + 1L
+    # One that slides has an element from place to place.
+    through <- length(si$ropes[[r]]$through)
+    count <- if (through) through + 1L else rope_count[r]
+    ids <- last + seq_len(count + 1L)
+    last <<- last + count + 1L
     list(node = ids, at = seq(0, 1, length.out = length(ids)))
   })
   places <- name_places(si, ends, ropes)
@@ -75,6 +78,7 @@ divide <- function(si, frame, counts, rope_count, bars) {
     rope <- si$ropes[[r]]
     if (is.null(rope$along)) {
       same(places[paste0(r, c(".start", ".end"))], places[c(rope$from, rope$to)])
+      same(ropes[[r]]$node[1L + seq_along(rope$through)], places[rope$through])
     }
   }
   for (name in names(si$points)) {
@@ -167,7 +171,8 @@ number_edges <- function(count, bars, from) {
 }
 
 # Nodes of all places by their texts: points, then corners of panels, then starts, middles and ends
-# of ropes.
+# of ropes, then the nodes nearest to places at a share of a rope's length (a laced rope has one
+# there).
 name_places <- function(si, ends, ropes) {
   corners <- rbind(ends$first[1L, ], ends$last[1L, ], ends$first[2L, ], ends$last[2L, ])
   of_ropes <- vapply(ropes, function(rope) {
@@ -177,9 +182,14 @@ name_places <- function(si, ends, ropes) {
   named <- function(names, places) {
     if (length(names)) paste0(rep(names, each = length(places)), ".", places)
   }
-  setNames(c(seq_along(si$points), corners, of_ropes), c(
+  shares <- share_places(si)
+  at_shares <- vapply(lapply(shares, parse_place), function(place) {
+    rope <- ropes[[place$name]]
+    rope$node[which.min(abs(rope$at - place$place))]
+  }, 0)
+  setNames(c(seq_along(si$points), corners, of_ropes, at_shares), c(
     names(si$points),
     named(names(si$panels), c("upper_left", "upper_right", "lower_left", "lower_right")),
-    named(names(si$ropes), c("start", "middle", "end"))
+    named(names(si$ropes), c("start", "middle", "end")), shares
   ))
 }

@@ -45,7 +45,9 @@ resolution_table <- function(si, panels, pieces, bars) {
     out
   }
   # NA stands for what a plan leaves open.
-  segments <- vapply(si$ropes, function(r) if (is.null(r$segments)) NA_real_ else r$segments, 0)
+  segments <- vapply(si$ropes, function(r) {
+    if (length(r$through)) length(r$through) + 1 else if (is.null(r$segments)) NA_real_ else r$segments
+  }, 0)
   c(panels, list(
     bars = bars, square = is_square(panels), size = size, area = size$width * size$depth,
     panel = panel, edge = pieces$edge, class = pieces$class,

@@ -27,6 +27,10 @@
 #'   upwards.
 #' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
 #'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
+#' - `sinking_speed` (m/s): downward speed of a place; 0 in a settled state.
+#' - `enclosed_volume` (m3): of water that netting hanging from the surface encloses, down to a
+#'   surface from a rope, such as the lead line, to that rope's middle. A gap between the two ends of
+#'   the net is closed by an upright wall.
 #'
 #' Then follow, unless the plan has a measure of the same name:
 #'
@@ -89,7 +93,9 @@ plan_measures <- function(state) {
       angle = measure_angle(state, measure),
       attitude = measure_attitude(state, measure),
       volume = , volume_share = measure_volume(state, measure),
-      drag = , lift = measure_part_force(state, measure)
+      drag = , lift = measure_part_force(state, measure),
+      sinking_speed = measure_sinking_speed(state, measure),
+      enclosed_volume = measure_enclosed_volume(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
@@ -184,7 +190,7 @@ depth_measures <- function(state) {
 
 # Units of measures as their names spell them, longest first, with the units as printed.
 measure_suffixes <- c(
-  km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
+  m_per_s = "m/s", km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
   m2 = "m2", m3 = "m3", meshes = "meshes", m = "m", N = "N"
 )
 

@@ -189,6 +189,17 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
   }
 }
 
+// A list of ropes that slide, each a list of its bars and its stiffness.
+void read_sliding(const list& from, std::vector<codend::SlidingRope>& ropes) {
+  for (const SEXP item : from) {
+    const list one(item);
+    codend::SlidingRope rope;
+    rope.bar = places(one, "bar");
+    rope.axial_stiffness = number(one, "axial_stiffness");
+    ropes.push_back(rope);
+  }
+}
+
 // Of every triangle the length of its straight bars, 0 of a plain one.
 doubles straight_bars(const list& lattice) {
   const list triangles(lattice["triangles"]);
@@ -274,6 +285,7 @@ codend::Model read_model(const list& lattice) {
   model.screens.law = whole_numbers(screens, "law");
   model.wake = numbers(lattice, "wake");
   read_boards(lattice["boards"], model.boards);
+  read_sliding(lattice["sliding"], model.sliding);
   if (!Rf_isNull(lattice["ground"])) {
     model.contacts.ground = model.boards.ground = read_ground(lattice["ground"]);
   }
@@ -370,6 +382,9 @@ codend::Plan read_plan(const list& from) {
   plan.track.y = read_curve(list(track["y"]));
   plan.track.heave = read_curve(list(track["heave"]));
   plan.track.course = read_curve(list(track["course"]));
+  const list shooting(from["shooting"]);
+  plan.shooting.node = places(shooting, "node");
+  plan.shooting.time = numbers(shooting, "time");
   for (const list part : list(from["parts"])) {
     codend::GrowingPart p;
     p.has_winch = !Rf_isNull(part["winch"]);

@@ -32,6 +32,7 @@ struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
   int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
   int boards = 0, contacts = 0, volumes = 0;
+  int sliding = 0;               // ropes that slide through four points
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -78,8 +79,9 @@ class Specimen {
     material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
     material.added_mass_tangential = 0.15;
     material.law = wanted.law;
-    model.materials = {material, material};
+    model.materials = {material, material, material};
     model.materials[1].strut = true;
+    model.materials[2].axial_stiffness = 0.0;
     model.water.free_surface = wanted.free_surface;
     ground();
     fill(random, wanted);
@@ -162,6 +164,22 @@ class Specimen {
     model.bars.height.assign(wanted.bars, 1.5);
     for (int b = 0; b < wanted.bars; ++b) {
       model.bars.material.push_back(wanted.struts && b % 2 ? 1 : 0);
+    }
+    for (int r = 0; r < wanted.sliding; ++r) {
+      std::vector<int> chain;
+      points(random, 4, chain);
+      SlidingRope rope;
+      rope.axial_stiffness = wanted.axial_stiffness;
+      rope.bend = 0.3;
+      for (int k = 0; k < 3; ++k) {
+        rope.bar.push_back(model.bars.count());
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k)]);
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k) + 1]);
+        model.bars.rest.push_back(1.0);
+        model.bars.multiplicity.push_back(1.0);
+        model.bars.material.push_back(2);
+      }
+      model.sliding.push_back(rope);
     }
     for (int e = 0; e < wanted.triangles; ++e) {
       points(random, 3, model.triangles.node);
@@ -272,6 +290,14 @@ class Specimen {
       }
     };
     for (int b = 0; b < model.bars.count(); ++b) model.bars.rest[b] = clear({1.0 + strain[b]});
+    // Three ropes of four taut, by a tenth or so.
+    for (std::size_t r = 0; r < model.sliding.size(); ++r) {
+      const SlidingRope& rope = model.sliding[r];
+      double length = 0.0;
+      for (const int b : rope.bar) length += std::hypot(1.0 + strain[b], rope.bend);
+      const double rest = length * (r % 4 == 3 ? 1.1 : random.between(0.85, 0.95));
+      for (const int b : rope.bar) model.bars.rest[b] = rest / 3.0;
+    }
     for (int e = 0; e < model.triangles.count(); ++e) {
       const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
       model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});

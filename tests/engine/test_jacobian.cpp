@@ -320,6 +320,17 @@ TEST_CASE("derivatives of struts") {
   }
 }
 
+TEST_CASE("derivatives of sliding ropes") {
+  Random random(20260420);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Ingredients wanted;
+    wanted.sliding = 6;
+    wanted.axial_stiffness = 1e3;
+    wanted.layered = repeat % 2;
+    check_derivatives(random, wanted);
+  }
+}
+
 TEST_CASE("derivatives of tensions that a solver carries") {
   Random random(20260403);
   for (int repeat = 0; repeat < 5; ++repeat) {
