@@ -1,12 +1,12 @@
 # Measures as the plan asks for them, taken apart.
 
 measure_units <- c(
-  spread = "m", height = "m", length = "m", depth = "m", tension = "kN", area = "m2", angle = "deg",
-  attitude = "deg"
+  spread = "m", height = "m", length = "m", depth = "m", clearance = "m", tension = "kN",
+  area = "m2", angle = "deg", attitude = "deg"
 )
 
 # Returns list(kind, column, unit) and, by kind: pairs (list of two places each) for spread, height
-# and length; place for depth; rope and place (start, middle, end or max) for tension; ropes for
+# and length; place for depth and clearance; rope and place (start, middle, end or max) for tension; ropes for
 # area; rope, place and angle (declination or divergence) for angle; board and angle (attack, heel
 # or trim) for attitude.
 si_measure <- function(measure, path, known) {
@@ -21,6 +21,7 @@ si_measure <- function(measure, path, known) {
     spread = list(pairs = lapply(spread_pairs(asked, path), pair)),
     height = , length = list(pairs = list(pair(asked))),
     depth = list(place = place(asked)),
+    clearance = list(place = place_over_ground(place(asked), path, known)),
     tension = parse_place(place(asked))[c("name", "place")],
     area = list(ropes = vapply(asked, find_rope, "", path = path, known = known,
       USE.NAMES = FALSE)),
@@ -29,6 +30,11 @@ si_measure <- function(measure, path, known) {
   )
   names(asks)[names(asks) == "name"] <- "rope"
   c(list(kind = kind, column = paste0(name, "_", unit), unit = unit), asks)
+}
+
+place_over_ground <- function(place, path, known) {
+  if (!known$ground) abort_field(path, place, "asked for where the plan has a `seabed`")
+  place
 }
 
 find_board <- function(name, path, known) {

@@ -31,6 +31,7 @@ gear_si <- function(gear) {
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
   known$otter_boards <- names(si$otter_boards)
+  known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)

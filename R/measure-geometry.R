@@ -24,6 +24,11 @@ measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[
 # Depth below the water surface, m.
 measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
 
+# Height above the sea bed, across it, m.
+measure_clearance <- function(state, measure) {
+  height_above_ground(state$si$ground, cbind(place_position(state, measure$place)))
+}
+
 # Area that ropes, end to end, enclose as seen along x (on the plane across the tow), m2.
 measure_area <- function(state, measure) {
   outline <- rope_outline(state, measure$ropes)
