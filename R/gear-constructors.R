@@ -192,6 +192,7 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
 #' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
 #' @param height Two places: their vertical distance (m).
 #' @param depth A place: its depth (m).
+#' @param clearance A place: its height above the sea bed (m).
 #' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
 #' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
 #'   its `"divergence"` sideways (deg).
@@ -205,8 +206,8 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
 #'   the volume of water that it encloses (m3); see [measures()].
 #' @rdname gear
 #' @export
-measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
-                    area = NULL, angle = NULL, attitude = NULL, volume = NULL,
+measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, clearance = NULL,
+                    tension = NULL, area = NULL, angle = NULL, attitude = NULL, volume = NULL,
                     volume_share = NULL, drag = NULL, lift = NULL, sinking_speed = NULL,
                     enclosed_volume = NULL) {
   component("measures", as.list(environment()))

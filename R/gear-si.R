@@ -34,6 +34,7 @@ gear_si <- function(gear) {
   si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
   known$otter_boards <- names(si$otter_boards)
   known$pieces <- names(si$pieces)
+  known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)

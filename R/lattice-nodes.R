@@ -49,6 +49,11 @@ divide <- function(si, frame, counts, rope_count, bars) {
   same(node[things_of(along, joined$first)], node[things_of(along, joined$other)])
   same(ends$first[c(1L, 2L), bars], rbind(ends$first[3L, bars], ends$last[3L, bars]))
   same(ends$last[c(1L, 2L), bars], rbind(ends$first[4L, bars], ends$last[4L, bars]))
+  # The tip of a pointed panel is one node, gathered in a place or not.
+  tips <- which(vapply(si$panels, function(p) c(p$upper, p$lower, 1, 1) == 0, logical(4)))
+  on_tip <- rep.int(tips, count[tips] - 1L)
+  k <- sequence(count[tips] - 1L)
+  same(edge_node(on_tip, k), edge_node(on_tip, k + 1L))
 
   row <- along$row
   at <- chains$start[row] +

@@ -30,6 +30,11 @@ measure_sinking_speed <- function(state, measure) {
   -state$velocity[3, state$lattice$place(measure$place)] + 0
 }
 
+# Height above the sea bed, across it, m.
+measure_clearance <- function(state, measure) {
+  height_above_ground(state$si$ground, cbind(place_position(state, measure$place)))
+}
+
 # Area that ropes, end to end, enclose as seen level and from right ahead of them, m2.
 measure_area <- function(state, measure) {
   sqrt(sum(outline_area(rope_outline(state, measure$ropes))^2))

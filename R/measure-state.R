@@ -12,6 +12,7 @@
 #'   head line's centre above the footrope's.
 #' - `length` (m): straight distance between two places.
 #' - `depth` (m): below the water surface.
+#' - `clearance` (m): height above the sea bed, across it.
 #' - `tension` (kN): of a rope at a place, or the largest along it. At its start or end it is that
 #'   of its outermost bar.
 #' - `area` (m2): enclosed by ropes end to end, seen level and from right ahead of them: along x in a
@@ -88,6 +89,7 @@ plan_measures <- function(state) {
       height = measure_height(state, measure),
       length = measure_length(state, measure),
       depth = measure_depth(state, measure),
+      clearance = measure_clearance(state, measure),
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
       angle = measure_angle(state, measure),
