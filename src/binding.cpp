@@ -14,6 +14,7 @@
 #include "engine/march/substitution.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
+#include "engine/wake.hpp"
 
 using namespace cpp11;
 namespace writable = cpp11::writable;
@@ -566,6 +567,17 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
       "volume_force"_nm = as_doubles(e.volume_force),
       "boards"_nm = board_table(e.boards),
   });
+}
+
+// Speed behind a sheet of netting as a share of that before it, by a wake law.
+[[cpp11::register]]
+doubles engine_speed_reduction(int law, doubles solidity, doubles cosine) {
+  writable::doubles out;
+  for (R_xlen_t k = 0; k < solidity.size(); ++k) {
+    out.push_back(codend::speed_reduction(static_cast<codend::WakeLaw>(law), solidity[k],
+                                          cosine[k]));
+  }
+  return out;
 }
 
 [[cpp11::register]]
