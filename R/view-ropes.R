@@ -15,26 +15,33 @@
 #' plot(tensions_along(settle("towed_cable")))
 plot.codend_rope_tensions <- function(x, file = NULL, width = 10, height = NULL, ...) {
   drawn <- rope_series(x)
-  figures <- lapply(split(drawn, factor(drawn$heading, unique(drawn$heading))), function(mine) {
-    list(
-      words = paste(mine$heading[1L], "tension"), unit = "kN", across = "distance along the rope (m)",
-      colours = rep_len(rope_colours, max(mine$group)),
-      groups = mine$label[match(sort(unique(mine$group)), mine$group)],
-      lines = lapply(split(mine, mine$group), function(line) {
-        group <- line$group[1L]
-        list(
-          x = line$along_m, y = line$tension_kN, group = group, dashed = group %% 2L == 0L,
-          symbols = FALSE
-        )
-      })
-    )
-  })
+  figures <- lapply(split(drawn, factor(drawn$heading, unique(drawn$heading))), rope_figure)
   plot_series(figures, rope_title(x), NULL, file, width, height)
   invisible(x)
 }
 
 # Neighbours, one solid and one dashed over it, differ most.
 rope_colours <- series_palette[c(1L, 5L, 2L, 4L, 3L)]
+
+# More ropes than these in one figure are not told apart.
+most_ropes <- 8L
+
+rope_figure <- function(mine) {
+  n <- max(mine$group)
+  apart <- n <= most_ropes
+  list(
+    words = paste0(mine$heading[1L], " tension", if (!apart) sprintf(", %d ropes", n)), unit = "kN",
+    across = "distance along the rope (m)", colours = rep_len(rope_colours, n),
+    groups = if (apart) mine$label[match(seq_len(n), mine$group)],
+    lines = lapply(split(mine, mine$group), function(line) {
+      group <- line$group[1L]
+      list(
+        x = line$along_m, y = line$tension_kN, group = if (apart) group else 1L,
+        dashed = apart && group %% 2L == 0L, symbols = FALSE
+      )
+    })
+  )
+}
 
 rope_title <- function(x) {
   paste(c("Tension along ropes", attr(x, "gear_name"), attr(x, "conditions")), collapse = ", ")
