@@ -105,7 +105,7 @@ window.codendTank = (function () {
       return half.reduce(function (sum, h, k) { return sum + Math.abs(axis[k]) * h; }, 0) || 1e-6;
     }
     // Perspective makes what is near larger, and axes need room for their words.
-    var room = perspective ? 0.76 : 0.93;
+    var room = perspective ? 0.8 : 0.93;
     var fit = room * Math.min(box.width / 2 / reach(right), box.height / 2 / reach(up));
     var scale = fit * zoom;
     var away = 4 * Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) / zoom + 1e-6;
@@ -183,7 +183,7 @@ window.codendTank = (function () {
     context.lineWidth = 1;
     context.beginPath();
     if (mark.role[i] === 'otter_board' || mark.role[i] === 'canvas') {
-      var half = Math.max(mark.size[i] / 2, 7 / s);
+      var half = Math.max(mark.size[i] / 2, (mark.role[i] === 'canvas' ? 3 : 6) / s);
       var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
       var way = mark.direction[i] || 'up';
       var first = way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0];
