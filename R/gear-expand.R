@@ -1,7 +1,11 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
 # Each takes the checked fields in SI and the plan as given, and returns the tree of an assembly.
 gear_expanders <- list(
-  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan)
+  bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
+  cage = function(fields, plan) expand_cage(fields, plan),
+  longline = function(fields, plan) expand_longline(fields, plan),
+  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
+  purse_seine = function(fields, plan) expand_purse_seine(fields, plan)
 )
 
 # The tree of the assembly that a checked plan stands for: the plan itself when it is one.

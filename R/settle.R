@@ -50,7 +50,7 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- settle_level(
