@@ -512,14 +512,18 @@ window.codendTank = (function () {
 
   function colourBar(kind, scale) {
     var bar = element('div', 'colour-bar');
-    if (!scale) return bar;
     bar.appendChild(element('div', 'heading', scale.heading));
     var strip = element('div', 'strip');
     strip.style.background = 'linear-gradient(to right, ' + palettes[kind].slice(1)
       .filter(function (c, k) { return k % 12 === 0; }).join(', ') + ')';
     bar.appendChild(strip);
     var row = element('div', 'ticks');
+    // Pixels that the words so far reach to, on a bar of 210.
+    var reach = -Infinity;
     scale.ticks.forEach(function (words, k) {
+      var half = 3.6 * words.length;
+      if (210 * scale.at[k] - half < reach + 5) return;
+      reach = 210 * scale.at[k] + half;
       var tick = element('span', '', words);
       tick.style.left = 100 * scale.at[k] + '%';
       row.appendChild(tick);
@@ -532,7 +536,7 @@ window.codendTank = (function () {
     var box = document.getElementById('tank_legend');
     box.textContent = '';
     ['ropes', 'netting'].forEach(function (kind) {
-      box.appendChild(colourBar(kind, legend[kind]));
+      if (legend[kind]) box.appendChild(colourBar(kind, legend[kind]));
     });
     var key = element('div', 'key');
     function entry(words, colour, className) {
@@ -645,6 +649,8 @@ window.codendTank = (function () {
       shown.pinned = take(shown.pinned, message.pinned);
       about = { flow: message.flow, water: message.water, bed: message.bed };
       legend = message.legend;
+      document.getElementById('tank').setAttribute('aria-label', message.name +
+        ' in three dimensions. ' + message.conditions);
       // Without netting there is nothing but the whole gear.
       var net = document.querySelector('[data-group="focus"][data-value="net"]');
       net.disabled = !shown.now.range.net;
