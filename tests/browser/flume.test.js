@@ -162,7 +162,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   assert.ok(number((await measure(page, 'body depth'))[0]) < number(depth));
   // the code on screen holds the plan, which is no file of this machine
   await tab(page, 'R code');
-  await page.waitForFunction(() => /name: Towed cable/.test(document.getElementById('code').textContent),
+  await page.waitForFunction(() => /Towed cable/.test(document.getElementById('code').textContent),
     null, patience);
   clean(page);
   await page.close();
