@@ -2,7 +2,7 @@
 #
 # Wall panels stand around the cage, each from a corner at its left, seen from outside, to the next;
 # the first corner lies upstream of a current towards x. Bottom panels are pointed and meet in the
-# bottom's centre.
+# bottom's centre: one below each wall panel of a round cage, one below each side of a square one.
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_cage <- function(fields, plan) {
@@ -43,10 +43,12 @@ check_cage <- function(fields) {
     }
   } else {
     for (due in c("diameter", "bending_stiffness")) {
-      if (is.null(collar[[due]]) || collar[[due]] == 0) {
-        abort_field(paste0("collar.", due), collar[[due]], "given where the collar floats",
-          if (is.null(collar[[due]])) "is missing")
+      if (is.null(collar[[due]])) {
+        abort_field(paste0("collar.", due), NULL, "given where the collar floats", "is missing")
       }
+    }
+    if (collar$bending_stiffness == 0) {
+      wrong("collar.bending_stiffness", 0, "greater than 0 where the collar floats")
     }
     if (is.null(collar$material) && is.null(collar$mass_per_length)) {
       abort_field("collar.mass_per_length", NULL, "given where the collar floats", "is missing")
@@ -66,14 +68,15 @@ check_cage <- function(fields) {
       ))
     }
   }
-  if (is.null(fields$bottom) && !is.null(fields$centre_weight)) {
+  if (is.null(fields[["bottom"]]) && !is.null(fields$centre_weight)) {
     wrong("centre_weight", "given", "left out in a cage without bottom netting")
   }
 }
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
-# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner),
-# run (m, from the middle of a wall panel to the bottom's centre), volume (m3)).
+# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
+# from the middle of a side to the centre), volume (m3), bottoms, pipes = wall panels over each bottom
+# panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
@@ -85,7 +88,9 @@ cage_outline <- function(fields) {
     # A held collar has straight sides between its points, a pipe is round.
     area <- if (fields$collar$held) n / 2 * radius[1]^2 * sin(2 * pi / n) else pi * radius[1]^2
     side <- if (fields$collar$held) 2 * radius[1] * sin(pi / n) else 2 * pi * radius[1] / n
-    run <- rep(radius[1], n)
+    run <- radius[1]
+    bottoms <- as.list(seq_len(n))
+    pipes <- list(seq_len(n))
   } else {
     per_side <- n / 4
     s <- (k %% per_side) / per_side - 0.5
@@ -96,12 +101,13 @@ cage_outline <- function(fields) {
     radius <- sqrt(x^2 + y^2)
     area <- fields$diameter^2
     side <- fields$diameter / per_side
-    run <- rep(fields$diameter / 2, n)
+    run <- fields$diameter / 2
+    bottoms <- pipes <- unname(split(seq_len(n), k %/% per_side))
   }
-  cone <- first_of(fields$bottom$cone, 0)
+  cone <- first_of(fields[["bottom"]]$cone, 0)
   list(
-    x = x, y = y, side = side, radius = radius, run = run,
-    volume = area * (fields$depth + if (is.null(fields$bottom)) 0 else cone / 3)
+    x = x, y = y, side = side, radius = radius, run = run, bottoms = bottoms, pipes = pipes,
+    volume = area * (fields$depth + if (is.null(fields[["bottom"]])) 0 else cone / 3)
   )
 }
 
@@ -142,29 +148,33 @@ cage_net <- function(fields, plan, outline) {
     seams[[paste0("walls_", k)]] <-
       list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
   }
-  if (!is.null(plan$bottom)) {
+  if (!is.null(plan[["bottom"]])) {
     # The netting below is that of the walls where it is not given otherwise.
     given <- twine(plan$wall)
-    own <- twine(plan$bottom)
+    own <- twine(plan[["bottom"]])
     given[names(own)] <- own
     kind <- fields$wall
-    kind[names(fields$bottom)] <- fields$bottom
-    cone <- fields$bottom$cone
-    for (k in around) {
+    kind[names(fields[["bottom"]])] <- fields$bottom
+    cone <- fields[["bottom"]]$cone
+    number <- length(outline$bottoms)
+    below <- seq_len(number)
+    for (k in below) {
       bottom <- paste0("bottom_", k)
-      deep <- sqrt(outline$run[k]^2 + cone^2)
-      meshes <- open_meshes(kind, outline$side, deep)
+      over <- paste0("wall_", outline$bottoms[[k]], ".lower")
+      meshes <- open_meshes(
+        kind, outline$side * length(over), sqrt(outline$run^2 + cone^2)
+      )
       panels[[bottom]] <- c(
         given, list(meshes = list(upper = meshes[1], lower = 0, deep = meshes[2]), part = "bottom")
       )
       if (is.null(panels[[bottom]]$orientation)) panels[[bottom]]$orientation <- "square"
       seams[[paste0("foot_", k)]] <-
-        list(edges = c(paste0("wall_", k, ".lower"), paste0(bottom, ".upper")))
+        list(edges = list(over, paste0(bottom, ".upper")))
       seams[[paste0("bottoms_", k)]] <-
-        list(edges = c(paste0(bottom, ".right"), paste0("bottom_", after[k], ".left")))
+        list(edges = c(paste0(bottom, ".right"), paste0("bottom_", k %% number + 1L, ".left")))
     }
     seams$bottom_centre <-
-      list(edges = paste0("bottom_", around, ".lower"), gathered_at = "bottom_centre")
+      list(edges = paste0("bottom_", below, ".lower"), gathered_at = "bottom_centre")
     points$bottom_centre <- place(0, 0, -fields$depth - cone)
   }
   list(panels = panels, seams = seams, points = points)
@@ -183,15 +193,11 @@ cage_rig <- function(fields, plan, outline) {
       seams[[paste0("collar_", k)]] <-
         list(edges = upper[k], held_between = paste0("collar_", c(k, after[k])))
     }
-  } else if (fields$shape == "round") {
-    ropes$collar <- c(list(along = upper, length = n * outline$side), collar, list(role = "collar"))
   } else {
+    ropes <- cage_pipes("collar", upper, collar, outline)
+  }
+  if (!fields$collar$held && fields$shape == "square") {
     per_side <- n / 4
-    for (side in 1:4) {
-      on <- (side - 1) * per_side + seq_len(per_side)
-      ropes[[paste0("collar_", side)]] <-
-        c(list(along = upper[on], length = fields$diameter), collar, list(role = "collar"))
-    }
     # Stiff braces keep the frame's corners: they weigh nothing and the water does not feel them.
     stiff <- line_properties(fields$collar, fields$materials, "collar")$axial_stiffness
     for (brace in 1:2) {
@@ -205,9 +211,7 @@ cage_rig <- function(fields, plan, outline) {
     }
   }
   if (!is.null(plan$bottom_rope)) {
-    ropes$bottom_rope <- c(
-      list(along = lower, length = n * outline$side), plan$bottom_rope, list(role = "bottom_rope")
-    )
+    ropes <- c(ropes, cage_pipes("bottom_rope", lower, plan$bottom_rope, outline))
   }
   if (!is.null(plan$side_ropes)) {
     for (k in around) {
@@ -248,9 +252,20 @@ cage_rig <- function(fields, plan, outline) {
   list(points = points, ropes = ropes, seams = seams, pieces = pieces)
 }
 
+# Pipes or ropes along edges of the wall panels, by the name of their role.
+cage_pipes <- function(role, edges, given, outline) {
+  pipes <- lapply(outline$pipes, function(on) {
+    c(list(along = edges[on], length = length(on) * outline$side), given, list(role = role))
+  })
+  number <- length(pipes)
+  stats::setNames(pipes, if (number == 1) role else paste0(role, "_", seq_len(number)))
+}
+
 cage_measures <- function(fields, outline, ropes) {
   around <- seq_len(fields$panels)
-  panels <- c(paste0("wall_", around), if (!is.null(fields$bottom)) paste0("bottom_", around))
+  panels <- c(paste0("wall_", around), if (!is.null(fields[["bottom"]])) {
+    paste0("bottom_", seq_along(outline$bottoms))
+  })
   out <- list(
     net_volume = list(volume = panels),
     volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
@@ -258,7 +273,7 @@ cage_measures <- function(fields, outline, ropes) {
     upstream_foot_depth = list(depth = "foot_1"),
     downstream_foot_depth = list(depth = paste0("foot_", length(around) %/% 2 + 1))
   )
-  if (!is.null(fields$bottom)) out$bottom_depth <- list(depth = "bottom_centre")
+  if (!is.null(fields[["bottom"]])) out$bottom_depth <- list(depth = "bottom_centre")
   for (rope in grep("^mooring_", ropes, value = TRUE)) {
     out[[paste0(rope, "_tension")]] <- list(tension = paste0(rope, ".start"))
   }
