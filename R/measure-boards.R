@@ -45,6 +45,7 @@ measure_attitude <- function(state, measure) {
 
 # Warns of boards that do not fly.
 warn_of_boards <- function(state) {
+  if (!length(state$si$otter_boards)) return(invisible())
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]

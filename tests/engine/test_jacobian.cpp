@@ -271,7 +271,7 @@ TEST_CASE("derivatives at the surface") {
       wanted.bars = wanted.triangles = 12;
       wanted.free_surface = true;
       wanted.layered = repeat % 2;
-      wanted.diameter = 1.5;  // the height over which they leave the water
+      wanted.diameter = 1.5;  // much drag
       wanted.axial_stiffness = 500.0;
       check_derivatives(random, wanted);
     }
@@ -316,6 +316,17 @@ TEST_CASE("derivatives of struts") {
     Ingredients wanted;
     wanted.bars = 12;
     wanted.struts = true;
+    check_derivatives(random, wanted);
+  }
+}
+
+TEST_CASE("derivatives of sliding ropes") {
+  Random random(20260420);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Ingredients wanted;
+    wanted.sliding = 6;
+    wanted.axial_stiffness = 1e3;
+    wanted.layered = repeat % 2;
     check_derivatives(random, wanted);
   }
 }
