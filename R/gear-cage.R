@@ -9,21 +9,16 @@ expand_cage <- function(fields, plan) {
   check_cage(fields)
   outline <- cage_outline(fields)
   net <- cage_net(fields, plan, outline)
-  rig <- cage_rig(fields, plan, outline)
-  out <- plan[intersect(
-    c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "tow"
-    ),
-    names(plan)
-  )]
+  frame <- cage_frame(fields, plan, outline)
+  moorings <- cage_moorings(fields, plan, outline)
+  out <- shared_fields(plan)
   if (!fields$collar$held) out$water$free_surface <- TRUE
-  out$points <- c(net$points, rig$points)
+  out$points <- c(net$points, moorings$points)
   out$panels <- net$panels
-  out$seams <- c(net$seams, rig$seams)
-  out$ropes <- rig$ropes
-  out$pieces <- rig$pieces
-  out$measures <- cage_measures(fields, outline, names(rig$ropes))
+  out$seams <- c(net$seams, frame$seams)
+  out$ropes <- c(frame$ropes, moorings$ropes)
+  out$pieces <- frame$pieces
+  out$measures <- cage_measures(fields, outline, names(moorings$ropes))
   out
 }
 
@@ -75,8 +70,8 @@ check_cage <- function(fields) {
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
 # corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
-# from the middle of a side to the centre), volume (m3), bottoms, pipes = wall panels over each bottom
-# panel and along each pipe or rope).
+# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3), bottoms,
+# pipes = wall panels over each bottom panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
@@ -107,6 +102,7 @@ cage_outline <- function(fields) {
   cone <- first_of(fields[["bottom"]]$cone, 0)
   list(
     x = x, y = y, side = side, radius = radius, run = run, bottoms = bottoms, pipes = pipes,
+    level = 0,
     volume = area * (fields$depth + if (is.null(fields[["bottom"]])) 0 else cone / 3)
   )
 }
@@ -136,14 +132,15 @@ cage_net <- function(fields, plan, outline) {
       list(meshes = list(upper = meshes[1], lower = meshes[1], deep = meshes[2]), part = "wall")
     )
     if (is.null(panels[[wall]]$orientation)) panels[[wall]]$orientation <- "square"
-    at_collar <- list(outline$x[k], outline$y[k], 0)
+    at_collar <- list(outline$x[k], outline$y[k], outline$level)
     points[[paste0("collar_", k)]] <- if (fields$collar$held) {
       list(position = at_collar, held = "fixed")
     } else {
       list(at = paste0(wall, ".upper_left"), near = at_collar)
     }
     points[[paste0("foot_", k)]] <- c(
-      list(at = paste0(wall, ".lower_left")), place(outline$x[k], outline$y[k], -fields$depth)
+      list(at = paste0(wall, ".lower_left")),
+      place(outline$x[k], outline$y[k], outline$level - fields$depth)
     )
     seams[[paste0("walls_", k)]] <-
       list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
@@ -175,16 +172,17 @@ cage_net <- function(fields, plan, outline) {
     }
     seams$bottom_centre <-
       list(edges = paste0("bottom_", below, ".lower"), gathered_at = "bottom_centre")
-    points$bottom_centre <- place(0, 0, -fields$depth - cone)
+    points$bottom_centre <- place(0, 0, outline$level - fields$depth - cone)
   }
   list(panels = panels, seams = seams, points = points)
 }
 
-cage_rig <- function(fields, plan, outline) {
+# Pipes, ropes and weights of a cage: list(seams, ropes, pieces).
+cage_frame <- function(fields, plan, outline) {
   n <- fields$panels
   around <- seq_len(n)
   after <- around %% n + 1L
-  points <- ropes <- seams <- pieces <- list()
+  ropes <- seams <- pieces <- list()
   upper <- paste0("wall_", around, ".upper")
   lower <- paste0("wall_", around, ".lower")
   collar <- plan$collar[setdiff(names(plan$collar), "held")]
@@ -231,25 +229,30 @@ cage_rig <- function(fields, plan, outline) {
     pieces$centre_weight <-
       c(list(at = "bottom_centre"), plan$centre_weight, list(role = "weight"))
   }
-  if (!is.null(plan$moorings)) {
-    given <- plan$moorings
-    moorings <- fields$moorings
-    line <- given[setdiff(names(given), c("number", "bearing", "anchor_depth", "reach"))]
-    bearing <- atan2(outline$y, outline$x)
-    wanted <- pi + moorings$bearing + 2 * pi * (seq_len(moorings$number) - 1) / moorings$number
-    for (m in seq_len(moorings$number)) {
-      k <- which.max(cos(bearing - wanted[m]))
-      out <- 1 + moorings$reach / outline$radius[k]
-      anchor <- paste0("anchor_", m)
-      points[[anchor]] <- list(
-        position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
-        held = "fixed"
-      )
-      ropes[[paste0("mooring_", m)]] <-
-        c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
-    }
+  list(ropes = ropes, seams = seams, pieces = pieces)
+}
+
+# Mooring lines and their anchors: list(points, ropes).
+cage_moorings <- function(fields, plan, outline) {
+  points <- ropes <- list()
+  if (is.null(plan$moorings)) return(list(points = points, ropes = ropes))
+  given <- plan$moorings
+  moorings <- fields$moorings
+  line <- given[setdiff(names(given), c("number", "bearing", "anchor_depth", "reach"))]
+  bearing <- atan2(outline$y, outline$x)
+  wanted <- pi + moorings$bearing + 2 * pi * (seq_len(moorings$number) - 1) / moorings$number
+  for (m in seq_len(moorings$number)) {
+    k <- which.max(cos(bearing - wanted[m]))
+    out <- 1 + moorings$reach / outline$radius[k]
+    anchor <- paste0("anchor_", m)
+    points[[anchor]] <- list(
+      position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
+      held = "fixed"
+    )
+    ropes[[paste0("mooring_", m)]] <-
+      c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
   }
-  list(points = points, ropes = ropes, seams = seams, pieces = pieces)
+  list(points = points, ropes = ropes)
 }
 
 # Pipes or ropes along edges of the wall panels, by the name of their role.
@@ -261,7 +264,7 @@ cage_pipes <- function(role, edges, given, outline) {
   stats::setNames(pipes, if (number == 1) role else paste0(role, "_", seq_len(number)))
 }
 
-cage_measures <- function(fields, outline, ropes) {
+cage_measures <- function(fields, outline, moorings) {
   around <- seq_len(fields$panels)
   panels <- c(paste0("wall_", around), if (!is.null(fields[["bottom"]])) {
     paste0("bottom_", seq_along(outline$bottoms))
@@ -274,7 +277,7 @@ cage_measures <- function(fields, outline, ropes) {
     downstream_foot_depth = list(depth = paste0("foot_", length(around) %/% 2 + 1))
   )
   if (!is.null(fields[["bottom"]])) out$bottom_depth <- list(depth = "bottom_centre")
-  for (rope in grep("^mooring_", ropes, value = TRUE)) {
+  for (rope in moorings) {
     out[[paste0(rope, "_tension")]] <- list(tension = paste0(rope, ".start"))
   }
   out

@@ -18,8 +18,6 @@ test_that("slow water meets the drag of a stiff cylinder by the formulas of Lola
   speed <- 0.02
   si <- settle(update(read_gear("model_cage"), water.current.speed = speed), nodes = 2500)
   found <- measures(si)[["net_drag_kN"]] * 1000
-  sn <- 2 * 1.8 / 16 - (1.8 / 16)^2
-  across <- 0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3
   # C_D = 0.04 + (across - 0.04) cos(t) around half a cylinder, and its rear half in slower water;
   # the netting counts its crossings twice, as 2 d / a: Sn 0.225 rather than 0.212.
   drag <- function(sn) {
