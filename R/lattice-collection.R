@@ -33,7 +33,8 @@ new_collection <- function(nodes) {
         if (!is.null(out$node)) out$node <- point_number(out$node, nodes)
         out
       }
-      masses <- join("masses", c("node", "mass", "volume", "height", "area"), "node")
+      masses <- join("masses", c("node", "mass", "volume", "height", "leaving", "area"),
+        "node")
       list(
         nodes = nodes,
         ties = join("ties", c("first", "second", "share"), c("first", "second")),
@@ -67,13 +68,14 @@ contact_points <- function(masses) {
   )
 }
 
-# Volumes of one height at one point together: list(node, buoyancy (N), height).
+# Volumes that leave the water over one height at one point together: list(node, buoyancy (N),
+# height).
 immersed_volumes <- function(masses, density) {
-  some <- which(masses$volume > 0 & masses$height > 0)
-  key <- paste(masses$node[some], masses$height[some])
+  some <- which(masses$volume > 0 & masses$leaving > 0)
+  key <- paste(masses$node[some], masses$leaving[some])
   first <- some[!duplicated(key)]
   list(
-    node = masses$node[first], height = masses$height[first],
+    node = masses$node[first], height = masses$leaving[first],
     buoyancy = gear_gravity * density *
       as.vector(rowsum(masses$volume[some], key, reorder = FALSE))
   )

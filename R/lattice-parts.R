@@ -14,7 +14,7 @@ add_rope <- function(build, rope, along, part) {
   half <- rep(rest / 2, each = 2L)
   build$add("masses", node = as.vector(ends), mass = half * rope$mass_per_length,
     volume = half * rope$volume_per_length, height = rep(rope$diameter, 2L * m),
-    area = half * rope$diameter)
+    leaving = rep(rope$diameter, 2L * m), area = half * rope$diameter)
 }
 
 # Knots as spheres at nodes of panels; count: knots at each node. Those of a screen drag with it.
@@ -25,16 +25,20 @@ add_knots <- function(build, panels, parts, panel, node, count) {
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],
     diameter = diameter[some],
-    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], height = diameter[some],
+    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some],
+    height = rep(netting_leaving_height, sum(some)),
     part = parts[panel][some])
 }
+
+# Netting leaves the water over this height (m), as in the engine.
+netting_leaving_height <- 0.1
 
 # Mass and volume of twine; length: m of it at each of these nodes of panels.
 add_twine <- function(build, panels, panel, node, length) {
   diameter <- (panels$twine_diameter * panels$twine_count)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
     volume = length * panels$volume_per_length[panel], height = diameter,
-    area = length * diameter)
+    leaving = rep(netting_leaving_height, length(node)), area = length * diameter)
 }
 
 # Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
@@ -208,7 +212,7 @@ add_piece <- function(build, piece, run, places, density, part) {
   }
   k <- length(node)
   build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
-    height = rep(piece$height, k), area = n * piece$height^2)
+    height = rep(piece$height, k), leaving = rep(piece$height, k), area = n * piece$height^2)
   build$add("spheres", node = node, drag_area = n * piece$drag_area, diameter = rep(0, k),
     added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,
     height = rep(piece$height, k), part = rep(part, k))

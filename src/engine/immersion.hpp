@@ -10,6 +10,9 @@
 
 namespace codend {
 
+// Netting leaves the water over this height (m), not over its twine's: its elements are metres deep.
+constexpr double netting_leaving_height = 0.1;
+
 struct Immersion {
   double share, slope;            // s and ds/dz (1/m)
   double root, root_slope;        // sqrt(s), its derivative: the share of a speed whose square drags

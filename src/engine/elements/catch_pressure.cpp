@@ -3,13 +3,6 @@
 #include <cmath>
 
 namespace codend {
-namespace {
-
-// Over which netting that holds a catch leaves the water, m.
-constexpr double leaving_height = 0.1;
-
-}  // namespace
-
 CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
   Push out;
   out.u.setZero();
@@ -17,7 +10,7 @@ CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
     const int point = node[3 * static_cast<std::size_t>(e) + k];
     out.x[k] = at(field.position, point);
     Vector u;
-    out.share[k] = field.relative_velocity(point, leaving_height, u, out.slope[k]) / 3.0;
+    out.share[k] = field.relative_velocity(point, netting_leaving_height, u, out.slope[k]) / 3.0;
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }

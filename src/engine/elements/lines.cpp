@@ -138,9 +138,9 @@ void Lines::set_flow(const Field& field) {
   }
   const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
   for (std::size_t e = 0; e < triangles; ++e) {
-    const double height = (*triangles_.materials)[triangles_.material[e]].diameter;
-    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + e);
-    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
+    const int* node = &triangles_.node[3 * e];
+    set_velocity<3>(field, node, netting_leaving_height, bars + e);
+    set_velocity<3>(field, node, netting_leaving_height, bars + triangles + e);
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
     Vector moving = Vector::Zero();
@@ -153,7 +153,7 @@ void Lines::set_flow(const Field& field) {
     }
     for (int which = 0; which < 3; ++which) {
       const Line<4> bar = hexagons_.line(e, which);
-      set_velocity(static_cast<std::size_t>(bar.index), moving, z, own, bar.material->diameter);
+      set_velocity(static_cast<std::size_t>(bar.index), moving, z, own, netting_leaving_height);
     }
   }
   kernels_.flow(arrays_, 0, count_);

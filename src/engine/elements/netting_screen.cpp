@@ -5,13 +5,13 @@
 
 namespace codend {
 
-ScreenFlow screen_flow(const Field& field, const int* node, double height) {
+ScreenFlow screen_flow(const Field& field, const int* node) {
   ScreenFlow out;
   out.u.setZero();
   for (int k = 0; k < 3; ++k) {
     out.x[k] = at(field.position, node[k]);
     Vector u;
-    out.share[k] = field.relative_velocity(node[k], height, u, out.slope[k]) / 3.0;
+    out.share[k] = field.relative_velocity(node[k], netting_leaving_height, u, out.slope[k]) / 3.0;
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }

@@ -21,8 +21,7 @@ struct ScreenFlow {
   Vector u, slope[3];  // mean U, and its derivative by every corner's height
   double share[3];     // of every corner's own velocity in it
 };
-// height: over which the netting leaves the water, m.
-ScreenFlow screen_flow(const Field& field, const int* node, double height);
+ScreenFlow screen_flow(const Field& field, const int* node);
 // Derivative of S by the place of corner l.
 Matrix area_slope(const ScreenFlow& flow, int l);
 
@@ -56,8 +55,7 @@ class NettingScreens : public ElementKind {
 
  private:
   ScreenFlow flow(int e, const Field& field) const {
-    return screen_flow(field, &node[3 * static_cast<std::size_t>(e)],
-                       diameter[static_cast<std::size_t>(e)]);
+    return screen_flow(field, &node[3 * static_cast<std::size_t>(e)]);
   }
   ScreenForce force(int e, const ScreenFlow& flow, const Water& water) const;
 };
