@@ -55,6 +55,8 @@ test_that("a command used wrongly ends with status 2", {
   expect_one_message(command("settle", "towed_cable", "--nodes", "many"), 2L, "--nodes is many")
   expect_one_message(command("settle", "towed_cable", "--nodes"), 2L, "--nodes needs a value")
   expect_one_message(command("settle", "towed_cable", "--set", "speed"), 2L, "--set is speed")
+  expect_one_message(command("flume", "--port", "80"), 2L, "--port is 80; it must be")
+  expect_one_message(command("flume", "towed_cable", "flat_panel"), 2L, "at most one PLAN")
   nowhere <- file.path(tempfile(), "state.json")
   expect_one_message(command("settle", "towed_cable", "--json", nowhere), 2L, "--json is ")
 })
