@@ -179,8 +179,8 @@ tension_section <- function(said) {
   if (!nrow(said$tensions)) return(NULL)
   report_section("Tensions",
     if (nrow(ropes)) report_table(rope_columns(ropes), "Ropes, the highest tension first: largest
-      tension (in kilonewtons and tonnes-force), mean tension, the breaking load of the material or plan, and how many times the largest tension
-      goes into it."),
+      tension (in kilonewtons and tonnes-force), mean tension, the breaking load of the material or
+      plan, and how many times the largest tension goes into it."),
     if (nrow(netting)) report_table(netting_columns(netting, said$slack), "Netting by part: mean
       tension of one twine (of both where the twine is double), that which 1 % of the twine exceeds,
       and the share of the twine that hangs slack.")

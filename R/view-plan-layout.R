@@ -159,8 +159,8 @@ panels_overlap <- function(a, b) {
 # Lays panels out in columns: those that follow each other lower edge to upper edge, in one column;
 # columns that fit side by side (walls of straight panels) in one.
 #
-# Returns list(panels (flat_panels() with x, y and column), columns (data frame: heading, count =
-# how many are alike, symmetric), laced (laced_edges()), joints (flat_joints())).
+# Returns list(panels (flat_panels() with x, y and column), columns (data frame: heading, alike =
+# which they are, count, symmetric), laced (laced_edges()), joints (flat_joints())).
 flat_layout <- function(si) {
   joints <- flat_joints(si)
   panels <- flat_panels(si, joints)
@@ -244,7 +244,7 @@ order_columns <- function(panels, joints, si, laced) {
     alike <- which(kind == k)
     list(
       column = alike[1L], count = length(alike),
-      heading = column_heading(lapply(alike, function(c) panels$name[panels$column == c]))
+      words = column_words(lapply(alike, function(c) panels$name[panels$column == c]))
     )
   })
   first <- vapply(columns, `[[`, 0L, "column")
@@ -253,7 +253,9 @@ order_columns <- function(panels, joints, si, laced) {
   list(
     panels = panels, laced = laced, joints = joints,
     columns = data.frame(
-      heading = vapply(columns, `[[`, "", "heading"), count = vapply(columns, `[[`, 0L, "count"),
+      heading = vapply(columns, function(c) c$words[["heading"]], ""),
+      alike = vapply(columns, function(c) c$words[["alike"]], ""),
+      count = vapply(columns, `[[`, 0L, "count"),
       symmetric = vapply(seq_along(columns), function(c) {
         is_symmetric(panels[panels$column == c, ], si, laced)
       }, NA)
@@ -426,21 +428,25 @@ merge_ranges <- function(laced) {
   merged
 }
 
-# What the panels of alike columns are called together: "side (port, starboard)", or what the panels
-# of the first are called where these have no word in common.
-column_heading <- function(names) {
+# What alike columns are called, by the names of their panels: the words common to all as heading,
+# or what the panels of the first are called where these have none; and which they are, "starboard,
+# port" or "16 alike".
+column_words <- function(names) {
+  n <- length(names)
+  numbered <- if (n > 1L) paste(n, "alike") else ""
   own <- lapply(names, function(n) grep("^[0-9]+$", shared_words(n), invert = TRUE, value = TRUE))
-  if (any(lengths(own) == 0L)) {
-    said <- unique(vapply(names[[1L]], general_name, ""))
-    return(if (length(said) > 3L) "netting" else paste(said, collapse = ", "))
-  }
   common <- Reduce(function(a, b) a[a %in% b], own)
+  if (!length(common)) {
+    said <- unique(vapply(names[[1L]], general_name, ""))
+    said <- if (length(said) > 3L) "netting" else paste(said, collapse = ", ")
+    return(c(heading = said, alike = numbered))
+  }
   apart <- vapply(own, function(words) paste(setdiff(words, common), collapse = " "), "")
-  apart <- unique(apart[nzchar(apart)])
-  heading <- paste(common, collapse = " ")
-  if (length(apart) == 0L) return(heading)
-  said <- paste(c(utils::head(apart, 3L), if (length(apart) > 3L) "..."), collapse = ", ")
-  if (nzchar(heading)) paste0(heading, " (", said, ")") else said
+  told <- n == 2L && all(nzchar(apart)) && apart[1L] != apart[2L]
+  c(
+    heading = paste(common, collapse = " "),
+    alike = if (told) paste(apart, collapse = ", ") else numbered
+  )
 }
 
 # Words that all names have.

@@ -22,26 +22,39 @@ draw_flat_netting <- function(figure, frame) {
   if (!is.null(drawn$rows)) draw_rows(drawn, frame[1], columns[[1L]])
   for (column in columns) draw_column(column, figure, scale, use)
   draw_notes(drawn$notes, frame)
-  draw_scale(scale, frame, all_hung(figure))
+  draw_scale(scale, frame, width_rule(figure))
 }
 
-# Whether all netting is as wide as the ropes it hangs on.
-all_hung <- function(figure) !anyNA(hung_widths(figure$si, figure$layout$joints))
+# How wide the netting is drawn, in words.
+width_rule <- function(figure) {
+  hung <- !is.na(colSums(hung_widths(figure$si, figure$layout$joints)))
+  square <- vapply(figure$si$panels, function(p) p$orientation == "square", NA) & !hung
+  said <- c(
+    if (any(hung)) "as hung on its ropes", if (any(!hung & !square)) "at a hanging ratio of 0.5",
+    if (any(square)) "square meshes open"
+  )
+  paste0("Netting stretched in depth; in width ", paste(said, collapse = " or "), ".")
+}
 
-# The drawing as it is largest: symmetric columns whole, or halved where that helps much; panels
-# explained in a table beside them where all columns agree, else by numbers and notes below, with
-# their counts and cutting rates at their edges or, where these take too much room, in the notes.
+# How panels are explained: in a table beside them, where all columns agree; by numbers and notes
+# below, with counts and cutting rates at their edges; or in the notes alone.
+plan_ways <- c("table", "edges", "notes")
+
+# The drawing in the first of these ways that is not much smaller than in the next; symmetric columns
+# whole, or halved where that helps.
 #
 # Returns list(columns, rows (of the table, or NULL), widths (of its columns), notes, scale, top,
 # bottom).
 best_draft <- function(figure, frame) {
   flat <- shorten_longest(figure$layout$panels)
   top <- frame[4] - 0.42
-  draft <- function(halve, detail) {
+  draft <- function(way, halve) {
     columns <- lapply(seq_len(nrow(figure$layout$columns)), function(k) {
       flat_column(flat[flat$column == k, ], figure$layout$columns[k, ], figure$si, halve)
     })
-    rows <- shared_rows(columns, figure$si)
+    rows <- if (way == "table") shared_rows(columns, figure$si)
+    if (way == "table" && is.null(rows)) return(NULL)
+    detail <- way != "notes"
     if (is.null(rows)) columns <- number_panels(columns, figure$si, detail)
     notes <- if (is.null(rows)) arrange_notes(panel_notes(columns, figure$si, detail), frame)
     bottom <- frame[2] + 0.45 + if (is.null(rows)) plan_note * nrow(notes) + 0.1 else 0
@@ -52,12 +65,17 @@ best_draft <- function(figure, frame) {
         max(flat$y + flat$depth))
     )
   }
-  larger <- function(one, other, much) if (other$scale[2] > much * one$scale[2]) other else one
-  largest <- function(detail) {
-    whole <- draft(FALSE, detail)
-    if (whole$scale[1] < whole$scale[2]) whole else larger(whole, draft(TRUE, detail), 1.15)
+  larger <- function(one, other, much) {
+    if (is.null(one) || other$scale[2] > much * one$scale[2]) other else one
   }
-  larger(largest(TRUE), largest(FALSE), 1.8)
+  best <- NULL
+  for (way in plan_ways) {
+    whole <- draft(way, FALSE)
+    if (is.null(whole)) next
+    if (whole$scale[1] >= whole$scale[2]) whole <- larger(whole, draft(way, TRUE), 1.15)
+    best <- larger(best, whole, 1.8)
+  }
+  best
 }
 
 # Panels with the longest drawn shorter where it makes up most of the length of several: `broken`
@@ -112,9 +130,8 @@ flat_column <- function(panels, column, si, halve) {
   panels$tag <- ""
   list(
     panels = panels, half = half, wall = wall, detail = !wall,
-    heading = column$heading, remark = paste(c(
-      if (half) "right half", if (column$count > 1L) paste(column$count, "alike")
-    ), collapse = ", ")
+    heading = column$heading,
+    remark = paste(c(if (half) "right half", Filter(nzchar, column$alike)), collapse = ", ")
   )
 }
 
@@ -146,7 +163,7 @@ fitting_scale <- function(columns, room, height, deepest) {
     sum(vapply(columns, function(c) diff(column_reach(c, c(s, s))) + column_gap, 0)) - column_gap
   }
   if (needs(high) > room) {
-    for (pass in 1:40) {
+    for (pass in 1:20) {
       s <- (low + high) / 2
       if (needs(s) <= room) low <- s else high <- s
     }
@@ -170,8 +187,8 @@ column_reach <- function(column, scale) {
 }
 
 # Labels left and right of a column's panels: a data frame with left, right (text), left_x, right_x
-# and y (of the middle of the edges, inches from the column's origin), middle (text within the panel),
-# inside (whether the counts have room within the panel).
+# and y (of the middle of the edges, inches from the column's origin), middle (text within the
+# panel), inside (whether the counts have room within the panel).
 side_labels <- function(column, scale) {
   panels <- column$panels
   wide <- function(text) graphics::strwidth(text, cex = plan_text[["label"]])
@@ -289,20 +306,20 @@ label_column <- function(column, scale, x, y, use) {
   }
 }
 
-# ---- scale bar and what holds for all -----------------------------------------------------------------------------------
+# ---- scale bar and what holds for all ------------------------------------------------------------
 
-# hung: whether widths are those of ropes along upper and lower edges.
-draw_scale <- function(scale, frame, hung) {
+# rule: how wide netting is drawn.
+draw_scale <- function(scale, frame, rule) {
   cex <- plan_text[["label"]]
   bar <- function(left, per_metre, words) {
-    lengths <- as.vector(outer(c(1, 2, 5), 10^(-2:4)))
+    lengths <- as.vector(outer(c(1, 2, 5), 10^(-4:4)))
     length <- max(lengths[lengths * per_metre <= 1.3])
     ends <- left + c(0, 0.5, 1) * length * per_metre
     y <- frame[2] + 0.1
     graphics::rect(ends[1:2], y, ends[2:3], y + 0.04, col = c(plan_ink, "white"),
       border = plan_ink, lwd = 0.6)
     graphics::text(ends[c(1, 3)], y + 0.1, c("0", paste(short_number(length), "m")), cex = cex)
-    said <- paste0(words, "1 : ", short_number(39.37 / per_metre, 3))
+    said <- paste0(words, "1 : ", short_number(39.37 / (per_metre * graphics::par("cex")), 3))
     graphics::text(ends[3] + 0.2, y + 0.03, said, adj = c(0, 0.5), cex = cex)
     ends[3] + 0.2 + graphics::strwidth(said, cex = cex)
   }
@@ -313,15 +330,9 @@ draw_scale <- function(scale, frame, hung) {
     left <- bar(left, scale[1], "along ")
     left <- bar(left + 0.35, scale[2], "deep ")
   }
-  graphics::text(left + 0.3, frame[2] + c(0.12, 0.02), paper_rules(hung), adj = c(0, 0.5),
-    cex = 0.9 * cex, font = 3)
-}
-
-paper_rules <- function(hung) {
-  c(
-    if (hung) "Netting stretched in depth, in width as hung on its ropes." else {
-      "Netting stretched in depth, in width at a hanging ratio of 0.5."
-    },
-    "Numbers at edges: meshes across the whole panel (upper/lower). N, T, B: cutting rate."
+  rules <- c(
+    rule, "Numbers at edges: meshes across the whole panel (upper/lower). N, T, B: cutting rate."
   )
+  graphics::text(left + 0.3, frame[2] + c(0.12, 0.02), rules, adj = c(0, 0.5), cex = 0.9 * cex,
+    font = 3)
 }

@@ -55,7 +55,8 @@ rigging_places <- function(si) {
       if (is.null(at)) text else at
     }, "", USE.NAMES = FALSE)
   }
-  ends <- unlist(lapply(si$ropes, function(rope) c(rope$from, rope$through, rope$to)), use.names = FALSE)
+  ends <- unlist(lapply(si$ropes, function(rope) c(rope$from, rope$through, rope$to)),
+    use.names = FALSE)
   set <- unlist(lapply(si$pieces, `[[`, "at"), use.names = FALSE)
   places <- unique(of(c(ends, set)))
   gathered <- of(unlist(lapply(si$seams, `[[`, "gathered_at"), use.names = FALSE))

@@ -7,8 +7,8 @@
 #' that follow each other stand in columns, front edge up, as deep as their netting is stretched and
 #' half as wide as it is stretched, at one scale. What hangs between two ropes of known hanging ratio
 #' is as wide as these; square netting has its own width. Of columns that are alike one is drawn, and
-#' of symmetric columns, where the whole would be small, the right half. Straight panels that are joined side by side, such as
-#' those of a seine, are drawn as one wall.
+#' of symmetric columns, where the whole would be small, the right half. Straight panels that are
+#' joined side by side, such as those of a seine, are drawn as one wall.
 #'
 #' Beside every panel stand its part, meshes deep, mesh size, twine and material; at its upper and
 #' lower edges the meshes across (of the whole panel); and at its sides the cutting rate after ISO
@@ -25,13 +25,15 @@
 #' @param x A gear ([read_gear()], [gear()]).
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
 #'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; A4 on its side by default.
+#' @param width,height Size of the file's page, inches; A4 on its side by default. On a smaller page
+#'   all is drawn smaller.
 #' @param ... Not used.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' plot(read_gear("midwater_trawl"))
 #' @export
-plot.codend_gear <- function(x, file = NULL, width = 11.69, height = 8.27, ...) {
+plot.codend_gear <- function(x, file = NULL, width = plan_page[1], height = plan_page[2],
+                             ...) {
   check_inches("width", width)
   check_inches("height", height)
   if (!is.null(file)) picture_extension(file, picture_types)
@@ -67,15 +69,20 @@ rigging_share <- 0.45
 plan_text <- c(list = 0.6, label = 0.56, heading = 0.68)
 plan_ink <- "#202428"
 
+# The page as laid out, inches; on a smaller one all is drawn smaller.
+plan_page <- c(11.69, 8.27)
+
 draw_plan <- function(figure, page) {
-  if (page[1] < 6 || page[2] < 4) {
-    abort_view("A page of {page[1]} by {page[2]} inches is too small for a plan; it takes 6 by 4.",
+  if (page[1] < 5 || page[2] < 3.5) {
+    abort_view("A page of {page[1]} by {page[2]} inches is too small for a plan; it takes 5 by 3.5.",
       list(page = round(page, 1)))
   }
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
-  graphics::par(family = "sans", bg = "white", mai = c(0, 0, 0, 0), cex = 1, xaxs = "i", yaxs = "i",
-    col = plan_ink, lend = "butt")
+  small <- min(1, page / plan_page)
+  page <- page / small
+  graphics::par(family = "sans", bg = "white", mai = c(0, 0, 0, 0), cex = small, xaxs = "i",
+    yaxs = "i", col = plan_ink, lend = "butt")
   graphics::plot.new()
   graphics::plot.window(c(0, page[1]), c(0, page[2]))
   top <- page[2] - plan_margin - plan_title_height

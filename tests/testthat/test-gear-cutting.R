@@ -47,6 +47,11 @@ test_that("a rate repeated makes up the whole edge", {
   expect_identical(cutting_rate(91.5, 120), "11(1N6B)+8(1N7B)")
 })
 
+test_that("an edge of no whole number of meshes has the nearest short rate", {
+  # 32.72 of 65.93: bars over points 1.97, where 1N2B has 2 and no other of up to 7 cuts is nearer
+  expect_identical(cutting_rate(32.72, 65.93), "~1N2B")
+})
+
 test_that("turned, square and hexagonal netting have their own rules", {
   expect_identical(cutting_rate(0, 40, "turned"), "AT")
   expect_identical(cutting_rate(20, 40, "turned"), "1T2B")

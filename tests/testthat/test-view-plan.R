@@ -4,7 +4,8 @@ layout_of <- function(plan) {
 
 test_that("a trawl's panels stand in columns, like ones once", {
   layout <- layout_of("midwater_trawl")
-  expect_identical(layout$columns$heading, c("back", "side (starboard, port)", "belly"))
+  expect_identical(layout$columns$heading, c("back", "side", "belly"))
+  expect_identical(layout$columns$alike, c("", "starboard, port", ""))
   expect_identical(layout$columns$count, c(1L, 2L, 1L))
   expect_true(all(layout$columns$symmetric))
   back <- layout$panels[layout$panels$column == 1, ]
@@ -63,6 +64,7 @@ test_that("straight panels joined side by side are one wall, a ring of equal one
   expect_equal(sort(wall$panels$x), c(0, 0.5, 1))
   ring <- layout_of(add_nail(wall_plan(paste0("side_", 1:4), closed = TRUE)))
   expect_identical(ring$columns$heading, "side")
+  expect_identical(ring$columns$alike, "4 alike")
   expect_identical(ring$columns$count, 4L)
 })
 
