@@ -69,6 +69,7 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #'   `"belly.upper[0:6]"`, backwards such as `"-belly.right"`, or several of these end to end.
 #' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
+#' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
 #' @param material Name of a material: `steel_wire`, `steel_chain`, `polyethylene` (PE),
 #'   `polyamide` (PA), `polyester` (PES), `polypropylene` (PP), `hmpe` (HMPE), `combination_rope`,
@@ -86,8 +87,8 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
 #' @rdname gear
 #' @export
-rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
-                 diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
+rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, lengths = NULL,
+                 hanging_ratio = NULL, diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))
