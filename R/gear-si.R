@@ -31,7 +31,11 @@ gear_si <- function(gear) {
   })
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
-  si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
+  # Kites are otter boards that push up or down.
+  si$otter_boards <- c(
+    map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known),
+    map_named(fields$kites, "kites", si_kite, fields, known)
+  )
   known$otter_boards <- names(si$otter_boards)
   known$pieces <- names(si$pieces)
   known$ground <- !is.null(fields$seabed)

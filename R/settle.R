@@ -29,7 +29,10 @@
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
-#'   A free otter board that settles stalled, back-winded or fallen over is a warning of class
+#'   Free otter boards and kites that settle in a balance which a small push would carry them away from
+#'   are pushed and settled again (`upsets` in the report counts how often); where none is found that
+#'   lasts it is a warning of class `codend_warning_board_unstable`. That tells of static stability
+#'   only, not of swinging. A free otter board that settles stalled, back-winded or fallen over is a warning of class
 #'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
 #'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
