@@ -6,7 +6,9 @@ flume_lines <- 6000L
 
 flume_drawing <- function(state) {
   drawing <- state_drawing(state, flume_lines)
-  drawing$points <- state_points(state)
+  # Of a fine net only some of the points are ends of lines.
+  drawing$drawn <- unique(c(drawing$ropes$ends, drawing$netting$ends))
+  drawing$points <- state_points(state)[, drawing$drawn, drop = FALSE]
   drawing$boards <- board_corners(state)
   drawing$marks$board <- match(drawing$marks$part, names(state$si$otter_boards), 0L)
   drawing
@@ -37,8 +39,9 @@ moved_numbers <- function(drawing, scales) {
 fixed_numbers <- function(drawing) {
   marks <- drawing$marks
   symbol <- symbol_of(marks$role)
+  ends <- function(lines) packed(match(lines$ends, drawing$drawn) - 1L, 4L)
   list(
-    netting = packed(drawing$netting$ends - 1L, 4L), ropes = packed(drawing$ropes$ends - 1L, 4L),
+    netting = ends(drawing$netting), ropes = ends(drawing$ropes),
     marks = list(
       role = I(as.character(marks$role)), label = I(as.character(symbol$label)),
       fill = I(as.character(symbol$fill)),
@@ -53,8 +56,7 @@ fixed_numbers <- function(drawing) {
 same_lines <- function(one, other) {
   about <- c("role", "size", "direction", "board")
   !is.null(other) && identical(one$netting$ends, other$netting$ends) &&
-    identical(one$ropes$ends, other$ropes$ends) && ncol(one$points) == ncol(other$points) &&
-    identical(one$marks[about], other$marks[about])
+    identical(one$ropes$ends, other$ropes$ends) && identical(one$marks[about], other$marks[about])
 }
 
 # The message of a picture. now and pinned: drawings; known: list(now, pinned) of those that the
