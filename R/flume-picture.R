@@ -1,5 +1,5 @@
-# What the flume tank's canvas is sent: positions, colours and marks as packed numbers, in a few tens
-# of kilobytes, and what joins them only when it changes.
+# What the flume tank's canvas is sent: positions, colours and marks as packed numbers, in a few
+# tens of kilobytes, and what joins them only when it changes.
 
 # At most about as many lines of netting, and of ropes, as a canvas draws within a frame.
 flume_lines <- 6000L
@@ -23,8 +23,8 @@ common_scales <- function(drawings) {
   )
 }
 
-# The numbers of one drawing: points (3 x points, m), colours (places in the palettes, 0: slack), marks
-# (3 x marks, m) and the corners of free otter boards (3 x 4 per board, m).
+# The numbers of one drawing: points (3 x points, m), colours (places in the palettes, 0: slack),
+# marks (3 x marks, m) and the corners of free otter boards (3 x 4 per board, m).
 moved_numbers <- function(drawing, scales) {
   list(
     points = packed(as.double(drawing$points), 4L),
@@ -70,7 +70,8 @@ picture_message <- function(state, now, pinned, known) {
   list(
     now = part(now, known$now), pinned = part(pinned, known$pinned),
     legend = list(
-      ropes = legend_numbers(scales$ropes, "rope"), netting = legend_numbers(scales$netting, "netting")
+      ropes = legend_numbers(scales$ropes, "rope"),
+      netting = legend_numbers(scales$netting, "netting")
     ),
     flow = I(flow_past(state)), water = state$si$water$density > 0,
     bed = if (!is.null(state$si$ground)) {
