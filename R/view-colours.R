@@ -3,6 +3,11 @@
 
 slack_colour <- "#BDC3CA"
 
+# What the colour of slack stands for among lines of these tensions; NULL where it is not used.
+slack_words <- function(tension) {
+  if (any(tension < 0)) "slack or pushing" else if (any(tension == 0)) "slack"
+}
+
 tension_palette <- function(kind) {
   # The lightest tenth or two would vanish on white paper.
   trimmed <- function(name, from) utils::tail(grDevices::hcl.colors(256L, name, rev = TRUE), -from)
