@@ -6,41 +6,18 @@ specimen_viscosity <- 1e-6
 # A lattice of the engine with no element: points (3 x n, m) in still water.
 specimen <- function(points, materials = twine_materials(list())) {
   n <- ncol(points)
-  empty <- function(...) {
-    whole <- c(...)
-    lapply(stats::setNames(nm = names(whole)), function(field) {
-      if (whole[[field]]) integer() else numeric()
-    })
-  }
-  list(
-    position = points,
-    engine = list(
-      nodes = n, held = rep(TRUE, n),
-      ties = empty(first = TRUE, second = TRUE, share = FALSE),
-      water = list(
-        density = specimen_density, viscosity = specimen_viscosity, free_surface = FALSE,
-        depth = 0, x = 0, y = 0
-      ),
-      slack_twine = "straight", load = numeric(3L * n), mass = numeric(n), materials = materials,
-      bars = empty(node = TRUE, rest = FALSE, multiplicity = FALSE, material = TRUE),
-      triangles = empty(node = TRUE, twine = FALSE, rest = FALSE, straight = FALSE, inner = TRUE,
-        multiplicity = FALSE, material = TRUE),
-      spheres = empty(node = TRUE, drag_area = FALSE, diameter = FALSE, added_mass = FALSE,
-        height = FALSE),
-      lifts = empty(node = TRUE, lift_area = FALSE, direction = TRUE, height = FALSE),
-      boards = list(), ground = NULL, contacts = no_contacts, volumes = no_volumes,
-      screens = empty(node = TRUE, twine_area = FALSE, law = TRUE), wake = numeric(),
-      pressure = list(node = integer(), weight = numeric(), drag_coefficient = 0),
-      drag_screens = empty(node = TRUE, twine_area = FALSE, diameter = FALSE,
-        multiplicity = FALSE, law = TRUE),
-      blended = c(
-        empty(node = TRUE, twine = FALSE, rest = FALSE, multiplicity = FALSE, material = TRUE),
-        list(materials = materials)
-      ),
-      openings = empty(node = TRUE, twine = FALSE, couple = FALSE, angle = FALSE,
-        multiplicity = FALSE)
-    )
+  bare <- gear("Nothing",
+    water = list(density = specimen_density, viscosity = specimen_viscosity),
+    held_point = point(position = list(0, 0, 0), held = "fixed")
   )
+  engine <- build_lattice(gear_si(bare))$engine
+  engine$nodes <- n
+  engine$held <- rep(TRUE, n)
+  engine$load <- numeric(3L * n)
+  engine$mass <- numeric(n)
+  engine$slack_twine <- "straight"
+  engine$materials <- engine$blended$materials <- materials
+  list(position = points, engine = engine)
 }
 
 # What the engine finds where elements of so many points move through still water at their speeds
@@ -73,7 +50,8 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   ends[, second] <- rbind(cos(angle), -sin(angle), 0)
   held <- specimen(ends, materials)
   held$engine$bars <- list(
-    node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), material = rep(1L, n)
+    node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), height = rep(diameter, n),
+    material = rep(1L, n)
   )
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 2L)
@@ -110,7 +88,7 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   twine <- rep(c(0, 0, count, 0, count, count, 0, 0, count, count, 0, count), n)
   common <- list(
     node = node, twine = twine, rest = rep(bar, triangles), multiplicity = rep(1, triangles),
-    material = rep(1L, triangles)
+    height = rep(diameter, triangles), material = rep(1L, triangles)
   )
   if (law == "twines") {
     held$engine$triangles <- c(
@@ -122,7 +100,7 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
     held$engine$drag_screens <- list(
       node = node, twine_area = rep(solidity * side^2 / 2, triangles),
       diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
-      law = rep(screen_numbers[[law]], triangles)
+      height = rep(diameter, triangles), law = rep(screen_numbers[[law]], triangles)
     )
   }
   speed <- reynolds * specimen_viscosity / diameter

@@ -195,7 +195,7 @@ number_html <- function(control) {
       tags$input(
         type = "range", class = "form-range", min = shortest_decimal(control$low),
         max = shortest_decimal(control$high), step = shortest_decimal(control$step), value = shown,
-        `aria-label` = control$label
+        `aria-label` = control$label, `aria-valuetext` = trimws(paste(shown, control$unit))
       ),
       tags$input(
         type = "number", id = number, class = "form-control form-control-sm",

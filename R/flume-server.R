@@ -4,7 +4,7 @@
 # someone is waiting.
 flume_steps <- 1000L
 
-# start: list(gear, state) to open with.
+# start: list(gear, state, notes) to open with.
 flume_server <- function(start, marked, nodes) {
   function(input, output, session) {
     tank <- new_tank(start, marked, nodes)
@@ -14,7 +14,7 @@ flume_server <- function(start, marked, nodes) {
     show <- function(answers = 0) {
       message <- tank$picture()
       session$sendCustomMessage("flume_picture", c(list(
-        answers = answers, said = spoken(tank$measures), notes = I(tank$notes)
+        answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes))
       ), message))
       tank$changed(shiny::isolate(tank$changed()) + 1L)
     }
@@ -99,7 +99,7 @@ new_tank <- function(start, marked, nodes) {
   tank$state <- start$state
   tank$drawing <- flume_drawing(start$state)
   tank$measures <- measures(start$state)
-  tank$notes <- character()
+  tank$notes <- start$notes
   tank$known <- list()
   tank$changed <- shiny::reactiveVal(0L)
   tank$laid_out <- shiny::reactiveVal(0L)

@@ -4,6 +4,10 @@
 #' change the towing speed, the warp out, the boards, hammers, canvas and floats, and the net moves to
 #' its new shape as they do. Every shape is settled from the one before.
 #'
+#' \if{html}{\figure{flume.png}{options: width="100\%" alt="The flume tank: sliders on the left, the net
+#' in three dimensions coloured by tension in the middle, the table of measures with their changes on
+#' the right, the three planes below."}}
+#'
 #' @details
 #' The page shows
 #'
@@ -49,7 +53,7 @@ flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, NULL)
   marked <- check_marked(first_of(fields, character()), gear$plan)
-  start <- list(gear = gear, state = settle(gear, nodes = nodes))
+  start <- c(list(gear = gear), settle_noted(gear, nodes, NULL))
   shiny::addResourcePath("codend-flume", system.file("app", package = "codend", mustWork = TRUE))
   shiny::shinyApp(
     ui = flume_page(), server = flume_server(start, marked, nodes),

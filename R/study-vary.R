@@ -1,8 +1,8 @@
 #' Settle a gear in many variations
 #'
 #' Settles a gear once for every value, or every combination of values, of some of its plan's fields:
-#' at several speeds, with several lengths of warp, several boards. Each variation starts from its
-#' nearest neighbour's shape, which is several times faster than to start anew.
+#' at several speeds, with several lengths of warp, several boards. Each variation starts from the shape
+#' of the nearest that has settled, and anew where that does not lead to balance.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param ... Values by the path of their field, as in [update()][update.codend_gear]:

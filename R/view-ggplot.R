@@ -125,8 +125,8 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
 autoplot.codend_rope_tensions <- function(object, ...) {
   drawn <- rope_series(object)
   drawn$heading <- factor(drawn$heading, unique(drawn$heading))
-  n <- length(unique(drawn$rope))
-  drawn$name <- gsub("_", " ", drawn$rope)
+  n <- length(unique(drawn$line))
+  drawn$name <- gsub("_", " ", drawn$line)
   drawn$name <- factor(drawn$name, unique(drawn$name[order(drawn$heading, drawn$group)]))
   # the colours and dashes that each rope has in its own figure
   first <- match(levels(drawn$name), drawn$name)

@@ -5,10 +5,11 @@ page_legend <- function(state, drawing, scales, conditions = state_conditions(st
                         bottom = 12) {
   text <- "font: 12px/1.35 system-ui, sans-serif; color: #202428; pointer-events: none;"
   paste0(
-    "<div style='position: absolute; left: 14px; top: 10px; ", text, "'>",
+    "<div class='view-title' style='position: absolute; left: 14px; top: 10px; ", text, "'>",
     "<div style='font-size: 17px; font-weight: 600'>", escape_html(state$gear$plan$name), "</div>",
     "<div>", escape_html(conditions), "</div></div>",
-    "<div style='position: absolute; left: 14px; bottom: ", bottom, "px; ", text,
+    "<div class='view-legend' style='position: absolute; left: 14px; bottom: ", bottom, "px; ",
+    text,
     " display: flex; flex-wrap: wrap; gap: 26px; align-items: flex-start'>",
     html_colour_bar(scales$rope, "rope", slack_words(drawing$ropes$tension)),
     html_colour_bar(scales$netting, "netting", slack_words(drawing$netting$tension)),

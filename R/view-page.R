@@ -35,7 +35,8 @@ plane_views <- function(drawing, planes, enlarge) {
 }
 
 fitting_height <- function(figure, width) {
-  natural_height(plane_views(figure$drawing, figure$planes, TRUE), width)
+  zoom <- page_zoom(width)
+  zoom * natural_height(plane_views(figure$drawing, figure$planes, TRUE), width / zoom)
 }
 
 # A page much too low for the enlarged net goes without it.

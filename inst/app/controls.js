@@ -64,6 +64,7 @@
       }
       if (source === field) reach(slider, field.valueAsNumber);
       moved[id] = { value: field.valueAsNumber, unit: unit ? unit.value : '' };
+      slider.setAttribute('aria-valuetext', field.value + ' ' + moved[id].unit);
     }
     ask();
   }

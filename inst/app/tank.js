@@ -7,7 +7,7 @@ window.codendTank = (function () {
   'use strict';
 
   var shown = { now: null, pinned: null };
-  var about = { flow: [0, 0], water: true };
+  var about = { flow: [0, 0], water: true, bed: null };
   var palettes = { ropes: [], netting: [] };
   var choice = { focus: 'net', from: 'bow', compare: 'off' };
   // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards, radians.
@@ -15,7 +15,7 @@ window.codendTank = (function () {
     bow: [-2.05, 0.34], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0], astern: [0, 0]
   };
   var camera = { turn: views.bow[0], rise: views.bow[1], zoom: 1, pan: [0, 0] };
-  var ink = '#202428', soft = '#5B636A', sea = '#2C6E9B', ghost = '#9AA3AB';
+  var ink = '#202428', soft = '#5B636A', sea = '#2C6E9B', bedColour = '#8A6D3B', ghost = '#9AA3AB';
   var waiting = false;
 
   function bytes(text) {
@@ -36,6 +36,7 @@ window.codendTank = (function () {
     drawing.points = floats(part.moved.points);
     drawing.colour = { netting: bytes(part.moved.netting), ropes: bytes(part.moved.ropes) };
     drawing.at = floats(part.moved.marks);
+    drawing.boards = floats(part.moved.boards);
     drawing.range = { whole: rangeOf(drawing, ['ropes', 'netting']), net: rangeOf(drawing, ['netting']) };
     return drawing;
   }
@@ -105,7 +106,7 @@ window.codendTank = (function () {
       return half.reduce(function (sum, h, k) { return sum + Math.abs(axis[k]) * h; }, 0) || 1e-6;
     }
     // Perspective makes what is near larger, and axes need room for their words.
-    var room = perspective ? 0.76 : 0.93;
+    var room = perspective ? 0.8 : 0.93;
     var fit = room * Math.min(box.width / 2 / reach(right), box.height / 2 / reach(up));
     var scale = fit * zoom;
     var away = 4 * Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) / zoom + 1e-6;
@@ -175,7 +176,34 @@ window.codendTank = (function () {
     }
   }
 
-  // Boards and canvas are plates as in the page of view(), everything else is round.
+  // The corners of a plate: of a free board as they are, else as in the page of view(), with at least
+  // so many pixels to each side of its middle.
+  function corners(drawing, i, s) {
+    var mark = drawing.mark, least = (mark.role[i] === 'canvas' ? 3 : 6) / s;
+    var middle = [0, 1, 2].map(function (axis) { return drawing.at[3 * i + axis]; });
+    if (mark.board[i] >= 0) {
+      var all = [0, 1, 2, 3].map(function (k) {
+        var from = 3 * (4 * mark.board[i] + k);
+        return [0, 1, 2].map(function (axis) { return drawing.boards[from + axis] - middle[axis]; });
+      });
+      var grow = Math.max(1, 2 * least / mark.size[i]);
+      return all.map(function (c) {
+        return c.map(function (v, axis) { return middle[axis] + grow * v; });
+      });
+    }
+    var half = Math.max(mark.size[i] / 2, least);
+    var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
+    var way = mark.direction[i] || 'up';
+    var first = way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0];
+    var second = way === 'up' ? [-h, 0, h] : way === 'down' ? [h, 0, h] : [0, 0, 1];
+    return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(function (sign) {
+      return middle.map(function (v, axis) {
+        return v + half * (sign[0] * first[axis] + sign[1] * second[axis]);
+      });
+    });
+  }
+
+  // Boards and canvas are plates, everything else is round.
   function paintMark(context, drawing, i, spots, put) {
     var mark = drawing.mark, x = spots[4 * i], y = spots[4 * i + 1], s = spots[4 * i + 3];
     context.fillStyle = mark.fill[i];
@@ -183,15 +211,8 @@ window.codendTank = (function () {
     context.lineWidth = 1;
     context.beginPath();
     if (mark.role[i] === 'otter_board' || mark.role[i] === 'canvas') {
-      var half = Math.max(mark.size[i] / 2, 7 / s);
-      var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
-      var way = mark.direction[i] || 'up';
-      var first = way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0];
-      var second = way === 'up' ? [-h, 0, h] : way === 'down' ? [h, 0, h] : [0, 0, 1];
-      [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach(function (sign, k) {
-        var at = place(put, [0, 1, 2].map(function (axis) {
-          return drawing.at[3 * i + axis] + half * (sign[0] * first[axis] + sign[1] * second[axis]);
-        }));
+      corners(drawing, i, s).forEach(function (corner, k) {
+        var at = place(put, corner);
         if (k) context.lineTo(at[0], at[1]); else context.moveTo(at[0], at[1]);
       });
       context.closePath();
@@ -228,22 +249,41 @@ window.codendTank = (function () {
     return out;
   }
 
-  // The water's surface over the ranges, where the eye is not level with it.
-  function paintSurface(context, put, range) {
-    var corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(function (c) {
-      return place(put, [c[0] ? range.high[0] : range.low[0], c[1] ? range.high[1] : range.low[1], 0]);
+  // Height of the sea bed.
+  function bedAt(x, y) {
+    var n = about.bed.normal;
+    return (about.bed.height - n[0] * x - n[1] * y) / n[2];
+  }
+
+  // A sheet over the ranges, with its height by place: the water's surface or the sea bed.
+  function paintSheet(context, put, range, height, colour, fill, words) {
+    var seen = [[0, 0], [1, 0], [1, 1], [0, 1]].map(function (c) {
+      var x = c[0] ? range.high[0] : range.low[0], y = c[1] ? range.high[1] : range.low[1];
+      return place(put, [x, y, height(x, y)]);
     });
     context.beginPath();
-    corners.forEach(function (c, k) {
+    seen.forEach(function (c, k) {
       if (k) context.lineTo(c[0], c[1]); else context.moveTo(c[0], c[1]);
     });
     context.closePath();
-    context.fillStyle = 'rgba(74, 144, 194, 0.12)';
+    context.fillStyle = fill;
     context.fill();
-    context.strokeStyle = sea;
+    context.strokeStyle = colour;
     context.lineWidth = 1;
     context.stroke();
-    text(context, 'water surface', corners[0][0] + 6, corners[0][1] - 9, 'left', sea);
+    text(context, words, seen[0][0] + 6, seen[0][1] - 9, 'left', colour);
+  }
+
+  // Sheets on the far side of the gear (far: whether those) as the eye is above or below them.
+  function paintSheets(context, put, range, far) {
+    var above = camera.rise > 0.02, below = camera.rise < -0.02;
+    if (about.water && (far ? below : above)) {
+      paintSheet(context, put, range, function () { return 0; }, sea, 'rgba(74, 144, 194, 0.12)',
+        'water surface');
+    }
+    if (about.bed && (far ? above : below)) {
+      paintSheet(context, put, range, bedAt, bedColour, 'rgba(178, 143, 92, 0.22)', 'sea bed');
+    }
   }
 
   // Edges of the box around the range that carry axes, with their ticks and words a fixed number of
@@ -353,12 +393,12 @@ window.codendTank = (function () {
       context.rect(box.left, box.top, box.width, box.height);
       context.clip();
       var put = projection(range, camera.turn, camera.rise, camera.zoom, camera.pan, box, true);
-      var surface = about.water && Math.abs(camera.rise) > 0.02;
-      if (surface && camera.rise < 0) paintSurface(context, put, join(range, shown.now.range.whole));
+      var all = join(range, shown.now.range.whole);
+      paintSheets(context, put, all, true);
       paintAxes(context, put, range, box);
       if (choice.compare === 'over' && shown.pinned) paintGear(context, shown.pinned, put, true);
       paintGear(context, shown[box.drawing], put, false);
-      if (surface && camera.rise > 0) paintSurface(context, put, join(range, shown.now.range.whole));
+      paintSheets(context, put, all, false);
       paintFlow(context, put, box);
       if (choice.compare === 'beside') {
         text(context, box.drawing === 'now' ? 'Now' : 'Pinned', box.left + box.width / 2,
@@ -411,6 +451,18 @@ window.codendTank = (function () {
       context.lineTo(box.left + box.width, level);
       context.stroke();
     }
+    if (up === 2 && about.bed) {
+      context.fillStyle = '#E6DAC6';
+      context.beginPath();
+      [[-1, 'bed'], [1, 'bed'], [1, 'floor'], [-1, 'floor']].forEach(function (corner, k) {
+        var at = middle.slice();
+        at[across] = end(across, corner[0], box.width);
+        at[2] = corner[1] === 'bed' ? bedAt(at[0], at[1]) : end(2, -1, box.height);
+        var on = place(put, at);
+        if (k) context.lineTo(on[0], on[1]); else context.moveTo(on[0], on[1]);
+      });
+      context.fill();
+    }
     if (choice.compare !== 'off' && shown.pinned) paintGear(context, shown.pinned, put, true);
     paintGear(context, shown.now, put, false);
     context.restore();
@@ -460,14 +512,18 @@ window.codendTank = (function () {
 
   function colourBar(kind, scale) {
     var bar = element('div', 'colour-bar');
-    if (!scale) return bar;
     bar.appendChild(element('div', 'heading', scale.heading));
     var strip = element('div', 'strip');
     strip.style.background = 'linear-gradient(to right, ' + palettes[kind].slice(1)
       .filter(function (c, k) { return k % 12 === 0; }).join(', ') + ')';
     bar.appendChild(strip);
     var row = element('div', 'ticks');
+    // Pixels that the words so far reach to, on a bar of 210.
+    var reach = -Infinity;
     scale.ticks.forEach(function (words, k) {
+      var half = 3.6 * words.length;
+      if (210 * scale.at[k] - half < reach + 5) return;
+      reach = 210 * scale.at[k] + half;
       var tick = element('span', '', words);
       tick.style.left = 100 * scale.at[k] + '%';
       row.appendChild(tick);
@@ -480,7 +536,7 @@ window.codendTank = (function () {
     var box = document.getElementById('tank_legend');
     box.textContent = '';
     ['ropes', 'netting'].forEach(function (kind) {
-      box.appendChild(colourBar(kind, legend[kind]));
+      if (legend[kind]) box.appendChild(colourBar(kind, legend[kind]));
     });
     var key = element('div', 'key');
     function entry(words, colour, className) {
@@ -591,8 +647,10 @@ window.codendTank = (function () {
     picture: function (message) {
       shown.now = take(shown.now, message.now);
       shown.pinned = take(shown.pinned, message.pinned);
-      about = { flow: message.flow, water: message.water };
+      about = { flow: message.flow, water: message.water, bed: message.bed };
       legend = message.legend;
+      document.getElementById('tank').setAttribute('aria-label', message.name +
+        ' in three dimensions. ' + message.conditions);
       // Without netting there is nothing but the whole gear.
       var net = document.querySelector('[data-group="focus"][data-value="net"]');
       net.disabled = !shown.now.range.net;

@@ -39,7 +39,6 @@ constexpr int attempt_steps = 400;
 constexpr int attempts = 8;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
-constexpr double shading_tolerance = 1e-5;
 constexpr int shadings = 20, searches = 4;
 constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
