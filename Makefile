@@ -1,10 +1,11 @@
 # make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
 # make test    every test of the engine and of the package
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
+# make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 # All install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test bench robust
+.PHONY: trawl test bench bench-tow robust
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -17,6 +18,10 @@ NODES ?= 100000
 bench:
 	@tools/setup --tests
 	@Rscript bench/bench.R $(NODES)
+
+bench-tow:
+	@tools/setup --tests
+	@Rscript bench/motion.R
 
 robust:
 	@tools/setup --tests
