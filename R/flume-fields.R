@@ -25,7 +25,8 @@ usual_parts <- data.frame(
 # numbers unit (as shown), units (factors to SI by name, NULL where it has none), low, high and step
 # (of the slider, in the unit) and whole; of choices `choices`.
 #
-# marked: paths that the user asks for beside the usual ones; those that the plan lacks are left out.
+# marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
+# out.
 plan_controls <- function(plan, marked = list()) {
   usual <- c(usual_field_controls(plan), usual_part_controls(plan))
   asked <- Map(list, label = marked_labels(marked), paths = marked)
@@ -93,8 +94,8 @@ path_words <- function(path) {
   paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 }
 
-# A field of a plan: list(node = of the schema, value = as given or by default, given), or NULL where
-# the plan has none of that path.
+# A field of a plan: list(node = of the schema, value = as given or by default, given), or NULL
+# where the plan has none of that path.
 plan_field <- function(plan, path) {
   given <- TRUE
   node <- plan_schema$kinds[[first_of(plan$kind, plan_schema$default_kind)]]
@@ -147,7 +148,9 @@ number_control <- function(field) {
   unit <- if (is.null(units)) "" else names(units)[1]
   range <- control_range(value, node, if (is.null(units)) 1 else units[[1]])
   c(
-    list(kind = "number", value = value, unit = unit, units = units, whole = node$shape == "integer"),
+    list(
+      kind = "number", value = value, unit = unit, units = units, whole = node$shape == "integer"
+    ),
     range
   )
 }

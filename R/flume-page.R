@@ -29,8 +29,10 @@ flume_page <- function() {
 flume_tank <- function() {
   tags <- shiny::tags
   toggle <- function(group, value, text, on = FALSE) {
-    tags$button(type = "button", class = "btn btn-sm btn-outline-secondary",
-      `data-group` = group, `data-value` = value, `aria-pressed` = if (on) "true" else "false", text)
+    tags$button(
+      type = "button", class = "btn btn-sm btn-outline-secondary", `data-group` = group,
+      `data-value` = value, `aria-pressed` = if (on) "true" else "false", text
+    )
   }
   group <- function(label, ...) {
     tags$div(class = "btn-group btn-group-sm", role = "group", `aria-label` = label, ...)

@@ -10,7 +10,8 @@ window.codendTank = (function () {
   var about = { flow: [0, 0], water: true, bed: null };
   var palettes = { ropes: [], netting: [] };
   var choice = { focus: 'net', from: 'bow', compare: 'off' };
-  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards, radians.
+  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards,
+  // radians.
   var views = {
     bow: [-2.05, 0.34], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0], astern: [0, 0]
   };
@@ -37,7 +38,9 @@ window.codendTank = (function () {
     drawing.colour = { netting: bytes(part.moved.netting), ropes: bytes(part.moved.ropes) };
     drawing.at = floats(part.moved.marks);
     drawing.boards = floats(part.moved.boards);
-    drawing.range = { whole: rangeOf(drawing, ['ropes', 'netting']), net: rangeOf(drawing, ['netting']) };
+    drawing.range = {
+      whole: rangeOf(drawing, ['ropes', 'netting']), net: rangeOf(drawing, ['netting'])
+    };
     return drawing;
   }
 
@@ -74,14 +77,15 @@ window.codendTank = (function () {
   var held = {};
   function focus() {
     var key = choice.focus;
-    var now = (key === 'net' && shown.now.range.net) || shown.now.range.whole;
-    var pinned = shown.pinned && ((key === 'net' && shown.pinned.range.net) || shown.pinned.range.whole);
+    function of(drawing) { return drawing.range[key] || drawing.range.whole; }
+    var now = of(shown.now), pinned = of(shown.pinned);
     var all = choice.compare === 'off' ? now : join(now, pinned);
     var kept = held[key];
     if (kept) {
       var size = longest(kept), slack = 0.06 * size, fits = longest(all) > 0.6 * size;
       for (var axis = 0; axis < 3; axis++) {
-        fits = fits && all.low[axis] > kept.low[axis] - slack && all.high[axis] < kept.high[axis] + slack;
+        fits = fits && all.low[axis] > kept.low[axis] - slack &&
+          all.high[axis] < kept.high[axis] + slack;
       }
       if (fits) return kept;
     }
@@ -109,7 +113,7 @@ window.codendTank = (function () {
     var room = perspective ? 0.8 : 0.93;
     var fit = room * Math.min(box.width / 2 / reach(right), box.height / 2 / reach(up));
     var scale = fit * zoom;
-    var away = 4 * Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) / zoom + 1e-6;
+    var away = 4 * Math.hypot(half[0], half[1], half[2]) / zoom + 1e-6;
     var cx = box.left + box.width / 2 + pan[0], cy = box.top + box.height / 2 + pan[1];
     function put(x, y, z, out, k) {
       var dx = x - middle[0], dy = y - middle[1], dz = z - middle[2];
@@ -137,7 +141,8 @@ window.codendTank = (function () {
     var count = drawing.points.length / 3;
     var screen = new Float32Array(4 * count);
     for (var i = 0; i < count; i++) {
-      put(drawing.points[3 * i], drawing.points[3 * i + 1], drawing.points[3 * i + 2], screen, 4 * i);
+      var p = 3 * i;
+      put(drawing.points[p], drawing.points[p + 1], drawing.points[p + 2], screen, 4 * i);
     }
     var nets = drawing.ends.netting.length / 2, ropes = drawing.ends.ropes.length / 2;
     var marks = plain ? 0 : drawing.at.length / 3;
@@ -150,7 +155,8 @@ window.codendTank = (function () {
     for (i = 0; i < total; i++) {
       order[i] = i;
       if (i < nets + ropes) {
-        var ends = i < nets ? drawing.ends.netting : drawing.ends.ropes, k = i < nets ? i : i - nets;
+        var ends = i < nets ? drawing.ends.netting : drawing.ends.ropes;
+        var k = i < nets ? i : i - nets;
         depth[i] = screen[4 * ends[2 * k] + 2] + screen[4 * ends[2 * k + 1] + 2];
       } else {
         depth[i] = 2 * spots[4 * (i - nets - ropes) + 2];
@@ -176,15 +182,15 @@ window.codendTank = (function () {
     }
   }
 
-  // The corners of a plate: of a free board as they are, else as in the page of view(), with at least
-  // so many pixels to each side of its middle.
+  // The corners of a plate: of a free board as they are, else as in the page of view(), with at
+  // least so many pixels to each side of its middle.
   function corners(drawing, i, s) {
     var mark = drawing.mark, least = (mark.role[i] === 'canvas' ? 3 : 6) / s;
     var middle = [0, 1, 2].map(function (axis) { return drawing.at[3 * i + axis]; });
     if (mark.board[i] >= 0) {
       var all = [0, 1, 2, 3].map(function (k) {
         var from = 3 * (4 * mark.board[i] + k);
-        return [0, 1, 2].map(function (axis) { return drawing.boards[from + axis] - middle[axis]; });
+        return middle.map(function (v, axis) { return drawing.boards[from + axis] - v; });
       });
       var grow = Math.max(1, 2 * least / mark.size[i]);
       return all.map(function (c) {
@@ -217,7 +223,8 @@ window.codendTank = (function () {
       });
       context.closePath();
     } else {
-      context.arc(x, y, Math.max(3.2 * mark.symbol[i], s * mark.size[i] / Math.sqrt(Math.PI)), 0, 7);
+      var radius = s * mark.size[i] / Math.sqrt(Math.PI);
+      context.arc(x, y, Math.max(3.2 * mark.symbol[i], radius), 0, 7);
     }
     context.fill();
     context.stroke();
@@ -239,7 +246,8 @@ window.codendTank = (function () {
 
   // Round numbers between two, about `wanted` of them.
   function ticks(low, high, wanted) {
-    var rough = (high - low) / Math.max(wanted, 1), power = Math.pow(10, Math.floor(Math.log10(rough)));
+    var rough = (high - low) / Math.max(wanted, 1);
+    var power = Math.pow(10, Math.floor(Math.log10(rough)));
     var step = [1, 2, 5, 10].map(function (m) { return m * power; })
       .filter(function (s) { return s >= rough * 0.999; })[0];
     var out = [];
@@ -302,7 +310,9 @@ window.codendTank = (function () {
       var seen = Math.hypot(b[0] - a[0], b[1] - a[1]);
       if (seen < 24) return;
       // The way off the edge on the screen: across it, on the side where `out` points.
-      var c = place(put, edge.from.map(function (v, k) { return v + 0.01 * longest(range) * edge.out[k]; }));
+      var c = place(put, edge.from.map(function (v, k) {
+        return v + 0.01 * longest(range) * edge.out[k];
+      }));
       var off = [-(b[1] - a[1]) / seen, (b[0] - a[0]) / seen];
       if (off[0] * (c[0] - a[0]) + off[1] * (c[1] - a[1]) < 0) off = [-off[0], -off[1]];
       context.strokeStyle = '#8A949C';
@@ -333,7 +343,8 @@ window.codendTank = (function () {
   function paintFlow(context, put, box) {
     var speed = Math.hypot(about.flow[0], about.flow[1]);
     if (!speed) return;
-    var zero = place(put, [0, 0, 0]), one = place(put, [about.flow[0] / speed, about.flow[1] / speed, 0]);
+    var zero = place(put, [0, 0, 0]);
+    var one = place(put, [about.flow[0] / speed, about.flow[1] / speed, 0]);
     var dx = one[0] - zero[0], dy = one[1] - zero[1], seen = Math.hypot(dx, dy) / put.scale;
     var cx = box.left + 30, cy = box.top + box.height - 22;
     text(context, 'flow ' + speed.toFixed(2) + ' m/s', cx + 28, cy, 'left', sea);
@@ -362,10 +373,9 @@ window.codendTank = (function () {
     var ratio = window.devicePixelRatio || 1;
     var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height) return null;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
+    var across = Math.round(width * ratio), up = Math.round(height * ratio);
+    if (canvas.width !== across) canvas.width = across;
+    if (canvas.height !== up) canvas.height = up;
     var context = canvas.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
@@ -418,7 +428,9 @@ window.codendTank = (function () {
   }
 
   var planes = {
-    xy: { turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x aft (m)', 'y starboard (m)'] },
+    xy: {
+      turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x aft (m)', 'y starboard (m)']
+    },
     xz: { turn: -Math.PI / 2, rise: 0, axes: [0, 2], names: ['x aft (m)', 'depth (m)'] },
     yz: { turn: 0, rise: 0, axes: [1, 2], names: ['y starboard (m)', 'depth (m)'] }
   };
@@ -429,7 +441,8 @@ window.codendTank = (function () {
     var plane = planes[name], range = focus(), context = page.context;
     var box = { left: 54, top: 8, width: page.width - 66, height: page.height - 48 };
     var put = projection(range, plane.turn, plane.rise, 1, [0, 0], box, false);
-    var scale = put.scale, middle = range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
+    var scale = put.scale;
+    var middle = range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
     var across = plane.axes[0], up = plane.axes[1];
     function end(axis, sign, size) { return middle[axis] + sign * size / 2 / scale; }
     context.fillStyle = '#F6F9FB';
@@ -469,12 +482,14 @@ window.codendTank = (function () {
     context.strokeStyle = '#8A949C';
     context.lineWidth = 1;
     context.strokeRect(box.left, box.top, box.width, box.height);
-    ticks(end(across, -1, box.width), end(across, 1, box.width), box.width / 70).forEach(function (t) {
+    var left = end(across, -1, box.width), right = end(across, 1, box.width);
+    ticks(left, right, box.width / 70).forEach(function (t) {
       var x = box.left + box.width / 2 + scale * (t - middle[across]);
       text(context, String(t), x, box.top + box.height + 12, 'center', soft);
       context.fillRect(x, box.top + box.height, 1, 4);
     });
-    ticks(end(up, -1, box.height), end(up, 1, box.height), box.height / 40).forEach(function (t) {
+    var foot = end(up, -1, box.height), head = end(up, 1, box.height);
+    ticks(foot, head, box.height / 40).forEach(function (t) {
       var y = box.top + box.height / 2 - scale * (t - middle[up]);
       text(context, String(up === 2 ? (-t || 0) : t), box.left - 6, y, 'right', soft);
       context.fillRect(box.left - 4, y, 4, 1);
