@@ -14,9 +14,9 @@
 #' up and z to port.
 #'
 #' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey
-#' where slack; or one colour for every part, in turns. Netting of triangles is drawn as the two
-#' twine directions through its cells, which are larger than the meshes. A piece is a ball of its
-#' height, spread pieces stand for what is between them.
+#' where slack or pushing; or one colour for every part, in turns. Netting of triangles is drawn as
+#' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
+#' of its height, spread pieces stand for what is between them.
 #'
 #' @param state A state, from [settle()] or [state_at()].
 #' @param file Path to write: `.glb` (one binary file) or `.gltf` (text with the same numbers in

@@ -14,7 +14,7 @@
 #'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
 #' - `tension_N` of one line or twine, in triangles the larger of the two families of twine, which
 #'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in
-#'   other cells;
+#'   other cells; negative in poles and struts that push;
 #' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
 #' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
 #'   catch in netting, `catch_force_N`.

@@ -5,10 +5,10 @@
 #'
 #' @details
 #' Of a state: one plane. Ropes are coloured by tension; netting by twine tension, on the scale of
-#' `fill`; slack lines are grey. Of a trajectory: measures against time. Of variations ([vary()]):
-#' measures against the field that changes first, with a line for each combination of the others;
-#' what did not settle is left out. Of [tensions_along()]: a facet for every role. Facets have free
-#' scales; unlike in `plot()`, depths in facets grow upwards.
+#' `fill`; slack or pushing lines are grey. Of a trajectory: measures against time. Of variations
+#' ([vary()]): measures against the field that changes first, with a line for each combination of
+#' the others; what did not settle is left out. Of [tensions_along()]: a facet for every role.
+#' Facets have free scales; unlike in `plot()`, depths in facets grow upwards.
 #'
 #' @param object What `plot()` takes.
 #' @param plane `"xy"` (from above), `"xz"` (from the port side) or `"yz"` (from astern).

@@ -38,28 +38,43 @@ plot_series <- function(figures, title, key, file, width, height) {
   write_picture(file, c(width, height), title, draw)
 }
 
+# How much smaller than at their full size figures may be drawn on a page that is too small for them.
+least_zoom <- 0.6
+
+# Columns, rows, the inches above them and the zoom at which they find room on a page (inches), or
+# NULL.
+series_layout <- function(n, key, page) {
+  for (zoom in seq(1, least_zoom, by = -0.05)) {
+    columns <- series_columns(n, page[1L] / zoom)
+    rows <- ceiling(n / columns)
+    above <- series_title + key_height(key, page[1L] / zoom)
+    if ((page[2L] / zoom - above) / rows >= least_series[2L]) {
+      return(list(columns = columns, rows = rows, above = above, zoom = zoom))
+    }
+  }
+}
+
 draw_series <- function(figures, title, key, page) {
   n <- length(figures)
-  columns <- series_columns(n, page[1L])
-  rows <- ceiling(n / columns)
-  above <- series_title + key_height(key, page[1L])
-  if ((page[2L] - above) / rows < least_series[2L]) {
+  layout <- series_layout(n, key, page)
+  if (is.null(layout)) {
     abort_view(
       "A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it larger or
       choose fewer.",
       list(page = round(page, 1), n = n)
     )
   }
+  zoom <- layout$zoom
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
   graphics::par(
-    mfrow = c(rows, columns), omi = c(0, 0, above, 0), mai = c(0.42, 0.6, 0.28, 0.12),
-    cex = 0.75, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
+    mfrow = c(layout$rows, layout$columns), omi = c(0, 0, layout$above, 0) * zoom,
+    mai = c(0.42, 0.6, 0.28, 0.12) * zoom, cex = 0.75 * zoom, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
   )
   for (figure in figures) {
-    draw_one_series(figure, max(1L, length(key$labels), length(figure$groups)))
+    draw_one_series(figure, max(1L, length(key$labels), length(figure$groups)), zoom)
   }
-  draw_head(title, key, page)
+  draw_head(title, key, page / zoom)
 }
 
 series_symbols <- c(16L, 17L, 15L, 18L, 1L)
@@ -81,7 +96,7 @@ group_style <- function(group, groups, unit = "", colours = NULL) {
   )
 }
 
-draw_one_series <- function(figure, groups) {
+draw_one_series <- function(figure, groups, zoom) {
   figure <- in_millions(figure)
   graphics::plot.new()
   x <- unlist(lapply(figure$lines, `[[`, "x"))
@@ -90,7 +105,8 @@ draw_one_series <- function(figure, groups) {
   if (!is.null(figure$ticks)) across <- c(0.6, length(figure$ticks) + 0.4)
   up <- series_range(y, figure$words)
   if (length(figure$groups) > 1L) {
-    key <- min(0.6, own_key_row * (length(figure$groups) + 0.5) / graphics::par("pin")[2L])
+    wanted <- zoom * own_key_row * (length(figure$groups) + 0.5)
+    key <- min(0.6, wanted / graphics::par("pin")[2L])
     up[2L] <- up[1L] + diff(up) / (1 - key)
   }
   graphics::plot.window(across, up)
@@ -102,7 +118,7 @@ draw_one_series <- function(figure, groups) {
   dashed <- vapply(figure$lines, `[[`, NA, "dashed")
   for (line in figure$lines[order(dashed)]) {
     style <- group_style(line$group, groups, figure$unit, figure$colours)
-    graphics::lines(line$x, line$y, col = style$colour, lwd = 1.6,
+    graphics::lines(line$x, line$y, col = style$colour, lwd = 1.6 * zoom,
       lty = if (line$dashed) "33" else style$dash)
     if (line$symbols) {
       graphics::points(line$x, line$y, col = style$colour, pch = style$symbol, cex = 0.8)
@@ -122,20 +138,21 @@ draw_one_series <- function(figure, groups) {
   graphics::box(col = "grey40")
   graphics::title(xlab = figure$across, line = 1.3)
   graphics::mtext(words_and_unit(figure$words, figure$unit), side = 3, line = 0.3, adj = 0,
-    cex = 0.72, font = 2)
-  if (length(figure$groups) > 1L) draw_own_key(figure)
+    cex = 0.72 * zoom, font = 2)
+  if (length(figure$groups) > 1L) draw_own_key(figure, zoom)
 }
 
 # A figure's own key, in the room above its lines.
-draw_own_key <- function(figure) {
+draw_own_key <- function(figure, zoom) {
   usr <- graphics::par("usr")
-  inch <- c(usr[2L] - usr[1L], usr[4L] - usr[3L]) / graphics::par("pin")
+  inch <- zoom * c(usr[2L] - usr[1L], usr[4L] - usr[3L]) / graphics::par("pin")
   n <- length(figure$groups)
   for (group in seq_len(n)) {
     style <- group_style(group, n, colours = figure$colours)
     y <- usr[4L] - own_key_row * (group - 0.3) * inch[2L]
     graphics::segments(usr[1L] + 0.08 * inch[1L], y, usr[1L] + 0.42 * inch[1L], y,
-      col = style$colour, lwd = 1.6, lty = if (figure$lines[[group]]$dashed) "33" else style$dash)
+      col = style$colour, lwd = 1.6 * zoom,
+      lty = if (figure$lines[[group]]$dashed) "33" else style$dash)
     graphics::text(usr[1L] + 0.48 * inch[1L], y, figure$groups[group], adj = c(0, 0.5), cex = 0.85)
   }
 }
@@ -205,8 +222,12 @@ key_height <- function(key, width) {
   if (length(entries)) key_row * max(key_places(entries, width)$row) + 0.04 else 0
 }
 
+# page: inches before they are made smaller.
 draw_head <- function(title, key, page) {
-  graphics::par(fig = c(0, 1, 0, 1), omi = rep(0, 4), mai = rep(0, 4), new = TRUE, cex = 0.75)
+  zoom <- zoom_of(page)
+  graphics::par(
+    fig = c(0, 1, 0, 1), omi = rep(0, 4), mai = rep(0, 4), new = TRUE, cex = 0.75 * zoom
+  )
   graphics::plot.new()
   graphics::plot.window(c(0, page[1L]), c(0, page[2L]), xaxs = "i", yaxs = "i")
   # a long title shrinks to the page
@@ -220,10 +241,10 @@ draw_head <- function(title, key, page) {
     x <- place$left[k]
     y <- page[2L] - series_title - key_row * (place$row[k] - 0.5)
     if (entry$line) {
-      graphics::segments(x, y, x + 0.38, y, col = entry$colour, lwd = 1.6, lty = entry$dash)
+      graphics::segments(x, y, x + 0.38, y, col = entry$colour, lwd = 1.6 * zoom, lty = entry$dash)
     }
     if (entry$mark) {
-      graphics::points(x + 0.19, y, pch = entry$symbol, col = entry$colour, lwd = 1.5, cex = 0.9)
+      graphics::points(x + 0.19, y, pch = entry$symbol, col = entry$colour, lwd = 1.5 * zoom, cex = 0.9)
     }
     graphics::text(x + if (entry$mark) 0.46 else 0, y, entry$label, adj = c(0, 0.5))
   }
