@@ -69,7 +69,11 @@ check_flume_packages <- function() {
   absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
   if (!length(absent)) return(invisible())
   cli::cli_abort(
-    "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
+    c(
+      "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
+      "i" = "{.fun install.packages} has {?it/them}; on Debian and Ubuntu so has apt, as
+      {.val {paste0('r-cran-', absent)}}."
+    ),
     class = c("codend_error_package", "codend_error"), call = NULL
   )
 }
