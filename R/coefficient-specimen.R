@@ -116,7 +116,8 @@ board_specimens <- function(polar, angle, aspect_ratio) {
   span <- sqrt(aspect_ratio)
   board <- list(
     attachment = cbind(c(0, 0, 0), c(1 / span, 0, span / 2), c(1 / span, 0, -span / 2)), side = 1,
-    chord = 1 / span, span = span, area = 1, pressure_centre = 0.5, mass = 0, volume = 0,
+    level = FALSE, chord = 1 / span, span = span, height = span, area = 1,
+    pressure_centre = 0.5, pressure_wanders = FALSE, mass = 0, volume = 0,
     gravity_centre = c(0, 0, 0), buoyancy_centre = c(0, 0, 0), added_volume = 0, shoe_area = 0,
     polar = board_polar(polar, aspect_ratio)
   )
@@ -130,14 +131,14 @@ board_specimens <- function(polar, angle, aspect_ratio) {
   drag_and_lift(found$boards$force, speed, 1)
 }
 
-# Knots as spheres, by their Reynolds number, on their projected area.
-sphere_specimens <- function(reynolds) {
+# Knots or smooth spheres, by their Reynolds number, on their projected area.
+sphere_specimens <- function(reynolds, smooth = FALSE) {
   n <- length(reynolds)
   diameter <- 0.002
   held <- specimen(matrix(0, 3L, n))
   held$engine$spheres <- list(
     node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
-    added_mass = numeric(n), height = rep(diameter, n)
+    smooth = rep(as.integer(smooth), n), added_mass = numeric(n), height = rep(diameter, n)
   )
   speed <- reynolds * specimen_viscosity / diameter
   drag_and_lift(evaluate_specimen(held, speed, 1L)$sphere_drag, speed, pi / 4 * diameter^2)

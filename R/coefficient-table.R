@@ -62,7 +62,9 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
       coefficient_rows(polar_force(name), name, "angle", attack, NA, NA, found)
     }),
     list(coefficient_rows("sphere", "knot", "reynolds", NA, reynolds_range(-1, 5), NA,
-      sphere_specimens(reynolds_range(-1, 5))["drag"])),
+      sphere_specimens(reynolds_range(-1, 5))["drag"]),
+    coefficient_rows("sphere", "smooth_sphere", "reynolds", NA, reynolds_range(-1, 6), NA,
+      sphere_specimens(reynolds_range(-1, 6), smooth = TRUE)["drag"])),
     unlist(lapply(solidity, function(sn) {
       lapply(c("loland", "cheng"), function(law) {
         speed <- engine_speed_reduction(

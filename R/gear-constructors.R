@@ -10,7 +10,7 @@ component <- function(group, fields) {
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `seam()`
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `kite()`, `seam()`
 #'   and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
 #'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `shooting`,
 #'   `tow`, `materials`, `notes`, `sources`) as lists or text.
@@ -75,6 +75,7 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #'   shares from place to place.
 #' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
+#' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
 #' @param material Name of a material: `steel_wire`, `steel_chain`, `polyethylene` (PE),
 #'   `polyamide` (PA), `polyester` (PES), `polypropylene` (PP), `hmpe` (HMPE), `combination_rope`,
@@ -96,8 +97,9 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #' @rdname gear
 #' @export
 rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL,
-                 hanging_ratio = NULL, diameter = NULL, material = NULL, axial_stiffness = NULL,
-                 bending_stiffness = NULL, pushes = NULL, damping_ratio = NULL,
+                 lengths = NULL, hanging_ratio = NULL, diameter = NULL, material = NULL,
+                 axial_stiffness = NULL, bending_stiffness = NULL, pushes = NULL,
+                 damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))
@@ -155,7 +157,10 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
 #' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
 #'   end: the area that they enclose, seen level and from right ahead of them (m2).
-#' @param drag_coefficient,drag_area Drag coefficient, or its product with the area.
+#' @param drag_coefficient,drag_area Drag coefficient, or its product with the area; or
+#'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls to
+#'   a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
+#' @param attack Angle of attack that a piece is held at, with its `polar`.
 #' @param lift_coefficient,lift_area Lift coefficient, or its product with the area.
 #' @param lift_direction `"up"`, `"down"`, `"port"` or `"starboard"`.
 #' @param added_mass_kg Added mass of each piece.
@@ -165,20 +170,21 @@ piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_e
                   mass = NULL, volume = NULL, density = NULL, material = NULL, buoyancy = NULL,
                   diameter = NULL, area = NULL, drag_coefficient = NULL, drag_area = NULL,
                   lift_coefficient = NULL, lift_area = NULL, lift_direction = NULL,
-                  added_mass = NULL, added_mass_kg = NULL, role = NULL) {
+                  polar = NULL, attack = NULL, added_mass = NULL, added_mass_kg = NULL, role = NULL) {
   component("pieces", as.list(environment()))
 }
 
-#' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`.
 #' @param chord,span Chord and span of an otter board.
-#' @param polar Its lift and drag coefficients by angle of attack: the name of a tested board
+#' @param polar Lift and drag coefficients by angle of attack: the name of a tested board
 #'   ([board_polar()]), or a list of `list(attack, lift, drag)`.
 #' @param attachments Three points of the gear, by name, with their places on the board:
 #'   `list(aft, up, inward)`, aft of the leading edge along the chord, above the middle of the span,
-#'   and from the chord towards the middle of the gear.
+#'   and from the chord towards the middle of the gear. Of a kite `list(aft, starboard, inward)`, to
+#'   starboard of the middle of the span and from the chord to its bridles, against its push.
 #' @param centre_of_gravity,centre_of_buoyancy Such places; by default the middle of the board, and
 #'   the centre of gravity.
-#' @param centre_of_pressure Where lift and drag act: share of the chord from the leading edge.
+#' @param centre_of_pressure Where lift and drag act: share of the chord from the leading edge, or
+#'   `"joessel"`: that of a flat plate, 0.2 + 0.3 sin(angle of attack) (Joessel, 1873).
 #' @param shoe_area Underside of an otter board on the sea bed.
 #' @rdname gear
 #' @export
@@ -187,6 +193,17 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
                         attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
                         centre_of_buoyancy = NULL, added_mass_kg = NULL, shoe_area = NULL) {
   component("otter_boards", as.list(environment()))
+}
+
+#' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`; of a kite
+#'   `"up"`, of a depressor `"down"`.
+#' @rdname gear
+#' @export
+kite <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
+                 volume = NULL, density = NULL, material = NULL, polar = NULL,
+                 attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
+                 centre_of_buoyancy = NULL, added_mass_kg = NULL) {
+  component("kites", as.list(environment()))
 }
 
 #' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).

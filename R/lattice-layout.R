@@ -173,9 +173,10 @@ skeleton_load <- function(si, skeleton, panels, load) {
     matrix(force / n, n, 3L, byrow = TRUE)
   })
   on_boards <- lapply(si$otter_boards, function(board) {
+    lift <- push * board$area * 1.2 * board$side
     force <- c(
-      push * board$area * 0.5, push * board$area * 1.2 * board$side,
-      -gear_gravity * (board$mass - density * board$volume)
+      push * board$area * 0.5, if (board$level) 0 else lift,
+      board$level * lift - gear_gravity * (board$mass - density * board$volume)
     )
     matrix(force / 3, 3L, 3L, byrow = TRUE)
   })

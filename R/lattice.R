@@ -41,7 +41,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     ),
     role = unname(c(
       vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
-      vapply(si$pieces, `[[`, "", "role"), rep("otter_board", length(si$otter_boards)),
+      vapply(si$pieces, `[[`, "", "role"), vapply(si$otter_boards, `[[`, "", "role"),
       if (!is.null(si$catch)) "catch"
     ))
   ))
@@ -93,7 +93,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     triangles = collected$triangles[
       c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material")
     ],
-    spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass", "height")],
+    spheres = collected$spheres[c("node", "drag_area", "diameter", "smooth", "added_mass", "height")],
     lifts = collected$lifts[c("node", "lift_area", "direction", "height")],
     boards = lapply(unname(si$otter_boards), function(board) {
       engine_board(board, unname(division$points[board$points]), density)

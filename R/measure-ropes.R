@@ -3,10 +3,10 @@
 #' @param state A state, from [settle()] or [state_at()].
 #' @param ropes Which ropes: names of ropes or roles (`"warp"` for all warps), or `NULL` for all.
 #' @return A data frame of class `codend_rope_tensions` with a row per bar of a rope, in order from
-#'   its start: `rope`, `role`, `line`, `along_m` (distance of the bar's middle from the line's start
-#'   along it), `length_m` of the bar, its `tension_kN` and its middle `x_m`, `y_m`, `z_m`. A line is a
-#'   rope, or ropes of one role that follow each other, such as the stretches of a main line between
-#'   its branch lines. An unknown rope is an error of class `codend_error_argument`.
+#'   its start: `rope`, `role`, `line`, `along_m` (distance of the bar's middle from the line's
+#'   start along it), `length_m` of the bar, its `tension_kN` and its middle `x_m`, `y_m`, `z_m`. A
+#'   line is a rope, or ropes of one role that follow each other, such as the stretches of a main
+#'   line between its branch lines. An unknown rope is an error of class `codend_error_argument`.
 #' @seealso [plot.codend_rope_tensions()]
 #' @export
 #' @examples

@@ -263,6 +263,7 @@ check_presence <- function(given, value, node, path) {
 
 # The alternative of `node` that a value is meant as, by its shape alone.
 choose_node <- function(value, node, path) {
+  found <- NULL
   for (choice in node$choices) {
     fits <- switch(choice$shape,
       object = is_map(value) && (length(value) > 0 || is.list(value)),
@@ -272,8 +273,12 @@ choose_node <- function(value, node, path) {
       number = , integer = is.numeric(value) && length(value) == 1,
       boolean = is.logical(value) && length(value) == 1
     )
-    if (fits) return(choice)
+    if (!fits) next
+    # A name is looked for first where the text may also be a quantity.
+    if (is.null(choice$enum) || value %in% choice$enum) return(choice)
+    if (is.null(found)) found <- choice
   }
+  if (!is.null(found)) return(found)
   abort_field(path, value, describe(node))
 }
 

@@ -112,8 +112,8 @@ report_table <- function(columns, caption) {
   rows <- lapply(seq_along(columns[[1L]]), function(k) {
     cells <- lapply(seq_along(columns), function(c) {
       text <- columns[[c]][k]
-      if (c == 1L) return(tag$th(scope = "row", text))
-      tag$td(class = if (!words[c]) "number", text)
+      class <- if (!words[c]) "number"
+      if (c == 1L) tag$th(scope = "row", class = class, text) else tag$td(class = class, text)
     })
     do.call(tag$tr, cells)
   })

@@ -123,7 +123,7 @@ scene_lines <- function(lines, scale, width) {
 # Returns the numbers of the objects drawn with the rows of the marks that they show: a list of
 # plates, and balls, which are one object or NULL.
 scene_marks <- function(marks, size) {
-  flat <- marks$role %in% c("otter_board", "canvas")
+  flat <- marks$role %in% c("otter_board", "kite", "canvas")
   plates <- lapply(which(flat), function(k) list(id = scene_plate(marks[k, ], size), mark = k))
   round <- marks[!flat, ]
   if (!NROW(round)) return(list(plates = plates))

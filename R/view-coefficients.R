@@ -42,7 +42,7 @@ coefficient_row_height <- 2.6
 coefficient_figures <- function(table) {
   words <- c(
     twine = "Twines and ropes", netting = "Netting", otter_board = "Otter boards and plates",
-    kite = "Kites", sphere = "Knots as spheres", wake = "Speed behind netting"
+    kite = "Kites", sphere = "Knots and floats", wake = "Speed behind netting"
   )
   rows <- list()
   add <- function(title, some, labels) {

@@ -74,9 +74,9 @@ colour_numbers <- function(scale, tension) {
 
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)
 
-# Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE L*, so
-# grey prints differ) or 24 in colour (CIE Lab) with normal sight, deuteranopia, protanopia or
-# tritanopia, and the lightest stands out from white by 2.7 to 1. Beyond five they begin anew.
+# Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE
+# L*, so grey prints differ) or 24 in colour (CIE Lab) with normal sight, deuteranopia, protanopia
+# or tritanopia, and the lightest stands out from white by 2.7 to 1. Beyond five they begin anew.
 series_palette <- c("#1E2500", "#71056D", "#006F50", "#AB7000", "#00AAD8")
 
 series_colours <- function(n) {

@@ -5,9 +5,9 @@
 #' The gear's netting laid flat, its rigging and the list of its ropes and pieces, on one page, as in
 #' the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978; drawing after ISO 3169): panels
 #' that follow each other stand in columns, front edge up, as deep as their netting is stretched and
-#' half as wide as it is stretched, at one scale. A panel between two ropes of known hanging ratio is as
-#' wide as these; square netting has its own width. Of columns that are alike one is drawn, and of
-#' columns that are symmetric the right half. Straight panels that are joined side by side, such as
+#' half as wide as it is stretched, at one scale. What hangs between two ropes of known hanging ratio
+#' is as wide as these; square netting has its own width. Of columns that are alike one is drawn, and
+#' of symmetric columns, where the whole would be small, the right half. Straight panels that are joined side by side, such as
 #' those of a seine, are drawn as one wall.
 #'
 #' Beside every panel stand its part, meshes deep, mesh size, twine and material; at its upper and

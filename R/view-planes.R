@@ -6,8 +6,8 @@
 #' if the page is high enough.
 #'
 #' Netting of triangles is drawn as the two twine directions through its cells, which are larger
-#' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about as
-#' far apart everywhere, and several bars or cells in a row are one line with their mean tension.
+#' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about
+#' as far apart everywhere, and several bars or cells in a row are one line with their mean tension.
 #'
 #' @param x A state, from [settle()].
 #' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.

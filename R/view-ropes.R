@@ -1,8 +1,8 @@
 #' Plot tensions along ropes
 #'
-#' A figure for every role of ropes, or for every rope without one: tension against the distance from
-#' the rope's start. Every second rope of a figure is dashed, so that equal ones, such as those to port
-#' and to starboard, show both.
+#' A figure for every role of ropes, or for every rope without one: tension against the distance
+#' from the rope's start. Every second rope of a figure is dashed, so that equal ones, such as those
+#' to port and to starboard, show both.
 #'
 #' @param x Tensions, from [tensions_along()].
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`

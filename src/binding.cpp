@@ -172,8 +172,11 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
     board.side = number(one, "side");
     board.chord = number(one, "chord");
     board.span = number(one, "span");
+    board.height = number(one, "height");
+    board.level = as_cpp<bool>(one["level"]);
     board.area = number(one, "area");
     board.pressure_centre = number(one, "pressure_centre");
+    board.pressure_wanders = as_cpp<bool>(one["pressure_wanders"]);
     board.weight = number(one, "weight");
     board.buoyancy = number(one, "buoyancy");
     board.gravity_centre = vector_of(one, "gravity_centre");
@@ -263,6 +266,9 @@ codend::Model read_model(const list& lattice) {
   model.spheres.node = places(spheres, "node");
   model.spheres.drag_area = numbers(spheres, "drag_area");
   model.spheres.diameter = numbers(spheres, "diameter");
+  for (const int smooth : whole_numbers(spheres, "smooth")) {
+    model.spheres.smooth.push_back(smooth ? 1 : 0);
+  }
   model.spheres.added_mass = numbers(spheres, "added_mass");
   model.spheres.height = numbers(spheres, "height");
 
@@ -520,6 +526,8 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
       "residual"_nm = report.residual,
       "largest_tension"_nm = report.largest_tension,
       "shadings"_nm = report.shadings,
+      "upsets"_nm = report.upsets,
+      "upset_at_last"_nm = report.upset_at_last,
       "shading_change"_nm = report.shading_change,
       "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
       "worst_node"_nm = report.worst_node + 1,

@@ -78,6 +78,7 @@ struct Model {
     for (SlidingRope& rope : sliding) rope.connect(bars);
     // Bodies of unknown height: only asked for at a free surface.
     spheres.height.resize(spheres.node.size(), 1.0);
+    spheres.smooth.resize(spheres.node.size(), 0);
     lifts.height.resize(lifts.node.size(), 1.0);
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v

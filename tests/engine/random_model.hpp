@@ -29,7 +29,8 @@ class Random {
 };
 
 struct Ingredients {
-  int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
+  int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0;
+  int lifts_up = 0, lifts_sideways = 0;
   int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
   int boards = 0, contacts = 0, volumes = 0;
   int sliding = 0;               // ropes that slide through four points
@@ -139,7 +140,10 @@ class Specimen {
     board.chord = 1.0;
     board.span = 1.6;
     board.area = 0.1;
+    board.height = 1.6;
+    board.level = random.below(2) == 1;
     board.pressure_centre = 0.4;
+    board.pressure_wanders = random.below(2) == 1;
     board.weight = 20.0;
     board.buoyancy = 15.0;
     board.gravity_centre = {0.5, 0.1, -0.2};
@@ -189,10 +193,15 @@ class Specimen {
     model.triangles.rest.assign(wanted.triangles, 1.0);
     model.triangles.material.assign(wanted.triangles, 0);
     model.triangles.height.assign(wanted.triangles, 1.5);
-    for (int s = 0; s < wanted.bodies + wanted.knots; ++s) {
+    for (int s = 0; s < wanted.bodies + wanted.knots + wanted.smooth_spheres; ++s) {
+      const bool smooth = s >= wanted.bodies + wanted.knots;
       points(random, 1, model.spheres.node);
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
-      model.spheres.diameter.push_back(s < wanted.bodies ? 0.0 : random.between(1e-5, 1e-2));
+      // smooth ones from the Stokes flow to beyond the drag crisis
+      model.spheres.diameter.push_back(s < wanted.bodies ? 0.0
+                                       : smooth ? std::pow(10.0, random.between(-5.0, 0.0))
+                                                : random.between(1e-5, 1e-2));
+      model.spheres.smooth.push_back(smooth ? 1 : 0);
       model.spheres.added_mass.push_back(random.between(0.0, 0.01));
       model.spheres.height.push_back(random.between(0.5, 2.0));
     }
