@@ -144,11 +144,11 @@ flume_downloads <- function() {
   }
   tags$ul(
     class = "downloads",
+    save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
     save("save_measures", "Measures (CSV)", "with the pinned design's and the change"),
     save("save_tensions", "Tensions (CSV)", "of every line of the lattice"),
-    save("save_drag", "Drag (CSV)", "by rope, panel and piece"),
-    save("save_page", "3D page (HTML)", "one file to send on")
+    save("save_drag", "Drag (CSV)", "by rope, panel and piece")
   )
 }
 

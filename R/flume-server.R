@@ -246,7 +246,7 @@ flume_saves <- function(output, tank) {
     as.data.frame(tank$state, what = "drag")
   }))
   output$save_code <- save("", "R", function(file) writeLines(tank$code(), file, useBytes = TRUE))
-  output$save_page <- save("", "html", function(file) view(tank$state, file = file))
+  output$save_report <- save("", "html", function(file) report(tank$state, file))
 }
 
 # A gear's name as part of a file's.

@@ -26,8 +26,8 @@
 #' leaves the last shape on screen and says where the imbalance is. Nothing that is typed or loaded
 #' is run as code.
 #'
-#' What is on screen can be saved: the plan ([write_gear()]), the tables as CSV, the 3D page of
-#' [view()] (which takes pandoc), and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same page from a shell.
+#' What is on screen can be saved: a report ([report()]), the plan ([write_gear()]), the tables as
+#' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same page from a shell.
 #'
 #' The page asks nothing of the network but the R process that serves it. That process settles for
 #' one browser at a time; each browser has a gear of its own and waits for its own last answer
@@ -69,7 +69,11 @@ check_flume_packages <- function() {
   absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
   if (!length(absent)) return(invisible())
   cli::cli_abort(
-    "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
+    c(
+      "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
+      "i" = "{.fun install.packages} has {?it/them}; on Debian and Ubuntu so has apt, as
+      {.val {paste0('r-cran-', absent)}}."
+    ),
     class = c("codend_error_package", "codend_error"), call = NULL
   )
 }

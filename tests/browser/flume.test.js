@@ -200,9 +200,13 @@ test('what is on screen can be saved', async () => {
   await tab(page, 'Save');
   const save = async (id) => {
     await page.waitForSelector(`#${id}[href*="download"]`, { state: 'visible' });
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#${id}`)]);
+    const [download] = await Promise.all([
+      page.waitForEvent('download', { timeout: 120000 }), page.click(`#${id}`)
+    ]);
     return [download.suggestedFilename(), fs.readFileSync(await download.path(), 'utf8')];
   };
+  const [, report] = await save('save_report');
+  assert.match(report, /^<!DOCTYPE html>[^]*Midwater trawl[^]*<\/html>\s*$/i);
   const [name, plan] = await save('save_plan');
   assert.equal(name, 'midwater-trawl-1536-m-around-the-mouth.yaml');
   assert.match(plan, /^codend: 1\n[^]*speed: 5 knot/);

@@ -11,7 +11,7 @@ const command = process.env.CODEND || path.join(__dirname, '..', '..', 'exec', '
 // Resolves to { url, log (all that the process has said), stop } once the page is served.
 function serve(...arguments_) {
   const child = spawn(command, ['flume', ...arguments_], { stdio: ['ignore', 'pipe', 'pipe'] });
-  const tank = { log: '', pid: child.pid, stop: () => child.kill('SIGINT') };
+  const tank = { log: '', pid: child.pid, stop: () => child.kill('SIGTERM') };
   return new Promise((resolve, reject) => {
     const listen = (chunk) => {
       tank.log += chunk;
