@@ -79,18 +79,19 @@ check_wing_ends <- function(fields) {
       abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
     }
   }
-  for (level in c("upper", "lower")) {
+  for (level in names(wings)[names(wings) %in% c("upper", "lower")]) {
     wing <- wings[[level]]
     if (wing$flying >= wing$meshes$deep) {
       abort_field(paste0("wings.", level, ".flying"), wing$flying,
         paste("less than the wing's", format(wing$meshes$deep), "meshes deep"))
     }
   }
-  height <- wings$upper$meshes$tip + wings$lower$meshes$tip + wings$upper$flying +
-    wings$lower$flying
+  height <- sum(unlist(lapply(wings[c("upper", "lower")], function(wing) {
+    wing$meshes$tip + wing$flying
+  })))
   if (!sides && height == 0) {
-    abort_field("wings.upper.meshes.tip", 0,
-      "greater than 0 where the lower wings are pointed too, or the wing ends have no height")
+    abort_field("wings.lower.meshes.tip", 0,
+      "greater than 0 where no wing flies or has a blunt tip, or the wing ends have no height")
   }
   depth <- front_depth(fields)
   long <- function(x) format_si(x, "length")
@@ -150,19 +151,23 @@ bottom_trawl_net <- function(fields, plan) {
     behind[["back"]] <- "back_square"
     across[["back"]] <- fields$square$meshes$upper
   }
+  # Without upper wings the head line runs along the whole front of the back.
   levels <- c(back = "upper", belly = "lower")
+  levels <- levels[levels %in% names(plan$wings)]
   pairs <- Map(function(panel, level) {
     given <- plan$wings[[level]]
     wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
       fields$wings[[level]]$meshes, paste0("wings.", level, ".meshes"))
-  }, c(back = "back", belly = "belly"), levels)
+  }, stats::setNames(nm = names(levels)), levels)
   sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
   square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
 
   # The edges along the seams ahead of the first section, from the front, by panel.
   outer <- function(panel, side) {
-    part <- flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
-    c(part$joined, if (panel == "back") square[[side]])
+    part <- if (panel %in% names(levels)) {
+      flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    }
+    c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
   }
   left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
   right <- c(list(back = outer("back", "right"), belly = outer("belly", "right")), sides$right)
@@ -176,10 +181,12 @@ bottom_trawl_net <- function(fields, plan) {
   net$seams <- c(pairs$back$seams, pairs$belly$seams, sides$seams, seams, net$seams)
   net$points <- c(
     list(
-      upper_port = list(at = paste0(pairs$back$left, ".upper_right")),
-      upper_starboard = list(at = paste0(pairs$back$right, ".upper_left")),
-      lower_port = list(at = paste0(pairs$belly$right, ".upper_left")),
-      lower_starboard = list(at = paste0(pairs$belly$left, ".upper_right"))
+      upper_port = list(at = first_of(tip_corner(pairs$back, "left"),
+        paste0(behind[["back"]], ".upper_left"))),
+      upper_starboard = list(at = first_of(tip_corner(pairs$back, "right"),
+        paste0(behind[["back"]], ".upper_right"))),
+      lower_port = list(at = tip_corner(pairs$belly, "right")),
+      lower_starboard = list(at = tip_corner(pairs$belly, "left"))
     ),
     if (!is.null(fields$wings$jib)) {
       list(
@@ -192,6 +199,7 @@ bottom_trawl_net <- function(fields, plan) {
   # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
   # below.
   end <- function(panel, side) {
+    if (!panel %in% names(levels)) return(NULL)
     level <- levels[[panel]]
     wing <- fields$wings[[level]]
     free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
@@ -199,7 +207,7 @@ bottom_trawl_net <- function(fields, plan) {
     if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
   }
   mouth <- list(
-    head_line = pairs$back$inner,
+    head_line = first_of(pairs$back$inner, paste0(behind[["back"]], ".upper")),
     side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
     footrope = pairs$belly$inner,
     side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
@@ -213,6 +221,12 @@ bottom_trawl_net <- function(fields, plan) {
     net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
   }
   net
+}
+
+# The corner of a wing's tip where the line of the mouth ends, or NULL without wings.
+tip_corner <- function(pair, side) {
+  if (is.null(pair)) return(NULL)
+  paste0(pair[[side]], if (side == "left") ".upper_right" else ".upper_left")
 }
 
 # A line of the mouth with its length along each of its edges, where the plan gives its bosom.
@@ -322,62 +336,39 @@ ground_gear_rope <- function(fields, plan, along, lengths) {
 }
 
 bottom_trawl_rig <- function(fields, plan) {
-  levels <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
-  ropes <- boards <- list()
-  held <- !is.null(plan$towing_points)
-  free <- !held && fields$otter_boards$attitude == "free"
-  if (held) {
+  if (!is.null(plan$towing_points)) {
     tow <- fields$towing_points
     points <- towing_points(paste0("board_", trawl_sides), tow$spread,
       fields$seabed$depth - tow$height)
-  } else {
-    boards <- trawl_boards(plan, free)
-    points <- c(
-      towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points
-    )
-    ropes <- trawl_warps(plan)
+    return(trawl_legs(plan, list(points = points), paste0("board_", trawl_sides)))
   }
-  for (side in trawl_sides) {
-    named <- function(...) paste(..., side, sep = "_")
-    start <- named("board")
-    if (free) {
-      start <- named("backstrop_end")
-      points[[start]] <- nothing
+  free <- fields$otter_boards$attitude == "free"
+  boards <- trawl_boards(plan, free)
+  start <- paste0("board_", trawl_sides)
+  rig <- list(
+    points = c(towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points),
+    ropes = trawl_warps(plan), pieces = boards$pieces, otter_boards = boards$otter_boards
+  )
+  if (free) {
+    start <- paste0("backstrop_end_", trawl_sides)
+    rig$points[start] <- list(nothing)
+    for (side in trawl_sides) {
       for (level in c("upper", "lower")) {
-        ropes[[named("backstrop", level)]] <- c(
-          list(from = named("backstrop", level), to = start), plan$backstrops,
+        name <- paste("backstrop", level, side, sep = "_")
+        rig$ropes[[name]] <- c(
+          list(from = name, to = paste0("backstrop_end_", side)), plan$backstrops,
           list(role = "backstrop")
         )
       }
     }
-    if (!is.null(plan$sweeps)) {
-      points[[named("sweep_end")]] <- nothing
-      ropes[[named("sweep")]] <- c(
-        list(from = start, to = named("sweep_end")), plan$sweeps, list(role = "sweep")
-      )
-      start <- named("sweep_end")
-    }
-    extended <- !is.null(plan$footrope_extensions)
-    for (level in levels) {
-      end <- if (level == "lower" && extended) "extension" else level
-      ropes[[named("bridle", level)]] <- c(
-        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
-      )
-    }
-    if (extended) {
-      points[[named("extension")]] <- nothing
-      ropes[[named("footrope_extension")]] <- c(
-        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
-        list(role = "footrope_extension")
-      )
-    }
   }
-  list(
-    points = points, ropes = ropes, pieces = boards$pieces, otter_boards = boards$otter_boards
-  )
+  trawl_legs(plan, rig, start)
 }
 
-bottom_trawl_measures <- function(fields, free_boards) {
+# joint: what the points where warp and sweep or bridles meet are named after, and measure: what their
+# spread is called.
+bottom_trawl_measures <- function(fields, free_boards, joint = "board",
+                                  measure = "door_spread") {
   pair <- function(level) paste0(level, c("_port", "_starboard"))
   lower <- if (is.null(fields$footrope_extensions)) "lower" else "extension"
   first <- if (is.null(fields$sweeps)) "bridle_lower" else "sweep"
@@ -385,31 +376,39 @@ bottom_trawl_measures <- function(fields, free_boards) {
     list(angle = stats::setNames(list(kind), paste0(rope, "_port.start")))
   }
   out <- list(
-    door_spread = list(spread = pair("board")),
+    list(spread = pair(joint)),
     wing_end_spread = list(spread = list(pair("upper"), pair(lower))),
     upper_wing_spread = list(spread = pair("upper")),
     lower_wing_spread = list(spread = pair(lower)),
     net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
-    headline_height = list(clearance = "head_line.middle"),
-    footrope_height = list(clearance = "footrope.middle"),
+    headline_depth = list(depth = "head_line.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(
       area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
     ),
     bridle_angle = angle(first, "divergence")
   )
+  names(out)[1L] <- measure
+  if (!is.null(fields$seabed)) {
+    out <- append(out, after = match("net_mouth_height", names(out)), list(
+      headline_height = list(clearance = "head_line.middle"),
+      footrope_height = list(clearance = "footrope.middle")
+    ))
+  }
   if (!is.null(fields$bridles$middle)) {
-    out <- append(out, list(middle_wing_spread = list(spread = pair("middle"))), 4L)
+    out <- append(out, after = match("lower_wing_spread", names(out)),
+      list(middle_wing_spread = list(spread = pair("middle"))))
   }
   out <- c(out, board_measures(free_boards))
   if (is.null(fields$towing_points)) {
     out <- c(out, list(
-      door_depth = list(depth = "board_port"),
+      list(depth = paste0(joint, "_port")),
       warp_tension_port = list(tension = "warp_port.start"),
       warp_tension_starboard = list(tension = "warp_starboard.start"),
       warp_declination = angle("warp", "declination"),
       warp_divergence = angle("warp", "divergence")
     ))
+    names(out)[names(out) == ""] <- sub("spread", "depth", measure, fixed = TRUE)
   }
   if (!is.null(fields$sweeps)) out$sweep_tension <- list(tension = "sweep_port.start")
   for (level in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {
