@@ -1,7 +1,7 @@
 # The bottom trawl's short form and the assembly that it stands for.
 #
-# From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper wings
-# and a square above, lower wings below, and, in a net of four panels, one wing panel on each side,
+# From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper
+# wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each side,
 # with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end from
 # the head line's end to the footrope's.
 
@@ -89,8 +89,8 @@ check_wing_ends <- function(fields) {
   height <- wings$upper$meshes$tip + wings$lower$meshes$tip + wings$upper$flying +
     wings$lower$flying
   if (!sides && height == 0) {
-    abort_field("wings.upper.meshes.tip", 0,
-      "greater than 0 where the lower wings are pointed too, or the wing ends have no height")
+    abort_field("wings.lower.meshes.tip", 0,
+      "greater than 0 where no wing flies or has a blunt tip, or the wing ends have no height")
   }
   depth <- front_depth(fields)
   long <- function(x) format_si(x, "length")
@@ -110,8 +110,8 @@ check_wing_ends <- function(fields) {
     if (is.null(wings$jib) && !alike(depth[["upper"]], depth[["side"]])) {
       abort_field("wings.side.meshes.deep", wings$side$meshes$deep, sprintf(
         paste(
-          "such that the side wings are as deep as upper wings and square together, %s, within 5 %%",
-          "(a jib may reach further); stretched they are %s"
+          "such that the side wings are as deep as upper wings and square together, %s, within",
+          "5 %% (a jib may reach further); stretched they are %s"
         ),
         long(depth[["upper"]]), long(depth[["side"]])
       ))
@@ -155,14 +155,14 @@ bottom_trawl_net <- function(fields, plan) {
     given <- plan$wings[[level]]
     wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
       fields$wings[[level]]$meshes, paste0("wings.", level, ".meshes"))
-  }, c(back = "back", belly = "belly"), levels)
+  }, stats::setNames(nm = names(levels)), levels)
   sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
   square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
 
   # The edges along the seams ahead of the first section, from the front, by panel.
   outer <- function(panel, side) {
     part <- flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
-    c(part$joined, if (panel == "back") square[[side]])
+    c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
   }
   left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
   right <- c(list(back = outer("back", "right"), belly = outer("belly", "right")), sides$right)
@@ -322,62 +322,39 @@ ground_gear_rope <- function(fields, plan, along, lengths) {
 }
 
 bottom_trawl_rig <- function(fields, plan) {
-  levels <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
-  ropes <- boards <- list()
-  held <- !is.null(plan$towing_points)
-  free <- !held && fields$otter_boards$attitude == "free"
-  if (held) {
+  if (!is.null(plan$towing_points)) {
     tow <- fields$towing_points
     points <- towing_points(paste0("board_", trawl_sides), tow$spread,
       fields$seabed$depth - tow$height)
-  } else {
-    boards <- trawl_boards(plan, free)
-    points <- c(
-      towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points
-    )
-    ropes <- trawl_warps(plan)
+    return(trawl_legs(plan, list(points = points), paste0("board_", trawl_sides)))
   }
-  for (side in trawl_sides) {
-    named <- function(...) paste(..., side, sep = "_")
-    start <- named("board")
-    if (free) {
-      start <- named("backstrop_end")
-      points[[start]] <- nothing
+  free <- fields$otter_boards$attitude == "free"
+  boards <- trawl_boards(plan, free)
+  start <- paste0("board_", trawl_sides)
+  rig <- list(
+    points = c(towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points),
+    ropes = trawl_warps(plan), pieces = boards$pieces, otter_boards = boards$otter_boards
+  )
+  if (free) {
+    start <- paste0("backstrop_end_", trawl_sides)
+    rig$points[start] <- list(nothing)
+    for (side in trawl_sides) {
       for (level in c("upper", "lower")) {
-        ropes[[named("backstrop", level)]] <- c(
-          list(from = named("backstrop", level), to = start), plan$backstrops,
+        name <- paste("backstrop", level, side, sep = "_")
+        rig$ropes[[name]] <- c(
+          list(from = name, to = paste0("backstrop_end_", side)), plan$backstrops,
           list(role = "backstrop")
         )
       }
     }
-    if (!is.null(plan$sweeps)) {
-      points[[named("sweep_end")]] <- nothing
-      ropes[[named("sweep")]] <- c(
-        list(from = start, to = named("sweep_end")), plan$sweeps, list(role = "sweep")
-      )
-      start <- named("sweep_end")
-    }
-    extended <- !is.null(plan$footrope_extensions)
-    for (level in levels) {
-      end <- if (level == "lower" && extended) "extension" else level
-      ropes[[named("bridle", level)]] <- c(
-        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
-      )
-    }
-    if (extended) {
-      points[[named("extension")]] <- nothing
-      ropes[[named("footrope_extension")]] <- c(
-        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
-        list(role = "footrope_extension")
-      )
-    }
   }
-  list(
-    points = points, ropes = ropes, pieces = boards$pieces, otter_boards = boards$otter_boards
-  )
+  trawl_legs(plan, rig, start)
 }
 
-bottom_trawl_measures <- function(fields, free_boards) {
+# joint: what the points where warp and sweep or bridles meet are named after, and measure: what
+# their spread is called.
+bottom_trawl_measures <- function(fields, free_boards, joint = "board",
+                                  measure = "door_spread") {
   pair <- function(level) paste0(level, c("_port", "_starboard"))
   lower <- if (is.null(fields$footrope_extensions)) "lower" else "extension"
   first <- if (is.null(fields$sweeps)) "bridle_lower" else "sweep"
@@ -385,31 +362,39 @@ bottom_trawl_measures <- function(fields, free_boards) {
     list(angle = stats::setNames(list(kind), paste0(rope, "_port.start")))
   }
   out <- list(
-    door_spread = list(spread = pair("board")),
+    list(spread = pair(joint)),
     wing_end_spread = list(spread = list(pair("upper"), pair(lower))),
     upper_wing_spread = list(spread = pair("upper")),
     lower_wing_spread = list(spread = pair(lower)),
     net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
-    headline_height = list(clearance = "head_line.middle"),
-    footrope_height = list(clearance = "footrope.middle"),
+    headline_depth = list(depth = "head_line.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(
       area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
     ),
     bridle_angle = angle(first, "divergence")
   )
+  names(out)[1L] <- measure
+  if (!is.null(fields$seabed)) {
+    out <- append(out, after = match("net_mouth_height", names(out)), list(
+      headline_height = list(clearance = "head_line.middle"),
+      footrope_height = list(clearance = "footrope.middle")
+    ))
+  }
   if (!is.null(fields$bridles$middle)) {
-    out <- append(out, list(middle_wing_spread = list(spread = pair("middle"))), 4L)
+    out <- append(out, after = match("lower_wing_spread", names(out)),
+      list(middle_wing_spread = list(spread = pair("middle"))))
   }
   out <- c(out, board_measures(free_boards))
   if (is.null(fields$towing_points)) {
     out <- c(out, list(
-      door_depth = list(depth = "board_port"),
+      list(depth = paste0(joint, "_port")),
       warp_tension_port = list(tension = "warp_port.start"),
       warp_tension_starboard = list(tension = "warp_starboard.start"),
       warp_declination = angle("warp", "declination"),
       warp_divergence = angle("warp", "divergence")
     ))
+    names(out)[names(out) == ""] <- sub("spread", "depth", measure, fixed = TRUE)
   }
   if (!is.null(fields$sweeps)) out$sweep_tension <- list(tension = "sweep_port.start")
   for (level in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {

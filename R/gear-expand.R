@@ -7,6 +7,7 @@ gear_expanders <- list(
   gillnet = function(fields, plan) expand_gillnet(fields, plan),
   longline = function(fields, plan) expand_longline(fields, plan),
   midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
+  pair_trawl = function(fields, plan) expand_pair_trawl(fields, plan),
   purse_seine = function(fields, plan) expand_purse_seine(fields, plan),
   stow_net = function(fields, plan) expand_stow_net(fields, plan)
 )

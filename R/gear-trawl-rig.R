@@ -77,6 +77,39 @@ check_boards <- function(fields) {
   }
 }
 
+# Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
+# points: sweep, bridles to the wing ends, and extensions of the footrope.
+trawl_legs <- function(plan, rig, from) {
+  levels <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
+  extended <- !is.null(plan$footrope_extensions)
+  for (k in 1:2) {
+    side <- trawl_sides[k]
+    named <- function(...) paste(..., side, sep = "_")
+    start <- from[k]
+    if (!is.null(plan$sweeps)) {
+      rig$points[[named("sweep_end")]] <- nothing
+      rig$ropes[[named("sweep")]] <- c(
+        list(from = start, to = named("sweep_end")), plan$sweeps, list(role = "sweep")
+      )
+      start <- named("sweep_end")
+    }
+    for (level in levels) {
+      end <- if (level == "lower" && extended) "extension" else level
+      rig$ropes[[named("bridle", level)]] <- c(
+        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
+      )
+    }
+    if (extended) {
+      rig$points[[named("extension")]] <- nothing
+      rig$ropes[[named("footrope_extension")]] <- c(
+        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
+        list(role = "footrope_extension")
+      )
+    }
+  }
+  rig
+}
+
 # Floats along the head line, and a catch as a piece at the codline.
 trawl_fittings <- function(plan) {
   pieces <- list()

@@ -117,6 +117,21 @@ test_that("free boards tow sweeps by their backstrops", {
     class = "codend_error_plan")
 })
 
+test_that("the vessels' distance spreads a pair trawl, on the sea bed and off it", {
+  trawl <- read_gear("pair_trawl")
+  near <- measures(settle(update(trawl, vessels.distance = "80 m"), nodes = 400))
+  far <- measures(settle(update(trawl, vessels.distance = "160 m"), nodes = 400))
+  expect_gt(far[["wing_end_spread_m"]], near[["wing_end_spread_m"]])
+  expect_lt(far[["net_mouth_height_m"]], near[["net_mouth_height_m"]])
+  expect_equal(far[["warp_tension_port_kN"]], far[["warp_tension_starboard_kN"]],
+    tolerance = 1e-6)
+  off <- measures(settle(update(trawl, seabed = NULL), nodes = 400))
+  expect_false("headline_height_m" %in% names(off))
+  expect_gt(off[["headline_depth_m"]], 10)
+  expect_error(update(trawl, vessels = NULL), "`vessels` is missing", class = "codend_error_plan")
+  expect_error(update(trawl, otter_boards.area = 2), "otter_boards", class = "codend_error_plan")
+})
+
 test_that("a rope is hung by edge where its lengths are given", {
   trawl <- small_bottom_trawl()
   state <- settle(trawl, nodes = 400)
@@ -176,8 +191,8 @@ test_that("a pointed panel ends in one node, gathered or not", {
   }
 })
 
-# The flume tests with bridles of 54.9 m and 16 m between the upper wing ends, see the data file. The
-# towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to the
+# The flume tests with bridles of 54.9 m and 16 m between the upper wing ends, see the data file.
+# The towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to the
 # test at 3 knot alone.
 test_that("the survey trawl closes and pulls with speed as its flume model does", {
   tests <- read.csv(system.file("extdata", "flume_poly_noreastern.csv", package = "codend"),
