@@ -3,44 +3,40 @@
 specimen_density <- 1000
 specimen_viscosity <- 1e-6
 
-# A lattice of the engine with no element: points (3 x n, m) in still water.
-specimen <- function(points, materials = twine_materials(list())) {
+# A lattice of the engine with no element: list(position = points (3 x n, m), engine), in still water.
+# materials: of twine_materials(), or NULL where nothing is of twine.
+specimen <- function(points, materials = NULL) {
+  line <- list(from = "first", to = "second", length = 1, diameter = 1, axial_stiffness = 1,
+    mass_per_length = 1, segments = 1)
+  engine <- build_lattice(gear_si(as_gear(list(
+    codend = 1, name = "A line",
+    points = list(first = list(position = c(0, 0, 0), held = "fixed"),
+      second = list(position = c(1, 0, 0), held = "fixed")),
+    ropes = list(line = line)
+  ))))$engine
   n <- ncol(points)
-  empty <- function(...) {
-    whole <- c(...)
-    lapply(stats::setNames(nm = names(whole)), function(field) {
-      if (whole[[field]]) integer() else numeric()
-    })
-  }
-  list(
-    position = points,
-    engine = list(
-      nodes = n, held = rep(TRUE, n),
-      ties = empty(first = TRUE, second = TRUE, share = FALSE),
-      water = list(
-        density = specimen_density, viscosity = specimen_viscosity, free_surface = FALSE,
-        depth = 0, x = 0, y = 0
-      ),
-      slack_twine = "straight", load = numeric(3L * n), mass = numeric(n), materials = materials,
-      bars = empty(node = TRUE, rest = FALSE, multiplicity = FALSE, material = TRUE),
-      triangles = empty(node = TRUE, twine = FALSE, rest = FALSE, straight = FALSE, inner = TRUE,
-        multiplicity = FALSE, material = TRUE),
-      spheres = empty(node = TRUE, drag_area = FALSE, diameter = FALSE, smooth = TRUE,
-        added_mass = FALSE, height = FALSE),
-      lifts = empty(node = TRUE, lift_area = FALSE, direction = TRUE, height = FALSE),
-      boards = list(), ground = NULL, contacts = no_contacts, volumes = no_volumes,
-      screens = empty(node = TRUE, twine_area = FALSE, law = TRUE), wake = numeric(),
-      pressure = list(node = integer(), weight = numeric(), drag_coefficient = 0),
-      drag_screens = empty(node = TRUE, twine_area = FALSE, diameter = FALSE,
-        multiplicity = FALSE, law = TRUE),
-      blended = c(
-        empty(node = TRUE, twine = FALSE, rest = FALSE, multiplicity = FALSE, material = TRUE),
-        list(materials = materials)
-      ),
-      openings = empty(node = TRUE, twine = FALSE, couple = FALSE, angle = FALSE,
-        multiplicity = FALSE)
-    )
-  )
+  engine$nodes <- n
+  engine$held <- rep(TRUE, n)
+  engine$load <- numeric(3L * n)
+  engine$mass <- numeric(n)
+  engine$water$density <- specimen_density
+  engine$water$viscosity <- specimen_viscosity
+  engine$slack_twine <- "straight"
+  engine$bars <- lapply(engine$bars, function(field) field[0L])
+  if (!is.null(materials)) engine$materials <- engine$blended$materials <- materials
+  list(position = points, engine = engine)
+}
+
+# Elements of one kind in a specimen: n of them with these fields; what they have besides, such as the
+# height over which they leave the water, does not matter here.
+add_elements <- function(specimen, kind, n, ...) {
+  given <- list(...)
+  fields <- specimen$engine[[kind]]
+  others <- setdiff(names(Filter(is.atomic, fields)), names(given))
+  fields[others] <- rep(list(rep(1, n)), length(others))
+  fields[names(given)] <- given
+  specimen$engine[[kind]] <- fields
+  specimen
 }
 
 # What the engine finds where elements of so many points move through still water at their speeds
@@ -71,10 +67,8 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   second <- 2L * seq_len(n)
   # Its normal part of the flow is towards y.
   ends[, second] <- rbind(cos(angle), -sin(angle), 0)
-  held <- specimen(ends, materials)
-  held$engine$bars <- list(
-    node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), material = rep(1L, n)
-  )
+  held <- add_elements(specimen(ends, materials), "bars", n,
+    node = seq_len(2L * n), material = rep(1L, n))
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 2L)
   drag_and_lift(found$bar_drag, speed, diameter)
@@ -108,23 +102,17 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   node <- seq_len(6L * n)
   triangles <- 2L * n
   twine <- rep(c(0, 0, count, 0, count, count, 0, 0, count, count, 0, count), n)
-  common <- list(
-    node = node, twine = twine, rest = rep(bar, triangles), multiplicity = rep(1, triangles),
-    material = rep(1L, triangles)
+  rest <- rep(bar, triangles)
+  material <- rep(1L, triangles)
+  held <- switch(law,
+    twines = add_elements(held, "triangles", triangles, node = node, twine = twine, rest = rest,
+      material = material, straight = numeric(triangles), inner = integer(triangles)),
+    blended = add_elements(held, "blended", triangles, node = node, twine = twine, rest = rest,
+      material = material),
+    add_elements(held, "drag_screens", triangles, node = node,
+      twine_area = rep(solidity * side^2 / 2, triangles), diameter = rep(diameter, triangles),
+      law = rep(screen_numbers[[law]], triangles))
   )
-  if (law == "twines") {
-    held$engine$triangles <- c(
-      common, list(straight = numeric(triangles), inner = integer(triangles))
-    )
-  } else if (law == "blended") {
-    held$engine$blended[names(common)] <- common
-  } else {
-    held$engine$drag_screens <- list(
-      node = node, twine_area = rep(solidity * side^2 / 2, triangles),
-      diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
-      law = rep(screen_numbers[[law]], triangles)
-    )
-  }
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 6L)
   which <- c(twines = "triangle_drag", blended = "blended_force")
@@ -157,11 +145,9 @@ board_specimens <- function(polar, angle, aspect_ratio) {
 sphere_specimens <- function(reynolds, smooth = FALSE) {
   n <- length(reynolds)
   diameter <- 0.002
-  held <- specimen(matrix(0, 3L, n))
-  held$engine$spheres <- list(
-    node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
-    smooth = rep(as.integer(smooth), n), added_mass = numeric(n), height = rep(diameter, n)
-  )
+  held <- add_elements(specimen(matrix(0, 3L, n)), "spheres", n, node = seq_len(n),
+    drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
+    smooth = rep(as.integer(smooth), n))
   speed <- reynolds * specimen_viscosity / diameter
   drag_and_lift(evaluate_specimen(held, speed, 1L)$sphere_drag, speed, pi / 4 * diameter^2)
 }

@@ -123,8 +123,9 @@ add_otter_boards <- function(build, si, division, part, material) {
     nodes <- unname(division$points[board$points])
     pairs <- rbind(c(1L, 2L), c(2L, 3L), c(3L, 1L))
     apart <- board$attachment[, pairs[, 2]] - board$attachment[, pairs[, 1]]
-    build$add("bars", node = as.vector(t(matrix(nodes[pairs], 3L))), rest = sqrt(colSums(apart^2)),
-      multiplicity = rep(1, 3L), material = rep(material + k, 3L), part = rep(part + k, 3L))
+    long <- sqrt(colSums(apart^2))
+    build$add("bars", node = as.vector(t(matrix(nodes[pairs], 3L))), rest = long,
+      multiplicity = rep(1, 3L), height = long, material = rep(material + k, 3L), part = rep(part + k, 3L))
   }
 }
 

@@ -138,12 +138,14 @@ piece_body <- function(piece, path, fields) {
 }
 
 # Height (m) of a piece on the ground or at the surface: its diameter, or that of a cube of its
-# volume, or of a square of its area.
+# volume, or of a square of its area; of a sheet that lifts up or down, which lies nearly flat in the
+# water, a tenth of that.
 piece_height <- function(piece, volume) {
   if (!is.null(piece$diameter)) return(piece$diameter)
   if (volume > 0) return(volume^(1 / 3))
   area <- first_of(piece_reference_area(piece), NA_real_)
-  if (is.na(area)) 0.1 else sqrt(area)
+  flat <- if (first_of(piece$lift_direction, "") %in% c("up", "down")) 0.1 else 1
+  if (is.na(area)) 0.1 else flat * sqrt(area)
 }
 
 piece_reference_area <- function(piece) {

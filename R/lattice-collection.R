@@ -33,14 +33,16 @@ new_collection <- function(nodes) {
         if (!is.null(out$node)) out$node <- point_number(out$node, nodes)
         out
       }
-      masses <- join("masses", c("node", "mass", "volume", "height", "area"), "node")
+      masses <- join("masses", c("node", "mass", "volume", "height", "surface", "area"),
+        "node")
       list(
         nodes = nodes,
         ties = join("ties", c("first", "second", "share"), c("first", "second")),
-        bars = join("bars", c("node", "rest", "multiplicity", "material", "part"),
+        bars = join("bars", c("node", "rest", "multiplicity", "height", "material", "part"),
           c("node", "material", "part")),
         triangles = join("triangles",
-          c("node", "twine", "rest", "straight", "inner", "multiplicity", "material", "part"),
+          c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material",
+            "part"),
           c("node", "inner", "material", "part")),
         spheres = join("spheres", c("node", "drag_area", "diameter", "smooth", "added_mass", "height", "part"),
           c("node", "smooth", "part")),
@@ -67,13 +69,14 @@ contact_points <- function(masses) {
   )
 }
 
-# Volumes of one height at one point together: list(node, buoyancy (N), height).
+# Volumes that leave the water over one height at one point together: list(node, buoyancy (N),
+# height).
 immersed_volumes <- function(masses, density) {
-  some <- which(masses$volume > 0 & masses$height > 0)
-  key <- paste(masses$node[some], masses$height[some])
+  some <- which(masses$volume > 0 & masses$surface > 0)
+  key <- paste(masses$node[some], masses$surface[some])
   first <- some[!duplicated(key)]
   list(
-    node = masses$node[first], height = masses$height[first],
+    node = masses$node[first], height = masses$surface[first],
     buoyancy = gear_gravity * density *
       as.vector(rowsum(masses$volume[some], key, reorder = FALSE))
   )

@@ -49,6 +49,11 @@ divide <- function(si, frame, counts, rope_count, bars) {
   same(node[things_of(along, joined$first)], node[things_of(along, joined$other)])
   same(ends$first[c(1L, 2L), bars], rbind(ends$first[3L, bars], ends$last[3L, bars]))
   same(ends$last[c(1L, 2L), bars], rbind(ends$first[4L, bars], ends$last[4L, bars]))
+  # The tip of a pointed panel is one node, gathered in a place or not.
+  tips <- which(vapply(si$panels, function(p) c(p$upper, p$lower, 1, 1) == 0, logical(4)))
+  on_tip <- rep.int(tips, count[tips] - 1L)
+  k <- sequence(count[tips] - 1L)
+  same(edge_node(on_tip, k), edge_node(on_tip, k + 1L))
 
   row <- along$row
   at <- chains$start[row] +
@@ -66,8 +71,11 @@ divide <- function(si, frame, counts, rope_count, bars) {
   last <- points + sum(on$size)
   ropes <- lapply(setNames(seq_along(si$ropes), names(si$ropes)), function(r) {
     if (!is.null(si$ropes[[r]]$along)) return(run(chains$laced[[names(si$ropes)[r]]]))
-    ids <- last + seq_len(rope_count[r] + 1L)
-    last <<- last + rope_count[r] + 1L
+    # One that slides has an element from place to place.
+    through <- length(si$ropes[[r]]$through)
+    count <- if (through) through + 1L else rope_count[r]
+    ids <- last + seq_len(count + 1L)
+    last <<- last + count + 1L
     list(node = ids, at = seq(0, 1, length.out = length(ids)))
   })
   places <- name_places(si, ends, ropes)
@@ -75,6 +83,7 @@ divide <- function(si, frame, counts, rope_count, bars) {
     rope <- si$ropes[[r]]
     if (is.null(rope$along)) {
       same(places[paste0(r, c(".start", ".end"))], places[c(rope$from, rope$to)])
+      same(ropes[[r]]$node[1L + seq_along(rope$through)], places[rope$through])
     }
   }
   for (name in names(si$points)) {
@@ -167,7 +176,8 @@ number_edges <- function(count, bars, from) {
 }
 
 # Nodes of all places by their texts: points, then corners of panels, then starts, middles and ends
-# of ropes.
+# of ropes, then the nodes nearest to places at a share of a rope's length (a laced rope has one
+# there).
 name_places <- function(si, ends, ropes) {
   corners <- rbind(ends$first[1L, ], ends$last[1L, ], ends$first[2L, ], ends$last[2L, ])
   of_ropes <- vapply(ropes, function(rope) {
@@ -177,9 +187,14 @@ name_places <- function(si, ends, ropes) {
   named <- function(names, places) {
     if (length(names)) paste0(rep(names, each = length(places)), ".", places)
   }
-  setNames(c(seq_along(si$points), corners, of_ropes), c(
+  shares <- share_places(si)
+  at_shares <- vapply(lapply(shares, parse_place), function(place) {
+    rope <- ropes[[place$name]]
+    rope$node[which.min(abs(rope$at - place$place))]
+  }, 0)
+  setNames(c(seq_along(si$points), corners, of_ropes, at_shares), c(
     names(si$points),
     named(names(si$panels), c("upper_left", "upper_right", "lower_left", "lower_right")),
-    named(names(si$ropes), c("start", "middle", "end"))
+    named(names(si$ropes), c("start", "middle", "end")), shares
   ))
 }

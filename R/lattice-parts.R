@@ -1,6 +1,14 @@
 # Ropes, panels and pieces as elements of a lattice. In the table of parts ropes come first, then
 # panels, then pieces; ropes and panels are also the engine's materials, in that order.
 
+# A line of a lattice stands for all the material around it, so it leaves the water over at least this
+# share of its length. What is thinner would come and go with every millimetre, and a net that lies
+# at the surface would not settle; the finer the lattice, the less it matters.
+surface_share <- 0.05
+
+# Height (m) over which lines of these diameters and lengths leave the water.
+surface_height <- function(diameter, length) pmax(diameter, surface_share * length)
+
 add_rope <- function(build, rope, along, part) {
   n <- length(along$node)
   rest <- diff(along$at) * rope$length
@@ -9,12 +17,13 @@ add_rope <- function(build, rope, along, part) {
   rest <- rest[apart]
   ends <- rbind(along$node[-n], along$node[-1L])[, apart, drop = FALSE]
   m <- length(rest)
+  height <- surface_height(rope$diameter, rest)
   build$add("bars", node = as.vector(ends), rest = rest, multiplicity = rep(1, m),
-    material = rep(part, m), part = rep(part, m))
+    height = height, material = rep(part, m), part = rep(part, m))
   half <- rep(rest / 2, each = 2L)
   build$add("masses", node = as.vector(ends), mass = half * rope$mass_per_length,
     volume = half * rope$volume_per_length, height = rep(rope$diameter, 2L * m),
-    area = half * rope$diameter)
+    surface = rep(height, each = 2L), area = half * rope$diameter)
 }
 
 # Knots as spheres at nodes of panels; count: knots at each node. Those of a screen drag with it.
@@ -25,16 +34,18 @@ add_knots <- function(build, panels, parts, panel, node, count) {
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],
     diameter = diameter[some], smooth = integer(sum(some)),
-    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some], height = diameter[some],
+    added_mass = (0.5 * pi / 6 * diameter^3 * count)[some],
+    height = surface_height(diameter, panels$mesh_size[panel] * sqrt(count))[some],
     part = parts[panel][some])
 }
 
-# Mass and volume of twine; length: m of it at each of these nodes of panels.
-add_twine <- function(build, panels, panel, node, length) {
+# Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of the
+# element that it is of.
+add_twine <- function(build, panels, panel, node, length, extent) {
   diameter <- (panels$twine_diameter * panels$twine_count)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
     volume = length * panels$volume_per_length[panel], height = diameter,
-    area = length * diameter)
+    surface = surface_height(diameter, extent), area = length * diameter)
 }
 
 # Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
@@ -51,9 +62,12 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   hexagonal <- which(found$straight > 0)
   inner <- integer(length(found$rest))
   inner[hexagonal] <- build$new_nodes(length(hexagonal))
+  # The side of a square of its netting, stretched.
+  extent <- (found$rest + found$straight) * sqrt(2 * found$bars / found$multiplicity)
   build$add("triangles", node = node, twine = found$twine, rest = found$rest,
-    straight = found$straight, inner = inner, multiplicity = found$multiplicity, material = part,
-    part = part)
+    straight = found$straight, inner = inner, multiplicity = found$multiplicity,
+    height = surface_height((panels$twine_diameter * panels$twine_count)[found$panel], extent),
+    material = part, part = part)
   shading <- which(panels$shielding[found$panel] != "none")
   build$add("screens", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
     twine_area = (found$bars * (2 * found$rest + found$straight) *
@@ -62,10 +76,10 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   panel <- rep(found$panel, each = 3L)
   # Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
   twine <- third * cell_twine(panels)[panel] * rep(1 - 0.5 * (inner > 0L), each = 3L)
-  add_twine(build, panels, panel, node, twine)
+  add_twine(build, panels, panel, node, twine, rep(extent, each = 3L))
   of_hexagons <- found$panel[hexagonal]
   add_twine(build, panels, of_hexagons, inner[hexagonal],
-    found$bars[hexagonal] / 2 * cell_twine(panels)[of_hexagons])
+    found$bars[hexagonal] / 2 * cell_twine(panels)[of_hexagons], extent[hexagonal])
   add_knots(build, panels, parts, of_hexagons, inner[hexagonal], found$bars[hexagonal])
   # A node of two panels has knots of both.
   knotted <- which(panels$knot_diameter[panel] > 0)
@@ -119,12 +133,15 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   ends[inner] <- between[-bars$ends[inner]]
   if (any(panels$shielding != "none")) add_bar_screens(build, panels, parts, bars, ends)
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
-  add_twine(build, panels, rep(bars$panel, each = 2L), ends, half)
+  add_twine(build, panels, rep(bars$panel, each = 2L), ends, half, rep(bars$rest, each = 2L))
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
   keep <- ends[second - 1L] != ends[second]
   part <- parts[bars$panel[keep]]
   build$add("bars", node = ends[rep(keep, each = 2L)], rest = bars$rest[keep],
-    multiplicity = bars$multiplicity[keep], material = part, part = part)
+    multiplicity = bars$multiplicity[keep],
+    height = surface_height(
+      (panels$twine_diameter * panels$twine_count)[bars$panel[keep]], bars$rest[keep]
+    ), material = part, part = part)
   add_knots(build, panels, parts, points$panel, id, points$knots)
 
   of <- c(points$panel, bars$between$panel)
@@ -208,7 +225,7 @@ add_piece <- function(build, piece, run, places, density, part) {
   }
   k <- length(node)
   build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
-    height = rep(piece$height, k), area = n * piece$height^2)
+    height = rep(piece$height, k), surface = rep(piece$height, k), area = n * piece$height^2)
   build$add("spheres", node = node, drag_area = n * piece$drag_area,
     diameter = rep(piece$smooth_diameter, k), smooth = rep(as.integer(piece$smooth_diameter > 0), k),
     added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,

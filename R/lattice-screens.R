@@ -40,7 +40,8 @@ screen_elements <- function(si, lattice) {
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
-    diameter = number("twine_diameter"), multiplicity = triangles$multiplicity[some],
+    diameter = number("twine_diameter"), height = triangles$height[some],
+    multiplicity = triangles$multiplicity[some],
     law = unname(law[panel[some]])
   )
 }
@@ -50,11 +51,13 @@ blended_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
   some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "blended")
+  panels <- if (length(some)) si$panels
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
     rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
-    material = as.integer(panel[some]), materials = twine_materials(si$panels, alone = FALSE)
+    height = triangles$height[some],
+    material = as.integer(panel[some]), materials = twine_materials(panels, alone = FALSE)
   )
 }
 

@@ -9,9 +9,10 @@ apart <- function(state, pair) {
   place_position(state, pair[[2]]) - place_position(state, pair[[1]])
 }
 
-# Spread: distance across the gear, |dy|, between two places; the mean over several pairs. m.
+# Spread: horizontal distance between two places, whichever way the gear lies; the mean over several
+# pairs. m.
 measure_spread <- function(state, measure) {
-  mean(vapply(measure$pairs, function(pair) abs(apart(state, pair)[2]), 0))
+  mean(vapply(measure$pairs, function(pair) sqrt(sum(apart(state, pair)[1:2]^2)), 0))
 }
 
 # Height of the first place above the second, m; negative when it lies below. Net mouth height is
@@ -24,10 +25,25 @@ measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[
 # Depth below the water surface, m.
 measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
 
-# Area that ropes, end to end, enclose as seen along x (on the plane across the tow), m2.
+# Downward speed of a place, m/s.
+measure_sinking_speed <- function(state, measure) {
+  -state$velocity[3, state$lattice$place(measure$place)] + 0
+}
+
+# Height above the sea bed, across it, m.
+measure_clearance <- function(state, measure) {
+  height_above_ground(state$si$ground, cbind(place_position(state, measure$place)))
+}
+
+# Area that ropes, end to end, enclose as seen level and from right ahead of them, m2.
 measure_area <- function(state, measure) {
-  outline <- rope_outline(state, measure$ropes)
-  polygon_area(outline[2, ], outline[3, ])
+  sqrt(sum(outline_area(rope_outline(state, measure$ropes))^2))
+}
+
+# Areas within a closed outline (3 x n, m) as seen along x and along y, m2, signed: the horizontal part
+# of its vector area.
+outline_area <- function(outline) {
+  c(polygon_area(outline[2, ], outline[3, ]), polygon_area(outline[3, ], outline[1, ]))
 }
 
 # Points (3 x n, m) along ropes put end to end: each rope continues from the end that was reached,
@@ -57,14 +73,15 @@ rope_outline <- function(state, ropes) {
   outline
 }
 
-# Area within a closed polygon by its corners (shoelace formula), positive either way round.
+# Area within a closed polygon by its corners (shoelace formula), positive where they turn from x to y.
 polygon_area <- function(x, y) {
   after <- c(seq_along(x)[-1], 1L)
-  abs(sum(x * y[after] - x[after] * y)) / 2
+  sum(x * y[after] - x[after] * y) / 2
 }
 
 # Angle of a rope at a place, deg, in its direction from start to end: declination below the
-# horizontal (negative when it rises), or divergence of its plan view from the x axis (0 to 180).
+# horizontal (negative when it rises), or divergence of its plan view from the vessel's centre line, x
+# (0 to 180).
 measure_angle <- function(state, measure) {
   bar <- rope_bar(state, measure$rope, measure$place)
   ends <- state$lattice$engine$bars$node[2L * bar + c(-1L, 0L)]

@@ -5,30 +5,46 @@
 #' Measures of the plan come first, under the plan's names with their unit added (`door_spread`
 #' becomes `door_spread_m`):
 #'
-#' - `spread` (m): distance across the gear (along y) between two places, or the mean over several
-#'   pairs.
+#' - `spread` (m): horizontal distance between two places, as an acoustic sensor tells it, or the mean
+#'   over several pairs. In a straight tow that is the distance across it; in a turn, where one door
+#'   runs ahead of the other, it stays that of the doors from each other.
 #' - `height` (m): of the first place above the second. The height of a net's mouth is that of the
 #'   head line's centre above the footrope's.
 #' - `length` (m): straight distance between two places.
 #' - `depth` (m): below the water surface.
+#' - `clearance` (m): height above the sea bed, across it.
 #' - `tension` (kN): of a rope at a place, or the largest along it. At its start or end it is that
 #'   of its outermost bar.
-#' - `area` (m2): enclosed by ropes end to end, seen along x. A gap between two ropes is closed by a
+#' - `area` (m2): enclosed by ropes end to end, seen level and from right ahead of them: along x in a
+#'   straight tow, along the net's own heading in a turn. A gap between two ropes is closed by a
 #'   straight line.
 #' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
-#'   horizontal (declination) or out of the x axis in plan view (divergence).
+#'   horizontal (declination) or, in plan view, out of the vessel's centre line (divergence), in a
+#'   turn too.
+#' - `volume` (m3): within panels that follow each other around an opening, such as a cage's walls and
+#'   bottom, closed by a lid from the rim of the opening to its middle; `volume_share` (percent): the
+#'   same as a share of a volume `of`.
+#' - `drag`, `lift` (kN): hydrodynamic force on ropes, panels and pieces together, along the flow and
+#'   upwards.
 #' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
 #'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
+#' - `sinking_speed` (m/s): downward speed of a place; 0 in a settled state.
+#' - `enclosed_volume` (m3): of water that netting hanging from the surface encloses, down to a
+#'   surface from a rope, such as the lead line, to that rope's middle. A gap between the two ends of
+#'   the net is closed by an upright wall.
 #'
 #' Then follow, unless the plan has a measure of the same name:
 #'
 #' - `total_drag_kN`: pull of all supports on the gear against the flow. The flow runs along x past
-#'   a towed gear, else along the fastest current, else along x.
+#'   a towed gear, which is along the vessel's course, in a turn too; else along the fastest current,
+#'   else along x.
 #' - `tow_power_kW`, when towed: total drag times towing speed.
-#' - `filtered_volume_m3_per_h`, when towed with a measure `mouth_area`: that area times the speed
-#'   along x of the water past the gear at the mean depth of the ropes around it.
-#' - `swept_area_km2_per_h`, when towed with a measure `wing_end_spread`: that spread times towing
-#'   speed.
+#' - `filtered_volume_m3_per_h`, when towed with a measure `mouth_area`: the water that flows through
+#'   the ropes around it, which is that area times the water's speed, past the ropes as they move and
+#'   at their mean depth, across it.
+#' - `swept_area_km2_per_h`, when towed with a measure `wing_end_spread`: the ground that the lines
+#'   between the wing ends pass over, which is that spread times their speed over the ground across
+#'   them, the mean over its pairs.
 #' - `catch_volume_m3` and `catch_front_meshes`, with a catch in netting ([catch]): the volume that
 #'   the netting behind its front encloses, and how many meshes deep that is.
 #' - `largest_rope_tension_kN`.
@@ -73,10 +89,15 @@ plan_measures <- function(state) {
       height = measure_height(state, measure),
       length = measure_length(state, measure),
       depth = measure_depth(state, measure),
+      clearance = measure_clearance(state, measure),
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
       angle = measure_angle(state, measure),
-      attitude = measure_attitude(state, measure)
+      attitude = measure_attitude(state, measure),
+      volume = , volume_share = measure_volume(state, measure),
+      drag = , lift = measure_part_force(state, measure),
+      sinking_speed = measure_sinking_speed(state, measure),
+      enclosed_volume = measure_enclosed_volume(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
@@ -98,21 +119,44 @@ towing_measures <- function(state, own) {
   if (speed == 0) return(found)
   found[["tow_power_kW"]] <- drag * speed
   if ("mouth_area_m2" %in% names(own)) {
-    outline <- rope_outline(state, state$si$measures$mouth_area$ropes)
     found[["filtered_volume_m3_per_h"]] <-
-      own[["mouth_area_m2"]] * water_speed(state, -mean(outline[3, ])) * 3600
+      filtered_volume(state, state$si$measures$mouth_area$ropes) * 3600
   }
-  if ("wing_end_spread_m" %in% names(own)) {
-    found[["swept_area_km2_per_h"]] <- own[["wing_end_spread_m"]] * speed * 3600 / 1e6
+  if (identical(state$si$measures$wing_end_spread$kind, "spread")) {
+    found[["swept_area_km2_per_h"]] <-
+      swept_area(state, state$si$measures$wing_end_spread$pairs) * 3600 / 1e6
   }
   found
 }
 
-# Speed (m/s, along x) of the water past the gear at a depth (m).
-water_speed <- function(state, depth) {
+# Water (m3/s) that flows horizontally through ropes, end to end, as they move.
+filtered_volume <- function(state, ropes) {
+  node <- unique(unlist(lapply(ropes, function(rope) state$lattice$ropes[[rope]]$node)))
+  outline <- rope_outline(state, ropes)
+  past <- water_velocity(state, -mean(outline[3, ])) -
+    rowMeans(state$velocity[1:2, node, drop = FALSE])
+  abs(sum(outline_area(outline) * past))
+}
+
+# Velocity (m/s, along x and y) of the water past the vessel at a depth (m).
+water_velocity <- function(state, depth) {
   water <- state$lattice$engine$water
-  if (length(water$depth) == 1L) return(water$x)
-  stats::approx(water$depth, water$x, depth, rule = 2)$y
+  if (length(water$depth) == 1L) return(c(water$x, water$y))
+  vapply(water[c("x", "y")], function(speed) {
+    stats::approx(water$depth, speed, depth, rule = 2)$y
+  }, 0, USE.NAMES = FALSE)
+}
+
+# Ground (m2/s) that the straight line between two places passes over, the mean over pairs.
+swept_area <- function(state, pairs) {
+  # the vessel goes towards -x
+  over_ground <- state$velocity - c(state$si$towing$speed, 0, 0)
+  mean(vapply(pairs, function(pair) {
+    across <- apart(state, pair)
+    ends <- vapply(pair, state$lattice$place, 0L)
+    v <- rowMeans(over_ground[, ends])
+    abs(across[1] * v[2] - across[2] * v[1])
+  }, 0))
 }
 
 tension_measures <- function(state) {
@@ -148,7 +192,7 @@ depth_measures <- function(state) {
 
 # Units of measures as their names spell them, longest first, with the units as printed.
 measure_suffixes <- c(
-  km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
+  m_per_s = "m/s", km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
   m2 = "m2", m3 = "m3", meshes = "meshes", m = "m", N = "N"
 )
 

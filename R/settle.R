@@ -40,19 +40,24 @@
 #' summary(state)
 #' @export
 settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
-  started <- cpu_clock()
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
+  settle_gear(gear, nodes, netting, from, settle_iterations)
+}
+
+# steps: of the solver from a crude start, at most.
+settle_gear <- function(gear, nodes, netting, from, steps) {
+  started <- cpu_clock()
   si <- gear_si(gear)
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress), settle_iterations, progress
+      si, nodes, netting, coarse_shape(si, nodes, netting, progress), steps, progress
     )
   }
   report <- found$report

@@ -39,8 +39,8 @@ tow_plan <- function(si, lattice, given, until) {
   list(
     plan = list(
       track = c(towed, track, list(course = course, heave = heave)),
-      parts = parts, current_x = current$x, current_y = current$y,
-      partings = partings
+      shooting = shooting_times(si, lattice), parts = parts, current_x = current$x,
+      current_y = current$y, partings = partings
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
@@ -66,10 +66,10 @@ moved_nodes <- function(si, lattice, moved) {
   list(node = as.integer(node), place = as.double(place))
 }
 
-# Ropes that a winch holds: those of role warp.
+# Ropes that a winch holds: those of role warp or purse_wire.
 warp_ropes <- function(si) {
   role <- vapply(si$ropes, `[[`, "", "role")
-  names(role)[!is.na(role) & role == "warp"]
+  names(role)[role %in% c("warp", "purse_wire")]
 }
 
 # Length paid out of each warp that the schedule names, as curves (m) by rope.
@@ -162,17 +162,22 @@ warp_part <- function(si, lattice, rope, curve, given) {
       rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
       drag_area = numeric(), added_mass = numeric()
     ),
-    own_volumes(lattice, points, full$diameter,
-      gear_gravity * si$water$density * sums(half * full$volume_per_length))
+    own_volumes(lattice, ends, surface_height(full$diameter, rep(rest, each = 2L)),
+      gear_gravity * si$water$density * half * full$volume_per_length)
   )
 }
 
-# Where a part's buoyancy (N, per point, of bodies of a height) is among the lattice's volumes at a
-# free surface; nowhere in a lattice that knows none.
-own_volumes <- function(lattice, points, height, buoyancy) {
+# Where a part's buoyancy (N, of bodies that leave the water over these heights at these points) is
+# among the lattice's volumes at a free surface; nowhere in a lattice that knows none.
+own_volumes <- function(lattice, point, height, buoyancy) {
   known <- lattice$engine$volumes
-  at <- match(paste(points, height), paste(known$node, known$height))
-  list(volumes = at[!is.na(at)], buoyancy = buoyancy[!is.na(at)])
+  at <- match(paste(point, height), paste(known$node, known$height))
+  volumes <- unique(at[!is.na(at)])
+  own <- buoyancy[!is.na(at)]
+  list(
+    volumes = volumes,
+    buoyancy = as.double(rowsum(own, match(at[!is.na(at)], volumes), reorder = TRUE))
+  )
 }
 
 # Rows of the parts that are catch.

@@ -4,6 +4,7 @@
 settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
+  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
   what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
   now <- conditions_at(what, 0)
   first <- si_at(what, now)
@@ -95,7 +96,7 @@ add_start <- function(what, position, velocity) {
   frame <- list(
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
-    report = NULL
+    straight_tension = found$straight_tension[has_straight_bars(what$lattice)], report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

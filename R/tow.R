@@ -12,9 +12,17 @@
 #' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
 #' `time` and `value` (straight between its rows, the last value for good; two rows of one time
 #' make a jump) or a function of time in s that gives SI (taken every 0.1 s and smooth between). A
-#' gear that is not yet a state settles first, in the conditions of time 0. What is not given here
-#' is taken from the plan's section `tow`, which has fields of the same names and lists of `time`
-#' and `value` for tables.
+#' gear that is not yet a state settles first, in the conditions of time 0, and what is not given here
+#' is taken from its plan's section `tow`, which has fields of the same names and lists of `time` and
+#' `value` for tables. A state goes on as it is but for what is given here: of its plan's section
+#' `tow`, which may begin elsewhere, only `scheme` and `accuracy` count.
+#' `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots the shipped trawl's
+#' warps, tows it, turns by 90 degrees and hauls it back.
+#'
+#' A gear whose plan has a section `shooting` is not settled first: at time 0 it lies bunched within
+#' half a metre below the surface, along the arc that the vessel runs while it shoots, and every part
+#' of it waits there until the vessel has passed. A net is then where it would be when it leaves the
+#' vessel, but what is not yet shot lies on the water instead of on deck.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
@@ -31,8 +39,8 @@
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
 #' @param speed Towing speed, m/s; the plan's when `NULL`.
 #' @param course Course to starboard of that at the start, rad; it starts at 0.
-#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp`, or a list of
-#'   them by rope or by `port` and `starboard`. At least 1 m.
+#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp` or `purse_wire`,
+#'   or a list of them by rope or by `port` and `starboard`. At least 1 m.
 #' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
 #'   faster, and pay out where their tension at the vessel exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that
@@ -75,8 +83,10 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   if (is.character(gear)) gear <- read_gear(gear)
   planned <- if (going_on) {
     c(gear["every"], scheme = gear$method$scheme, accuracy = positive_or_null(gear$method$accuracy))
+  } else if (inherits(gear, "codend_state")) {
+    plan_tow(gear$gear)[c("scheme", "accuracy")]
   } else {
-    plan_tow(if (inherits(gear, "codend_state")) gear$gear else checked_gear(gear))
+    plan_tow(checked_gear(gear))
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- list(

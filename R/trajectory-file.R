@@ -15,7 +15,8 @@
 #' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`,
 #' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
 #' `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension` (N,
-#' of one twine); per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
+#' of one twine), and `straight_tension` per triangle of hexagonal meshes, which are those that
+#' `hexagonal_triangle` numbers; per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
 #' `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
 #' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
 #' gear's plan as text. Read only times at which `complete` is 1.
@@ -72,7 +73,7 @@ read_trajectory <- function(file) {
   gather_trajectory(what, read_frames(get, n), end)
 }
 
-trajectory_file_version <- 1L
+trajectory_file_version <- 2L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck")
@@ -88,12 +89,12 @@ node_variables <- rbind(
 )
 
 other_variables <- data.frame(
-  name = c("bar_tension", "u_tension", "v_tension", "winch_length", "parted"),
-  across = c("bar", "triangle", "triangle", "growing_part", "parting"),
-  unit = c("N", "N", "N", "m", "1"),
+  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "winch_length", "parted"),
+  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "growing_part", "parting"),
+  unit = c("N", "N", "N", "N", "m", "1"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
-    "length that a winch has paid out", "bar that has parted, 0 for none"
+    "tension of one straight bar", "length that a winch has paid out", "bar that has parted, 0 for none"
   )
 )
 
@@ -162,6 +163,7 @@ define_trajectory <- function(nc, what, frame) {
   names <- enc2utf8(lattice$parts$name)
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
+    hexagonal_triangle = length(frame$straight_tension),
     part = length(names), growing_part = length(frame$done$length),
     parting = length(frame$done$parted), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
@@ -182,6 +184,8 @@ define_trajectory <- function(nc, what, frame) {
   define("triangle_node", "NC_INT", c("corner", "triangle"),
     words = "nodes at a triangle's corners, from 1")
   define("triangle_part", "NC_INT", "triangle", words = "part that a triangle belongs to, from 1")
+  define("hexagonal_triangle", "NC_INT", "hexagonal_triangle",
+    words = "triangles of hexagonal meshes, from 1")
   define("part_name", "NC_CHAR", c("letter", "part"), words = "name of a part in the plan")
   define_resume(define)
   text <- function(variable, name, value) {
@@ -202,6 +206,7 @@ define_trajectory <- function(nc, what, frame) {
   put(nc, "bar_part", lattice$bar_part)
   put(nc, "triangle_node", matrix(engine$triangles$node, 3L))
   put(nc, "triangle_part", lattice$triangle_part)
+  put(nc, "hexagonal_triangle", which(has_straight_bars(lattice)))
   put(nc, "part_name", names)
   put(nc, "r_objects", objects)
 }
@@ -337,7 +342,7 @@ read_frames <- function(get, n) {
     list(
       now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
       bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
-      v_tension = other$v_tension[, k],
+      v_tension = other$v_tension[, k], straight_tension = other$straight_tension[, k],
       done = list(length = other$winch_length[, k], parted = other$parted[, k])
     )
   })
@@ -394,7 +399,7 @@ check_trajectory_path <- function(file) {
 check_netcdf <- function() {
   if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
   cli::cli_abort(
-    "Trajectories in files take the package {.pkg RNetCDF}, which is not installed.",
+    "NetCDF files take the package {.pkg RNetCDF}, which is not installed.",
     class = c("codend_error_package", "codend_error"), call = NULL
   )
 }

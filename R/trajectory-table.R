@@ -6,7 +6,8 @@
 #' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy,
 #' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
-#'   line), `u_tension` and `v_tension` (netting triangles x n);
+#'   line), `u_tension` and `v_tension` (netting triangles x n) and `straight_tension` (triangles of
+#'   hexagonal meshes x n, of their straight bars);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
 #'   (m/s), `course` (rad) and `heave` (m), and the length of each warp that the schedule moves (m);
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
@@ -67,13 +68,20 @@ condition_units <- function(conditions) {
   setNames(out, c(known, parts))
 }
 
+# Which triangles of a lattice are of hexagonal meshes.
+has_straight_bars <- function(lattice) lattice$engine$triangles$straight > 0
+
 # Largest and mean tension of every rope and panel at one of the kept times.
 part_tensions <- function(trajectory, k) {
   lattice <- trajectory$lattice
   parts <- lattice$parts
-  of <- c(lattice$bar_part, lattice$triangle_part, lattice$triangle_part)
+  of <- c(
+    lattice$bar_part, lattice$triangle_part, lattice$triangle_part,
+    lattice$triangle_part[has_straight_bars(lattice)]
+  )
   tension <- c(
-    trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k]
+    trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k],
+    trajectory$straight_tension[, k]
   )
   here <- sort(unique(of))
   group <- factor(of, levels = here)

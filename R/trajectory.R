@@ -21,6 +21,7 @@ gather_trajectory <- function(what, frames, end) {
     bar_tension = each(function(f) f$bar_tension),
     u_tension = each(function(f) f$u_tension),
     v_tension = each(function(f) f$v_tension),
+    straight_tension = each(function(f) f$straight_tension),
     winch_length = each(function(f) f$done$length),
     parted = each(function(f) f$done$parted),
     end = end, report = last$report,
@@ -119,6 +120,7 @@ trajectory_frames <- function(trajectory) {
     frame <- list(
       now = now, bar_tension = trajectory$bar_tension[, k],
       u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
+      straight_tension = trajectory$straight_tension[, k],
       done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
     )
     if (k == count) {

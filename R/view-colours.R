@@ -68,3 +68,15 @@ colour_numbers <- function(scale, tension) {
 }
 
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)
+
+# Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE L*, so
+# grey prints differ) or 24 in colour (CIE Lab) with normal sight, deuteranopia, protanopia or
+# tritanopia, and the lightest stands out from white by 2.7 to 1. Beyond five they begin anew.
+series_palette <- c("#1E2500", "#71056D", "#006F50", "#AB7000", "#00AAD8")
+
+series_colours <- function(n) {
+  most <- length(series_palette)
+  if (n <= 1L) return(series_palette[3L][seq_len(n)])
+  if (n <= most) return(series_palette[round(seq(1, most, length.out = n))])
+  rep_len(series_palette, n)
+}

@@ -100,7 +100,8 @@ void read_triangles(const list& from, codend::Model& model) {
                          material = places(from, "material");
   const std::vector<double> twine = numbers(from, "twine"), rest = numbers(from, "rest"),
                             straight = numbers(from, "straight"),
-                            multiplicity = numbers(from, "multiplicity");
+                            multiplicity = numbers(from, "multiplicity"),
+                            height = numbers(from, "height");
   auto copy = [](const auto& values, std::size_t width, std::size_t element, auto& to) {
     const auto begin = values.begin() + static_cast<std::ptrdiff_t>(width * element);
     to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
@@ -115,6 +116,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.oblique.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     } else {
       codend::NettingTriangles& to = model.triangles;
       copy(node, 3, e, to.node);
@@ -122,6 +124,7 @@ void read_triangles(const list& from, codend::Model& model) {
       to.rest.push_back(rest[e]);
       to.multiplicity.push_back(multiplicity[e]);
       to.material.push_back(material[e]);
+      to.height.push_back(height[e]);
     }
   }
 }
@@ -190,6 +193,17 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
   }
 }
 
+// A list of ropes that slide, each a list of its bars and its stiffness.
+void read_sliding(const list& from, std::vector<codend::SlidingRope>& ropes) {
+  for (const SEXP item : from) {
+    const list one(item);
+    codend::SlidingRope rope;
+    rope.bar = places(one, "bar");
+    rope.axial_stiffness = number(one, "axial_stiffness");
+    ropes.push_back(rope);
+  }
+}
+
 // Of every triangle the length of its straight bars, 0 of a plain one.
 doubles straight_bars(const list& lattice) {
   const list triangles(lattice["triangles"]);
@@ -200,6 +214,12 @@ doubles straight_bars(const list& lattice) {
 doubles family_in_order(const doubles& straight, const std::vector<double>& plain,
                         const std::vector<double>& hexagonal, std::size_t which) {
   return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
+}
+
+// Of the straight bars of hexagonal triangles.
+doubles straight_tension(const codend::Evaluation& e) {
+  const auto first = e.hexagon_tension.begin();
+  return as_doubles({first, first + static_cast<std::ptrdiff_t>(e.hexagon_tension.size() / 3)});
 }
 
 // Copies every array once. The caller connects the model where it comes to lie.
@@ -238,6 +258,7 @@ codend::Model read_model(const list& lattice) {
   model.bars.rest = numbers(bars, "rest");
   model.bars.multiplicity = numbers(bars, "multiplicity");
   model.bars.material = places(bars, "material");
+  model.bars.height = numbers(bars, "height");
 
   read_triangles(lattice["triangles"], model);
 
@@ -271,6 +292,7 @@ codend::Model read_model(const list& lattice) {
   model.screens.law = whole_numbers(screens, "law");
   model.wake = numbers(lattice, "wake");
   read_boards(lattice["boards"], model.boards);
+  read_sliding(lattice["sliding"], model.sliding);
   if (!Rf_isNull(lattice["ground"])) {
     model.contacts.ground = model.boards.ground = read_ground(lattice["ground"]);
   }
@@ -284,6 +306,7 @@ codend::Model read_model(const list& lattice) {
   model.drag_screens.node = places(drag_screens, "node");
   model.drag_screens.twine_area = numbers(drag_screens, "twine_area");
   model.drag_screens.diameter = numbers(drag_screens, "diameter");
+  model.drag_screens.height = numbers(drag_screens, "height");
   model.drag_screens.multiplicity = numbers(drag_screens, "multiplicity");
   model.drag_screens.law = whole_numbers(drag_screens, "law");
 
@@ -291,6 +314,7 @@ codend::Model read_model(const list& lattice) {
   model.blended.node = places(blended, "node");
   model.blended.twine = numbers(blended, "twine");
   model.blended.rest = numbers(blended, "rest");
+  model.blended.height = numbers(blended, "height");
   model.blended.multiplicity = numbers(blended, "multiplicity");
   model.blended.material = places(blended, "material");
   model.blended.materials = read_materials(blended["materials"]);
@@ -302,6 +326,10 @@ codend::Model read_model(const list& lattice) {
   model.openings.couple = numbers(openings, "couple");
   model.openings.angle = numbers(openings, "angle");
   model.openings.multiplicity = numbers(openings, "multiplicity");
+
+  const list bends(lattice["bends"]);
+  model.bends.node = places(bends, "node");
+  model.bends.couple = numbers(bends, "couple");
   return model;
 }
 
@@ -361,6 +389,9 @@ codend::Plan read_plan(const list& from) {
   plan.track.y = read_curve(list(track["y"]));
   plan.track.heave = read_curve(list(track["heave"]));
   plan.track.course = read_curve(list(track["course"]));
+  const list shooting(from["shooting"]);
+  plan.shooting.node = places(shooting, "node");
+  plan.shooting.time = numbers(shooting, "time");
   for (const list part : list(from["parts"])) {
     codend::GrowingPart p;
     p.has_winch = !Rf_isNull(part["winch"]);
@@ -634,6 +665,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "bar_tension"_nm = as_doubles(e.bar_tension),
         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
+        "straight_tension"_nm = straight_tension(e),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);

@@ -29,9 +29,11 @@ class Random {
 };
 
 struct Ingredients {
-  int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0, lifts_up = 0, lifts_sideways = 0;
-  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0;
+  int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0;
+  int lifts_up = 0, lifts_sideways = 0;
+  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
   int boards = 0, contacts = 0, volumes = 0;
+  int sliding = 0;               // ropes that slide through four points
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -78,8 +80,9 @@ class Specimen {
     material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
     material.added_mass_tangential = 0.15;
     material.law = wanted.law;
-    model.materials = {material, material};
+    model.materials = {material, material, material};
     model.materials[1].strut = true;
+    model.materials[2].axial_stiffness = 0.0;
     model.water.free_surface = wanted.free_surface;
     ground();
     fill(random, wanted);
@@ -162,8 +165,25 @@ class Specimen {
       model.bars.multiplicity.push_back(random.between(0.5, 4.0));
     }
     model.bars.rest.assign(wanted.bars, 1.0);
+    model.bars.height.assign(wanted.bars, 1.5);
     for (int b = 0; b < wanted.bars; ++b) {
       model.bars.material.push_back(wanted.struts && b % 2 ? 1 : 0);
+    }
+    for (int r = 0; r < wanted.sliding; ++r) {
+      std::vector<int> chain;
+      points(random, 4, chain);
+      SlidingRope rope;
+      rope.axial_stiffness = wanted.axial_stiffness;
+      rope.bend = 0.3;
+      for (int k = 0; k < 3; ++k) {
+        rope.bar.push_back(model.bars.count());
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k)]);
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k) + 1]);
+        model.bars.rest.push_back(1.0);
+        model.bars.multiplicity.push_back(1.0);
+        model.bars.material.push_back(2);
+      }
+      model.sliding.push_back(rope);
     }
     for (int e = 0; e < wanted.triangles; ++e) {
       points(random, 3, model.triangles.node);
@@ -172,6 +192,7 @@ class Specimen {
     }
     model.triangles.rest.assign(wanted.triangles, 1.0);
     model.triangles.material.assign(wanted.triangles, 0);
+    model.triangles.height.assign(wanted.triangles, 1.5);
     for (int s = 0; s < wanted.bodies + wanted.knots + wanted.smooth_spheres; ++s) {
       const bool smooth = s >= wanted.bodies + wanted.knots;
       points(random, 1, model.spheres.node);
@@ -224,6 +245,7 @@ class Specimen {
     model.hexagons.straight.assign(wanted.hexagons, 1.0);
     model.hexagons.oblique.assign(wanted.hexagons, 1.0);
     model.hexagons.material.assign(wanted.hexagons, 0);
+    model.hexagons.height.assign(wanted.hexagons, 1.5);
     for (int e = 0; e < wanted.pressed; ++e) {
       points(random, 3, model.pressure.node);
       for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
@@ -233,6 +255,7 @@ class Specimen {
       // solidities from some 0.01 to beyond the laws' range
       model.drag_screens.twine_area.push_back(random.between(0.01, 0.5));
       model.drag_screens.diameter.push_back(wanted.diameter);
+      model.drag_screens.height.push_back(1.5);
       model.drag_screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
       model.drag_screens.law.push_back(wanted.screen_law);
     }
@@ -244,6 +267,7 @@ class Specimen {
       model.blended.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
     model.blended.material.assign(wanted.blended, 0);
+    model.blended.height.assign(wanted.blended, 1.5);
     model.blended.materials = model.materials;
     model.blended.slack = wanted.slack;
     for (int e = 0; e < wanted.openings; ++e) {
@@ -252,6 +276,10 @@ class Specimen {
       model.openings.couple.push_back(random.between(0.1, 2.0));
       model.openings.angle.push_back(random.between(0.0, 3.1));
       model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    for (int e = 0; e < wanted.bends; ++e) {
+      points(random, 3, model.bends.node);
+      model.bends.couple.push_back(random.between(0.1, 2.0));
     }
   }
 
@@ -271,6 +299,14 @@ class Specimen {
       }
     };
     for (int b = 0; b < model.bars.count(); ++b) model.bars.rest[b] = clear({1.0 + strain[b]});
+    // Three ropes of four taut, by a tenth or so.
+    for (std::size_t r = 0; r < model.sliding.size(); ++r) {
+      const SlidingRope& rope = model.sliding[r];
+      double length = 0.0;
+      for (const int b : rope.bar) length += std::hypot(1.0 + strain[b], rope.bend);
+      const double rest = length * (r % 4 == 3 ? 1.1 : random.between(0.85, 0.95));
+      for (const int b : rope.bar) model.bars.rest[b] = rest / 3.0;
+    }
     for (int e = 0; e < model.triangles.count(); ++e) {
       const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
       model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});

@@ -26,7 +26,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   NettingScreens screens;
   screens.node = {0, 1, 2, 0, 2, 3};
   screens.twine_area = {0.5 * solidity, 0.5 * solidity};
-  screens.diameter = {diameter, diameter};
+  screens.diameter = screens.height = {diameter, diameter};
   screens.multiplicity = {1.0, 1.0};
   screens.law = {law, law};
   const Field field{x, v, &water};

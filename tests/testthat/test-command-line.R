@@ -135,3 +135,20 @@ test_that("settle writes pictures and tables", {
   )
   expect_match(paste(ran$out, collapse = "\n"), "Measures")
 })
+
+test_that("tow writes tables, a plot, a page that plays and what to go on from", {
+  out <- file.path(tempfile(), "deep")
+  on.exit(unlink(dirname(out), recursive = TRUE))
+  ran <- command("tow", "towed_cable", "--nodes", "20", "--until", "20 s", "--every", "10 s",
+    "--out", out)
+  expect_identical(ran$status, 0L)
+  expect_match(paste(ran$out, collapse = "\n"), "20 s, 3 states")
+  wanted <- c("measures.csv", "conditions.csv", "tensions.csv", "measures.png", "view.html")
+  has_netcdf <- requireNamespace("RNetCDF", quietly = TRUE)
+  expect_setequal(
+    list.files(out, all.files = TRUE, no.. = TRUE), c(wanted, if (has_netcdf) "trajectory.nc")
+  )
+  expect_identical(unique(utils::read.csv(file.path(out, "measures.csv"))$time_s), c(0L, 10L, 20L))
+  skip_if_not(has_netcdf)
+  expect_identical(read_trajectory(file.path(out, "trajectory.nc"))$time, c(0, 10, 20))
+})

@@ -29,8 +29,8 @@ test_that("drag fades with what is in the water", {
     state <- settle(gear("a bar",
       a = point(position = c(0, 0, height), held = "fixed"),
       b = point(position = c(0, 1, height), held = "fixed"),
-      bar = rope("a", "b", length = "1 m", diameter = "20 mm", axial_stiffness = "1 MN",
-        mass_per_length = "0.3 kg/m", segments = 1),
+      bar = rope("a", "b", length = "1 m", diameter = "60 mm", axial_stiffness = "1 MN",
+        mass_per_length = "3 kg/m", segments = 1),
       water = list(free_surface = free, current = list(speed = "1 m/s", toward = "0 deg"))
     ))
     state$bar_drag[1, 1]
@@ -38,7 +38,28 @@ test_that("drag fades with what is in the water", {
   deep <- rope_at(-1, FALSE)
   expect_identical(rope_at(-1, TRUE), deep)
   expect_equal(rope_at(0, TRUE), deep / 2, tolerance = 1e-12)
-  expect_equal(rope_at(0.02, TRUE), 0)
+  expect_equal(rope_at(0.03, TRUE), 0)
+})
+
+test_that("a line leaves the water over a twentieth of its bars' length, or its diameter", {
+  lattice <- function(segments) {
+    build_lattice(gear_si(gear("a line",
+      a = point(position = c(0, 0, 0), held = "fixed"), b = point(),
+      line = rope("a", "b", length = "10 m", diameter = "60 mm", material = "PA",
+        segments = segments),
+      water = list(free_surface = TRUE)
+    )))$engine
+  }
+  expect_equal(lattice(5)$bars$height, rep(0.1, 5))
+  expect_equal(lattice(5)$volumes$height, rep(0.1, 6))
+  expect_equal(lattice(50)$bars$height, rep(0.06, 50))
+})
+
+test_that("a trawl with little warp out swims at the surface", {
+  trawl <- update(read_gear("midwater_trawl"), warps.length = "50 m", water.free_surface = TRUE)
+  state <- settle(trawl, nodes = 500)
+  # the canvas, which holds the head line up, leaves the water over 0.42 m
+  expect_lt(abs(measures(state)[["headline_depth_m"]]), 0.42 / 2)
 })
 
 test_that("a free surface far above changes nothing", {

@@ -11,32 +11,34 @@ drawn_state <- function(position, ropes = list(), measures = list()) {
 }
 
 test_that("spread, height, length and depth are differences of coordinates", {
-  state <- drawn_state(cbind(c(0, -10, -50), c(3, 14, -62), c(0, -8, -5), c(0, 8, -5)))
-  expect_equal(measure_spread(state, list(pairs = list(list("p1", "p2")))), 24)
+  state <- drawn_state(cbind(c(0, -10, -50), c(7, 14, -62), c(0, -8, -5), c(0, 8, -5)))
+  expect_equal(measure_spread(state, list(pairs = list(list("p1", "p2")))), 25)
   expect_equal(
-    measure_spread(state, list(pairs = list(list("p1", "p2"), list("p4", "p3")))), (24 + 16) / 2
+    measure_spread(state, list(pairs = list(list("p1", "p2"), list("p4", "p3")))), (25 + 16) / 2
   )
   expect_equal(measure_height(state, list(pairs = list(list("p1", "p2")))), 12)
   expect_equal(measure_height(state, list(pairs = list(list("p2", "p1")))), -12)
   expect_equal(
-    measure_length(state, list(pairs = list(list("p1", "p2")))), sqrt(3^2 + 24^2 + 12^2)
+    measure_length(state, list(pairs = list(list("p1", "p2")))), sqrt(7^2 + 24^2 + 12^2)
   )
   expect_equal(measure_depth(state, list(place = "p2")), 62)
 })
 
 test_that("ropes in any order and direction enclose the area of their polygon", {
-  # a house: square of 4 m with a roof of 2 m, 16 + 4 m2, at uneven x
+  # a house: square of 4 m with a roof of 2 m, 16 + 4 m2, leaning aft, ahead and on another course
   y <- c(0, 4, 4, 2, 0)
   z <- c(0, 0, 4, 6, 4)
-  state <- drawn_state(rbind(c(1, 7, 3, 9, 2), y, z), list(
-    floor = c(1L, 2L), right = c(3L, 2L), roof = c(3L, 4L, 5L), left = c(5L, 1L)
-  ))
   orders <- list(
     c("floor", "right", "roof", "left"), c("roof", "floor", "left", "right"),
     c("left", "roof", "right", "floor")
   )
-  for (ropes in orders) {
-    expect_equal(measure_area(state, list(ropes = ropes)), 20)
+  for (course in c(0, 0.3, pi / 2)) {
+    state <- drawn_state(to_vessel(course) %*% rbind(0.4 * z, y, z), list(
+      floor = c(1L, 2L), right = c(3L, 2L), roof = c(3L, 4L, 5L), left = c(5L, 1L)
+    ))
+    for (ropes in orders) {
+      expect_equal(measure_area(state, list(ropes = ropes)), 20)
+    }
   }
 })
 

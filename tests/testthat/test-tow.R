@@ -153,6 +153,26 @@ test_that("a tow gives the same bytes again, and when it goes on from its middle
   }
 })
 
+test_that("the shipped trawl is shot from the surface as its plan says", {
+  found <- tow("midwater_trawl", until = 90, every = 45, nodes = 300)
+  expect_equal(found$conditions$warp_port, c(50, 50, 140))
+  expect_equal(found$conditions$speed / 0.514444, c(4.5, 7, 7), tolerance = 1e-5)
+  start <- settle(update(read_gear("midwater_trawl"), warps.length = 50), nodes = 300)
+  # 1e-8 of the largest tension apart; the net lies slack at the surface
+  expect_equal(measures(state_at(found, 0)), measures(start), tolerance = 1e-4)
+  sinking <- vapply(found$time, function(t) measures(state_at(found, t))[["door_depth_m"]], 0)
+  expect_gt(sinking[3], 2 * sinking[2])
+})
+
+test_that("a state goes on as it is, whatever schedule its plan has for the gear", {
+  gear <- short_cable(until = 40, every = 5, warp_out = list(list(time = 0, value = 30),
+    list(time = 20, value = 60)), speed = 3)
+  found <- tow(settle(gear), until = 10, every = 10)
+  expect_equal(found$conditions$speed, c(2, 2))
+  expect_equal(measures(state_at(found, 10)), measures(settle(gear)), tolerance = 1e-6)
+  expect_error(tow(settle(gear)), "`until`", class = "codend_error_argument")
+})
+
 test_that("wrong arguments are named", {
   gear <- short_cable()
   wrong <- function(message, ...) {

@@ -45,6 +45,24 @@ test_that("a trajectory that is read is the one that was written", {
   expect_gt(length(netting$u_tension), 0)
   write_trajectory(netting, file)
   expect_identical(known(read_trajectory(file)), known(netting))
+  expect_identical(nrow(netting$straight_tension), 0L)
+})
+
+test_that("a trajectory knows the straight bars of hexagonal netting, in its file too", {
+  plan <- panel_in_current_plan
+  plan$panels$net[c("orientation", "straight_bar", "netting")] <-
+    list("hexagonal", 0.02, "triangles")
+  trajectory <- tow(as_gear(plan), until = 0.2, every = 0.1, nodes = 100)
+  state <- state_at(trajectory, 0.2)
+  # recomputed from places and velocities that are turned into the vessel's axes and back
+  expect_equal(trajectory$straight_tension[, 3], state$straight_tension, tolerance = 1e-8)
+  expect_gt(max(trajectory$straight_tension), 0)
+  tensions <- as.data.frame(trajectory, what = "tensions")
+  held <- c(trajectory$u_tension[, 1], trajectory$v_tension[, 1], trajectory$straight_tension[, 1])
+  expect_equal(tensions$mean_kN[tensions$part == "net"][1], mean(held) / 1000)
+  file <- file.path(test_folder(), "tow.nc")
+  write_trajectory(trajectory, file)
+  expect_identical(known(read_trajectory(file)), known(trajectory))
 })
 
 test_that("a tow goes on from a file as if it had never stopped", {
@@ -76,33 +94,64 @@ test_that("a file says in plain NetCDF what the trajectory holds", {
   expect_identical(read_gear(plan)$plan, trajectory$gear$plan)
 })
 
-test_that("a run that is killed leaves what it had kept, and a tow goes on from there", {
-  folder <- test_folder()
-  file <- file.path(folder, "tow.nc")
-  # pays out slowly; kills its own process between the states of 15 and 20 s where it is told to
+# Pays out slowly, and sends its own process a signal between the states of 15 and 20 s where it is
+# told to.
+steered <- function(plan, file) {
   control <- function(measures, time) {
-    if (time > 17 && nzchar(Sys.getenv("CODEND_TEST_DIES"))) tools::pskill(Sys.getpid(), 9)
+    signal <- Sys.getenv("CODEND_TEST_SIGNAL")
+    if (time > 17 && nzchar(signal)) tools::pskill(Sys.getpid(), as.integer(signal))
     0.1
   }
-  environment(control) <- globalenv()
-  steered <- function(plan, control, file) {
-    codend::tow(plan, until = 30, every = 5, control = control, control_every = 6, file = file)
-  }
-  environment(steered) <- globalenv()
-  # killed before the state of 20 s
-  plan <- write_gear(as_gear(hauled_plan), file.path(folder, "plan.yaml"))
-  saveRDS(list(steered, plan, control, file), file.path(folder, "run.rds"))
+  codend::tow(plan, until = 30, every = 5, control = control, control_every = 6, file = file)
+}
+environment(steered) <- globalenv()
+
+# Runs it in a process of its own; returns list(status, end = how its trajectory ended).
+signalled <- function(plan, folder, file, signal) {
+  saveRDS(steered, file.path(folder, "run.rds"))
   script <- file.path(folder, "run.R")
-  writeLines(sprintf("run <- readRDS(%s); run[[1]](run[[2]], run[[3]], run[[4]])",
-    deparse(file.path(folder, "run.rds"))), script)
+  path <- function(name) deparse(file.path(folder, name))
+  writeLines(c(
+    sprintf("found <- readRDS(%s)(%s, %s)", path("run.rds"), deparse(plan), deparse(file)),
+    sprintf("writeLines(found$end, %s)", path("end.txt"))
+  ), script)
   libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
   status <- system2(file.path(R.home("bin"), "Rscript"), shQuote(script), stdout = FALSE,
-    stderr = FALSE, env = c("CODEND_TEST_DIES=yes", paste0("R_LIBS=", shQuote(libraries))))
-  expect_false(status == 0)
+    stderr = FALSE,
+    env = c(paste0("CODEND_TEST_SIGNAL=", signal), paste0("R_LIBS=", shQuote(libraries))))
+  end <- file.path(folder, "end.txt")
+  list(status = status, end = if (file.exists(end)) readLines(end))
+}
+
+test_that("a run that is interrupted gives what was done, and a tow goes on from its file", {
+  skip_on_os("windows")
+  folder <- test_folder()
+  file <- file.path(folder, "tow.nc")
+  plan <- write_gear(as_gear(hauled_plan), file.path(folder, "plan.yaml"))
+  expect_identical(
+    signalled(plan, folder, file, tools::SIGINT), list(status = 0L, end = "interrupted")
+  )
   found <- read_trajectory(file)
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
-  whole <- steered(plan, control, NULL)
+  whole <- steered(plan, NULL)
+  on <- tow(found, until = 30, control_every = 6, file = file)
+  same <- setdiff(names(whole), c("report", "given"))
+  expect_identical(known(on)[same], known(whole)[same])
+  expect_identical(known(read_trajectory(file))[same], known(whole)[same])
+})
+
+test_that("a run that is killed leaves what it had kept, and a tow goes on from there", {
+  folder <- test_folder()
+  file <- file.path(folder, "tow.nc")
+  plan <- write_gear(as_gear(hauled_plan), file.path(folder, "plan.yaml"))
+  ran <- signalled(plan, folder, file, tools::SIGKILL)
+  expect_false(ran$status == 0)
+  expect_null(ran$end)
+  found <- read_trajectory(file)
+  expect_identical(found$end, "interrupted")
+  expect_identical(found$time, c(0, 5, 10, 15))
+  whole <- steered(plan, NULL)
   expect_identical(tow(found, until = 30, control_every = 6)$position, whole$position)
 
   # a record that was being written: its numbers are there, and its mark is not

@@ -25,7 +25,8 @@ test_that("supports carry the sum of all external forces", {
     state <- do.call(quick, case)
     e <- state$lattice$engine
     external <- rowSums(matrix(e$load, 3L)) + rowSums(state$bar_drag) +
-      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force)
+      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force) +
+      rowSums(state$contact_force)
     reactions <- -rowSums(state$force[, e$held, drop = FALSE])
     # every free node may keep 1e-8 of the largest tension, at random signs
     left <- 1e-8 * state$report$largest_tension * sqrt(e$nodes)

@@ -15,6 +15,7 @@ class Bars {
   std::vector<double> rest;          // unstretched length, m
   std::vector<double> multiplicity;  // lines in parallel
   std::vector<int> material;         // index into materials
+  std::vector<double> height;        // over which it leaves the water, m; where there is a surface
   const std::vector<TwineMaterial>* materials = nullptr;
 
   int count() const { return static_cast<int>(rest.size()); }

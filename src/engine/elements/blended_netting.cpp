@@ -31,7 +31,7 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
   const Water& water = *field.water;
   const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
   Blended out;
-  out.flow = screen_flow(field, &node[3 * i], m.diameter);
+  out.flow = screen_flow(field, &node[3 * i], height[i]);
   const Vector& u = out.flow.u;
   const double* c = &twine[6 * i];
   const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
@@ -109,7 +109,7 @@ void BlendedNetting::add_drag_scale(const Field& field, double* scale) const {
     const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
     // As of screens, about a coefficient of 1.2 on the twine's area.
     const double whole = 1.2 * field.water->density * bars(e) * rest[i] * m.diameter *
-                         screen_flow(field, &node[3 * i], m.diameter).u.norm();
+                         screen_flow(field, &node[3 * i], height[i]).u.norm();
     for (int k = 0; k < 3; ++k) scale[node[3 * i + k]] += whole / 3.0;
   }
 }

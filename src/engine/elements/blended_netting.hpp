@@ -24,6 +24,7 @@ class BlendedNetting : public ElementKind {
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
+  std::vector<double> height;        // over which it leaves the water, m
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
 

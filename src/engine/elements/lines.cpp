@@ -133,12 +133,12 @@ void Lines::set_velocity(std::size_t line, const Vector& moving, double z, doubl
 void Lines::set_flow(const Field& field) {
   const std::size_t bars = static_cast<std::size_t>(bars_.count());
   for (std::size_t b = 0; b < bars; ++b) {
-    const double height = (*bars_.materials)[bars_.material[b]].diameter;
+    const double height = water_.free_surface ? bars_.height[b] : 0.0;
     set_velocity<2>(field, &bars_.node[2 * b], height, b);
   }
   const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
   for (std::size_t e = 0; e < triangles; ++e) {
-    const double height = (*triangles_.materials)[triangles_.material[e]].diameter;
+    const double height = water_.free_surface ? triangles_.height[e] : 0.0;
     set_velocity<3>(field, &triangles_.node[3 * e], height, bars + e);
     set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
   }
@@ -151,9 +151,9 @@ void Lines::set_flow(const Field& field) {
       z += HexagonalTriangles::share[k] * at(field.position, point).z();
       own += HexagonalTriangles::share[k] * (field.wake ? field.wake[point] : 1.0);
     }
+    const double height = water_.free_surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
     for (int which = 0; which < 3; ++which) {
-      const Line<4> bar = hexagons_.line(e, which);
-      set_velocity(static_cast<std::size_t>(bar.index), moving, z, own, bar.material->diameter);
+      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z, own, height);
     }
   }
   kernels_.flow(arrays_, 0, count_);

@@ -40,6 +40,7 @@ class NettingScreens : public ElementKind {
   std::vector<int> node;             // 3 per triangle
   std::vector<double> twine_area;    // projected area of its twine and knots, m2
   std::vector<double> diameter;      // of the twine, m
+  std::vector<double> height;        // over which they leave the water, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> law;              // NettingScreenLaw
 
@@ -57,7 +58,7 @@ class NettingScreens : public ElementKind {
  private:
   ScreenFlow flow(int e, const Field& field) const {
     return screen_flow(field, &node[3 * static_cast<std::size_t>(e)],
-                       diameter[static_cast<std::size_t>(e)]);
+                       height[static_cast<std::size_t>(e)]);
   }
   ScreenForce force(int e, const ScreenFlow& flow, const Water& water) const;
 };

@@ -21,6 +21,7 @@ class NettingTriangles {
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
+  std::vector<double> height;        // over which it leaves the water, m; where there is a surface
   const std::vector<TwineMaterial>* materials = nullptr;
   int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
 

@@ -1,0 +1,266 @@
+# The net cage's short form and the assembly that it stands for.
+#
+# Wall panels stand around the cage, each from a corner at its left, seen from outside, to the next;
+# the first corner lies upstream of a current towards x. Bottom panels are pointed and meet in the
+# bottom's centre.
+
+# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
+expand_cage <- function(fields, plan) {
+  check_cage(fields)
+  outline <- cage_outline(fields)
+  net <- cage_net(fields, plan, outline)
+  rig <- cage_rig(fields, plan, outline)
+  out <- plan[intersect(
+    c(
+      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
+      "netting_drag", "slack_twine", "shielding", "materials", "tow"
+    ),
+    names(plan)
+  )]
+  if (!fields$collar$held) out$water$free_surface <- TRUE
+  out$points <- c(net$points, rig$points)
+  out$panels <- net$panels
+  out$seams <- c(net$seams, rig$seams)
+  out$ropes <- rig$ropes
+  out$pieces <- rig$pieces
+  out$measures <- cage_measures(fields, outline, names(rig$ropes))
+  out
+}
+
+check_cage <- function(fields) {
+  wrong <- function(field, value, allowed) abort_field(field, value, allowed)
+  if (fields$shape == "square" && fields$panels %% 4 != 0) {
+    wrong("panels", fields$panels, "a multiple of 4 around a square cage")
+  }
+  collar <- fields$collar
+  pipe <- setdiff(names(collar), c("held", "damping_ratio", "added_mass", "bending_stiffness"))
+  if (collar$held) {
+    if (length(pipe)) {
+      wrong(paste0("collar.", pipe[1]), collar[[pipe[1]]], "left out where the collar is held")
+    }
+    if (!is.null(fields$moorings)) {
+      wrong("moorings", "given", "left out where the collar is held")
+    }
+  } else {
+    for (due in c("diameter", "bending_stiffness")) {
+      if (is.null(collar[[due]]) || collar[[due]] == 0) {
+        abort_field(paste0("collar.", due), collar[[due]], "given where the collar floats",
+          if (is.null(collar[[due]])) "is missing")
+      }
+    }
+    if (is.null(collar$material) && is.null(collar$mass_per_length)) {
+      abort_field("collar.mass_per_length", NULL, "given where the collar floats", "is missing")
+    }
+    if (is.null(fields$moorings)) {
+      abort_field("moorings", NULL, "given where the collar floats", "is missing")
+    }
+    moorings <- fields$moorings
+    if (moorings$number > fields$panels) {
+      wrong("moorings.number", moorings$number,
+        paste("at most the", fields$panels, "corners of the wall panels"))
+    }
+    if (moorings$length^2 < moorings$reach^2 + moorings$anchor_depth^2) {
+      wrong("moorings.length", format_si(moorings$length, "length"), paste(
+        "at least the distance to the anchor,",
+        format_si(sqrt(moorings$reach^2 + moorings$anchor_depth^2), "length")
+      ))
+    }
+  }
+  if (is.null(fields$bottom) && !is.null(fields$centre_weight)) {
+    wrong("centre_weight", "given", "left out in a cage without bottom netting")
+  }
+}
+
+# Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
+# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner),
+# run (m, from the middle of a wall panel to the bottom's centre), volume (m3)).
+cage_outline <- function(fields) {
+  n <- fields$panels
+  k <- seq_len(n) - 1
+  if (fields$shape == "round") {
+    radius <- rep(fields$diameter / 2, n)
+    angle <- pi + 2 * pi * k / n
+    x <- radius * cos(angle)
+    y <- radius * sin(angle)
+    # A held collar has straight sides between its points, a pipe is round.
+    area <- if (fields$collar$held) n / 2 * radius[1]^2 * sin(2 * pi / n) else pi * radius[1]^2
+    side <- if (fields$collar$held) 2 * radius[1] * sin(pi / n) else 2 * pi * radius[1] / n
+    run <- rep(radius[1], n)
+  } else {
+    per_side <- n / 4
+    s <- (k %% per_side) / per_side - 0.5
+    # Upstream, starboard, downstream, port side.
+    turn <- k %/% per_side * pi / 2
+    x <- fields$diameter * (-0.5 * cos(turn) + s * sin(turn))
+    y <- fields$diameter * (-0.5 * sin(turn) - s * cos(turn))
+    radius <- sqrt(x^2 + y^2)
+    area <- fields$diameter^2
+    side <- fields$diameter / per_side
+    run <- rep(fields$diameter / 2, n)
+  }
+  cone <- first_of(fields$bottom$cone, 0)
+  list(
+    x = x, y = y, side = side, radius = radius, run = run,
+    volume = area * (fields$depth + if (is.null(fields$bottom)) 0 else cone / 3)
+  )
+}
+
+# Meshes across an open width and down an open depth (m) of netting.
+open_meshes <- function(netting, width, depth) {
+  if (netting$orientation == "square") {
+    bar <- netting$mesh_size / 2
+    return(c(width, depth) / bar)
+  }
+  ratio <- netting$hanging_ratio
+  c(width / (netting$mesh_size * ratio), depth / (netting$mesh_size * sqrt(1 - ratio^2)))
+}
+
+cage_net <- function(fields, plan, outline) {
+  n <- fields$panels
+  around <- seq_len(n)
+  after <- around %% n + 1L
+  panels <- seams <- points <- list()
+  twine <- function(given) given[setdiff(names(given), c("hanging_ratio", "cone"))]
+  place <- function(x, y, z) list(near = list(x, y, z))
+  meshes <- open_meshes(fields$wall, outline$side, fields$depth)
+  for (k in around) {
+    wall <- paste0("wall_", k)
+    panels[[wall]] <- c(
+      twine(plan$wall),
+      list(meshes = list(upper = meshes[1], lower = meshes[1], deep = meshes[2]), part = "wall")
+    )
+    if (is.null(panels[[wall]]$orientation)) panels[[wall]]$orientation <- "square"
+    at_collar <- list(outline$x[k], outline$y[k], 0)
+    points[[paste0("collar_", k)]] <- if (fields$collar$held) {
+      list(position = at_collar, held = "fixed")
+    } else {
+      list(at = paste0(wall, ".upper_left"), near = at_collar)
+    }
+    points[[paste0("foot_", k)]] <- c(
+      list(at = paste0(wall, ".lower_left")), place(outline$x[k], outline$y[k], -fields$depth)
+    )
+    seams[[paste0("walls_", k)]] <-
+      list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
+  }
+  if (!is.null(plan$bottom)) {
+    # The netting below is that of the walls where it is not given otherwise.
+    given <- twine(plan$wall)
+    own <- twine(plan$bottom)
+    given[names(own)] <- own
+    kind <- fields$wall
+    kind[names(fields$bottom)] <- fields$bottom
+    cone <- fields$bottom$cone
+    for (k in around) {
+      bottom <- paste0("bottom_", k)
+      deep <- sqrt(outline$run[k]^2 + cone^2)
+      meshes <- open_meshes(kind, outline$side, deep)
+      panels[[bottom]] <- c(
+        given, list(meshes = list(upper = meshes[1], lower = 0, deep = meshes[2]), part = "bottom")
+      )
+      if (is.null(panels[[bottom]]$orientation)) panels[[bottom]]$orientation <- "square"
+      seams[[paste0("foot_", k)]] <-
+        list(edges = c(paste0("wall_", k, ".lower"), paste0(bottom, ".upper")))
+      seams[[paste0("bottoms_", k)]] <-
+        list(edges = c(paste0(bottom, ".right"), paste0("bottom_", after[k], ".left")))
+    }
+    seams$bottom_centre <-
+      list(edges = paste0("bottom_", around, ".lower"), gathered_at = "bottom_centre")
+    points$bottom_centre <- place(0, 0, -fields$depth - cone)
+  }
+  list(panels = panels, seams = seams, points = points)
+}
+
+cage_rig <- function(fields, plan, outline) {
+  n <- fields$panels
+  around <- seq_len(n)
+  after <- around %% n + 1L
+  points <- ropes <- seams <- pieces <- list()
+  upper <- paste0("wall_", around, ".upper")
+  lower <- paste0("wall_", around, ".lower")
+  collar <- plan$collar[setdiff(names(plan$collar), "held")]
+  if (fields$collar$held) {
+    for (k in around) {
+      seams[[paste0("collar_", k)]] <-
+        list(edges = upper[k], held_between = paste0("collar_", c(k, after[k])))
+    }
+  } else if (fields$shape == "round") {
+    ropes$collar <- c(list(along = upper, length = n * outline$side), collar, list(role = "collar"))
+  } else {
+    per_side <- n / 4
+    for (side in 1:4) {
+      on <- (side - 1) * per_side + seq_len(per_side)
+      ropes[[paste0("collar_", side)]] <-
+        c(list(along = upper[on], length = fields$diameter), collar, list(role = "collar"))
+    }
+    # Stiff braces keep the frame's corners: they weigh nothing and the water does not feel them.
+    stiff <- line_properties(fields$collar, fields$materials, "collar")$axial_stiffness
+    for (brace in 1:2) {
+      corner <- (brace - 1) * per_side + 1
+      ropes[[paste0("brace_", brace)]] <- list(
+        from = paste0("collar_", corner), to = paste0("collar_", corner + 2 * per_side),
+        length = sqrt(2) * fields$diameter, diameter = fields$collar$diameter / 100,
+        axial_stiffness = stiff, mass_per_length = 0, volume_per_length = 0, pushes = TRUE,
+        segments = 1, coefficients = list(normal = 0), role = "brace"
+      )
+    }
+  }
+  if (!is.null(plan$bottom_rope)) {
+    ropes$bottom_rope <- c(
+      list(along = lower, length = n * outline$side), plan$bottom_rope, list(role = "bottom_rope")
+    )
+  }
+  if (!is.null(plan$side_ropes)) {
+    for (k in around) {
+      ropes[[paste0("side_rope_", k)]] <- c(
+        list(along = paste0("wall_", k, ".left"), length = fields$depth), plan$side_ropes,
+        list(role = "side_rope")
+      )
+    }
+  }
+  if (!is.null(plan$sinkers)) {
+    for (k in around) {
+      pieces[[paste0("sinker_", k)]] <-
+        c(list(at = paste0("foot_", k)), plan$sinkers, list(role = "weight"))
+    }
+  }
+  if (!is.null(plan$centre_weight)) {
+    pieces$centre_weight <-
+      c(list(at = "bottom_centre"), plan$centre_weight, list(role = "weight"))
+  }
+  if (!is.null(plan$moorings)) {
+    given <- plan$moorings
+    moorings <- fields$moorings
+    line <- given[setdiff(names(given), c("number", "bearing", "anchor_depth", "reach"))]
+    bearing <- atan2(outline$y, outline$x)
+    wanted <- pi + moorings$bearing + 2 * pi * (seq_len(moorings$number) - 1) / moorings$number
+    for (m in seq_len(moorings$number)) {
+      k <- which.max(cos(bearing - wanted[m]))
+      out <- 1 + moorings$reach / outline$radius[k]
+      anchor <- paste0("anchor_", m)
+      points[[anchor]] <- list(
+        position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
+        held = "fixed"
+      )
+      ropes[[paste0("mooring_", m)]] <-
+        c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
+    }
+  }
+  list(points = points, ropes = ropes, seams = seams, pieces = pieces)
+}
+
+cage_measures <- function(fields, outline, ropes) {
+  around <- seq_len(fields$panels)
+  panels <- c(paste0("wall_", around), if (!is.null(fields$bottom)) paste0("bottom_", around))
+  out <- list(
+    net_volume = list(volume = panels),
+    volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
+    net_drag = list(drag = panels), net_lift = list(lift = panels),
+    upstream_foot_depth = list(depth = "foot_1"),
+    downstream_foot_depth = list(depth = paste0("foot_", length(around) %/% 2 + 1))
+  )
+  if (!is.null(fields$bottom)) out$bottom_depth <- list(depth = "bottom_centre")
+  for (rope in grep("^mooring_", ropes, value = TRUE)) {
+    out[[paste0(rope, "_tension")]] <- list(tension = paste0(rope, ".start"))
+  }
+  out
+}

@@ -1,0 +1,65 @@
+# Measures of a gear that does not follow its vessel straight.
+
+# Two weights on two cables, 6 m apart, with ropes between that make a mouth.
+towed_frame <- function() {
+  gear("a towed frame", towing = list(speed = "2 m/s"),
+    port = point(position = c(0, -3, 0), held = "moved"),
+    starboard = point(position = c(0, 3, 0), held = "moved"),
+    low_port = point(), low_starboard = point(), high_port = point(), high_starboard = point(),
+    cable_port = rope("port", "high_port", length = 30, diameter = 0.01, material = "steel_wire",
+      role = "warp"),
+    cable_starboard = rope("starboard", "high_starboard", length = 30, diameter = 0.01,
+      material = "steel_wire", role = "warp"),
+    head = rope("high_port", "high_starboard", length = 8, diameter = 0.01, material = "PA"),
+    foot = rope("low_port", "low_starboard", length = 8, diameter = 0.01, material = "PA"),
+    left = rope("high_port", "low_port", length = 4, diameter = 0.01, material = "PA"),
+    right = rope("high_starboard", "low_starboard", length = 4, diameter = 0.01, material = "PA"),
+    weight_port = piece(at = "low_port", mass = "60 kg", density = "7850 kg/m3", drag_area = 0.01),
+    weight_starboard = piece(at = "low_starboard", mass = "60 kg", density = "7850 kg/m3",
+      drag_area = 0.01),
+    wing_end_spread = measure(spread = c("high_port", "high_starboard")),
+    mouth_area = measure(area = c("head", "right", "foot", "left")),
+    cable_divergence = measure(angle = list(cable_port.start = "divergence"))
+  )
+}
+
+test_that("a gear in a steady circle keeps its spread, and sweeps what its speed leaves it", {
+  rate <- 0.05  # rad/s: a circle of 40 m around which everything soon goes as one body
+  found <- tow(towed_frame(), until = 240, every = 120, accuracy = 1e-4,
+    course = data.frame(time = c(0, 10, 1010), value = c(0, 0, 1000 * rate)))
+  state <- state_at(found, 240)
+  straight <- measures(settle(towed_frame()))
+  turning <- measures(state)
+  pair <- state$lattice$points[c("high_port", "high_starboard")]
+  line <- apply(state$position[1:2, unlist(pair)], 1, diff)
+  # the frame has turned by some 20 deg against the vessel, which the distance does not feel
+  expect_gt(abs(line[1] / line[2]), 0.3)
+  expect_equal(turning[["wing_end_spread_m"]], sqrt(sum(line^2)))
+  expect_lt(abs(turning[["wing_end_spread_m"]] / straight[["wing_end_spread_m"]] - 1), 0.1)
+  expect_lt(abs(turning[["mouth_area_m2"]] / straight[["mouth_area_m2"]] - 1), 0.15)
+
+  # Of a body that turns about a centre the line between two points sweeps rate / 2 times the
+  # difference of their squared distances from it.
+  centre <- c(0, 2 / rate)
+  reach <- colSums((state$position[1:2, unlist(pair)] - centre)^2)
+  # the motion is steady to the 1e-4 m of a step of a second or so, on 2 m/s
+  expect_equal(turning[["swept_area_km2_per_h"]], rate / 2 * abs(diff(reach)) * 0.0036,
+    tolerance = 1e-3)
+  # the water stands still, so what flows through the mouth is what it passes over
+  outline <- rope_outline(state, c("head", "right", "foot", "left"))
+  ahead <- outline_area(outline) / turning[["mouth_area_m2"]]
+  middle <- rowMeans(state$position[1:2, unique(unlist(lapply(
+    state$lattice$ropes[c("head", "right", "foot", "left")], `[[`, "node")))])
+  velocity <- rate * c(centre[2] - middle[2], middle[1])
+  expect_equal(
+    turning[["filtered_volume_m3_per_h"]],
+    turning[["mouth_area_m2"]] * abs(sum(ahead * velocity)) * 3600, tolerance = 1e-3
+  )
+})
+
+test_that("a gear on a new course measures as on the old one", {
+  found <- tow(towed_frame(), until = 200, every = 200, accuracy = 1e-4,
+    course = data.frame(time = c(0, 10, 40), value = c("0 deg", "0 deg", "70 deg")))
+  # what is left after 160 s of the swing of a gear of 30 m
+  expect_equal(measures(state_at(found, 200)), measures(state_at(found, 0)), tolerance = 1e-4)
+})
