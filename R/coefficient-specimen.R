@@ -3,40 +3,21 @@
 specimen_density <- 1000
 specimen_viscosity <- 1e-6
 
-# A lattice of the engine with no element: list(position = points (3 x n, m), engine), in still water.
-# materials: of twine_materials(), or NULL where nothing is of twine.
-specimen <- function(points, materials = NULL) {
-  line <- list(from = "first", to = "second", length = 1, diameter = 1, axial_stiffness = 1,
-    mass_per_length = 1, segments = 1)
-  engine <- build_lattice(gear_si(as_gear(list(
-    codend = 1, name = "A line",
-    points = list(first = list(position = c(0, 0, 0), held = "fixed"),
-      second = list(position = c(1, 0, 0), held = "fixed")),
-    ropes = list(line = line)
-  ))))$engine
+# A lattice of the engine with no element: points (3 x n, m) in still water.
+specimen <- function(points, materials = twine_materials(list())) {
   n <- ncol(points)
+  bare <- gear("Nothing",
+    water = list(density = specimen_density, viscosity = specimen_viscosity),
+    held_point = point(position = list(0, 0, 0), held = "fixed")
+  )
+  engine <- build_lattice(gear_si(bare))$engine
   engine$nodes <- n
   engine$held <- rep(TRUE, n)
   engine$load <- numeric(3L * n)
   engine$mass <- numeric(n)
-  engine$water$density <- specimen_density
-  engine$water$viscosity <- specimen_viscosity
   engine$slack_twine <- "straight"
-  engine$bars <- lapply(engine$bars, function(field) field[0L])
-  if (!is.null(materials)) engine$materials <- engine$blended$materials <- materials
+  engine$materials <- engine$blended$materials <- materials
   list(position = points, engine = engine)
-}
-
-# Elements of one kind in a specimen: n of them with these fields; what they have besides, such as the
-# height over which they leave the water, does not matter here.
-add_elements <- function(specimen, kind, n, ...) {
-  given <- list(...)
-  fields <- specimen$engine[[kind]]
-  others <- setdiff(names(Filter(is.atomic, fields)), names(given))
-  fields[others] <- rep(list(rep(1, n)), length(others))
-  fields[names(given)] <- given
-  specimen$engine[[kind]] <- fields
-  specimen
 }
 
 # What the engine finds where elements of so many points move through still water at their speeds
@@ -67,8 +48,11 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   second <- 2L * seq_len(n)
   # Its normal part of the flow is towards y.
   ends[, second] <- rbind(cos(angle), -sin(angle), 0)
-  held <- add_elements(specimen(ends, materials), "bars", n,
-    node = seq_len(2L * n), material = rep(1L, n))
+  held <- specimen(ends, materials)
+  held$engine$bars <- list(
+    node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), height = rep(diameter, n),
+    material = rep(1L, n)
+  )
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 2L)
   drag_and_lift(found$bar_drag, speed, diameter)
@@ -102,17 +86,23 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   node <- seq_len(6L * n)
   triangles <- 2L * n
   twine <- rep(c(0, 0, count, 0, count, count, 0, 0, count, count, 0, count), n)
-  rest <- rep(bar, triangles)
-  material <- rep(1L, triangles)
-  held <- switch(law,
-    twines = add_elements(held, "triangles", triangles, node = node, twine = twine, rest = rest,
-      material = material, straight = numeric(triangles), inner = integer(triangles)),
-    blended = add_elements(held, "blended", triangles, node = node, twine = twine, rest = rest,
-      material = material),
-    add_elements(held, "drag_screens", triangles, node = node,
-      twine_area = rep(solidity * side^2 / 2, triangles), diameter = rep(diameter, triangles),
-      law = rep(screen_numbers[[law]], triangles))
+  common <- list(
+    node = node, twine = twine, rest = rep(bar, triangles), multiplicity = rep(1, triangles),
+    height = rep(diameter, triangles), material = rep(1L, triangles)
   )
+  if (law == "twines") {
+    held$engine$triangles <- c(
+      common, list(straight = numeric(triangles), inner = integer(triangles))
+    )
+  } else if (law == "blended") {
+    held$engine$blended[names(common)] <- common
+  } else {
+    held$engine$drag_screens <- list(
+      node = node, twine_area = rep(solidity * side^2 / 2, triangles),
+      diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
+      height = rep(diameter, triangles), law = rep(screen_numbers[[law]], triangles)
+    )
+  }
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 6L)
   which <- c(twines = "triangle_drag", blended = "blended_force")
@@ -145,9 +135,11 @@ board_specimens <- function(polar, angle, aspect_ratio) {
 sphere_specimens <- function(reynolds, smooth = FALSE) {
   n <- length(reynolds)
   diameter <- 0.002
-  held <- add_elements(specimen(matrix(0, 3L, n)), "spheres", n, node = seq_len(n),
-    drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
-    smooth = rep(as.integer(smooth), n))
+  held <- specimen(matrix(0, 3L, n))
+  held$engine$spheres <- list(
+    node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
+    smooth = rep(as.integer(smooth), n), added_mass = numeric(n), height = rep(diameter, n)
+  )
   speed <- reynolds * specimen_viscosity / diameter
   drag_and_lift(evaluate_specimen(held, speed, 1L)$sphere_drag, speed, pi / 4 * diameter^2)
 }

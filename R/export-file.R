@@ -1,5 +1,5 @@
-# A file for other programs: its path is checked before anything is computed, and it is there whole or
-# not at all.
+# A file for other programs: its path is checked before anything is computed, and it is there whole
+# or not at all.
 
 check_export_path <- function(file, extensions) {
   given <- is_text(file) && nzchar(basename(file))

@@ -1,8 +1,8 @@
 # A glTF 2.0 file: a tree in JSON that says what lies where in one buffer of numbers. The buffer is
 # gathered in a file beside the target, part by part, so that it never lies in memory as a whole.
 
-# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), both of which give the
-# number of an accessor; views(), accessors(), bytes(), path, remove()).
+# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), both of which give
+# the number of an accessor; views(), accessors(), bytes(), path, remove()).
 gltf_buffer <- function(folder) {
   path <- tempfile(".export-", tmpdir = folder, fileext = ".bin")
   connection <- base::file(path, "wb")

@@ -9,20 +9,21 @@
 #' `kind` and `role`, and of ropes and netting `largest_tension_N` of one line or twine. The scene's
 #' extras hold the measures.
 #'
-#' Lengths are metres in codend's axes: x aft, y to starboard, z up. glTF has y up, so the node above
-#' all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y up and
-#' z to port.
+#' Lengths are metres in codend's axes: x aft, y to starboard, z up. glTF has y up, so the node
+#' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
+#' up and z to port.
 #'
-#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey where
-#' slack; or one colour for every part, in turns. Netting of triangles is drawn as the two twine
-#' directions through its cells, which are larger than the meshes. A piece is a ball of its height,
-#' spread pieces stand for what is between them.
+#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey
+#' where slack; or one colour for every part, in turns. Netting of triangles is drawn as the two
+#' twine directions through its cells, which are larger than the meshes. A piece is a ball of its
+#' height, spread pieces stand for what is between them.
 #'
 #' @param state A state, from [settle()] or [state_at()].
 #' @param file Path to write: `.glb` (one binary file) or `.gltf` (text with the same numbers in
 #'   it, a third larger). Written whole or not at all.
 #' @param colours `"tension"` or `"part"`.
-#' @return `file`, invisibly. A path that cannot be written is an error of class `codend_error_input`.
+#' @return `file`, invisibly. A path that cannot be written is an error of class
+#'   `codend_error_input`.
 #' @seealso [write_vtk()] for all numbers, [view()] for a page of its own.
 #' @export
 #' @examples
@@ -36,7 +37,8 @@ write_gltf <- function(state, file, colours = c("tension", "part")) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
     scene <- gltf_scene(state, colours, buffer)
-    if (extension == ".glb") write_glb(path, scene, buffer) else write_gltf_text(path, scene, buffer)
+    write <- if (extension == ".glb") write_glb else write_gltf_text
+    write(path, scene, buffer)
   })
 }
 

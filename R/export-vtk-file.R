@@ -1,6 +1,6 @@
-# A file of an unstructured grid in VTK's XML format (.vtu): a head that says what lies where, then the
-# arrays as they are in memory, low byte first. One array at a time is turned into bytes, so a large
-# gear takes little more memory than it has.
+# A file of an unstructured grid in VTK's XML format (.vtu): a head that says what lies where, then
+# the arrays as they are in memory, low byte first. One array at a time is turned into bytes, so a
+# large gear takes little more memory than it has.
 
 vtk_cell_types <- c(vertex = 1L, line = 3L, triangle = 5L, quad = 9L)
 

@@ -1,7 +1,7 @@
 #' Write a gear's state for ParaView and other readers of VTK
 #'
-#' Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series of
-#' them that plays in time (`.pvd`). ParaView, VisIt and the VTK libraries read both.
+#' Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
+#' of them that plays in time (`.pvd`). ParaView, VisIt and the VTK libraries read both.
 #'
 #' @details
 #' Cells are lines (bars of ropes and of netting), triangles (of netting that is divided into
@@ -10,11 +10,11 @@
 #'
 #' Every cell has
 #'
-#' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same as
-#'   a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
+#' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same
+#'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
 #' - `tension_N` of one line or twine, in triangles the larger of the two families of twine, which
-#'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in other
-#'   cells;
+#'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in
+#'   other cells;
 #' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
 #' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
 #'   catch in netting, `catch_force_N`.
@@ -31,11 +31,12 @@
 #' ground, so the gear moves forward, against x, from file to file.
 #'
 #' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
-#' @param file Path to write: of a state ending in `.vtu`; of a trajectory in `.pvd`, whose grids lie
-#'   beside it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written whole
-#'   or not at all, and older ones of the same names replaced; a folder that holds anything else is
-#'   left alone.
-#' @return `file`, invisibly. A path that cannot be written is an error of class `codend_error_input`.
+#' @param file Path to write: of a state ending in `.vtu`; of a trajectory in `.pvd`, whose grids
+#'   lie beside it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written
+#'   whole or not at all, and older ones of the same names replaced; a folder that holds anything
+#'   else is left alone.
+#' @return `file`, invisibly. A path that cannot be written is an error of class
+#'   `codend_error_input`.
 #' @seealso [write_gltf()] for the web and CAD, [write_trajectory()] for NetCDF.
 #' @export
 #' @examples
@@ -81,8 +82,8 @@ series_lines <- function(time, files) {
   )
 }
 
-# The state at the k-th kept time with places and forces along axes over the ground. What is measured
-# stays as seen from the vessel.
+# The state at the k-th kept time with places and forces along axes over the ground. What is
+# measured stays as seen from the vessel.
 ground_state <- function(trajectory, k) {
   state <- state_at(trajectory, trajectory$time[k])
   state$measured <- measures(state)
@@ -139,8 +140,8 @@ vtk_point_data <- function(state, points, corners) {
   )
 }
 
-# The cells of a state and what each carries: list(cells = as write_vtu() takes them, data). Corners of
-# boards follow the points, four each.
+# The cells of a state and what each carries: list(cells = as write_vtu() takes them, data). Corners
+# of boards follow the points, four each.
 vtk_cells <- function(state, points) {
   lattice <- state$lattice
   engine <- lattice$engine

@@ -6,7 +6,9 @@ usual_fields <- c(
   warps.length = "Warp out", otter_boards.area = "Otter board area",
   otter_boards.chord = "Otter board chord", otter_boards.span = "Otter board span",
   hammers.mass = "Hammer mass", canvas.area = "Canvas area",
-  floats.number = "Number of floats", floats.buoyancy = "Buoyancy of a float"
+  floats.number = "Number of floats", floats.buoyancy = "Buoyancy of a float",
+  sinkers.mass = "Mass of a sinker", purse_wire.length = "Purse wire",
+  shortening_ratio = "Shortening ratio", branch_lines.length = "Branch lines"
 )
 
 # ... and of parts of an assembly, by their role.
@@ -23,7 +25,8 @@ usual_parts <- data.frame(
 # numbers unit (as shown), units (factors to SI by name, NULL where it has none), low, high and step
 # (of the slider, in the unit) and whole; of choices `choices`.
 #
-# marked: paths that the user asks for beside the usual ones; those that the plan lacks are left out.
+# marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
+# out.
 plan_controls <- function(plan, marked = list()) {
   usual <- c(usual_field_controls(plan), usual_part_controls(plan))
   asked <- Map(list, label = marked_labels(marked), paths = marked)
@@ -39,8 +42,21 @@ plan_controls <- function(plan, marked = list()) {
   stats::setNames(Map(function(control, id) c(list(id = id), control), controls, ids), ids)
 }
 
+# Of those that the plan gives; a current by layers has a control each.
 usual_field_controls <- function(plan) {
-  Map(function(path, label) list(label = label, paths = path), names(usual_fields), usual_fields)
+  given <- Filter(function(path) isTRUE(plan_field(plan, path)$given), names(usual_fields))
+  layers <- plan$water$current
+  layers <- if (is.null(names(layers))) seq_along(layers)
+  c(
+    Map(function(path, label) list(label = label, paths = path), given, usual_fields[given]),
+    lapply(layers, function(k) {
+      depth <- plan$water$current[[k]]$depth
+      list(
+        label = paste("Current at", if (is.numeric(depth)) format_si(depth, "length") else depth),
+        paths = sprintf("water.current.%d.speed", k)
+      )
+    })
+  )
 }
 
 # Parts of one role with one value have one control, others one each.
@@ -78,9 +94,10 @@ path_words <- function(path) {
   paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 }
 
-# A field of a plan: list(node = of the schema, value = as given or by default), or NULL where the
-# plan has none of that path.
+# A field of a plan: list(node = of the schema, value = as given or by default, given), or NULL
+# where the plan has none of that path.
 plan_field <- function(plan, path) {
+  given <- TRUE
   node <- plan_schema$kinds[[first_of(plan$kind, plan_schema$default_kind)]]
   value <- plan
   for (step in strsplit(path, ".", fixed = TRUE)[[1]]) {
@@ -92,14 +109,15 @@ plan_field <- function(plan, path) {
       node <- node$items
     } else if (identical(node$shape, "object") && is_map(value)) {
       inner <- node$properties[[step]]
-      value <- if (step %in% names(value)) value[[step]] else inner[["default"]]
+      given <- step %in% names(value)
+      value <- if (given) value[[step]] else inner[["default"]]
       node <- if (is.null(inner)) node$additionalProperties else inner
     } else {
       return(NULL)
     }
     if (is.null(node) || is.null(value)) return(NULL)
   }
-  list(node = meant_node(value, node), value = value)
+  list(node = meant_node(value, node), value = value, given = given)
 }
 
 # A node that leaves a choice becomes the alternative that a value is meant as, or NULL.
@@ -130,7 +148,9 @@ number_control <- function(field) {
   unit <- if (is.null(units)) "" else names(units)[1]
   range <- control_range(value, node, if (is.null(units)) 1 else units[[1]])
   c(
-    list(kind = "number", value = value, unit = unit, units = units, whole = node$shape == "integer"),
+    list(
+      kind = "number", value = value, unit = unit, units = units, whole = node$shape == "integer"
+    ),
     range
   )
 }

@@ -29,8 +29,10 @@ flume_page <- function() {
 flume_tank <- function() {
   tags <- shiny::tags
   toggle <- function(group, value, text, on = FALSE) {
-    tags$button(type = "button", class = "btn btn-sm btn-outline-secondary",
-      `data-group` = group, `data-value` = value, `aria-pressed` = if (on) "true" else "false", text)
+    tags$button(
+      type = "button", class = "btn btn-sm btn-outline-secondary", `data-group` = group,
+      `data-value` = value, `aria-pressed` = if (on) "true" else "false", text
+    )
   }
   group <- function(label, ...) {
     tags$div(class = "btn-group btn-group-sm", role = "group", `aria-label` = label, ...)
@@ -195,7 +197,7 @@ number_html <- function(control) {
       tags$input(
         type = "range", class = "form-range", min = shortest_decimal(control$low),
         max = shortest_decimal(control$high), step = shortest_decimal(control$step), value = shown,
-        `aria-label` = control$label
+        `aria-label` = control$label, `aria-valuetext` = trimws(paste(shown, control$unit))
       ),
       tags$input(
         type = "number", id = number, class = "form-control form-control-sm",

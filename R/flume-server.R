@@ -1,10 +1,10 @@
 # The flume tank's server: one session is one browser with a gear of its own.
 
-# Steps of the solver from a crude start, at most, before a design counts as one that does not settle:
-# someone is waiting.
+# Steps of the solver from a crude start, at most, before a design counts as one that does not
+# settle: someone is waiting.
 flume_steps <- 1000L
 
-# start: list(gear, state) to open with.
+# start: list(gear, state, notes) to open with.
 flume_server <- function(start, marked, nodes) {
   function(input, output, session) {
     tank <- new_tank(start, marked, nodes)
@@ -14,7 +14,7 @@ flume_server <- function(start, marked, nodes) {
     show <- function(answers = 0) {
       message <- tank$picture()
       session$sendCustomMessage("flume_picture", c(list(
-        answers = answers, said = spoken(tank$measures), notes = I(tank$notes)
+        answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes))
       ), message))
       tank$changed(shiny::isolate(tank$changed()) + 1L)
     }
@@ -81,7 +81,8 @@ flume_server <- function(start, marked, nodes) {
       tank$changed()
       tank$code()
     })
-    # The plan is a text of the user's once it is being changed: the page decides what to do with it.
+    # The plan is a text of the user's once it is being changed: the page decides what to do with
+    # it.
     shiny::observe({
       tank$changed()
       if (identical(input$shown, "Plan")) said("flume_plan", text = format(tank$gear))
@@ -90,8 +91,8 @@ flume_server <- function(start, marked, nodes) {
   }
 }
 
-# What a session holds. `changed` counts the pictures, `laid_out` how often the controls were laid out:
-# with the values of the gear `base`, which those that are moved since change.
+# What a session holds. `changed` counts the pictures, `laid_out` how often the controls were laid
+# out: with the values of the gear `base`, which those that are moved since change.
 new_tank <- function(start, marked, nodes) {
   tank <- new.env(parent = emptyenv())
   tank$loaded <- start$gear
@@ -99,7 +100,7 @@ new_tank <- function(start, marked, nodes) {
   tank$state <- start$state
   tank$drawing <- flume_drawing(start$state)
   tank$measures <- measures(start$state)
-  tank$notes <- character()
+  tank$notes <- start$notes
   tank$known <- list()
   tank$changed <- shiny::reactiveVal(0L)
   tank$laid_out <- shiny::reactiveVal(0L)

@@ -59,8 +59,8 @@ signed <- function(x, decimals) {
   text
 }
 
-# A row has one number of decimals: four figures of its larger value, as in summaries, and at most four
-# decimals.
+# A row has one number of decimals: four figures of its larger value, as in summaries, and at most
+# four decimals.
 measures_html <- function(now, pinned) {
   table <- measure_changes(now, pinned)
   shown <- signif(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE), 4)
@@ -98,7 +98,8 @@ ranked_tensions <- function(state) {
 tensions_html <- function(state) {
   ranked <- ranked_tensions(state)
   margin <- ifelse(
-    is.finite(ranked$margin), paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
+    is.finite(ranked$margin),
+    paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
   )
   table <- function(kind, caption, per, highest, with_strength) {
     rows <- ranked[ranked$kind == kind, ]

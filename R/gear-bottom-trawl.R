@@ -58,7 +58,10 @@ check_bottom_trawl <- function(fields) {
 
 # Depth (m, stretched) of netting along the upper and the lower seam ahead of the first section.
 front_depth <- function(fields) {
-  deep <- function(panel) if (is.null(panel)) 0 else panel$mesh_size * panel$meshes$deep
+  deep <- function(panel) {
+    if (is.null(panel)) return(0)
+    panel$mesh_size * (panel$meshes$deep - first_of(panel$flying, 0))
+  }
   c(
     upper = deep(fields$wings$upper) + deep(fields$square), lower = deep(fields$wings$lower),
     side = deep(fields$wings$side)
@@ -76,7 +79,16 @@ check_wing_ends <- function(fields) {
       abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
     }
   }
-  if (!sides && wings$upper$meshes$tip + wings$lower$meshes$tip == 0) {
+  for (level in c("upper", "lower")) {
+    wing <- wings[[level]]
+    if (wing$flying >= wing$meshes$deep) {
+      abort_field(paste0("wings.", level, ".flying"), wing$flying,
+        paste("less than the wing's", format(wing$meshes$deep), "meshes deep"))
+    }
+  }
+  height <- wings$upper$meshes$tip + wings$lower$meshes$tip + wings$upper$flying +
+    wings$lower$flying
+  if (!sides && height == 0) {
     abort_field("wings.upper.meshes.tip", 0,
       "greater than 0 where the lower wings are pointed too, or the wing ends have no height")
   }
@@ -116,9 +128,9 @@ check_wing_ends <- function(fields) {
         ))
       }
     }
-    if (!is.null(fields$bridles$middle) && is.null(wings$jib)) {
-      abort_field("bridles.middle", "given", "left out in a trawl of 4 panels without `wings.jib`")
-    }
+  }
+  if (!is.null(fields$bridles$middle) && is.null(wings$jib)) {
+    abort_field("bridles.middle", "given", "left out where there is no `wings.jib` for it to pull")
   }
 }
 
@@ -138,26 +150,22 @@ bottom_trawl_net <- function(fields, plan) {
     behind[["back"]] <- "back_square"
     across[["back"]] <- fields$square$meshes$upper
   }
+  levels <- c(back = "upper", belly = "lower")
   pairs <- Map(function(panel, level) {
-    wing_pair(panel, behind[[panel]], across[[panel]], plan$wings[[level]],
+    given <- plan$wings[[level]]
+    wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
       fields$wings[[level]]$meshes, paste0("wings.", level, ".meshes"))
-  }, c(back = "back", belly = "belly"), c("upper", "lower"))
+  }, c(back = "back", belly = "belly"), levels)
   sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
   square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
 
   # The edges along the seams ahead of the first section, from the front, by panel.
-  left <- c(
-    list(
-      back = c(paste0(pairs$back$left, ".left"), square[["left"]]),
-      belly = paste0(pairs$belly$left, ".left")
-    ), sides$left
-  )
-  right <- c(
-    list(
-      back = c(paste0(pairs$back$right, ".right"), square[["right"]]),
-      belly = paste0(pairs$belly$right, ".right")
-    ), sides$right
-  )
+  outer <- function(panel, side) {
+    part <- flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    c(part$joined, if (panel == "back") square[[side]])
+  }
+  left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
+  right <- c(list(back = outer("back", "right"), belly = outer("belly", "right")), sides$right)
   after <- panel_after(around)
   for (k in seq_along(around)) {
     seams[[paste("wings", around[k], after[k], sep = "_")]] <-
@@ -173,26 +181,68 @@ bottom_trawl_net <- function(fields, plan) {
       lower_port = list(at = paste0(pairs$belly$right, ".upper_left")),
       lower_starboard = list(at = paste0(pairs$belly$left, ".upper_right"))
     ),
-    middle_tips(fields, pairs), net$points
+    if (!is.null(fields$wings$jib)) {
+      list(
+        middle_port = list(at = "side_port_jib.upper_left"),
+        middle_starboard = list(at = "side_starboard_jib.upper_left")
+      )
+    },
+    net$points
   )
-  tip <- function(level, wing) {
-    if (fields$wings[[level]]$meshes$tip > 0) paste0(wing, ".upper")
+  # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
+  # below.
+  end <- function(panel, side) {
+    level <- levels[[panel]]
+    wing <- fields$wings[[level]]
+    free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
+    tip <- if (wing$meshes$tip > 0) paste0(pairs[[panel]][[side]], ".upper")
+    if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
   }
   mouth <- list(
     head_line = pairs$back$inner,
-    side_line_starboard = c(
-      tip("upper", pairs$back$right), sides$end$starboard, tip("lower", pairs$belly$left)
-    ),
+    side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
     footrope = pairs$belly$inner,
-    side_line_port = c(
-      tip("lower", pairs$belly$right), sides$end$port, tip("upper", pairs$back$left)
-    )
+    side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
   )
+  # Head line and footrope by what runs along the bosom and along the wings.
+  for (line in c("head_line", "footrope")) {
+    plan[[line]] <- hung_line(fields, plan, line, length(mouth[[line]]))
+  }
   net$ropes <- trawl_lines(plan, around, mouth, left)
   if (!is.null(plan$ground_gear)) {
-    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope)
+    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
   }
   net
+}
+
+# A line of the mouth with its length along each of its edges, where the plan gives its bosom.
+hung_line <- function(fields, plan, line, edges) {
+  given <- plan[[line]]
+  bosom <- fields[[line]]$bosom
+  if (is.null(bosom)) return(given)
+  whole <- fields[[line]]$length
+  path <- paste0(line, ".bosom")
+  if (bosom >= whole) {
+    abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
+  }
+  if (edges != 3L) {
+    abort_field(path, given$bosom, "left out where the wings meet in the middle of the front edge")
+  }
+  c(
+    given[setdiff(names(given), c("length", "bosom"))],
+    list(lengths = c((whole - bosom) / 2, bosom, (whole - bosom) / 2))
+  )
+}
+
+# A wing's outer edge: list(free = its part that flies, or NULL; joined = the rest).
+flying_edge <- function(wing, name, side) {
+  edge <- paste0(name, ".", side)
+  if (wing$flying == 0) return(list(free = NULL, joined = edge))
+  split <- format(wing$flying, digits = 15)
+  list(
+    free = paste0(edge, "[0:", split, "]"),
+    joined = paste0(edge, "[", split, ":", format(wing$meshes$deep, digits = 15), "]")
+  )
 }
 
 # The side wings of a net of four panels, each as wide as the side panel behind it, and their jibs:
@@ -246,26 +296,12 @@ side_wings <- function(fields, plan, first) {
   out
 }
 
-# Where the middle bridles are fastened: the jibs' tips, or the front of the seams.
-middle_tips <- function(fields, pairs) {
-  if (is.null(fields$bridles$middle)) return(NULL)
-  if (fields$panels == 4) {
-    return(list(
-      middle_port = list(at = "side_port_jib.upper_left"),
-      middle_starboard = list(at = "side_starboard_jib.upper_left")
-    ))
-  }
-  list(
-    middle_port = list(at = paste0(pairs$back$left, ".upper_left")),
-    middle_starboard = list(at = paste0(pairs$back$right, ".upper_right"))
-  )
-}
-
 # Mass in air over mass in water of steel, for ground gear of which only the latter is given.
 steel_in_air <- 7850 / (7850 - 1025)
 
 # The ground gear as a rope along the footrope, by its mass in water: what it displaces is the rest.
-ground_gear_rope <- function(fields, plan, along) {
+# lengths: the footrope's along each edge, which it is hung in proportion to, or NULL.
+ground_gear_rope <- function(fields, plan, along, lengths) {
   gear <- fields$ground_gear
   density <- fields$water$density
   in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
@@ -274,6 +310,10 @@ ground_gear_rope <- function(fields, plan, along) {
       paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
   }
   own <- plan$ground_gear[setdiff(names(plan$ground_gear), c("mass_in_water", "mass_per_length"))]
+  if (!is.null(lengths) && !is.null(gear$length)) {
+    own$length <- NULL
+    own$lengths <- lengths * gear$length / sum(lengths)
+  }
   c(list(along = along), own, list(
     mass_per_length = in_air,
     volume_per_length = if (density > 0) (in_air - gear$mass_in_water) / density else 0,
@@ -317,9 +357,18 @@ bottom_trawl_rig <- function(fields, plan) {
       )
       start <- named("sweep_end")
     }
+    extended <- !is.null(plan$footrope_extensions)
     for (level in levels) {
+      end <- if (level == "lower" && extended) "extension" else level
       ropes[[named("bridle", level)]] <- c(
-        list(from = start, to = named(level)), plan$bridles[[level]], list(role = "bridle")
+        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
+      )
+    }
+    if (extended) {
+      points[[named("extension")]] <- nothing
+      ropes[[named("footrope_extension")]] <- c(
+        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
+        list(role = "footrope_extension")
       )
     }
   }
@@ -330,19 +379,20 @@ bottom_trawl_rig <- function(fields, plan) {
 
 bottom_trawl_measures <- function(fields, free_boards) {
   pair <- function(level) paste0(level, c("_port", "_starboard"))
+  lower <- if (is.null(fields$footrope_extensions)) "lower" else "extension"
   first <- if (is.null(fields$sweeps)) "bridle_lower" else "sweep"
   angle <- function(rope, kind) {
     list(angle = stats::setNames(list(kind), paste0(rope, "_port.start")))
   }
   out <- list(
     door_spread = list(spread = pair("board")),
-    wing_end_spread = list(spread = list(pair("upper"), pair("lower"))),
+    wing_end_spread = list(spread = list(pair("upper"), pair(lower))),
     upper_wing_spread = list(spread = pair("upper")),
-    lower_wing_spread = list(spread = pair("lower")),
+    lower_wing_spread = list(spread = pair(lower)),
     net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
     headline_height = list(clearance = "head_line.middle"),
     footrope_height = list(clearance = "footrope.middle"),
-    wing_end_height = list(height = c("upper_port", "lower_port")),
+    wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(
       area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
     ),

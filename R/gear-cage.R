@@ -2,28 +2,23 @@
 #
 # Wall panels stand around the cage, each from a corner at its left, seen from outside, to the next;
 # the first corner lies upstream of a current towards x. Bottom panels are pointed and meet in the
-# bottom's centre.
+# bottom's centre: one below each wall panel of a round cage, one below each side of a square one.
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_cage <- function(fields, plan) {
   check_cage(fields)
   outline <- cage_outline(fields)
   net <- cage_net(fields, plan, outline)
-  rig <- cage_rig(fields, plan, outline)
-  out <- plan[intersect(
-    c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "tow"
-    ),
-    names(plan)
-  )]
+  frame <- cage_frame(fields, plan, outline)
+  moorings <- cage_moorings(fields, plan, outline)
+  out <- shared_fields(plan)
   if (!fields$collar$held) out$water$free_surface <- TRUE
-  out$points <- c(net$points, rig$points)
+  out$points <- c(net$points, moorings$points)
   out$panels <- net$panels
-  out$seams <- c(net$seams, rig$seams)
-  out$ropes <- rig$ropes
-  out$pieces <- rig$pieces
-  out$measures <- cage_measures(fields, outline, names(rig$ropes))
+  out$seams <- c(net$seams, frame$seams)
+  out$ropes <- c(frame$ropes, moorings$ropes)
+  out$pieces <- frame$pieces
+  out$measures <- cage_measures(fields, outline, names(moorings$ropes))
   out
 }
 
@@ -43,10 +38,12 @@ check_cage <- function(fields) {
     }
   } else {
     for (due in c("diameter", "bending_stiffness")) {
-      if (is.null(collar[[due]]) || collar[[due]] == 0) {
-        abort_field(paste0("collar.", due), collar[[due]], "given where the collar floats",
-          if (is.null(collar[[due]])) "is missing")
+      if (is.null(collar[[due]])) {
+        abort_field(paste0("collar.", due), NULL, "given where the collar floats", "is missing")
       }
+    }
+    if (collar$bending_stiffness == 0) {
+      wrong("collar.bending_stiffness", 0, "greater than 0 where the collar floats")
     }
     if (is.null(collar$material) && is.null(collar$mass_per_length)) {
       abort_field("collar.mass_per_length", NULL, "given where the collar floats", "is missing")
@@ -66,14 +63,15 @@ check_cage <- function(fields) {
       ))
     }
   }
-  if (is.null(fields$bottom) && !is.null(fields$centre_weight)) {
+  if (is.null(fields[["bottom"]]) && !is.null(fields$centre_weight)) {
     wrong("centre_weight", "given", "left out in a cage without bottom netting")
   }
 }
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
-# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner),
-# run (m, from the middle of a wall panel to the bottom's centre), volume (m3)).
+# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
+# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3), bottoms,
+# pipes = wall panels over each bottom panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
@@ -85,7 +83,9 @@ cage_outline <- function(fields) {
     # A held collar has straight sides between its points, a pipe is round.
     area <- if (fields$collar$held) n / 2 * radius[1]^2 * sin(2 * pi / n) else pi * radius[1]^2
     side <- if (fields$collar$held) 2 * radius[1] * sin(pi / n) else 2 * pi * radius[1] / n
-    run <- rep(radius[1], n)
+    run <- radius[1]
+    bottoms <- as.list(seq_len(n))
+    pipes <- list(seq_len(n))
   } else {
     per_side <- n / 4
     s <- (k %% per_side) / per_side - 0.5
@@ -96,12 +96,14 @@ cage_outline <- function(fields) {
     radius <- sqrt(x^2 + y^2)
     area <- fields$diameter^2
     side <- fields$diameter / per_side
-    run <- rep(fields$diameter / 2, n)
+    run <- fields$diameter / 2
+    bottoms <- pipes <- unname(split(seq_len(n), k %/% per_side))
   }
-  cone <- first_of(fields$bottom$cone, 0)
+  cone <- first_of(fields[["bottom"]]$cone, 0)
   list(
-    x = x, y = y, side = side, radius = radius, run = run,
-    volume = area * (fields$depth + if (is.null(fields$bottom)) 0 else cone / 3)
+    x = x, y = y, side = side, radius = radius, run = run, bottoms = bottoms, pipes = pipes,
+    level = 0,
+    volume = area * (fields$depth + if (is.null(fields[["bottom"]])) 0 else cone / 3)
   )
 }
 
@@ -130,51 +132,57 @@ cage_net <- function(fields, plan, outline) {
       list(meshes = list(upper = meshes[1], lower = meshes[1], deep = meshes[2]), part = "wall")
     )
     if (is.null(panels[[wall]]$orientation)) panels[[wall]]$orientation <- "square"
-    at_collar <- list(outline$x[k], outline$y[k], 0)
+    at_collar <- list(outline$x[k], outline$y[k], outline$level)
     points[[paste0("collar_", k)]] <- if (fields$collar$held) {
       list(position = at_collar, held = "fixed")
     } else {
       list(at = paste0(wall, ".upper_left"), near = at_collar)
     }
     points[[paste0("foot_", k)]] <- c(
-      list(at = paste0(wall, ".lower_left")), place(outline$x[k], outline$y[k], -fields$depth)
+      list(at = paste0(wall, ".lower_left")),
+      place(outline$x[k], outline$y[k], outline$level - fields$depth)
     )
     seams[[paste0("walls_", k)]] <-
       list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
   }
-  if (!is.null(plan$bottom)) {
+  if (!is.null(plan[["bottom"]])) {
     # The netting below is that of the walls where it is not given otherwise.
     given <- twine(plan$wall)
-    own <- twine(plan$bottom)
+    own <- twine(plan[["bottom"]])
     given[names(own)] <- own
     kind <- fields$wall
-    kind[names(fields$bottom)] <- fields$bottom
-    cone <- fields$bottom$cone
-    for (k in around) {
+    kind[names(fields[["bottom"]])] <- fields$bottom
+    cone <- fields[["bottom"]]$cone
+    number <- length(outline$bottoms)
+    below <- seq_len(number)
+    for (k in below) {
       bottom <- paste0("bottom_", k)
-      deep <- sqrt(outline$run[k]^2 + cone^2)
-      meshes <- open_meshes(kind, outline$side, deep)
+      over <- paste0("wall_", outline$bottoms[[k]], ".lower")
+      meshes <- open_meshes(
+        kind, outline$side * length(over), sqrt(outline$run^2 + cone^2)
+      )
       panels[[bottom]] <- c(
         given, list(meshes = list(upper = meshes[1], lower = 0, deep = meshes[2]), part = "bottom")
       )
       if (is.null(panels[[bottom]]$orientation)) panels[[bottom]]$orientation <- "square"
       seams[[paste0("foot_", k)]] <-
-        list(edges = c(paste0("wall_", k, ".lower"), paste0(bottom, ".upper")))
+        list(edges = list(over, paste0(bottom, ".upper")))
       seams[[paste0("bottoms_", k)]] <-
-        list(edges = c(paste0(bottom, ".right"), paste0("bottom_", after[k], ".left")))
+        list(edges = c(paste0(bottom, ".right"), paste0("bottom_", k %% number + 1L, ".left")))
     }
     seams$bottom_centre <-
-      list(edges = paste0("bottom_", around, ".lower"), gathered_at = "bottom_centre")
-    points$bottom_centre <- place(0, 0, -fields$depth - cone)
+      list(edges = paste0("bottom_", below, ".lower"), gathered_at = "bottom_centre")
+    points$bottom_centre <- place(0, 0, outline$level - fields$depth - cone)
   }
   list(panels = panels, seams = seams, points = points)
 }
 
-cage_rig <- function(fields, plan, outline) {
+# Pipes, ropes and weights of a cage: list(seams, ropes, pieces).
+cage_frame <- function(fields, plan, outline) {
   n <- fields$panels
   around <- seq_len(n)
   after <- around %% n + 1L
-  points <- ropes <- seams <- pieces <- list()
+  ropes <- seams <- pieces <- list()
   upper <- paste0("wall_", around, ".upper")
   lower <- paste0("wall_", around, ".lower")
   collar <- plan$collar[setdiff(names(plan$collar), "held")]
@@ -183,15 +191,11 @@ cage_rig <- function(fields, plan, outline) {
       seams[[paste0("collar_", k)]] <-
         list(edges = upper[k], held_between = paste0("collar_", c(k, after[k])))
     }
-  } else if (fields$shape == "round") {
-    ropes$collar <- c(list(along = upper, length = n * outline$side), collar, list(role = "collar"))
   } else {
+    ropes <- cage_pipes("collar", upper, collar, outline)
+  }
+  if (!fields$collar$held && fields$shape == "square") {
     per_side <- n / 4
-    for (side in 1:4) {
-      on <- (side - 1) * per_side + seq_len(per_side)
-      ropes[[paste0("collar_", side)]] <-
-        c(list(along = upper[on], length = fields$diameter), collar, list(role = "collar"))
-    }
     # Stiff braces keep the frame's corners: they weigh nothing and the water does not feel them.
     stiff <- line_properties(fields$collar, fields$materials, "collar")$axial_stiffness
     for (brace in 1:2) {
@@ -205,9 +209,7 @@ cage_rig <- function(fields, plan, outline) {
     }
   }
   if (!is.null(plan$bottom_rope)) {
-    ropes$bottom_rope <- c(
-      list(along = lower, length = n * outline$side), plan$bottom_rope, list(role = "bottom_rope")
-    )
+    ropes <- c(ropes, cage_pipes("bottom_rope", lower, plan$bottom_rope, outline))
   }
   if (!is.null(plan$side_ropes)) {
     for (k in around) {
@@ -227,30 +229,46 @@ cage_rig <- function(fields, plan, outline) {
     pieces$centre_weight <-
       c(list(at = "bottom_centre"), plan$centre_weight, list(role = "weight"))
   }
-  if (!is.null(plan$moorings)) {
-    given <- plan$moorings
-    moorings <- fields$moorings
-    line <- given[setdiff(names(given), c("number", "bearing", "anchor_depth", "reach"))]
-    bearing <- atan2(outline$y, outline$x)
-    wanted <- pi + moorings$bearing + 2 * pi * (seq_len(moorings$number) - 1) / moorings$number
-    for (m in seq_len(moorings$number)) {
-      k <- which.max(cos(bearing - wanted[m]))
-      out <- 1 + moorings$reach / outline$radius[k]
-      anchor <- paste0("anchor_", m)
-      points[[anchor]] <- list(
-        position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
-        held = "fixed"
-      )
-      ropes[[paste0("mooring_", m)]] <-
-        c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
-    }
-  }
-  list(points = points, ropes = ropes, seams = seams, pieces = pieces)
+  list(ropes = ropes, seams = seams, pieces = pieces)
 }
 
-cage_measures <- function(fields, outline, ropes) {
+# Mooring lines and their anchors: list(points, ropes).
+cage_moorings <- function(fields, plan, outline) {
+  points <- ropes <- list()
+  if (is.null(plan$moorings)) return(list(points = points, ropes = ropes))
+  given <- plan$moorings
+  moorings <- fields$moorings
+  line <- given[setdiff(names(given), c("number", "bearing", "anchor_depth", "reach"))]
+  bearing <- atan2(outline$y, outline$x)
+  wanted <- pi + moorings$bearing + 2 * pi * (seq_len(moorings$number) - 1) / moorings$number
+  for (m in seq_len(moorings$number)) {
+    k <- which.max(cos(bearing - wanted[m]))
+    out <- 1 + moorings$reach / outline$radius[k]
+    anchor <- paste0("anchor_", m)
+    points[[anchor]] <- list(
+      position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
+      held = "fixed"
+    )
+    ropes[[paste0("mooring_", m)]] <-
+      c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
+  }
+  list(points = points, ropes = ropes)
+}
+
+# Pipes or ropes along edges of the wall panels, by the name of their role.
+cage_pipes <- function(role, edges, given, outline) {
+  pipes <- lapply(outline$pipes, function(on) {
+    c(list(along = edges[on], length = length(on) * outline$side), given, list(role = role))
+  })
+  number <- length(pipes)
+  stats::setNames(pipes, if (number == 1) role else paste0(role, "_", seq_len(number)))
+}
+
+cage_measures <- function(fields, outline, moorings) {
   around <- seq_len(fields$panels)
-  panels <- c(paste0("wall_", around), if (!is.null(fields$bottom)) paste0("bottom_", around))
+  panels <- c(paste0("wall_", around), if (!is.null(fields[["bottom"]])) {
+    paste0("bottom_", seq_along(outline$bottoms))
+  })
   out <- list(
     net_volume = list(volume = panels),
     volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
@@ -258,8 +276,8 @@ cage_measures <- function(fields, outline, ropes) {
     upstream_foot_depth = list(depth = "foot_1"),
     downstream_foot_depth = list(depth = paste0("foot_", length(around) %/% 2 + 1))
   )
-  if (!is.null(fields$bottom)) out$bottom_depth <- list(depth = "bottom_centre")
-  for (rope in grep("^mooring_", ropes, value = TRUE)) {
+  if (!is.null(fields[["bottom"]])) out$bottom_depth <- list(depth = "bottom_centre")
+  for (rope in moorings) {
     out[[paste0(rope, "_tension")]] <- list(tension = paste0(rope, ".start"))
   }
   out

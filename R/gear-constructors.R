@@ -75,6 +75,7 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #'   shares from place to place.
 #' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
+#' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
 #' @param material Name of a material: `steel_wire`, `steel_chain`, `polyethylene` (PE),
 #'   `polyamide` (PA), `polyester` (PES), `polypropylene` (PP), `hmpe` (HMPE), `combination_rope`,
@@ -96,8 +97,9 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #' @rdname gear
 #' @export
 rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL,
-                 hanging_ratio = NULL, diameter = NULL, material = NULL, axial_stiffness = NULL,
-                 bending_stiffness = NULL, pushes = NULL, damping_ratio = NULL,
+                 lengths = NULL, hanging_ratio = NULL, diameter = NULL, material = NULL,
+                 axial_stiffness = NULL, bending_stiffness = NULL, pushes = NULL,
+                 damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))

@@ -5,8 +5,8 @@
 longest_cycle <- 7L
 
 # The cutting rate of an edge that loses (or gains) `lost` meshes across in `deep` meshes down, as
-# net makers write it: "AN", "AB", "1N2B", "3T2B". Where no short cycle fits, the two cycles that
-# make up the whole edge, each with how often it is cut: "9(1N2B)+1(1N3B)". "" where there is no
+# net makers write it: "AN", "AB", "1N2B", "3T2B". Where no short cycle fits, the two cycles that in
+# turn make up the edge, each with how often it is cut: "9(1N2B)+1(1N3B)". "" where there is no
 # rule: hexagonal netting, and square netting that tapers.
 #
 # Down d meshes and across l, the edge takes 2 l bars and d - l points where l < d, and 2 d bars and

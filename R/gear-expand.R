@@ -3,9 +3,12 @@
 gear_expanders <- list(
   bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
   cage = function(fields, plan) expand_cage(fields, plan),
+  dip_net = function(fields, plan) expand_dip_net(fields, plan),
+  gillnet = function(fields, plan) expand_gillnet(fields, plan),
   longline = function(fields, plan) expand_longline(fields, plan),
   midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
-  purse_seine = function(fields, plan) expand_purse_seine(fields, plan)
+  purse_seine = function(fields, plan) expand_purse_seine(fields, plan),
+  stow_net = function(fields, plan) expand_stow_net(fields, plan)
 )
 
 # The tree of the assembly that a checked plan stands for: the plan itself when it is one.

@@ -11,7 +11,6 @@ expand_longline <- function(fields, plan) {
   number <- fields$branch_lines$number
   apart <- fields$shortening_ratio * fields$main_line$length
   drift <- fields$floats$held == "ends"
-  nothing <- stats::setNames(list(), character())
   points <- ropes <- pieces <- list()
   rope <- function(from, to, given, role, ...) {
     c(list(from = from, to = to), given, list(...), list(role = role))

@@ -8,7 +8,7 @@ gear_gravity <- 9.81
 # seams, pieces, otter_boards, ground, shooting, measures). Places stay texts that `parse_place()`
 # takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
-# leave out and has no default is NULL (position, at, near, from, to, along, held_between, segments,
+# leave out and has no default is NULL (position, at, near, from, to, along, shares, held_between, segments,
 # columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
@@ -171,6 +171,7 @@ si_rope <- function(rope, path, fields, law, known) {
   line <- line_properties(rope, fields$materials, path)
   along <- NULL
   length <- rope$length
+  shares <- NULL
   if (!is.null(rope$along)) {
     along <- find_chain(rope$along, paste0(path, ".along"), known)
     netting <- chain_length(along, known$panels)
@@ -179,6 +180,14 @@ si_rope <- function(rope, path, fields, law, known) {
         sprintf("Plan field `%s.along` has no length: its edges have no meshes.", path),
         paste0(path, ".along"), rope$along
       )
+    }
+    if (!is.null(rope$lengths)) {
+      if (length(rope$lengths) != length(along)) {
+        abort_field(paste0(path, ".lengths"), rope$lengths,
+          sprintf("one length for each of the %d edges of `along`", length(along)))
+      }
+      length <- sum(rope$lengths)
+      shares <- rope$lengths / length
     }
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
@@ -189,7 +198,7 @@ si_rope <- function(rope, path, fields, law, known) {
     along = along,
     through = vapply(as.character(rope$through), find_place, "",
       path = paste0(path, ".through"), known = known, USE.NAMES = FALSE),
-    length = length, diameter = rope$diameter,
+    length = length, shares = shares, diameter = rope$diameter,
     axial_stiffness = line$axial_stiffness, damping = line$damping,
     bending_stiffness = rope$bending_stiffness,
     strut = rope$pushes || rope$bending_stiffness > 0,

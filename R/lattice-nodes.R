@@ -70,9 +70,15 @@ divide <- function(si, frame, counts, rope_count, bars) {
   })
   last <- points + sum(on$size)
   ropes <- lapply(setNames(seq_along(si$ropes), names(si$ropes)), function(r) {
-    if (!is.null(si$ropes[[r]]$along)) return(run(chains$laced[[names(si$ropes)[r]]]))
+    rope <- si$ropes[[r]]
+    if (!is.null(rope$along)) {
+      chain <- chains$laced[[names(si$ropes)[r]]]
+      laced <- run(chain)
+      if (!is.null(rope$shares)) laced$at <- rope_fraction(laced$at, chains, chain, rope$shares)
+      return(laced)
+    }
     # One that slides has an element from place to place.
-    through <- length(si$ropes[[r]]$through)
+    through <- length(rope$through)
     count <- if (through) through + 1L else rope_count[r]
     ids <- last + seq_len(count + 1L)
     last <<- last + count + 1L
@@ -113,6 +119,13 @@ divide <- function(si, frame, counts, rope_count, bars) {
     runs = lapply(chains$run, function(chain) renumber(run(chain))),
     places = setNames(number[places], names(places))
   )
+}
+
+# Fractions of a rope's length at fractions of its chain's stretched length, where it has these shares
+# of its length along the chain's edges.
+rope_fraction <- function(at, chains, chain, shares) {
+  ends <- chains$end[chains$first[chain] + seq_along(shares) - 1L]
+  stats::approx(c(0, ends), c(0, cumsum(shares) / sum(shares)), at, rule = 2)$y
 }
 
 # Fractions of its edge at every node of an edge, one edge after the other.

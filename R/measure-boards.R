@@ -46,7 +46,6 @@ measure_attitude <- function(state, measure) {
 
 # Warns of boards that do not fly, or not for long.
 warn_of_boards <- function(state) {
-  if (!length(state$si$otter_boards)) return(invisible())
   if (isTRUE(state$report$upset_at_last)) {
     cli::cli_warn(
       c("The balance that was found for the free boards and kites does not last: a small push
@@ -55,6 +54,7 @@ warn_of_boards <- function(state) {
       class = c("codend_warning_board_unstable", "codend_warning"), call = NULL
     )
   }
+  if (!length(state$si$otter_boards)) return(invisible())
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]

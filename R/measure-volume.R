@@ -1,14 +1,16 @@
 # The volume that panels enclose.
 
-# Volume (m3) within panels that follow each other around an opening, closed by a lid from the rim
-# of the opening to its middle: the sum over tetrahedra from that middle. Panels must all be seen
-# from the same side, from within or from without, with their upper edge up.
+# Volume (m3) within panels that follow each other around openings, each closed by a lid from its rim
+# to the rim's middle, or its share (percent) of the volume that the measure names. Panels must all
+# be seen from the same side, from within or from without, with their upper edge up.
 measure_volume <- function(state, measure) {
   facets <- panel_facets(state, measure$panels)
-  rim <- rim_nodes(state, measure$panels)
-  middle <- rowMeans(if (length(rim)) state$position[, rim, drop = FALSE] else facets$x)
-  corner <- function(k) facets$x[, facets$node[k, ], drop = FALSE] - middle
-  volume <- abs(sum(triple_product(corner(1L), corner(2L), corner(3L))) / 6)
+  lids <- panel_lids(state, measure$panels)
+  corners <- lapply(1:3, function(k) {
+    cbind(facets$x[, facets$node[k, ], drop = FALSE], lids[[k]])
+  })
+  middle <- rowMeans(facets$x)
+  volume <- abs(sum(do.call(triple_product, lapply(corners, `-`, middle))) / 6)
   if (is.null(measure$of)) volume else 100 * volume / measure$of
 }
 
@@ -27,7 +29,7 @@ panel_facets <- function(state, names) {
     is_upper <- (seq_along(all) <= length(upper))[order]
     all <- all[order]
     last_upper <- cummax(is_upper * seq_along(all))
-    last_lower <- cummax(!is_upper * seq_along(all))
+    last_lower <- cummax((!is_upper) * seq_along(all))
     k <- seq_along(all)[-1L]
     own <- ifelse(is_upper[k], last_upper[k - 1L], last_lower[k - 1L])
     other <- ifelse(is_upper[k], last_lower[k - 1L], last_upper[k - 1L])
@@ -45,8 +47,10 @@ panel_facets <- function(state, names) {
   )
 }
 
-# Nodes of those edges of panels that no seam joins to another of them or gathers.
-rim_nodes <- function(state, names) {
+# Lids over the openings that panels leave, as facets seen from the same side as theirs: three
+# matrices of their corners (3 x facets). Openings are bounded by edges that no seam joins to another
+# of these panels or gathers.
+panel_lids <- function(state, names) {
   joined <- unlist(lapply(state$si$seams, function(seam) {
     edges <- unlist(seam$edges, recursive = FALSE)
     edges <- Filter(function(edge) edge$panel %in% names, edges)
@@ -54,7 +58,22 @@ rim_nodes <- function(state, names) {
     vapply(edges, function(edge) edge_number(state$si$panels, edge$panel, edge$edge), 0L)
   }))
   all <- 4L * (rep(match(names, names(state$si$panels)), each = 4L) - 1L) + 1:4
-  division <- state$lattice$division
   open <- setdiff(all, joined)
-  unique(division$edge_node[sequence(division$count[open], division$before[open] + 1L)])
+  division <- state$lattice$division
+  before <- division$before[open]
+  count <- division$count[open]
+  first <- division$edge_node[sequence(count - 1L, before + 1L)]
+  second <- division$edge_node[sequence(count - 1L, before + 2L)]
+  # A lid's facets meet each edge of a panel against that panel's facets.
+  turned <- rep((open - 1L) %% 4L %in% c(1L, 2L), count - 1L)
+  from <- ifelse(turned, second, first)
+  to <- ifelse(turned, first, second)
+  opening <- joined_labels(state$lattice$nodes, from, to)[from]
+  x <- state$position
+  middles <- vapply(split(seq_along(from), opening), function(k) {
+    rowMeans(x[, from[k], drop = FALSE])
+  }, numeric(3))
+  list(
+    middles[, as.character(opening), drop = FALSE], x[, from, drop = FALSE], x[, to, drop = FALSE]
+  )
 }

@@ -19,6 +19,9 @@
 #' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
 #' report).
 #'
+#' A gear whose plan has a section `shooting` begins as it is shot and sinks for a quarter of an hour or
+#' more ([tow()]), then settles from there. What is hauled during its operation stays out.
+#'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
@@ -54,6 +57,9 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   found <- NULL
   if (!is.null(from)) {
     found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+  }
+  if (is.null(found) && !is.null(si$shooting)) {
+    found <- settle_shot(gear, si, nodes, netting, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- settle_level(

@@ -2,30 +2,31 @@
 
 #' States in files
 #'
-#' A state as a NetCDF file with names and units of the CF conventions, which most languages and tools
-#' read. [read_state()] gives the same state back, to the last bit: to look at it later, or to
+#' A state as a NetCDF file with names and units of the CF conventions, which most languages and
+#' tools read. [read_state()] gives the same state back, to the last bit: to look at it later, or to
 #' settle another design from it.
 #'
 #' @details
-#' Dimensions are `node`, `bar`, `triangle` and `part`. Per node there are `x`, `y`, `z` (m; x aft, y to
-#' starboard, z up from the water surface), `x_force`, `y_force`, `z_force` (N, the net force: on a
-#' held node the opposite of its support's), `held` and, of a state from a tow, velocities; per bar
-#' `bar_tension` (N, of one line); per triangle of netting `u_tension` and `v_tension` (N, of one
-#' twine). `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
-#' `triangle_part` which of the parts in `part_name` they belong to. Numbers above that of the last
-#' node are points that hang between two nodes. Per part there are `part_drag`, `part_side` and
+#' Dimensions are `node`, `bar`, `triangle` and `part`. Per node there are `x`, `y`, `z` (m; x aft,
+#' y to starboard, z up from the water surface), `x_force`, `y_force`, `z_force` (N, the net force:
+#' on a held node the opposite of its support's), `held` and, of a state from a tow, velocities; per
+#' bar `bar_tension` (N, of one line); per triangle of netting `u_tension` and `v_tension` (N, of
+#' one twine). `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part`
+#' and `triangle_part` which of the parts in `part_name` they belong to. Numbers above that of the
+#' last node are points that hang between two nodes. Per part there are `part_drag`, `part_side` and
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
 #'
-#' `r_objects` serves [read_state()] alone: it holds objects of R, so read only files that you trust.
+#' `r_objects` serves [read_state()] alone: it holds objects of R, so read only files that you
+#' trust.
 #'
 #' Both take the package RNetCDF.
 #'
 #' @param state A state, from [settle()] or [state_at()].
 #' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
 #' @return `write_state()` gives `file`, invisibly; `read_state()` a state as [settle()] returns. A
-#'   file that cannot be read or written is an error of class `codend_error_input`; a missing RNetCDF
-#'   one of class `codend_error_package`.
+#'   file that cannot be read or written is an error of class `codend_error_input`; a missing
+#'   RNetCDF one of class `codend_error_package`.
 #' @seealso [write_trajectory()] for tows, [write_vtk()] and [write_gltf()] for other programs.
 #' @export
 #' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
@@ -102,7 +103,8 @@ define_state_number <- function(nc, name, number) {
   RNetCDF::att.put.nc(nc, name, "long_name", "NC_CHAR", number$words)
 }
 
-# The variables of a state's file: lists of value, type, across (names of dimensions), words and unit.
+# The variables of a state's file: lists of value, type, across (names of dimensions), words and
+# unit.
 state_numbers <- function(state) {
   lattice <- state$lattice
   engine <- lattice$engine

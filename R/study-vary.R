@@ -1,8 +1,8 @@
 #' Settle a gear in many variations
 #'
-#' Settles a gear once for every value, or every combination of values, of some of its plan's fields:
-#' at several speeds, with several lengths of warp, several boards. Each variation starts from its
-#' nearest neighbour's shape, which is several times faster than to start anew.
+#' Settles a gear once for every value, or every combination of values, of some of its plan's
+#' fields: at several speeds, with several lengths of warp, several boards. Each variation starts
+#' from the shape of the nearest that has settled, and anew where that does not lead to balance.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param ... Values by the path of their field, as in [update()][update.codend_gear]:
@@ -18,8 +18,8 @@
 #'   - `warning`: what [settle()] warned of, such as a stalled board;
 #'   - the [measures()], `NA` where the gear did not settle or has no such measure.
 #'
-#'   A wrong field or value is an error of class `codend_error_plan`, wrong arguments are one of class
-#'   `codend_error_argument`. A gear that does not settle is no error.
+#'   A wrong field or value is an error of class `codend_error_plan`, wrong arguments are one of
+#'   class `codend_error_argument`. A gear that does not settle is no error.
 #' @seealso [plot.codend_variations()]
 #' @export
 #' @examples
@@ -92,8 +92,8 @@ vary_axes <- function(given) {
   axes
 }
 
-# Settles gears that lie on a grid, each from the nearest that has settled. place: a row per gear, its
-# whole numbers along every axis, the first changing fastest.
+# Settles gears that lie on a grid, each from the nearest that has settled. place: a row per gear,
+# its whole numbers along every axis, the first changing fastest.
 vary_settle <- function(gears, place, nodes, netting) {
   # No neighbour along an axis lies further back than the rows between them.
   reach <- prod(apply(place, 2L, max)[-ncol(place)])

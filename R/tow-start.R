@@ -30,6 +30,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
     numeric(), settle_tolerance, settle_iterations, progress)
   if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }
 
@@ -96,7 +97,8 @@ add_start <- function(what, position, velocity) {
   frame <- list(
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
-    straight_tension = found$straight_tension[has_straight_bars(what$lattice)], report = NULL
+    straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
+    wake = engine$wake, report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

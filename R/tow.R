@@ -28,6 +28,10 @@
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
 #' towing speed, and a share m w^2 of its tension, 16 N for 4 kg/m at w = 2 m/s.
 #'
+#' With `shielding` the water behind netting slows as in [settle()], of which the settled state is a
+#' state at rest: after every step the netting upstream of every point is found anew, and the speed
+#' there follows as fast as water takes to pass half of the netting.
+#'
 #' Added mass acts on accelerations of the gear alone, by where its lines are at each step; a
 #' current that changes with time brings in no force by its acceleration, and waves move the towing
 #' points, not the water.

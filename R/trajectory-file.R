@@ -16,7 +16,8 @@
 #' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
 #' `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension` (N,
 #' of one twine), and `straight_tension` per triangle of hexagonal meshes, which are those that
-#' `hexagonal_triangle` numbers; per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
+#' `hexagonal_triangle` numbers; with `shielding`, `wake` per point (the nodes, then the points that
+#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
 #' `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
 #' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
 #' gear's plan as text. Read only times at which `complete` is 1.
@@ -89,12 +90,15 @@ node_variables <- rbind(
 )
 
 other_variables <- data.frame(
-  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "winch_length", "parted"),
-  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "growing_part", "parting"),
-  unit = c("N", "N", "N", "N", "m", "1"),
+  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "winch_length",
+    "parted"),
+  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "growing_part",
+    "parting"),
+  unit = c("N", "N", "N", "N", "1", "m", "1"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
-    "tension of one straight bar", "length that a winch has paid out", "bar that has parted, 0 for none"
+    "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
+    "length that a winch has paid out", "bar that has parted, 0 for none"
   )
 )
 
@@ -163,7 +167,7 @@ define_trajectory <- function(nc, what, frame) {
   names <- enc2utf8(lattice$parts$name)
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
-    hexagonal_triangle = length(frame$straight_tension),
+    hexagonal_triangle = length(frame$straight_tension), point = length(frame$wake),
     part = length(names), growing_part = length(frame$done$length),
     parting = length(frame$done$parted), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
@@ -343,6 +347,7 @@ read_frames <- function(get, n) {
       now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
       bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
       v_tension = other$v_tension[, k], straight_tension = other$straight_tension[, k],
+      wake = other$wake[, k],
       done = list(length = other$winch_length[, k], parted = other$parted[, k])
     )
   })

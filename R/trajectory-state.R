@@ -18,6 +18,7 @@ state_at <- function(trajectory, time) {
   now <- as.list(trajectory$conditions[k, ])
   now$factor <- attr(trajectory$conditions, "factor")[, k]
   now$parted <- trajectory$parted[, k]
+  now$wake <- trajectory$wake[, k]
   si <- si_at(trajectory, now)
   lattice <- lattice_at(trajectory, now)
   turned <- to_vessel(now$course)
@@ -104,6 +105,7 @@ lattice_at <- function(what, now) {
     now$parted[now$parted > 0])
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
+  if (!is.null(now$wake)) lattice$engine$wake <- now$wake
   if (!is.null(lattice$engine$ground)) {
     lattice$engine$ground <- ground_from_vessel(lattice$engine$ground, now)
   }

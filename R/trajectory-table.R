@@ -7,7 +7,8 @@
 #' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
 #'   line), `u_tension` and `v_tension` (netting triangles x n) and `straight_tension` (triangles of
-#'   hexagonal meshes x n, of their straight bars);
+#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share of
+#'   the free flow's speed);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
 #'   (m/s), `course` (rad) and `heave` (m), and the length of each warp that the schedule moves (m);
 #' - `end`: `"reached"`, or `"interrupted"` by the user;

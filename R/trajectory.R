@@ -22,6 +22,7 @@ gather_trajectory <- function(what, frames, end) {
     u_tension = each(function(f) f$u_tension),
     v_tension = each(function(f) f$v_tension),
     straight_tension = each(function(f) f$straight_tension),
+    wake = each(function(f) f$wake),
     winch_length = each(function(f) f$done$length),
     parted = each(function(f) f$done$parted),
     end = end, report = last$report,
@@ -51,7 +52,9 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   report <- NULL
   tryCatch(
     {
-      report <- engine_tow(what$lattice$engine, plan_as_done(what$plan, past$done), past, method,
+      engine <- what$lattice$engine
+      engine$wake <- trajectory$wake[, length(trajectory$time)]
+      report <- engine_tow(engine, plan_as_done(what$plan, past$done), past, method,
         stops, keep, steerer(what), tow_progress(past$now$time, until))
       end <- report$end
     },
@@ -120,7 +123,7 @@ trajectory_frames <- function(trajectory) {
     frame <- list(
       now = now, bar_tension = trajectory$bar_tension[, k],
       u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
-      straight_tension = trajectory$straight_tension[, k],
+      straight_tension = trajectory$straight_tension[, k], wake = trajectory$wake[, k],
       done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
     )
     if (k == count) {

@@ -1,7 +1,8 @@
 # Free otter boards as plates in space.
 
-# Corners of every free board, 3 x (4 per board), m: leading edge below and above, trailing edge above
-# and below. A board's points are where its attachments are, so they tell its place and attitude.
+# Corners of every free board, 3 x (4 per board), m: leading edge below and above, trailing edge
+# above and below. A board's points are where its attachments are, so they tell its place and
+# attitude.
 board_corners <- function(state) {
   do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(unname(state$si$otter_boards), function(board) {
     at <- state$position[, state$lattice$points[board$points], drop = FALSE]
@@ -20,7 +21,8 @@ triad <- function(points) {
   other <- points[, 3L] - points[, 1L]
   second <- unit(other - sum(other * first) * first)
   cbind(first, second, c(
-    first[2L] * second[3L] - first[3L] * second[2L], first[3L] * second[1L] - first[1L] * second[3L],
+    first[2L] * second[3L] - first[3L] * second[2L],
+    first[3L] * second[1L] - first[1L] * second[3L],
     first[1L] * second[2L] - first[2L] * second[1L]
   ))
 }

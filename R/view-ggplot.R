@@ -1,14 +1,14 @@
 #' Pictures as ggplot objects
 #'
-#' The pictures of `plot()` for those who use \pkg{ggplot2}: add themes, scales and labels, or take the
-#' data out of them. Colours are those of `plot()`.
+#' The pictures of `plot()` for those who use \pkg{ggplot2}: add themes, scales and labels, or take
+#' the data out of them. Colours are those of `plot()`.
 #'
 #' @details
 #' Of a state: one plane. Ropes are coloured by tension; netting by twine tension, on the scale of
 #' `fill`; slack lines are grey. Of a trajectory: measures against time. Of variations ([vary()]):
-#' measures against the field that changes first, with a line for each combination of the others; what
-#' did not settle is left out. Of [tensions_along()]: a facet for every role. Facets have free scales;
-#' unlike in `plot()`, depths in facets grow upwards.
+#' measures against the field that changes first, with a line for each combination of the others;
+#' what did not settle is left out. Of [tensions_along()]: a facet for every role. Facets have free
+#' scales; unlike in `plot()`, depths in facets grow upwards.
 #'
 #' @param object What `plot()` takes.
 #' @param plane `"xy"` (from above), `"xz"` (from the port side) or `"yz"` (from astern).
@@ -125,8 +125,8 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
 autoplot.codend_rope_tensions <- function(object, ...) {
   drawn <- rope_series(object)
   drawn$heading <- factor(drawn$heading, unique(drawn$heading))
-  n <- length(unique(drawn$rope))
-  drawn$name <- gsub("_", " ", drawn$rope)
+  n <- length(unique(drawn$line))
+  drawn$name <- gsub("_", " ", drawn$line)
   drawn$name <- factor(drawn$name, unique(drawn$name[order(drawn$heading, drawn$group)]))
   # the colours and dashes that each rope has in its own figure
   first <- match(levels(drawn$name), drawn$name)
@@ -143,7 +143,8 @@ autoplot.codend_rope_tensions <- function(object, ...) {
     ggplot2::scale_linetype_manual(
       values = ifelse(drawn$group[first] %% 2L == 0L, "33", "solid")) +
     ggplot2::labs(
-      title = "Tension along ropes", colour = NULL, linetype = NULL, x = "distance along the rope (m)", y = "tension (kN)",
+      title = "Tension along ropes", x = "distance along the rope (m)", y = "tension (kN)",
+      colour = NULL, linetype = NULL,
       subtitle = paste(c(attr(object, "gear_name"), attr(object, "conditions")), collapse = ", ")
     ) +
     gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))

@@ -2,31 +2,53 @@
 # right, y down from the front.
 #
 # As in the FAO Catalogue of Fishing Gear Designs panels are as deep as their netting is stretched,
-# and half as wide as it is stretched (a hanging ratio of 0.5); a panel with ropes of known hanging
-# ratio along both its upper and lower edge is as wide as those, or as its upper one where it does
-# not taper. Square netting has its own width.
+# and half as wide as it is stretched (a hanging ratio of 0.5); what hangs between two ropes of known
+# hanging ratio is as wide as these. Square netting has its own width.
 
 # Panels flat: a data frame with a row per panel: name, upper and lower (widths), depth, shift (of
 # the lower left corner from the upper left).
-flat_panels <- function(si) {
-  hung <- hanging_ratios(si)
-  width <- function(panel, edge, name) {
-    ratio <- if (anyNA(hung[, name])) 0.5 else {
-      hung[if (panel$upper == panel$lower) "upper" else edge, name]
-    }
-    if (panel$orientation == "square") ratio <- 1
-    ratio * edge_length(panel, edge)
-  }
+flat_panels <- function(si, joints) {
+  hung <- hung_widths(si, joints)
   rows <- lapply(names(si$panels), function(name) {
     panel <- si$panels[[name]]
-    upper <- width(panel, "upper", name)
-    lower <- width(panel, "lower", name)
+    width <- hung[, name]
+    if (anyNA(width)) {
+      width <- vapply(c("upper", "lower"), edge_length, 0, panel = panel)
+      if (panel$orientation != "square") width <- width / 2
+    }
     data.frame(
-      name = name, upper = upper, lower = lower, depth = panel_depth(panel),
-      shift = (upper - lower) * panel$taper_left
+      name = name, upper = width[[1L]], lower = width[[2L]], depth = panel_depth(panel),
+      shift = (width[[1L]] - width[[2L]]) * panel$taper_left
     )
   })
   do.call(rbind, rows)
+}
+
+# Widths of upper and lower edges (2 x panels, m) of what hangs between two ropes: a tapered panel
+# from each of its ropes, panels without taper, one below the other, all from the upper rope. NA for
+# all others.
+hung_widths <- function(si, joints) {
+  ratio <- hanging_ratios(si)
+  width <- ratio * NA
+  below <- joints[joints$edge == "lower" & joints$other_edge == "upper" &
+    abs(joints$to - joints$from) == 1 & abs(joints$other_to - joints$other_from) == 1, ]
+  straight <- vapply(si$panels, function(panel) panel$upper == panel$lower, NA)
+  hung <- function(edge, name) ratio[edge, name] * edge_length(si$panels[[name]], edge)
+  for (name in names(si$panels)[!is.na(ratio["upper", ])]) {
+    if (!straight[[name]]) {
+      width[, name] <- c(hung("upper", name), hung("lower", name))
+      next
+    }
+    hanging <- name
+    last <- name
+    while (is.na(ratio["lower", last])) {
+      last <- below$other[match(last, below$panel)]
+      if (is.na(last) || !straight[[last]] || last %in% hanging) break
+      hanging <- c(hanging, last)
+    }
+    if (!is.na(last) && !is.na(ratio["lower", last])) width[, hanging] <- hung("upper", name)
+  }
+  width
 }
 
 # Stretched depth of a panel: that of an edge without taper.
@@ -138,11 +160,11 @@ panels_overlap <- function(a, b) {
 # columns that fit side by side (walls of straight panels) in one.
 #
 # Returns list(panels (flat_panels() with x, y and column), columns (data frame: heading, count =
-# how many are alike, symmetric), laced (laced_edges())).
+# how many are alike, symmetric), laced (laced_edges()), joints (flat_joints())).
 flat_layout <- function(si) {
-  panels <- flat_panels(si)
-  panels$x <- panels$y <- 0
   joints <- flat_joints(si)
+  panels <- flat_panels(si, joints)
+  panels$x <- panels$y <- 0
   laced <- laced_edges(si, joints)
   panels$column <- 0L
   column <- 0L
@@ -229,7 +251,7 @@ order_columns <- function(panels, joints, si, laced) {
   panels <- panels[panels$column %in% first, ]
   panels$column <- match(panels$column, first)
   list(
-    panels = panels, laced = laced,
+    panels = panels, laced = laced, joints = joints,
     columns = data.frame(
       heading = vapply(columns, `[[`, "", "heading"), count = vapply(columns, `[[`, 0L, "count"),
       symmetric = vapply(seq_along(columns), function(c) {
@@ -410,7 +432,7 @@ column_heading <- function(names) {
   own <- lapply(names, function(n) grep("^[0-9]+$", shared_words(n), invert = TRUE, value = TRUE))
   if (any(lengths(own) == 0L)) {
     said <- unique(vapply(names[[1L]], general_name, ""))
-    return(paste(c(utils::head(said, 3L), if (length(said) > 3L) "..."), collapse = ", "))
+    return(if (length(said) > 3L) "netting" else paste(said, collapse = ", "))
   }
   common <- Reduce(function(a, b) a[a %in% b], own)
   apart <- vapply(own, function(words) paste(setdiff(words, common), collapse = " "), "")

@@ -7,7 +7,12 @@ material_words <- function(material) {
 }
 
 # A number without needless zeros.
-short_number <- function(x, digits = 4) format(signif(x, digits), trim = TRUE, drop0trailing = TRUE)
+short_number <- function(x, digits = 4) {
+  vapply(x, function(one) format(signif(one, digits), trim = TRUE, drop0trailing = TRUE), "")
+}
+
+# Meshes, to tenths: a plan may divide a round net into parts of a mesh.
+mesh_number <- function(meshes) short_number(round(meshes, 1), 7)
 
 # "2 x 4 PE", the twine of a panel by its diameter in millimetres and its material.
 twine_words <- function(panel, unit = "") {

@@ -22,8 +22,11 @@ draw_flat_netting <- function(figure, frame) {
   if (!is.null(drawn$rows)) draw_rows(drawn, frame[1], columns[[1L]])
   for (column in columns) draw_column(column, figure, scale, use)
   draw_notes(drawn$notes, frame)
-  draw_scale(scale, frame, all(!is.na(hanging_ratios(figure$si))))
+  draw_scale(scale, frame, all_hung(figure))
 }
+
+# Whether all netting is as wide as the ropes it hangs on.
+all_hung <- function(figure) !anyNA(hung_widths(figure$si, figure$layout$joints))
 
 # The drawing as it is largest: symmetric columns whole, or halved where that helps much; panels
 # explained in a table beside them where all columns agree, else by numbers and notes below, with
@@ -101,8 +104,8 @@ flat_column <- function(panels, column, si, halve) {
   inside <- half & pmax(abs(panels$ul), abs(panels$ll)) < 1e-6
   rates <- lapply(panels$name, function(name) panel_rates(si$panels[[name]]))
   meshes <- t(vapply(si$panels[panels$name], function(p) c(p$upper, p$lower), numeric(2)))
-  panels$across_upper <- short_number(meshes[, 1], 6)
-  panels$across_lower <- short_number(meshes[, 2], 6)
+  panels$across_upper <- mesh_number(meshes[, 1])
+  panels$across_lower <- mesh_number(meshes[, 2])
   panels$right_rate <- vapply(rates, `[[`, "", "right")
   left_rate <- vapply(rates, `[[`, "", "left")
   panels$left_rate <- ifelse(inside | left_rate == panels$right_rate, "", left_rate)
@@ -134,7 +137,7 @@ fitting_scale <- function(columns, room, height, deepest) {
   if (any(vapply(columns, `[[`, NA, "wall")) || length(columns) == 1L) {
     if (sum(across) > longest_wall * deepest) {
       long <- (room - 0.4) / sum(across)
-      return(c(long, min(0.4 * height / deepest, 10 * long)))
+      return(c(long, min(0.4 * height / deepest, 20 * long)))
     }
   }
   low <- 0
@@ -211,7 +214,10 @@ draw_column <- function(column, figure, scale, use) {
     p <- panels[k, ]
     graphics::polygon(x(c(p$ul, p$ur, p$lr, p$ll)), y(p$y + c(0, 0, p$depth, p$depth)),
       border = plan_ink, lwd = 0.8, col = "#F2F4F6")
-    if (p$broken) draw_break(x(min(p$ul, p$ll)), x(max(p$ur, p$lr)), y(p$y + p$depth / 3))
+    beyond <- if (column$wall) 0 else 0.05
+    if (p$broken) {
+      draw_break(x(min(p$ul, p$ll)) - beyond, x(max(p$ur, p$lr)) + beyond, y(p$y + p$depth / 3))
+    }
   }
   if (column$half) {
     span <- range(panels$y, panels$y + panels$depth)
@@ -232,7 +238,7 @@ draw_column <- function(column, figure, scale, use) {
 
 draw_break <- function(left, right, y) {
   zigzag <- function(y) {
-    at <- seq(left - 0.05, right + 0.05, length.out = 9L)
+    at <- seq(left, right, length.out = 9L)
     list(x = at, y = y + rep_len(c(0, 0.03, 0, -0.03), 9L))
   }
   upper <- zigzag(y + 0.025)

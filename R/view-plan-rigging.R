@@ -10,14 +10,24 @@ plan_rigging <- function(si, ropes, pieces) {
   if (!length(free)) return(NULL)
   found <- rigging_places(si)
   item <- ropes$item[match(vapply(names(free), rope_kind, "", si = si), ropes$kind)]
-  from <- match(found$of(vapply(free, `[[`, "", "from")), found$places)
-  to <- match(found$of(vapply(free, `[[`, "", "to")), found$places)
+  # A rope that slides through places runs from either end to all of them.
+  stretches <- do.call(rbind, lapply(seq_along(free), function(k) {
+    rope <- free[[k]]
+    if (!length(rope$through)) return(data.frame(rope = k, from = rope$from, to = rope$to))
+    rbind(
+      data.frame(rope = k, from = rope$from, to = rope$through),
+      data.frame(rope = k, from = rope$to, to = rope$through)
+    )
+  }))
+  from <- match(found$of(stretches$from), found$places)
+  to <- match(found$of(stretches$to), found$places)
+  item <- item[stretches$rope]
   letters <- piece_letters(found, pieces, si)
   kind <- place_kinds(found, letters, from, to, item)
   class <- match(kind, unique(kind))
   first <- match(unique(class), class)
   edges <- data.frame(from = class[from], to = class[to], item = item,
-    length = vapply(free, `[[`, 0, "length"))
+    length = vapply(free, `[[`, 0, "length")[stretches$rope])
   flip <- edges$from > edges$to
   edges[flip, c("from", "to")] <- edges[flip, c("to", "from")]
   edges <- edges[!duplicated(edges[c("from", "to", "item")]), ]
@@ -45,7 +55,7 @@ rigging_places <- function(si) {
       if (is.null(at)) text else at
     }, "", USE.NAMES = FALSE)
   }
-  ends <- unlist(lapply(si$ropes, function(rope) c(rope$from, rope$to)), use.names = FALSE)
+  ends <- unlist(lapply(si$ropes, function(rope) c(rope$from, rope$through, rope$to)), use.names = FALSE)
   set <- unlist(lapply(si$pieces, `[[`, "at"), use.names = FALSE)
   places <- unique(of(c(ends, set)))
   gathered <- of(unlist(lapply(si$seams, `[[`, "gathered_at"), use.names = FALSE))
@@ -173,6 +183,8 @@ rope_curve <- function(a, b, within, number) {
   s <- seq(0, 1, length.out = 17L)
   across <- c(-(b[2] - a[2]), b[1] - a[1])
   across <- across / sqrt(sum(across^2))
+  # Arcs within a layer bend towards the layer before it.
+  if (within && across[1] > 0) bend <- -bend
   cbind(
     a[1] + s * (b[1] - a[1]) + bend * 4 * s * (1 - s) * across[1],
     a[2] + s * (b[2] - a[2]) + bend * 4 * s * (1 - s) * across[2]

@@ -10,7 +10,7 @@ table_rows <- function(panels, si) {
     data.frame(
       y = panels$y[k], depth = panels$depth[k],
       part = gsub("_", " ", if (is.na(panel$part)) panels$name[k] else panel$part),
-      deep = short_number(panel$deep, 6), mesh = short_number(1000 * panel$mesh_size, 6),
+      deep = mesh_number(panel$deep), mesh = short_number(1000 * panel$mesh_size, 6),
       twine = trimws(paste(twine_words(panel), mesh_words(panel)))
     )
   })
@@ -76,11 +76,11 @@ draw_rows <- function(drawn, left, column) {
 # What a note says of a panel; detail: its counts and rates stand in the drawing.
 note_words <- function(name, si, detail) {
   panel <- si$panels[[name]]
-  across <- unique(short_number(c(panel$upper, panel$lower), 6))
+  across <- unique(mesh_number(c(panel$upper, panel$lower)))
   rates <- sort(unique(Filter(nzchar, panel_rates(panel))))
   paste(c(
     if (!detail) paste(paste(across, collapse = "/"), "across"),
-    paste(short_number(panel$deep, 6), "deep"),
+    paste(mesh_number(panel$deep), "deep"),
     paste(short_number(1000 * panel$mesh_size, 6), "mm mesh"),
     paste(twine_words(panel, " mm"), "twine"), Filter(nzchar, mesh_words(panel)),
     if (!detail && length(rates)) paste("cut", paste(rates, collapse = " and "))
@@ -136,6 +136,7 @@ draw_notes <- function(notes, frame) {
 label_wall <- function(column, x, y, use) {
   for (k in seq_len(nrow(column$panels))) {
     p <- column$panels[k, ]
-    label_text(x((p$ul + p$ll + p$ur + p$lr) / 4), y(p$y + p$depth / 2), p$tag, 0.5, use)
+    label_text(x((p$ul + p$ll + p$ur + p$lr) / 4), y(p$y + p$depth * if (p$broken) 0.75 else 0.5),
+      p$tag, 0.5, use)
   }
 }

@@ -3,8 +3,8 @@
 #
 # A figure is list(words, unit (of what it shows), across (label below), lines = list of list(x, y,
 # group, dashed, symbols), groups (labels of its own groups, or NULL: they are those of the page's
-# key), colours (of its groups, or NULL: from dark to light), missing (places along the axis where there is nothing to show), ticks (labels of the places 1,
-# 2, ... or NULL)).
+# key), colours (of its groups, or NULL: from dark to light), missing (places along the axis where
+# there is nothing to show), ticks (labels of the places 1, 2, ... or NULL)).
 
 # Inches of the page: of one figure, of the title above them and of a row of the key.
 least_series <- c(2.4, 1.3)

@@ -16,6 +16,10 @@ view_symbols <- data.frame(
 )
 
 # The rows of the table that a drawing's marks use, in its order.
-symbols_used <- function(marks) view_symbols[view_symbols$role %in% marks$role, ]
+symbols_used <- function(marks) view_symbols[view_symbols$role %in% symbol_of(marks$role)$role, ]
 
-symbol_of <- function(role) view_symbols[match(role, view_symbols$role), ]
+# The symbols of roles; a role that the table does not have is another piece.
+symbol_of <- function(role) {
+  known <- ifelse(role %in% view_symbols$role, role, "other")
+  view_symbols[match(known, view_symbols$role), ]
+}

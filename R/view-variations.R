@@ -1,9 +1,9 @@
 #' Plot measures of many variations
 #'
 #' Small figures beside one another: every measure against the field that changes first. Where other
-#' fields change too there is a line for each of their combinations, told apart by colour, symbol and
-#' the key above. A cross at the foot of a figure stands where a gear did not settle. Depths grow
-#' downwards.
+#' fields change too there is a line for each of their combinations, told apart by colour, symbol
+#' and the key above. A cross at the foot of a figure stands where a gear did not settle. Depths
+#' grow downwards.
 #'
 #' @param x Variations, from [vary()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
@@ -96,7 +96,8 @@ variations_figure <- function(x, study, name) {
     )
   })
   list(
-    words = said$words, unit = said$unit, across = do.call(words_and_unit, field_words(study$field)),
+    words = said$words, unit = said$unit,
+    across = do.call(words_and_unit, field_words(study$field)),
     lines = Filter(function(line) length(line$x), lines),
     missing = unique(study$at[!x$settled]), ticks = study$ticks
   )

@@ -666,6 +666,7 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
         "straight_tension"_nm = straight_tension(e),
+        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);

@@ -34,14 +34,18 @@
   }
 
   function clearErrors() {
-    document.querySelectorAll('.field-error').forEach(function (p) { p.textContent = ''; p.hidden = true; });
-    document.querySelectorAll('[aria-invalid]').forEach(function (e) { e.removeAttribute('aria-invalid'); });
+    document.querySelectorAll('.field-error').forEach(function (place) { show(place.id, ''); });
+    document.querySelectorAll('[aria-invalid]').forEach(function (field) {
+      field.removeAttribute('aria-invalid');
+    });
     show('refused', '');
   }
 
   function refuseField(control, words) {
     show(control.dataset.control + '_error', words);
-    control.querySelectorAll('input, select').forEach(function (e) { e.setAttribute('aria-invalid', 'true'); });
+    control.querySelectorAll('input, select').forEach(function (field) {
+      field.setAttribute('aria-invalid', 'true');
+    });
   }
 
   // ---- moving controls --------------------------------------------------------------------------
@@ -55,7 +59,8 @@
     } else if (kind === 'truth') {
       moved[id] = { value: control.querySelector('.truth').checked };
     } else {
-      var slider = control.querySelector('[type=range]'), field = control.querySelector('[type=number]');
+      var slider = control.querySelector('[type=range]');
+      var field = control.querySelector('[type=number]');
       var unit = control.querySelector('.unit');
       if (source === slider) field.value = slider.value;
       if (field.value === '' || !isFinite(field.valueAsNumber)) {
@@ -64,6 +69,7 @@
       }
       if (source === field) reach(slider, field.valueAsNumber);
       moved[id] = { value: field.valueAsNumber, unit: unit ? unit.value : '' };
+      slider.setAttribute('aria-valuetext', field.value + ' ' + moved[id].unit);
     }
     ask();
   }
@@ -80,9 +86,11 @@
     var option = unit.selectedOptions[0], before = Number(unit.dataset.factor);
     var share = before / Number(option.dataset.factor);
     unit.dataset.factor = option.dataset.factor;
-    var slider = control.querySelector('[type=range]'), field = control.querySelector('[type=number]');
+    var slider = control.querySelector('[type=range]');
+    var field = control.querySelector('[type=number]');
     var value = tidy(field.valueAsNumber * share);
-    var ends = [tidy(slider.min * share), tidy(slider.max * share)], step = tidy(slider.step * share);
+    var ends = [tidy(slider.min * share), tidy(slider.max * share)];
+    var step = tidy(slider.step * share);
     slider.min = ends[0];
     slider.max = ends[1];
     slider.step = step;
@@ -95,7 +103,8 @@
 
   document.addEventListener('focusin', function (event) {
     var unit = event.target;
-    if (unit.classList.contains('unit')) unit.dataset.factor = unit.selectedOptions[0].dataset.factor;
+    if (!unit.classList.contains('unit')) return;
+    unit.dataset.factor = unit.selectedOptions[0].dataset.factor;
   });
 
   document.addEventListener('input', function (event) {
@@ -158,7 +167,8 @@
     var to = area.value.indexOf('\n', from);
     area.focus();
     area.setSelectionRange(from, to < 0 ? area.value.length : to);
-    area.scrollTop = area.scrollHeight * from / Math.max(area.value.length, 1) - area.clientHeight / 2;
+    var share = from / Math.max(area.value.length, 1);
+    area.scrollTop = area.scrollHeight * share - area.clientHeight / 2;
   }
 
   document.addEventListener('click', function (event) {
@@ -183,7 +193,8 @@
 
   function listen() {
     window.codendTank.listen();
-    find('plan_drop').querySelector('[type=text]').setAttribute('aria-label', 'Name of the plan file');
+    find('plan_drop').querySelector('[type=text]')
+      .setAttribute('aria-label', 'Name of the plan file');
     Shiny.addCustomMessageHandler('flume_palettes', window.codendTank.palettes);
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
       clearErrors();
@@ -196,7 +207,8 @@
     });
     Shiny.addCustomMessageHandler('flume_refused', function (message) {
       clearErrors();
-      var control = message.control && document.querySelector('[data-control="' + message.control + '"]');
+      var control = message.control &&
+        document.querySelector('[data-control="' + message.control + '"]');
       if (control) refuseField(control, message.message);
       if (message.where === 'plan_file') {
         show('plan_file_error', message.message + ' The gear on screen stays.');

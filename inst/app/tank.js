@@ -7,15 +7,16 @@ window.codendTank = (function () {
   'use strict';
 
   var shown = { now: null, pinned: null };
-  var about = { flow: [0, 0], water: true };
+  var about = { flow: [0, 0], water: true, bed: null };
   var palettes = { ropes: [], netting: [] };
   var choice = { focus: 'net', from: 'bow', compare: 'off' };
-  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards, radians.
+  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards,
+  // radians.
   var views = {
     bow: [-2.05, 0.34], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0], astern: [0, 0]
   };
   var camera = { turn: views.bow[0], rise: views.bow[1], zoom: 1, pan: [0, 0] };
-  var ink = '#202428', soft = '#5B636A', sea = '#2C6E9B', ghost = '#9AA3AB';
+  var ink = '#202428', soft = '#5B636A', sea = '#2C6E9B', bedColour = '#8A6D3B', ghost = '#9AA3AB';
   var waiting = false;
 
   function bytes(text) {
@@ -36,7 +37,10 @@ window.codendTank = (function () {
     drawing.points = floats(part.moved.points);
     drawing.colour = { netting: bytes(part.moved.netting), ropes: bytes(part.moved.ropes) };
     drawing.at = floats(part.moved.marks);
-    drawing.range = { whole: rangeOf(drawing, ['ropes', 'netting']), net: rangeOf(drawing, ['netting']) };
+    drawing.boards = floats(part.moved.boards);
+    drawing.range = {
+      whole: rangeOf(drawing, ['ropes', 'netting']), net: rangeOf(drawing, ['netting'])
+    };
     return drawing;
   }
 
@@ -73,14 +77,15 @@ window.codendTank = (function () {
   var held = {};
   function focus() {
     var key = choice.focus;
-    var now = (key === 'net' && shown.now.range.net) || shown.now.range.whole;
-    var pinned = shown.pinned && ((key === 'net' && shown.pinned.range.net) || shown.pinned.range.whole);
+    function of(drawing) { return drawing.range[key] || drawing.range.whole; }
+    var now = of(shown.now), pinned = of(shown.pinned);
     var all = choice.compare === 'off' ? now : join(now, pinned);
     var kept = held[key];
     if (kept) {
       var size = longest(kept), slack = 0.06 * size, fits = longest(all) > 0.6 * size;
       for (var axis = 0; axis < 3; axis++) {
-        fits = fits && all.low[axis] > kept.low[axis] - slack && all.high[axis] < kept.high[axis] + slack;
+        fits = fits && all.low[axis] > kept.low[axis] - slack &&
+          all.high[axis] < kept.high[axis] + slack;
       }
       if (fits) return kept;
     }
@@ -105,10 +110,10 @@ window.codendTank = (function () {
       return half.reduce(function (sum, h, k) { return sum + Math.abs(axis[k]) * h; }, 0) || 1e-6;
     }
     // Perspective makes what is near larger, and axes need room for their words.
-    var room = perspective ? 0.76 : 0.93;
+    var room = perspective ? 0.8 : 0.93;
     var fit = room * Math.min(box.width / 2 / reach(right), box.height / 2 / reach(up));
     var scale = fit * zoom;
-    var away = 4 * Math.sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]) / zoom + 1e-6;
+    var away = 4 * Math.hypot(half[0], half[1], half[2]) / zoom + 1e-6;
     var cx = box.left + box.width / 2 + pan[0], cy = box.top + box.height / 2 + pan[1];
     function put(x, y, z, out, k) {
       var dx = x - middle[0], dy = y - middle[1], dz = z - middle[2];
@@ -136,7 +141,8 @@ window.codendTank = (function () {
     var count = drawing.points.length / 3;
     var screen = new Float32Array(4 * count);
     for (var i = 0; i < count; i++) {
-      put(drawing.points[3 * i], drawing.points[3 * i + 1], drawing.points[3 * i + 2], screen, 4 * i);
+      var p = 3 * i;
+      put(drawing.points[p], drawing.points[p + 1], drawing.points[p + 2], screen, 4 * i);
     }
     var nets = drawing.ends.netting.length / 2, ropes = drawing.ends.ropes.length / 2;
     var marks = plain ? 0 : drawing.at.length / 3;
@@ -149,7 +155,8 @@ window.codendTank = (function () {
     for (i = 0; i < total; i++) {
       order[i] = i;
       if (i < nets + ropes) {
-        var ends = i < nets ? drawing.ends.netting : drawing.ends.ropes, k = i < nets ? i : i - nets;
+        var ends = i < nets ? drawing.ends.netting : drawing.ends.ropes;
+        var k = i < nets ? i : i - nets;
         depth[i] = screen[4 * ends[2 * k] + 2] + screen[4 * ends[2 * k + 1] + 2];
       } else {
         depth[i] = 2 * spots[4 * (i - nets - ropes) + 2];
@@ -175,7 +182,34 @@ window.codendTank = (function () {
     }
   }
 
-  // Boards and canvas are plates as in the page of view(), everything else is round.
+  // The corners of a plate: of a free board as they are, else as in the page of view(), with at
+  // least so many pixels to each side of its middle.
+  function corners(drawing, i, s) {
+    var mark = drawing.mark, least = (mark.role[i] === 'canvas' ? 3 : 6) / s;
+    var middle = [0, 1, 2].map(function (axis) { return drawing.at[3 * i + axis]; });
+    if (mark.board[i] >= 0) {
+      var all = [0, 1, 2, 3].map(function (k) {
+        var from = 3 * (4 * mark.board[i] + k);
+        return middle.map(function (v, axis) { return drawing.boards[from + axis] - v; });
+      });
+      var grow = Math.max(1, 2 * least / mark.size[i]);
+      return all.map(function (c) {
+        return c.map(function (v, axis) { return middle[axis] + grow * v; });
+      });
+    }
+    var half = Math.max(mark.size[i] / 2, least);
+    var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
+    var way = mark.direction[i] || 'up';
+    var first = way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0];
+    var second = way === 'up' ? [-h, 0, h] : way === 'down' ? [h, 0, h] : [0, 0, 1];
+    return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(function (sign) {
+      return middle.map(function (v, axis) {
+        return v + half * (sign[0] * first[axis] + sign[1] * second[axis]);
+      });
+    });
+  }
+
+  // Boards and canvas are plates, everything else is round.
   function paintMark(context, drawing, i, spots, put) {
     var mark = drawing.mark, x = spots[4 * i], y = spots[4 * i + 1], s = spots[4 * i + 3];
     context.fillStyle = mark.fill[i];
@@ -183,20 +217,14 @@ window.codendTank = (function () {
     context.lineWidth = 1;
     context.beginPath();
     if (mark.role[i] === 'otter_board' || mark.role[i] === 'canvas') {
-      var half = Math.max(mark.size[i] / 2, 7 / s);
-      var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
-      var way = mark.direction[i] || 'up';
-      var first = way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0];
-      var second = way === 'up' ? [-h, 0, h] : way === 'down' ? [h, 0, h] : [0, 0, 1];
-      [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach(function (sign, k) {
-        var at = place(put, [0, 1, 2].map(function (axis) {
-          return drawing.at[3 * i + axis] + half * (sign[0] * first[axis] + sign[1] * second[axis]);
-        }));
+      corners(drawing, i, s).forEach(function (corner, k) {
+        var at = place(put, corner);
         if (k) context.lineTo(at[0], at[1]); else context.moveTo(at[0], at[1]);
       });
       context.closePath();
     } else {
-      context.arc(x, y, Math.max(3.2 * mark.symbol[i], s * mark.size[i] / Math.sqrt(Math.PI)), 0, 7);
+      var radius = s * mark.size[i] / Math.sqrt(Math.PI);
+      context.arc(x, y, Math.max(3.2 * mark.symbol[i], radius), 0, 7);
     }
     context.fill();
     context.stroke();
@@ -218,7 +246,8 @@ window.codendTank = (function () {
 
   // Round numbers between two, about `wanted` of them.
   function ticks(low, high, wanted) {
-    var rough = (high - low) / Math.max(wanted, 1), power = Math.pow(10, Math.floor(Math.log10(rough)));
+    var rough = (high - low) / Math.max(wanted, 1);
+    var power = Math.pow(10, Math.floor(Math.log10(rough)));
     var step = [1, 2, 5, 10].map(function (m) { return m * power; })
       .filter(function (s) { return s >= rough * 0.999; })[0];
     var out = [];
@@ -228,22 +257,41 @@ window.codendTank = (function () {
     return out;
   }
 
-  // The water's surface over the ranges, where the eye is not level with it.
-  function paintSurface(context, put, range) {
-    var corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(function (c) {
-      return place(put, [c[0] ? range.high[0] : range.low[0], c[1] ? range.high[1] : range.low[1], 0]);
+  // Height of the sea bed.
+  function bedAt(x, y) {
+    var n = about.bed.normal;
+    return (about.bed.height - n[0] * x - n[1] * y) / n[2];
+  }
+
+  // A sheet over the ranges, with its height by place: the water's surface or the sea bed.
+  function paintSheet(context, put, range, height, colour, fill, words) {
+    var seen = [[0, 0], [1, 0], [1, 1], [0, 1]].map(function (c) {
+      var x = c[0] ? range.high[0] : range.low[0], y = c[1] ? range.high[1] : range.low[1];
+      return place(put, [x, y, height(x, y)]);
     });
     context.beginPath();
-    corners.forEach(function (c, k) {
+    seen.forEach(function (c, k) {
       if (k) context.lineTo(c[0], c[1]); else context.moveTo(c[0], c[1]);
     });
     context.closePath();
-    context.fillStyle = 'rgba(74, 144, 194, 0.12)';
+    context.fillStyle = fill;
     context.fill();
-    context.strokeStyle = sea;
+    context.strokeStyle = colour;
     context.lineWidth = 1;
     context.stroke();
-    text(context, 'water surface', corners[0][0] + 6, corners[0][1] - 9, 'left', sea);
+    text(context, words, seen[0][0] + 6, seen[0][1] - 9, 'left', colour);
+  }
+
+  // Sheets on the far side of the gear (far: whether those) as the eye is above or below them.
+  function paintSheets(context, put, range, far) {
+    var above = camera.rise > 0.02, below = camera.rise < -0.02;
+    if (about.water && (far ? below : above)) {
+      paintSheet(context, put, range, function () { return 0; }, sea, 'rgba(74, 144, 194, 0.12)',
+        'water surface');
+    }
+    if (about.bed && (far ? above : below)) {
+      paintSheet(context, put, range, bedAt, bedColour, 'rgba(178, 143, 92, 0.22)', 'sea bed');
+    }
   }
 
   // Edges of the box around the range that carry axes, with their ticks and words a fixed number of
@@ -262,7 +310,9 @@ window.codendTank = (function () {
       var seen = Math.hypot(b[0] - a[0], b[1] - a[1]);
       if (seen < 24) return;
       // The way off the edge on the screen: across it, on the side where `out` points.
-      var c = place(put, edge.from.map(function (v, k) { return v + 0.01 * longest(range) * edge.out[k]; }));
+      var c = place(put, edge.from.map(function (v, k) {
+        return v + 0.01 * longest(range) * edge.out[k];
+      }));
       var off = [-(b[1] - a[1]) / seen, (b[0] - a[0]) / seen];
       if (off[0] * (c[0] - a[0]) + off[1] * (c[1] - a[1]) < 0) off = [-off[0], -off[1]];
       context.strokeStyle = '#8A949C';
@@ -293,7 +343,8 @@ window.codendTank = (function () {
   function paintFlow(context, put, box) {
     var speed = Math.hypot(about.flow[0], about.flow[1]);
     if (!speed) return;
-    var zero = place(put, [0, 0, 0]), one = place(put, [about.flow[0] / speed, about.flow[1] / speed, 0]);
+    var zero = place(put, [0, 0, 0]);
+    var one = place(put, [about.flow[0] / speed, about.flow[1] / speed, 0]);
     var dx = one[0] - zero[0], dy = one[1] - zero[1], seen = Math.hypot(dx, dy) / put.scale;
     var cx = box.left + 30, cy = box.top + box.height - 22;
     text(context, 'flow ' + speed.toFixed(2) + ' m/s', cx + 28, cy, 'left', sea);
@@ -322,10 +373,9 @@ window.codendTank = (function () {
     var ratio = window.devicePixelRatio || 1;
     var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height) return null;
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
-    }
+    var across = Math.round(width * ratio), up = Math.round(height * ratio);
+    if (canvas.width !== across) canvas.width = across;
+    if (canvas.height !== up) canvas.height = up;
     var context = canvas.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
@@ -353,12 +403,12 @@ window.codendTank = (function () {
       context.rect(box.left, box.top, box.width, box.height);
       context.clip();
       var put = projection(range, camera.turn, camera.rise, camera.zoom, camera.pan, box, true);
-      var surface = about.water && Math.abs(camera.rise) > 0.02;
-      if (surface && camera.rise < 0) paintSurface(context, put, join(range, shown.now.range.whole));
+      var all = join(range, shown.now.range.whole);
+      paintSheets(context, put, all, true);
       paintAxes(context, put, range, box);
       if (choice.compare === 'over' && shown.pinned) paintGear(context, shown.pinned, put, true);
       paintGear(context, shown[box.drawing], put, false);
-      if (surface && camera.rise > 0) paintSurface(context, put, join(range, shown.now.range.whole));
+      paintSheets(context, put, all, false);
       paintFlow(context, put, box);
       if (choice.compare === 'beside') {
         text(context, box.drawing === 'now' ? 'Now' : 'Pinned', box.left + box.width / 2,
@@ -378,7 +428,9 @@ window.codendTank = (function () {
   }
 
   var planes = {
-    xy: { turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x aft (m)', 'y starboard (m)'] },
+    xy: {
+      turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x aft (m)', 'y starboard (m)']
+    },
     xz: { turn: -Math.PI / 2, rise: 0, axes: [0, 2], names: ['x aft (m)', 'depth (m)'] },
     yz: { turn: 0, rise: 0, axes: [1, 2], names: ['y starboard (m)', 'depth (m)'] }
   };
@@ -389,7 +441,8 @@ window.codendTank = (function () {
     var plane = planes[name], range = focus(), context = page.context;
     var box = { left: 54, top: 8, width: page.width - 66, height: page.height - 48 };
     var put = projection(range, plane.turn, plane.rise, 1, [0, 0], box, false);
-    var scale = put.scale, middle = range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
+    var scale = put.scale;
+    var middle = range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
     var across = plane.axes[0], up = plane.axes[1];
     function end(axis, sign, size) { return middle[axis] + sign * size / 2 / scale; }
     context.fillStyle = '#F6F9FB';
@@ -411,18 +464,32 @@ window.codendTank = (function () {
       context.lineTo(box.left + box.width, level);
       context.stroke();
     }
+    if (up === 2 && about.bed) {
+      context.fillStyle = '#E6DAC6';
+      context.beginPath();
+      [[-1, 'bed'], [1, 'bed'], [1, 'floor'], [-1, 'floor']].forEach(function (corner, k) {
+        var at = middle.slice();
+        at[across] = end(across, corner[0], box.width);
+        at[2] = corner[1] === 'bed' ? bedAt(at[0], at[1]) : end(2, -1, box.height);
+        var on = place(put, at);
+        if (k) context.lineTo(on[0], on[1]); else context.moveTo(on[0], on[1]);
+      });
+      context.fill();
+    }
     if (choice.compare !== 'off' && shown.pinned) paintGear(context, shown.pinned, put, true);
     paintGear(context, shown.now, put, false);
     context.restore();
     context.strokeStyle = '#8A949C';
     context.lineWidth = 1;
     context.strokeRect(box.left, box.top, box.width, box.height);
-    ticks(end(across, -1, box.width), end(across, 1, box.width), box.width / 70).forEach(function (t) {
+    var left = end(across, -1, box.width), right = end(across, 1, box.width);
+    ticks(left, right, box.width / 70).forEach(function (t) {
       var x = box.left + box.width / 2 + scale * (t - middle[across]);
       text(context, String(t), x, box.top + box.height + 12, 'center', soft);
       context.fillRect(x, box.top + box.height, 1, 4);
     });
-    ticks(end(up, -1, box.height), end(up, 1, box.height), box.height / 40).forEach(function (t) {
+    var foot = end(up, -1, box.height), head = end(up, 1, box.height);
+    ticks(foot, head, box.height / 40).forEach(function (t) {
       var y = box.top + box.height / 2 - scale * (t - middle[up]);
       text(context, String(up === 2 ? (-t || 0) : t), box.left - 6, y, 'right', soft);
       context.fillRect(box.left - 4, y, 4, 1);
@@ -460,14 +527,18 @@ window.codendTank = (function () {
 
   function colourBar(kind, scale) {
     var bar = element('div', 'colour-bar');
-    if (!scale) return bar;
     bar.appendChild(element('div', 'heading', scale.heading));
     var strip = element('div', 'strip');
     strip.style.background = 'linear-gradient(to right, ' + palettes[kind].slice(1)
       .filter(function (c, k) { return k % 12 === 0; }).join(', ') + ')';
     bar.appendChild(strip);
     var row = element('div', 'ticks');
+    // Pixels that the words so far reach to, on a bar of 210.
+    var reach = -Infinity;
     scale.ticks.forEach(function (words, k) {
+      var half = 3.6 * words.length;
+      if (210 * scale.at[k] - half < reach + 5) return;
+      reach = 210 * scale.at[k] + half;
       var tick = element('span', '', words);
       tick.style.left = 100 * scale.at[k] + '%';
       row.appendChild(tick);
@@ -480,7 +551,7 @@ window.codendTank = (function () {
     var box = document.getElementById('tank_legend');
     box.textContent = '';
     ['ropes', 'netting'].forEach(function (kind) {
-      box.appendChild(colourBar(kind, legend[kind]));
+      if (legend[kind]) box.appendChild(colourBar(kind, legend[kind]));
     });
     var key = element('div', 'key');
     function entry(words, colour, className) {
@@ -591,8 +662,10 @@ window.codendTank = (function () {
     picture: function (message) {
       shown.now = take(shown.now, message.now);
       shown.pinned = take(shown.pinned, message.pinned);
-      about = { flow: message.flow, water: message.water };
+      about = { flow: message.flow, water: message.water, bed: message.bed };
       legend = message.legend;
+      document.getElementById('tank').setAttribute('aria-label', message.name +
+        ' in three dimensions. ' + message.conditions);
       // Without netting there is nothing but the whole gear.
       var net = document.querySelector('[data-group="focus"][data-value="net"]');
       net.disabled = !shown.now.range.net;

@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace codend {
 
@@ -67,8 +68,7 @@ void Assembly::move_to(const double* x, const double* v) {
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
 }
 
-double Assembly::shade(bool search, double tolerance) {
-  // The flow at the screens' mean height; where they stand still in still water there is none.
+Vector Assembly::flow_past_screens() const {
   Vector flow = Vector::Zero(), current, slope;
   double height = 0.0;
   for (const int p : model_.screens.node) {
@@ -77,10 +77,31 @@ double Assembly::shade(bool search, double tolerance) {
   }
   const double points = static_cast<double>(model_.screens.node.size());
   model_.water.velocity(height / points, current, slope);
-  flow = flow / points + current;
+  return flow / points + current;
+}
+
+double Assembly::shade(bool search, double tolerance) {
+  const Vector flow = flow_past_screens();
+  // Where they stand still in still water there is no wake.
   if (flow.norm() == 0.0) return 0.0;
   flow_known_ = false;
   return wake_.shade(position_.data(), flow, search, tolerance);
+}
+
+void Assembly::shade_over(double time) {
+  const Vector flow = flow_past_screens();
+  const double speed = flow.norm();
+  if (speed == 0.0) return;
+  double first = 1e300, last = -1e300;
+  for (const int p : model_.screens.node) {
+    const double along = flow.dot(at(position_.data(), p)) / speed;
+    first = std::min(first, along);
+    last = std::max(last, along);
+  }
+  const double passing = 0.5 * (last - first) / speed;
+  flow_known_ = false;
+  wake_.shade(position_.data(), flow, true, shading_tolerance,
+              passing > 0.0 ? -std::expm1(-time / passing) : 1.0);
 }
 
 void Assembly::residual(double* force, const CarriedTension* carried) {

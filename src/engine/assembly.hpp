@@ -53,6 +53,9 @@ class Assembly {
   // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
   // Derivatives take the shares as given: the caller repeats until they no longer change.
   double shade(bool search, double tolerance);
+  // The same while the gear moves: over a time (s) the shares go towards those of a new search as
+  // fast as water takes to pass half of the netting that shades.
+  void shade_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
@@ -96,6 +99,8 @@ class Assembly {
   }
 
  private:
+  // The flow past the netting that shades, at its mean height, m/s.
+  Vector flow_past_screens() const;
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;

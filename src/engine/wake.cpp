@@ -134,8 +134,8 @@ void Wake::search(const double* position, const Vector& flow) {
   }
 }
 
-double Wake::shade(const double* position, const Vector& flow, bool search_anew,
-                   double tolerance) {
+double Wake::shade(const double* position, const Vector& flow, bool search_anew, double tolerance,
+                   double follow) {
   if (search_anew || start_.empty()) search(position, flow);
   const Vector f = flow.normalized();
   std::vector<double> r(static_cast<std::size_t>(screens_.count()));
@@ -155,7 +155,13 @@ double Wake::shade(const double* position, const Vector& flow, bool search_anew,
     for (int k = start_[p]; k < start_[p + 1]; ++k) found[p] *= r[crossed_[k]];
     change = std::max(change, std::abs(found[p] - share_[p]));
   }
-  if (change > tolerance) share_ = std::move(found);
+  if (change <= tolerance) return change;
+  if (follow < 1.0) {
+    for (std::size_t p = 0; p < found.size(); ++p) {
+      found[p] = share_[p] + follow * (found[p] - share_[p]);
+    }
+  }
+  share_ = std::move(found);
   return change;
 }
 

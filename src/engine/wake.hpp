@@ -29,6 +29,9 @@ struct Screens {
   int count() const { return static_cast<int>(law.size()); }
 };
 
+// Shares that are off by no more than this are left as they are.
+constexpr double shading_tolerance = 1e-5;
+
 // r of a sheet of this solidity whose normal has this cosine (not negative) to the flow.
 double speed_reduction(WakeLaw law, double solidity, double cosine);
 
@@ -39,9 +42,11 @@ class Wake {
   const std::vector<double>& share() const { return share_; }
   void set_share(const std::vector<double>& share) { share_ = share; }
   // Renews the shares of all points at these positions (m, 3 each) in a flow of this direction (of
-  // any length but zero), if one of them changes by more than a tolerance; search: also which screens
-  // lie upstream. Returns the largest change.
-  double shade(const double* position, const Vector& flow, bool search, double tolerance);
+  // any length but zero), if one of them is off by more than a tolerance; search: also which screens
+  // lie upstream; follow: how far the shares go towards what is found, 1 all the way. Returns by how
+  // much they were off at most.
+  double shade(const double* position, const Vector& flow, bool search, double tolerance,
+               double follow = 1.0);
 
  private:
   void search(const double* position, const Vector& flow);

@@ -1,5 +1,6 @@
 // Starts codend's flume tank and a headless Chromium for it.
-// CHROMIUM: path of the browser [/usr/bin/chromium]; CODEND: the command [exec/codend of the checkout].
+// CHROMIUM: path of the browser [/usr/bin/chromium]; CODEND: the command [exec/codend of the
+// checkout].
 'use strict';
 const { spawn } = require('node:child_process');
 const path = require('node:path');
@@ -28,8 +29,8 @@ const launch = () => chromium.launch({
   args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update']
 });
 
-// Opens the page; what goes wrong in it is kept in `problems`, requests to anything but its server in
-// `strange`.
+// Opens the page; what goes wrong in it is kept in `problems`, requests to anything but its server
+// in `strange`.
 async function open(browser, url, size = { width: 1440, height: 900 }) {
   const page = await browser.newPage({ viewport: size });
   page.problems = [];
@@ -47,7 +48,7 @@ async function open(browser, url, size = { width: 1440, height: 900 }) {
   });
   await page.goto(url);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
-  await page.waitForFunction(() => document.querySelector('.measures td'), null, { timeout: 60000 });
+  await page.waitForSelector('.measures td', { timeout: 60000 });
   return page;
 }
 

@@ -1,6 +1,6 @@
-// Many users at once: node users.js [users] [seconds]. Each has a page of its own and moves one of its
-// sliders about once a second; prints how long the answers took, from slider to message and to picture,
-// and the CPU time of the R process. Ends with status 1 when anything went wrong.
+// Many users at once: node users.js [users] [seconds]. Each has a page of its own and moves one of
+// its sliders about once a second; prints how long the answers took, from slider to message and to
+// picture, and the CPU time of the R process. Ends with status 1 when anything went wrong.
 'use strict';
 const fs = require('node:fs');
 const { serve, launch, open } = require('./tank');
@@ -18,7 +18,8 @@ function cpu(pid) {
   }
 }
 
-// In the page: moves sliders until the time is over; [ms to the message, ms to the picture] of each.
+// In the page: moves sliders until the time is over; [ms to the message, ms to the picture] of
+// each.
 async function click(seconds) {
   const picture = window.codendTank.picture;
   const times = [];
@@ -26,7 +27,8 @@ async function click(seconds) {
   window.codendTank.picture = (message) => {
     const arrived = performance.now();
     picture(message);
-    requestAnimationFrame(() => setTimeout(() => answered && answered([arrived, performance.now()]), 0));
+    const painted = () => answered && answered([arrived, performance.now()]);
+    requestAnimationFrame(() => setTimeout(painted, 0));
   };
   const refused = () => [...document.querySelectorAll('.alert-danger, .field-error')]
     .some((e) => !e.hidden);

@@ -13,7 +13,8 @@ read_raw_vtu <- function(file) {
   group <- NA
   arrays <- list()
   for (line in head) {
-    if (grepl("^<(FieldData|PointData|CellData|Points|Cells)>$", line)) group <- gsub("[<>]", "", line)
+    opens <- grepl("^<(FieldData|PointData|CellData|Points|Cells)>$", line)
+    if (opens) group <- gsub("[<>]", "", line)
     if (!startsWith(line, "<DataArray")) next
     at <- data + as.numeric(field(line, "offset"))
     length <- readBin(bytes[at + 0:7], "integer", 2L, endian = "little")

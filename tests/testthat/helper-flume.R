@@ -1,5 +1,5 @@
-# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear. sent()
-# gives the messages of a type that the page has been sent since it was last asked.
+# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear.
+# sent() gives the messages of a type that the page has been sent since it was last asked.
 in_flume <- function(gear, test, fields = list(), nodes = 300) {
   if (is.character(gear)) gear <- read_gear(gear)
   start <- list(gear = gear, state = settle(gear, nodes = nodes))

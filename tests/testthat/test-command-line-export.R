@@ -8,9 +8,10 @@ export <- function(...) {
   script <- system.file("exec", "codend", package = "codend")
   err <- tempfile()
   on.exit(unlink(err))
+  libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
   status <- system2(
     file.path(R.home("bin"), "Rscript"), shQuote(c(script, "export", ...)), stdout = FALSE,
-    stderr = err, env = paste0("R_LIBS=", shQuote(paste(.libPaths(), collapse = .Platform$path.sep)))
+    stderr = err, env = paste0("R_LIBS=", shQuote(libraries))
   )
   list(status = status, err = paste(readLines(err), collapse = " "))
 }

@@ -106,6 +106,42 @@ test_that("slack and tension in triangles tell both families of twine", {
   expect_true(all(cells$slack[net] == 0.5))
 })
 
+test_that("hexagonal meshes and a catch have their numbers", {
+  # a bag of four panels, its entrance held on a circle
+  names <- paste0("net_", 1:4)
+  ring <- lapply(1:4, function(k) {
+    angle <- pi / 2 * (k - 1)
+    list(position = 0.4 * c(0, cos(angle), sin(angle)), held = "moved",
+      at = paste0(names[k], ".upper_left"))
+  })
+  net <- list(
+    mesh_size = 0.144, meshes = list(upper = 5, lower = 5, deep = 20), orientation = "hexagonal",
+    straight_bar = 0.012, twine = list(diameter = 0.003, material = "PA")
+  )
+  sides <- lapply(1:4, function(k) {
+    list(edges = list(paste0(names[k], ".right"), paste0(names[k %% 4 + 1], ".left")))
+  })
+  plan <- list(
+    codend = 1, name = "Bag", towing = list(speed = 1.5),
+    points = c(setNames(ring, paste0("ring_", 1:4)), list(codline = list())),
+    panels = setNames(rep(list(net), 4), names),
+    seams = c(setNames(sides, paste0("side_", 1:4)),
+      list(codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline"))),
+    catch = list(panels = names, blocked_meshes = 8)
+  )
+  state <- unsettled(plan)
+  file <- file.path(test_folder(), "bag.vtu")
+  write_vtk(state, file)
+  found <- read_raw_vtu(file)
+  expect_identical(found$CellData$straight_tension_N[found$CellData$kind == 2],
+    state$straight_tension)
+  expect_equal(rowSums(found$CellData$catch_force_N), rowSums(state$catch_force))
+  expect_gt(sum(abs(state$catch_force)), 0)
+  # families without tension out of three
+  expect_true(all(round(3 * found$CellData$slack[found$CellData$kind == 2]) ==
+    (state$u_tension == 0) + (state$v_tension == 0) + (state$straight_tension == 0)))
+})
+
 test_that("a free otter board is a plate of its size, where its points are", {
   state <- unsettled(test_path("plans", "towed_board.yaml"))
   board <- state$si$otter_boards[[1]]

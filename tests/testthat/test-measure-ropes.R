@@ -10,8 +10,8 @@ test_that("tensions along a rope begin at its start and go over its whole length
   expect_equal(mine$along_m, cumsum(table$length_m) - table$length_m / 2)
   expect_setequal(x$rope, rows$part)
   ends <- rope_series(x)
-  expect_equal(max(ends$along_m[ends$rope == rope]), sum(table$length_m))
-  expect_equal(min(ends$along_m[ends$rope == rope]), 0)
+  expect_equal(max(ends$along_m[ends$line == rope]), sum(table$length_m))
+  expect_equal(min(ends$along_m[ends$line == rope]), 0)
 })
 
 test_that("a rope's hanging weight shows along it", {
@@ -44,4 +44,31 @@ test_that("ropes are chosen by name and by role, and both sides are neighbours",
   file <- file.path(test_folder(), "ropes.png")
   plot(some, file = file)
   expect_gt(file.size(file), 1000)
+})
+
+test_that("ropes of one role that follow each other are one line", {
+  state <- settled("longline")
+  x <- tensions_along(state, c("main_line", "branch_line"))
+  main <- x[x$role == "main_line", ]
+  expect_length(unique(main$line), 1)
+  # distances grow along the line, by the bars' lengths
+  expect_equal(diff(main$along_m), (main$length_m[-1] + main$length_m[-nrow(main)]) / 2)
+  expect_gt(length(unique(main$rope)), 40)
+  # at a branch line the tension changes by less than what hangs there, 1 N or so
+  branch <- x[x$role == "branch_line", ]
+  expect_identical(branch$line, branch$rope)
+})
+
+test_that("lines end where they part, and rings begin where the plan begins them", {
+  lattice <- function(nodes, role) {
+    list(
+      parts = data.frame(name = names(nodes), kind = "rope", role = role),
+      ropes = lapply(nodes, function(node) list(node = node))
+    )
+  }
+  fork <- list(a = 1:3, b = 3:5, c = c(3L, 7L), d = c(7L, 9L))
+  expect_identical(rope_lines_end_to_end(lattice(fork, "bridle"), 1:4), c(1L, 2L, 3L, 3L))
+  expect_identical(rope_lines_end_to_end(lattice(fork, NA), 1:4), 1:4)
+  ring <- list(b = 2:3, a = 1:2, c = c(3L, 1L), loop = c(8L, 9L, 8L))
+  expect_identical(rope_lines_end_to_end(lattice(ring, "ring"), 1:4), c(1L, 1L, 1L, 4L))
 })

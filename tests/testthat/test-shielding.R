@@ -79,3 +79,37 @@ test_that("shielded states are in balance and repeat to the bit", {
   expect_lt(max(abs(remainder)), 1e-6)
   expect_identical(settle(plan, nodes = 400)$position, state$position)
 })
+
+test_that("a shielded state stays as it is while it is towed", {
+  for (netting in c("triangles", "bars")) {
+    state <- settle(sheets("cheng"), nodes = 200, netting = netting)
+    expect_lt(min(state$lattice$engine$wake), 0.95)
+    found <- tow(state, until = 10, every = 5)
+    # settled to 1e-8 of the largest tension
+    expect_lt(max(abs(found$position[, , 3] - state$position)), 1e-6)
+    expect_identical(found$wake[, 3], found$wake[, 1])
+    expect_equal(drag_of(state_at(found, 10)), drag_of(state), tolerance = 1e-6)
+  }
+})
+
+test_that("shading follows a current that changes, to the gear that settles in it", {
+  gear <- update(sheets("loland"), water.current.toward = "15 deg")
+  turning <- list(
+    speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg"))
+  )
+  found <- tow(sheets("loland"), until = 200, every = 20, nodes = 200, current = turning)
+  expected <- settle(gear, nodes = 200)
+  # the second sheet comes out of the shadow of the first, 4 m and 15 deg, by half
+  expect_gt(mean(found$wake[, 11]), mean(found$wake[, 1]) + 0.005)
+  # shares to 1e-5 each; drag with their square
+  expect_equal(drag_of(state_at(found, 200)), drag_of(expected), tolerance = 1e-4)
+
+  file <- file.path(test_folder(), "tow.nc")
+  skip_if_not_installed("RNetCDF")
+  half <- tow(sheets("loland"), until = 100, every = 20, nodes = 200, current = turning)
+  write_trajectory(half, file)
+  on <- tow(read_trajectory(file), until = 200)
+  for (field in c("time", "position", "wake", "memory")) {
+    expect_identical(on[[field]], found[[field]])
+  }
+})

@@ -35,7 +35,7 @@ test_that("fields of a data frame change together, and units are told", {
 })
 
 test_that("what does not settle is told in its row, and the others go on", {
-  gears <- lapply(c(1, 2, 3), function(speed) update(read_gear("towed_cable"), towing.speed = speed))
+  gears <- lapply(1:3, function(speed) update(read_gear("towed_cable"), towing.speed = speed))
   broken <- gears[[2]]
   attr(broken, "fails") <- TRUE
   failing <- function(gear, ...) {
@@ -47,10 +47,10 @@ test_that("what does not settle is told in its row, and the others go on", {
     settle(gear, ...)
   }
   one_by_one <- vary_settle
-  environment(one_by_one) <- list2env(list(settle_one = settle_one), parent = environment(vary_settle))
+  package <- environment(vary_settle)
   single <- settle_one
-  environment(single) <- list2env(list(settle = failing), parent = environment(settle_one))
-  assign("settle_one", single, environment(one_by_one))
+  environment(single) <- list2env(list(settle = failing), parent = package)
+  environment(one_by_one) <- list2env(list(settle_one = single), parent = package)
   found <- one_by_one(list(gears[[1]], broken, gears[[3]]), matrix(1:3), 1500, NULL)
   expect_null(found[[1]]$problem)
   expect_identical(found[[1]]$warning, "A board is stalled.")

@@ -7,9 +7,8 @@ test_that("a plane shows every line in its colour", {
   plot <- ggplot2::autoplot(state, plane = "xz")
   drawing <- state_drawing(state)
   every <- lapply(seq_along(plot$layers), function(k) layer(plot, k))
-  lines <- do.call(rbind, lapply(Filter(function(data) "xend" %in% names(data), every), function(data) {
-    data[c("x", "y", "xend", "yend", "colour")]
-  }))
+  every <- Filter(function(data) "xend" %in% names(data), every)
+  lines <- do.call(rbind, lapply(every, `[`, c("x", "y", "xend", "yend", "colour")))
   expect_equal(nrow(lines), length(drawing$ropes$tension) + length(drawing$netting$tension))
   # depth grows downwards: ggplot's reversed scale holds its negative
   expect_setequal(round(c(lines$y, lines$yend), 6),

@@ -27,7 +27,8 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
       mass_(model.mass),
       load_(model.load),
       factor_(plan_.parts.size(), 1.0),
-      rate_(plan_.parts.size(), 0.0) {
+      rate_(plan_.parts.size(), 0.0),
+      shaded_at_(start.time) {
   for (const GrowingPart& part : plan_.parts) {
     for (std::size_t k = 0; k < part.points.size(); ++k) {
       mass_[part.points[k]] -= part.mass[k];
@@ -45,7 +46,7 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
     kept_.assign(static_cast<std::size_t>(model.nodes), 0);
     all_shot_ = *std::max_element(plan_.shooting.time.begin(), plan_.shooting.time.end());
   }
-  answers_ = !plan_.partings.empty();
+  answers_ = !plan_.partings.empty() || assembly.shades();
   for (const GrowingPart& part : plan_.parts) answers_ = answers_ || part.has_winch;
 }
 
@@ -206,6 +207,8 @@ bool Schedule::broken_at(const Motion& now) {
   for (GrowingPart& part : plan_.parts) {
     if (part.has_winch) turn(part.winch, now.time);
   }
+  if (assembly_.shades()) assembly_.shade_over(now.time - shaded_at_);
+  shaded_at_ = now.time;
   return broken;
 }
 

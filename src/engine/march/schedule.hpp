@@ -95,7 +95,8 @@ class Schedule : public Conditions {
   Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& start);
 
   void to_time(double time, Side side, Motion& motion) override;
-  // A rope that parts takes one bar away; its weight stays on the nodes.
+  // A rope that parts takes one bar away; its weight stays on the nodes. The water behind netting
+  // slows after the netting has moved, so that shading is that of the step before.
   bool broken_at(const Motion& now) override;
   double longest_step() const override;
 
@@ -113,7 +114,8 @@ class Schedule : public Conditions {
   Plan plan_;
   Motion start_;
   std::vector<double> mass_, load_;       // without growing parts
-  bool answers_ = false;                  // there are winches or ropes that may part
+  bool answers_ = false;                  // there are winches, ropes that may part, or a wake
+  double shaded_at_;                      // s
   // Per part, buoyancy of its volumes without its own, N.
   std::vector<std::vector<double>> other_buoyancy_;
   std::vector<double> factor_, rate_;     // of the parts, as the model has them

@@ -40,7 +40,6 @@ constexpr int attempt_steps = 400;
 constexpr int attempts = 8;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
-constexpr double shading_tolerance = 1e-5;
 constexpr int shadings = 20, searches = 4;
 // Boards in a balance that does not last are pushed by this share of their chord, and the pseudo time
 // step stays below this share of the time in which their motion grows for so many steps. Tried so often.
