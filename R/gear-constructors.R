@@ -10,8 +10,8 @@ component <- function(group, fields) {
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `kite()`, `seam()`
-#'   and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `kite()`,
+#'   `seam()` and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
 #'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `shooting`,
 #'   `tow`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
