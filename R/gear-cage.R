@@ -107,14 +107,15 @@ cage_outline <- function(fields) {
   )
 }
 
-# Meshes across an open width and down an open depth (m) of netting.
+# Meshes across an open width and down an open depth (m) of netting, to a tenth of a mesh.
 open_meshes <- function(netting, width, depth) {
-  if (netting$orientation == "square") {
-    bar <- netting$mesh_size / 2
-    return(c(width, depth) / bar)
-  }
   ratio <- netting$hanging_ratio
-  c(width / (netting$mesh_size * ratio), depth / (netting$mesh_size * sqrt(1 - ratio^2)))
+  one <- netting$mesh_size * if (netting$orientation == "square") {
+    c(0.5, 0.5)
+  } else {
+    c(ratio, sqrt(1 - ratio^2))
+  }
+  pmax(0.1, round(c(width, depth) / one, 1))
 }
 
 cage_net <- function(fields, plan, outline) {
