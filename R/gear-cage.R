@@ -70,8 +70,8 @@ check_cage <- function(fields) {
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
 # corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
-# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3), bottoms,
-# pipes = wall panels over each bottom panel and along each pipe or rope).
+# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3),
+# bottoms, pipes = wall panels over each bottom panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
