@@ -70,8 +70,8 @@ check_cage <- function(fields) {
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
 # corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
-# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3), bottoms,
-# pipes = wall panels over each bottom panel and along each pipe or rope).
+# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3),
+# bottoms, pipes = wall panels over each bottom panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
@@ -107,14 +107,15 @@ cage_outline <- function(fields) {
   )
 }
 
-# Meshes across an open width and down an open depth (m) of netting.
+# Meshes across an open width and down an open depth (m) of netting, to a tenth of a mesh.
 open_meshes <- function(netting, width, depth) {
-  if (netting$orientation == "square") {
-    bar <- netting$mesh_size / 2
-    return(c(width, depth) / bar)
-  }
   ratio <- netting$hanging_ratio
-  c(width / (netting$mesh_size * ratio), depth / (netting$mesh_size * sqrt(1 - ratio^2)))
+  one <- netting$mesh_size * if (netting$orientation == "square") {
+    c(0.5, 0.5)
+  } else {
+    c(ratio, sqrt(1 - ratio^2))
+  }
+  pmax(0.1, round(c(width, depth) / one, 1))
 }
 
 cage_net <- function(fields, plan, outline) {

@@ -1,5 +1,5 @@
-# The dip net's short form and the assembly that it stands for: a bag of netting in a ring or a square
-# frame, built as a cage's net, which hangs by bridles from a line and is lifted.
+# The dip net's short form and the assembly that it stands for: a bag of netting in a ring or a
+# square frame, built as a cage's net, which hangs by bridles from a line and is lifted.
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_dip_net <- function(fields, plan) {

@@ -1,5 +1,6 @@
 # The stow net's short form and the assembly that it stands for: a bag of four panels that a tidal
-# current keeps open, between an upper beam with floats and a lower beam, on bridles from one anchor.
+# current keeps open, between an upper beam with floats and a lower beam, on bridles from an
+# anchor.
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_stow_net <- function(fields, plan) {

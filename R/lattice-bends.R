@@ -1,6 +1,7 @@
 # Stiffness of ropes against bending, between every two of their bars.
 
-# list(node = 3 per bend, couple = bending stiffness over the length that bends there, N m), as Bends.
+# list(node = 3 per bend, couple = bending stiffness over the length that bends there, N m), as
+# Bends.
 bend_elements <- function(si, lattice) {
   stiff <- Filter(function(name) si$ropes[[name]]$bending_stiffness > 0, names(si$ropes))
   bends <- lapply(stiff, function(name) {

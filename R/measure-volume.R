@@ -1,8 +1,8 @@
 # The volume that panels enclose.
 
-# Volume (m3) within panels that follow each other around openings, each closed by a lid from its rim
-# to the rim's middle, or its share (percent) of the volume that the measure names. Panels must all
-# be seen from the same side, from within or from without, with their upper edge up.
+# Volume (m3) within panels that follow each other around openings, each closed by a lid from its
+# rim to the rim's middle, or its share (percent) of the volume that the measure names. Panels must
+# all be seen from the same side, from within or from without, with their upper edge up.
 measure_volume <- function(state, measure) {
   facets <- panel_facets(state, measure$panels)
   lids <- panel_lids(state, measure$panels)
@@ -48,8 +48,8 @@ panel_facets <- function(state, names) {
 }
 
 # Lids over the openings that panels leave, as facets seen from the same side as theirs: three
-# matrices of their corners (3 x facets). Openings are bounded by edges that no seam joins to another
-# of these panels or gathers.
+# matrices of their corners (3 x facets). Openings are bounded by edges that no seam joins to
+# another of these panels or gathers.
 panel_lids <- function(state, names) {
   joined <- unlist(lapply(state$si$seams, function(seam) {
     edges <- unlist(seam$edges, recursive = FALSE)

@@ -29,8 +29,8 @@ test_that("slow water meets the drag of a stiff cylinder by the formulas of Lola
   # no circle: together under 3 %.
   expect_gt(found, 0.97 * drag(0.212))
   expect_lt(found, 1.03 * drag(0.225))
-  # Lader and Enerhaug measured a flow slower by 20 % in the middle of their model (as C. Bi, Y. Zhao
-  # and G. Dong report, Hydrodynamics: Concepts and Experiments, InTech, 2015).
+  # Lader and Enerhaug measured a flow slower by 20 % in the middle of their model (as C. Bi, Y.
+  # Zhao and G. Dong report, Hydrodynamics: Concepts and Experiments, InTech, 2015).
   expect_equal(min(si$lattice$engine$wake), 0.8, tolerance = 0.06)
 })
 
