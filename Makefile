@@ -1,11 +1,12 @@
 # make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
 # make test    every test of the engine and of the package
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
+# make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 # All install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test browser-test bench robust
+.PHONY: trawl test browser-test bench bench-tow robust
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -22,6 +23,10 @@ NODES ?= 100000
 bench:
 	@tools/setup --tests
 	@Rscript bench/bench.R $(NODES)
+
+bench-tow:
+	@tools/setup --tests
+	@Rscript bench/motion.R
 
 robust:
 	@tools/setup --tests

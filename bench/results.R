@@ -42,3 +42,13 @@ measured_with <- function() {
     parallel::detectCores(), format(Sys.Date())
   )
 }
+
+# One data frame of lists of single values that need not have the same names.
+bind_rows <- function(rows) {
+  columns <- unique(unlist(lapply(rows, names)))
+  as.data.frame(
+    stats::setNames(lapply(columns, function(column) {
+      unlist(lapply(rows, function(row) if (is.null(row[[column]])) NA else row[[column]]))
+    }), columns)
+  )
+}

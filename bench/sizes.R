@@ -47,16 +47,6 @@ run_all <- function(most, keep) {
   bind_rows(rows)
 }
 
-# One data frame of lists of single values that need not have the same names.
-bind_rows <- function(rows) {
-  columns <- unique(unlist(lapply(rows, names)))
-  as.data.frame(
-    stats::setNames(lapply(columns, function(column) {
-      unlist(lapply(rows, function(row) if (is.null(row[[column]])) NA else row[[column]]))
-    }), columns)
-  )
-}
-
 # A row per case and size: how many of the runs settled, and medians over those.
 summarise_runs <- function(runs) {
   groups <- split(runs, list(factor(runs$case, unique(runs$case)), runs$asked), drop = TRUE)

@@ -49,7 +49,7 @@ codend_shape <- function(state) {
   z <- matrix(state$position[3, nodes], nrow(nodes))
   data.frame(
     x = rowMeans(matrix(state$position[1, nodes], nrow(nodes))), r = rowMeans(sqrt(y^2 + z^2)),
-    area = vapply(seq_len(nrow(y)), function(k) polygon_area(y[k, ], z[k, ]), 0)
+    area = vapply(seq_len(nrow(y)), function(k) abs(polygon_area(y[k, ], z[k, ])), 0)
   )
 }
 

@@ -1,0 +1,46 @@
+# Where the motions that are measured begin: trajectories of one moment.
+
+# From a settled state, in schedules given by name as tow() takes them.
+from_state <- function(state, until, ...) {
+  codend:::started_trajectory(state, list(control_every = 10, ...), until)
+}
+
+# From places (3 x nodes, m) at rest.
+from_rest <- function(gear, lattice, position, until) {
+  given <- list(control_every = 10)
+  what <- codend:::tow_start(gear, codend:::gear_si(gear), lattice, given, until)
+  codend:::add_start(what, position, c(0, 0, 0))
+}
+
+# The shipped trawl, which gains a fifth of its speed in 4 s, smoothly.
+sped_up_trawl <- function(nodes) {
+  state <- settle("midwater_trawl", nodes = nodes, netting = "bars")
+  speed <- state$si$towing$speed
+  from_state(state, 4, speed = function(t) speed * (1.1 - 0.1 * cos(pi * min(t, 4) / 4)))
+}
+
+# The shipped trawl as it goes into the turn of its plan.
+turning_trawl <- function(nodes) {
+  from_state(settle("midwater_trawl", nodes = nodes, netting = "bars"), 120,
+    course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
+}
+
+# The warp of the public case, straight down and unstretched.
+warp_from_rest <- function() {
+  gear <- test_plan("towed_warp")
+  lattice <- codend:::build_lattice(codend:::gear_si(gear))
+  position <- lattice$start
+  node <- lattice$ropes$warp$node
+  position[, node] <- rbind(0, 0, -20 - 5 * (seq_along(node) - 1))
+  from_rest(gear, lattice, position, 2170)
+}
+
+# The square net of the public case, flat, upright and unstretched.
+net_from_rest <- function(n) {
+  gear <- square_net(n)
+  lattice <- codend:::build_lattice(codend:::gear_si(gear))
+  position <- lattice$start
+  net <- lattice$panels[[1L]]
+  position[, net$node] <- rbind(0, 0.5 * net$i - (n - 1) / 4, -10 - 0.5 * net$j)
+  from_rest(gear, lattice, position, 400)
+}

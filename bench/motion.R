@@ -1,0 +1,100 @@
+# make bench-tow: what a second of motion costs by scheme, beside how far from the truth it is.
+#
+# Every run starts from one prepared trajectory and times its march alone: no plan is read, no lattice
+# built, no picture drawn. Errors are distances of nodes from their places in a reference of the same
+# lattice, the largest and the root mean square over all nodes and kept times. Argument: the most
+# nodes (1e4).
+library(codend)
+rooms <- c("cases", "own-process", "results", "motion-start", "motion-page")
+for (room in rooms) source(file.path("bench", paste0(room, ".R")))
+
+given <- commandArgs(TRUE)
+most <- if (length(given)) as.numeric(given[1]) else 1e4
+
+# Runs shorter than this (CPU s) are repeated, and their median counts.
+short_run <- 0.3
+
+# How a scheme marches: with an accuracy (m), or with steps of one length (s; NULL: nine tenths of the
+# longest that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
+how <- function(scheme, accuracy = NULL, step = NULL) {
+  method <- codend:::tow_method(scheme, if (is.null(accuracy)) 0.01 else accuracy, step)
+  if (scheme == "substitution") method$tolerance <- 1e-5
+  method
+}
+
+# One row: list(CPU s per simulated s, errors, counts, found = the trajectory). reference: a
+# trajectory, or NULL for the row of the reference itself.
+measure_march <- function(begun, until, every, way, reference = NULL) {
+  march <- function() codend:::march_trajectory(begun, until, every, way$method)
+  seconds <- cpu(found <- tryCatch(march(), codend_error_not_converged = identity))
+  row <- list(nodes = begun$lattice$engine$nodes, scheme = way$method$scheme, setting = way$label)
+  if (inherits(found, "error")) return(c(row, remark = conditionMessage(found)))
+  if (seconds < short_run) {
+    seconds <- stats::median(c(seconds, vapply(1:4, function(k) cpu(march()), 0)))
+  }
+  row <- c(row, list(
+    cpu_per_second = seconds / until, simulated = until, steps = found$report$steps,
+    iterations = found$report$iterations, longest_step = found$report$longest_step
+  ))
+  if (is.null(reference)) return(c(row, list(found = found)))
+  off <- sqrt(apply((found$position - reference$position)^2, c(2, 3), sum))
+  c(row, list(largest_error = max(off), mean_error = sqrt(mean(off^2))))
+}
+
+# Rows of one case, a list, for many ways to march, then that of the reference. ways: list of
+# list(label, method).
+measure_case <- function(case, begun, until, every, ways, reference) {
+  reference$label <- paste(reference$label, "(reference)")
+  fine <- measure_march(begun, until, every, reference)
+  rows <- lapply(ways, function(way) measure_march(begun, until, every, way, fine$found))
+  fine$found <- NULL
+  lapply(c(rows, list(fine)), function(row) {
+    message(sprintf("%s, %d nodes, %s, %s: %.3g CPU s/s, %.3g m", case, row$nodes, row$scheme,
+      row$setting, first_of(row$cpu_per_second), first_of(row$largest_error)))
+    c(list(case = case), row)
+  })
+}
+
+first_of <- function(x) if (is.null(x)) NA_real_ else x
+
+by_accuracy <- function(schemes, accuracies) {
+  unlist(lapply(schemes, function(scheme) lapply(accuracies, function(accuracy) {
+    list(label = sprintf("accuracy %g mm", 1000 * accuracy), method = how(scheme, accuracy))
+  })), recursive = FALSE)
+}
+
+longest_sure <- function(scheme) list(label = "longest sure step", method = how(scheme))
+
+dir.create(results_folder, showWarnings = FALSE)
+implicit <- c("bdf2", "trapezoid", "backward_euler")
+rows <- list()
+for (nodes in c(1500, 1e4)[c(1500, 1e4) <= most]) {
+  # 4 s in which the vessel gains a fifth of its speed: fast enough for every scheme to be held to it
+  rows <- c(rows, measure_case(
+    "trawl that is sped up", sped_up_trawl(nodes), if (nodes < 5000) 4 else 2, 1,
+    c(by_accuracy(implicit, c(0.1, 0.01, 1e-3)),
+      lapply(c("symplectic_euler", "substitution"), longest_sure)),
+    longest_sure("rk4")
+  ))
+  # two minutes of the shipped turn: what a tow costs
+  rows <- c(rows, measure_case(
+    "trawl in a turn", turning_trawl(nodes), 120, 20,
+    by_accuracy(c("bdf2", "trapezoid"), c(0.1, 0.01)), by_accuracy("bdf2", 2e-4)[[1L]]
+  ))
+}
+rows <- c(rows, measure_case(
+  "A: warp, 200 segments", warp_from_rest(), 2170, 10,
+  by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)), by_accuracy("bdf2", 1e-5)[[1L]]
+))
+# as long as other programs were run to rest
+for (n in c(20, 40, 80)) {
+  rows <- c(rows, measure_case(
+    sprintf("B: square net, n = %d", n), net_from_rest(n), c("20" = 69, "40" = 169, "80" = 365)[[
+      as.character(n)]], 5,
+    by_accuracy("bdf2", c(0.1, 0.01)), by_accuracy("bdf2", 1e-3)[[1L]]
+  ))
+}
+motion <- bind_rows(rows)
+save_table(motion, "motion")
+write_motion_page(motion)
+cat(readLines(file.path(results_folder, "motion.md")), sep = "\n")
