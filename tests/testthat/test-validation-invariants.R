@@ -27,7 +27,7 @@ test_that("supports carry the sum of all external forces", {
     e <- state$lattice$engine
     external <- rowSums(matrix(e$load, 3L)) + rowSums(state$bar_drag) +
       rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force) +
-      rowSums(state$contact_force) + rowSums(state$volume_force)
+      rowSums(state$contact_force) + rowSums(state$volume_force) + rowSums(state$catch_force)
     reactions <- -rowSums(state$force[, e$held, drop = FALSE])
     # every free node may keep 1e-8 of the largest tension, at random signs
     left <- 1e-8 * state$report$largest_tension * sqrt(e$nodes)
