@@ -16,8 +16,8 @@ engine_march <- function(lattice, position, velocity, step, steps, tolerance, su
   .Call(`_codend_engine_march`, lattice, position, velocity, step, steps, tolerance, substitutions)
 }
 
-engine_tow <- function(lattice, plan, past, control, stops, keep, steer, watch) {
-  .Call(`_codend_engine_tow`, lattice, plan, past, control, stops, keep, steer, watch)
+engine_tow <- function(lattice, plan, past, control, stops, keep, steer, refill, watch) {
+  .Call(`_codend_engine_tow`, lattice, plan, past, control, stops, keep, steer, refill, watch)
 }
 
 engine_lay_out <- function(held, position, ends, rest, tension, load) {

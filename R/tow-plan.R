@@ -22,9 +22,11 @@ tow_plan <- function(si, lattice, given, until) {
   }
   warps <- warp_curves(si, given, until)
   catch <- curve("catch", "number", 1)
-  if (!is.null(given$catch) && !length(catch_parts(lattice))) {
-    abort_schedule("catch", "needs a piece whose role is {.val catch}; this gear has none.")
+  if (!is.null(given$catch) && !length(catch_parts(lattice)) && is.null(si$catch)) {
+    abort_schedule("catch",
+      "needs a catch in netting or a piece whose role is {.val catch}; this gear has none.")
   }
+  if (min(catch$begin, catch$end) < 0) abort_schedule("catch", "must not fall below 0.")
   current <- current_curves(si, given$current, until)
 
   towed <- moved_nodes(si, lattice, moved)
@@ -180,8 +182,10 @@ own_volumes <- function(lattice, point, height, buoyancy) {
   )
 }
 
-# Rows of the parts that are catch.
-catch_parts <- function(lattice) which(lattice$parts$role %in% "catch")
+# Rows of the pieces that are catch.
+catch_parts <- function(lattice) {
+  which(lattice$parts$kind == "piece" & lattice$parts$role %in% "catch")
+}
 
 # The catch as a part that grows by its share of the plan's.
 catch_part <- function(si, lattice, part, curve) {

@@ -24,6 +24,9 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
     )
     what <- tow_start(gear, si, build_lattice(si, nodes, netting, shape), given, until)
   }
+  if (!is.null(si$catch)) {
+    what$lattice <- set_catch_front(what$lattice, found$lattice$catch$blocked)
+  }
   moved <- what$plan$track$node
   what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
   start <- lattice_at(what, now)
@@ -36,6 +39,9 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
 
 started_trajectory <- function(state, given, until) {
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
+  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
+    abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")
+  }
   for (part in what$plan$parts) {
     if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
       abort_schedule("gear", sprintf(
@@ -98,7 +104,8 @@ add_start <- function(what, position, velocity) {
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
-    wake = engine$wake, report = NULL
+    wake = engine$wake, catch_front = catch_front(what$lattice, position),
+    report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

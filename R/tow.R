@@ -55,7 +55,10 @@
 #'   depth of the plan's current.
 #' @param heave Height of the towing points above where the plan has them, m: one schedule; a sea
 #'   state is a function of time.
-#' @param catch Share of the plan's pieces of role `catch` that is in the codend.
+#' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and of
+#'   the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s to where
+#'   the netting behind it holds that much. Such a catch is as heavy as water and is moved with the
+#'   netting around it.
 #' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
 #' @param scheme `"bdf2"` (when `NULL`), `"trapezoid"`, `"backward_euler"` (implicit, by Newton's

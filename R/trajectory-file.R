@@ -90,15 +90,15 @@ node_variables <- rbind(
 )
 
 other_variables <- data.frame(
-  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "winch_length",
-    "parted"),
-  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "growing_part",
+  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
+    "winch_length", "parted"),
+  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
     "parting"),
-  unit = c("N", "N", "N", "N", "1", "m", "1"),
+  unit = c("N", "N", "N", "N", "1", "1", "m", "1"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
     "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
-    "length that a winch has paid out", "bar that has parted, 0 for none"
+    "catch in netting: meshes behind its front, and the volume there (m3)", "length that a winch has paid out", "bar that has parted, 0 for none"
   )
 )
 
@@ -168,6 +168,7 @@ define_trajectory <- function(nc, what, frame) {
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
     hexagonal_triangle = length(frame$straight_tension), point = length(frame$wake),
+    catch = length(frame$catch_front),
     part = length(names), growing_part = length(frame$done$length),
     parting = length(frame$done$parted), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
@@ -347,7 +348,7 @@ read_frames <- function(get, n) {
       now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
       bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
       v_tension = other$v_tension[, k], straight_tension = other$straight_tension[, k],
-      wake = other$wake[, k],
+      wake = other$wake[, k], catch_front = other$catch_front[, k],
       done = list(length = other$winch_length[, k], parted = other$parted[, k])
     )
   })

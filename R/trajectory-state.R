@@ -19,6 +19,7 @@ state_at <- function(trajectory, time) {
   now$factor <- attr(trajectory$conditions, "factor")[, k]
   now$parted <- trajectory$parted[, k]
   now$wake <- trajectory$wake[, k]
+  now$catch_front <- trajectory$catch_front[, k]
   si <- si_at(trajectory, now)
   lattice <- lattice_at(trajectory, now)
   turned <- to_vessel(now$course)
@@ -85,6 +86,9 @@ si_at <- function(what, now) {
   for (part in what$plan$parts) {
     if (!is.null(si$ropes[[part$name]])) si$ropes[[part$name]]$length <- now[[part$name]]
   }
+  if (!is.null(si$catch)) {
+    si$catch <- si_catch_share(si$catch, curve_at(what$curves$catch, now$time, after = TRUE))
+  }
   if (length(what$plan$current_x)) {
     si$water$current$x <- vapply(what$plan$current_x, curve_at, 0, t = now$time, after = TRUE)
     si$water$current$y <- vapply(what$plan$current_y, curve_at, 0, t = now$time, after = TRUE)
@@ -106,6 +110,7 @@ lattice_at <- function(what, now) {
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
   if (!is.null(now$wake)) lattice$engine$wake <- now$wake
+  if (length(now$catch_front)) lattice <- set_catch_front(lattice, now$catch_front[1L])
   if (!is.null(lattice$engine$ground)) {
     lattice$engine$ground <- ground_from_vessel(lattice$engine$ground, now)
   }

@@ -23,6 +23,7 @@ gather_trajectory <- function(what, frames, end) {
     v_tension = each(function(f) f$v_tension),
     straight_tension = each(function(f) f$straight_tension),
     wake = each(function(f) f$wake),
+    catch_front = each(function(f) f$catch_front),
     winch_length = each(function(f) f$done$length),
     parted = each(function(f) f$done$parted),
     end = end, report = last$report,
@@ -43,7 +44,16 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
   record <- if (!is.null(file)) record_trajectory(what, trajectory_frames(trajectory), file)
+  n <- length(trajectory$time)
+  front <- trajectory$catch_front[, n]
+  move_catch <- if (moves_catch(what)) catch_mover(what)
+  refill <- function(frame) {
+    moved <- move_catch(frame)
+    front <<- moved$front
+    moved
+  }
   keep <- function(frame) {
+    frame$catch_front <- front
     frames$list[[length(frames$list) + 1L]] <- frame
     if (!is.null(record)) record$add(frame)
   }
@@ -52,10 +62,10 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   report <- NULL
   tryCatch(
     {
-      engine <- what$lattice$engine
-      engine$wake <- trajectory$wake[, length(trajectory$time)]
+      engine <- marched_engine(what, trajectory)
       report <- engine_tow(engine, plan_as_done(what$plan, past$done), past, method,
-        stops, keep, steerer(what), tow_progress(past$now$time, until))
+        stops, keep, steerer(what, function() front), refill,
+        tow_progress(past$now$time, until))
       end <- report$end
     },
     interrupt = function(e) NULL
@@ -63,6 +73,18 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
   if (end == "stuck") abort_stuck(report, out)
   out
+}
+
+# The engine's lattice as the last of a trajectory's times left it.
+marched_engine <- function(what, trajectory) {
+  n <- length(trajectory$time)
+  lattice <- what$lattice
+  if (!is.null(what$si$catch)) {
+    lattice <- set_catch_front(lattice, trajectory$catch_front[1L, n])
+    lattice$engine$mass <- catch_masses(what$si, lattice, trajectory$catch_front[2L, n])
+  }
+  lattice$engine$wake <- trajectory$wake[, n]
+  lattice$engine
 }
 
 # Times at which steps end, and what happens there.
@@ -75,9 +97,11 @@ tow_stops <- function(begun, until, every, what) {
   kept <- unique(steps_to(every))
   steered <- if (is.null(what$given[["control"]])) numeric() else steps_to(what$given$control_every)
   broken <- what$breaks[what$breaks > begun & what$breaks <= until]
-  time <- sort(unique(c(kept, broken, steered)))
+  filled <- if (moves_catch(what)) steps_to(catch_step) else numeric()
+  time <- sort(unique(c(kept, broken, steered, filled)))
   list(
-    time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered
+    time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered,
+    filled = time %in% filled
   )
 }
 
@@ -96,11 +120,13 @@ plan_as_done <- function(plan, done) {
   plan
 }
 
-# A function(frame) that asks the user's control for the speed of every growing part, m/s.
-steerer <- function(what) {
+# A function(frame) that asks the user's control for the speed of every growing part, m/s; front: a
+# function that gives the catch's.
+steerer <- function(what, front) {
   control <- what$given$control
   names <- vapply(what$plan$parts, `[[`, "", "name")
   function(frame) {
+    frame$catch_front <- front()
     now <- gather_trajectory(what, list(frame), "reached")
     found <- control(measures(state_at(now, frame$now$time)), frame$now$time)
     good <- is.numeric(found) && all(is.finite(found)) &&
@@ -124,6 +150,7 @@ trajectory_frames <- function(trajectory) {
       now = now, bar_tension = trajectory$bar_tension[, k],
       u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
       straight_tension = trajectory$straight_tension[, k], wake = trajectory$wake[, k],
+      catch_front = trajectory$catch_front[, k],
       done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
     )
     if (k == count) {

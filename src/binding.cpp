@@ -606,14 +606,15 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
   });
 }
 
-// Marches from `past` through the stops of list(time, kept, broken, steered): times (s, growing)
-// and at which of them a frame is kept, the motion breaks or winches are steered. keep(frame) gets the
-// motion and tensions, and all that is needed to go on from there; steer(frame) answers with the
-// speed wanted of every growing part; watch(time, steps) is called after steps, at most some ten
+// Marches from `past` through the stops of list(time, kept, broken, steered, filled): times (s,
+// growing) and at which of them a frame is kept, the motion breaks, winches are steered or the catch's
+// front is moved. keep(frame) gets the motion and tensions, and all that is needed to go on from
+// there; steer(frame) answers with the speed wanted of every growing part; refill(frame) with weight,
+// node and mass of the catch; watch(time, steps) is called after steps, at most some ten
 // times a second.
 [[cpp11::register]]
 list engine_tow(list lattice, list plan, list past, list control, list stops, function keep,
-                function steer, function watch) {
+                function steer, function refill, function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -670,7 +671,8 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
         "report"_nm = report()});
   };
   const doubles times(stops["time"]);
-  const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]);
+  const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
+      filled(stops["filled"]);
   for (R_xlen_t k = 0; k < times.size(); ++k) {
     if (march.to(times[k]) != codend::MarchReport::End::reached) break;
     if (steered[k] == TRUE) {
@@ -679,6 +681,13 @@ list engine_tow(list lattice, list plan, list past, list control, list stops, fu
       for (std::size_t p = 0; p < parts.size(); ++p) {
         parts[p].winch.speed_wanted = speed[static_cast<R_xlen_t>(p)];
       }
+    }
+    if (filled[k] == TRUE) {
+      const list moved(refill(frame()));
+      model.pressure.weight = numbers(moved, "weight");
+      const std::vector<int> node = places(moved, "node");
+      const std::vector<double> mass = numbers(moved, "mass");
+      for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
     }
     if (broken[k] == TRUE) march.begin_anew();
     if (kept[k] == TRUE) keep(frame());

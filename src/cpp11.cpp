@@ -34,10 +34,10 @@ extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity,
   END_CPP11
 }
 // binding.cpp
-list engine_tow(list lattice, list plan, list past, list control, list stops, function keep, function steer, function watch);
-extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP plan, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP watch) {
+list engine_tow(list lattice, list plan, list past, list control, list stops, function keep, function steer, function refill, function watch);
+extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP plan, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(plan), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(plan), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding.cpp
@@ -55,7 +55,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
-    {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             8},
+    {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {NULL, NULL, 0}
 };
 }

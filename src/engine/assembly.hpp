@@ -23,8 +23,8 @@ struct LineChange {
 
 class Assembly {
  public:
-  // The model must outlive the assembly. Loads, masses and speeds of the current may change, rest
-  // lengths and multiplicities of bars too: update() and update_bar() tell of it. Nothing else may.
+  // The model must outlive the assembly. Loads, masses, weights of pressure and speeds of the
+  // current may change, rest lengths and multiplicities of bars too: update() and update_bar() tell of it. Nothing else may.
   explicit Assembly(const Model& model);
   Assembly(const Assembly&) = delete;
 

@@ -8,32 +8,19 @@
 #include "march/march.hpp"
 #include "march/newton_step.hpp"
 #include "march/substitution.hpp"
+#include "moving_models.hpp"
 #include "random_model.hpp"
 
 namespace {
 
 using namespace codend;
 
-// 1 kg between two bars that are both taut within 0.5 m of the middle: 100 N/m along x, 10 rad/s.
 struct Oscillator {
   Model model;
   Motion start;
   Oscillator() {
-    model.nodes = 3;
-    model.held = {1, 0, 1};
-    model.water.density = 0.0;
-    model.load.assign(9, 0.0);
-    model.mass = {0.0, 1.0, 0.0};
-    TwineMaterial material;
-    material.axial_stiffness = 50.0;
-    model.materials = {material};
-    model.bars.node = {0, 1, 1, 2};
-    model.bars.rest = {1.0, 1.0};
-    model.bars.multiplicity = {1.0, 1.0};
-    model.bars.material = {0, 0};
-    model.connect();
-    start.x = Values::Zero(9);
-    start.x << -1.5, 0.0, 0.0, 0.1, 0.0, 0.0, 1.5, 0.0, 0.0;
+    make_oscillator(model);
+    start.x = Eigen::Map<const Values>(oscillator_start, 9);
     start.v = Values::Zero(9);
   }
   Oscillator(const Oscillator&) = delete;
@@ -233,17 +220,8 @@ TEST_CASE("a wave travels along a taut rope at sqrt(T/m)") {
 }
 
 TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
-  const double volume = 3.14159265358979323846 / 6.0 * 0.027;
   Model model;
-  model.nodes = 1;
-  model.held = {0};
-  model.load = {0.0, 0.0, -gravity * volume * (2000.0 - 1025.0)};
-  model.mass = {2000.0 * volume};
-  model.spheres.node = {0};
-  model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
-  model.spheres.diameter = {0.0};
-  model.spheres.added_mass = {0.5 * volume};
-  model.connect();
+  make_sinker(model);
   Motion start;
   start.x = start.v = Values::Zero(3);
   for (const Name name : names) {

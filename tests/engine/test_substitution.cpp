@@ -4,36 +4,21 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "random_model.hpp"
 #include "march/substitution.hpp"
+#include "moving_models.hpp"
+#include "random_model.hpp"
 
 namespace {
 
 using namespace codend;
 
-// 1 kg between two bars that are both taut within 0.5 m of the middle: a linear spring of 100 N/m
-// along x, so 10 rad/s. In vacuum.
 struct Oscillator {
   Model model;
-  std::vector<double> x{-1.5, 0.0, 0.0, 0.1, 0.0, 0.0, 1.5, 0.0, 0.0};
+  std::vector<double> x{oscillator_start, oscillator_start + 9};
   std::vector<double> v = std::vector<double>(9, 0.0);
   double spring = 100.0;
 
-  Oscillator() {
-    model.nodes = 3;
-    model.held = {1, 0, 1};
-    model.water.density = 0.0;
-    model.load.assign(9, 0.0);
-    model.mass = {0.0, 1.0, 0.0};
-    TwineMaterial material;
-    material.axial_stiffness = 50.0;
-    model.materials = {material};
-    model.bars.node = {0, 1, 1, 2};
-    model.bars.rest = {1.0, 1.0};
-    model.bars.multiplicity = {1.0, 1.0};
-    model.bars.material = {0, 0};
-    model.connect();
-  }
+  Oscillator() { make_oscillator(model); }
   Oscillator(const Oscillator&) = delete;
 
   double energy() const { return 0.5 * v[3] * v[3] + 0.5 * spring * x[3] * x[3]; }
@@ -43,23 +28,11 @@ struct Oscillator {
   }
 };
 
-// A sphere of 0.3 m and 2000 kg/m3 in water of 1025 kg/m3, C_D 0.47, added mass 0.5.
 struct Sinker {
   Model model;
   std::vector<double> x = std::vector<double>(3, 0.0), v = std::vector<double>(3, 0.0);
 
-  Sinker() {
-    const double volume = 3.14159265358979323846 / 6.0 * 0.027;
-    model.nodes = 1;
-    model.held = {0};
-    model.load = {0.0, 0.0, -9.81 * volume * (2000.0 - 1025.0)};
-    model.mass = {2000.0 * volume};
-    model.spheres.node = {0};
-    model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
-    model.spheres.diameter = {0.0};
-    model.spheres.added_mass = {0.5 * volume};
-    model.connect();
-  }
+  Sinker() { make_sinker(model); }
   Sinker(const Sinker&) = delete;
 
   // Speed after one second.

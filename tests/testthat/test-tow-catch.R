@@ -1,0 +1,81 @@
+# A catch in netting while it is towed.
+
+# A codend of four square sheets with a catch, held open at its entrance and towed.
+full_codend <- function(catch) {
+  names <- paste0("net_", 1:4)
+  corner <- rbind(c(-0.4, -0.4), c(0.4, -0.4), c(0.4, 0.4), c(-0.4, 0.4))
+  ring <- lapply(1:4, function(k) {
+    list(position = c(0, corner[k, 1], corner[k, 2] - 5), held = "moved",
+      at = paste0(names[k], ".upper_left"))
+  })
+  net <- list(
+    mesh_size = 0.1, meshes = list(upper = 20, lower = 20, deep = 40), knotted = FALSE,
+    twine = list(diameter = 0.003, axial_stiffness = 1e4, mass_per_length = 0.008),
+    columns = 3, rows = 10
+  )
+  as_gear(list(
+    codend = 1, name = "Codend", towing = list(speed = 1.5),
+    points = c(setNames(ring, paste0("ring_", 1:4)), list(codline = list())),
+    panels = setNames(rep(list(net), 4), names),
+    seams = c(
+      setNames(lapply(1:4, function(k) {
+        list(edges = list(paste0(names[k], ".right"), paste0(names[k %% 4 + 1], ".left")))
+      }), paste0("side_", 1:4)),
+      list(codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline"))
+    ),
+    catch = c(list(panels = names), catch)
+  ))
+}
+
+test_that("a gear with a catch in netting stays settled while it is towed", {
+  for (catch in list(list(volume = 0.2), list(blocked_meshes = 10))) {
+    state <- settle(full_codend(catch), nodes = 150)
+    found <- tow(state, until = 10, every = 5)
+    # settled to 1e-8 of the tension, a front found to 1e-6 of the volume
+    expect_lt(max(abs(found$position[, , 3] - (state$position - c(15, 0, 0)))), 1e-4)
+    expect_equal(measures(state_at(found, 10)), measures(state), tolerance = 1e-4)
+  }
+})
+
+test_that("a catch that grows by volume ends as the gear that settles with it", {
+  growing <- data.frame(time = c(0, 20), value = c(1, 2))
+  gear <- full_codend(list(volume = 0.15))
+  found <- tow(gear, nodes = 150, until = 120, every = 20, catch = growing)
+  twice <- settle(full_codend(list(volume = 0.3)), nodes = 150)
+  # fronts to 1e-6 of the volume, in a shape that has come to rest
+  expect_equal(measures(state_at(found, 120)), measures(twice), tolerance = 1e-5)
+  expect_equal(found$catch_front[2, c(1, 2)], c(0.15, 0.3), tolerance = 1e-6)
+  # half way, and on from there
+  half <- tow(gear, nodes = 150, until = 60, every = 20, catch = growing)
+  on <- tow(half, until = 120)
+  expect_equal(on$position, found$position, tolerance = 1e-12)
+  skip_if_not_installed("RNetCDF")
+  file <- file.path(test_folder(), "tow.nc")
+  write_trajectory(half, file)
+  expect_identical(tow(read_trajectory(file), until = 120)$position, on$position)
+})
+
+test_that("a catch that grows by meshes has its front where the schedule says", {
+  found <- tow(full_codend(list(blocked_meshes = 8)), nodes = 150, until = 20, every = 10,
+    catch = data.frame(time = c(0, 20), value = c(1, 1.25)))
+  expect_equal(found$catch_front[1, ], c(8, 9, 10))
+  expect_true(all(diff(found$catch_front[2, ]) > 0))
+})
+
+test_that("a catch has the mass of the water that it displaces", {
+  state <- settle(full_codend(list(volume = 0.2)), nodes = 150)
+  mass <- catch_masses(state$si, state$lattice, 0.2)
+  expect_equal(sum(mass - state$lattice$engine$mass), 1025 * 0.2, tolerance = 1e-5)
+  expect_true(all(mass >= state$lattice$engine$mass))
+})
+
+test_that("catches that cannot be are named", {
+  gear <- full_codend(list(volume = 0.2))
+  expect_error(tow(gear, nodes = 150, until = 4, catch = -1), "`catch`",
+    class = "codend_error_argument")
+  expect_error(tow(settle(gear, nodes = 150), until = 4, catch = 2), "`gear`",
+    class = "codend_error_argument")
+  full <- data.frame(time = c(0, 1), value = c(1, 1000))
+  expect_error(tow(settle(gear, nodes = 150), until = 4, catch = full), "when full",
+    class = "codend_error_plan")
+})
