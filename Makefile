@@ -2,10 +2,11 @@
 # make test    every test of the engine and of the package
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
+# make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 # All install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test bench bench-tow robust
+.PHONY: trawl test browser-test bench bench-tow robust
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -13,6 +14,10 @@ trawl:
 test:
 	@tools/setup --tests
 	@Rscript tools/test.R
+
+browser-test:
+	@tools/setup --tests
+	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node --test
 
 NODES ?= 100000
 bench:

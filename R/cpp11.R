@@ -8,6 +8,10 @@ engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }
 
+engine_speed_reduction <- function(law, solidity, cosine) {
+  .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
+}
+
 engine_march <- function(lattice, position, velocity, step, steps, tolerance, substitutions) {
   .Call(`_codend_engine_march`, lattice, position, velocity, step, steps, tolerance, substitutions)
 }

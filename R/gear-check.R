@@ -2,7 +2,7 @@
 
 check_gear <- function(si) {
   check_points(si)
-  check_seams(si)
+  remembered("check_seams", si[c("points", "panels", "seams")], function() check_seams(si))
   check_places(si)
   check_joined(si)
 }
@@ -167,7 +167,11 @@ check_joined <- function(si) {
   }
   for (name in names(si$ropes)) {
     rope <- si$ropes[[name]]
-    ends <- if (is.null(rope$along)) c(body(rope$from), body(rope$to)) else panels_of(rope$along)
+    ends <- if (is.null(rope$along)) {
+      vapply(c(rope$from, rope$through, rope$to), body, "", USE.NAMES = FALSE)
+    } else {
+      panels_of(rope$along)
+    }
     links <- c(links, list(c(paste0("ropes.", name), ends)))
   }
   for (board in si$otter_boards) links <- c(links, list(paste0("points.", board$points)))
@@ -211,7 +215,9 @@ check_places <- function(si) {
       link(ends[2], at[2])
     }
     link(paste0(name, ".middle"))
+    for (place in rope$through) link(place)
   }
+  for (place in share_places(si)) link(place)
   links <- c(links, as.list(paste0(rep(names(si$panels), each = 4L), ".", corners)))
   for (name in names(si$seams)) {
     seam <- si$seams[[name]]
@@ -228,7 +234,8 @@ check_places <- function(si) {
   group <- stats::setNames(joined_groups(places, links), places)
   for (name in names(si$ropes)) {
     rope <- si$ropes[[name]]
-    if (is.null(rope$along) && group[[rope$from]] == group[[rope$to]]) {
+    check_through(rope, group, paste0("ropes.", name))
+    if (is.null(rope$along) && !length(rope$through) && group[[rope$from]] == group[[rope$to]]) {
       abort_plan(
         sprintf(
           "Plan field `ropes.%s.to` is %s, the same place as its start %s; it must be another.",
@@ -249,6 +256,21 @@ check_places <- function(si) {
       paste0("points.", held[twice]), held[twice]
     )
   }
+}
+
+# What a rope slides through must be one place after another.
+check_through <- function(rope, group, path) {
+  passed <- c(rope$from, rope$through, rope$to)
+  if (!length(rope$through)) return(invisible())
+  twice <- which(group[passed[-1L]] == group[passed[-length(passed)]])[1]
+  if (is.na(twice)) return(invisible())
+  abort_plan(
+    sprintf(
+      "Plan field `%s.through` passes %s and %s one after the other, which are the same place.",
+      path, passed[twice], passed[twice + 1L]
+    ),
+    paste0(path, ".through"), rope$through
+  )
 }
 
 # The corners where a chain begins and ends; `otherwise` where that is inside an edge.

@@ -10,10 +10,10 @@ component <- function(group, fields) {
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `seam()`
-#'   and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
-#'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `materials`,
-#'   `notes`, `sources`) as lists or text.
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `kite()`,
+#'   `seam()` and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
+#'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `shooting`,
+#'   `tow`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
 #' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
 #'   wrong plan is an error of class `codend_error_plan`.
@@ -54,12 +54,15 @@ gear <- function(name, ..., kind = "assembly") {
 #' @param position Where a held point is: x aft of the towing point, y to starboard, z up from the
 #'   water surface (three lengths).
 #' @param held `"fixed"` in the earth frame or `"moved"`: towed.
-#' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, or a
-#'   rope's start, middle or end such as `"warp.end"`.
+#' @param at An existing place: a point's name, a panel's corner such as `"belly.upper_left"`, a
+#'   rope's start, middle or end such as `"warp.end"`, or the place at a share of its length such as
+#'   `"warp[0.25]"` (on a rope that is not laced, the node next to it).
 #' @param load Force on a point: x, y, z (three forces).
+#' @param near Where a free point lies, about: three lengths. Only for where the solver starts, in
+#'   gears whose stiff parts (rings of pipe, poles) it could not unfold by itself.
 #' @rdname gear
 #' @export
-point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
+point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = NULL) {
   component("points", as.list(environment()))
 }
 
@@ -67,14 +70,21 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @param along Panel edges that a rope is laced to, or that a piece is spread along (a piece: also
 #'   a rope's name): an edge such as `"belly.left"`, a range of its meshes such as
 #'   `"belly.upper[0:6]"`, backwards such as `"-belly.right"`, or several of these end to end.
+#' @param through Places that a rope slides through, in order from its start, such as rings or
+#'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in equal
+#'   shares from place to place.
 #' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
+#' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
 #' @param material Name of a material: `steel_wire`, `steel_chain`, `polyethylene` (PE),
 #'   `polyamide` (PA), `polyester` (PES), `polypropylene` (PP), `hmpe` (HMPE), `combination_rope`,
 #'   or one of the plan's own `materials`.
 #' @param axial_stiffness,mass_per_length,volume_per_length EA, mass in air and displaced volume per
 #'   length; each wins over the material's.
+#' @param bending_stiffness EI of a pipe or pole, N m2 or text: it resists bending, is straight at
+#'   rest and also pushes. Where its start is its end, so for a ring; 0 for ropes.
+#' @param pushes Whether it also pushes, as a pole does, and never goes slack.
 #' @param damping_ratio Damping of a rope's stretch while the gear moves ([tow()]), as a share of
 #'   what is critical for one bar of the lattice; 0 by default.
 #' @param coefficients Drag coefficients of this rope or panel instead of its material's or the
@@ -86,8 +96,10 @@ point <- function(position = NULL, held = NULL, at = NULL, load = NULL) {
 #' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
 #' @rdname gear
 #' @export
-rope <- function(from = NULL, to = NULL, along = NULL, length = NULL, hanging_ratio = NULL,
-                 diameter = NULL, material = NULL, axial_stiffness = NULL, damping_ratio = NULL,
+rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL,
+                 lengths = NULL, hanging_ratio = NULL, diameter = NULL, material = NULL,
+                 axial_stiffness = NULL, bending_stiffness = NULL, pushes = NULL,
+                 damping_ratio = NULL,
                  mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
                  added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
   component("ropes", as.list(environment()))
@@ -145,7 +157,10 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
 #' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
 #'   end: the area that they enclose, seen level and from right ahead of them (m2).
-#' @param drag_coefficient,drag_area Drag coefficient, or its product with the area.
+#' @param drag_coefficient,drag_area Drag coefficient, or its product with the area; or
+#'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls to
+#'   a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
+#' @param attack Angle of attack that a piece is held at, with its `polar`.
 #' @param lift_coefficient,lift_area Lift coefficient, or its product with the area.
 #' @param lift_direction `"up"`, `"down"`, `"port"` or `"starboard"`.
 #' @param added_mass_kg Added mass of each piece.
@@ -155,20 +170,21 @@ piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_e
                   mass = NULL, volume = NULL, density = NULL, material = NULL, buoyancy = NULL,
                   diameter = NULL, area = NULL, drag_coefficient = NULL, drag_area = NULL,
                   lift_coefficient = NULL, lift_area = NULL, lift_direction = NULL,
-                  added_mass = NULL, added_mass_kg = NULL, role = NULL) {
+                  polar = NULL, attack = NULL, added_mass = NULL, added_mass_kg = NULL, role = NULL) {
   component("pieces", as.list(environment()))
 }
 
-#' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`.
 #' @param chord,span Chord and span of an otter board.
-#' @param polar Its lift and drag coefficients by angle of attack: the name of a tested board
+#' @param polar Lift and drag coefficients by angle of attack: the name of a tested board
 #'   ([board_polar()]), or a list of `list(attack, lift, drag)`.
 #' @param attachments Three points of the gear, by name, with their places on the board:
 #'   `list(aft, up, inward)`, aft of the leading edge along the chord, above the middle of the span,
-#'   and from the chord towards the middle of the gear.
+#'   and from the chord towards the middle of the gear. Of a kite `list(aft, starboard, inward)`, to
+#'   starboard of the middle of the span and from the chord to its bridles, against its push.
 #' @param centre_of_gravity,centre_of_buoyancy Such places; by default the middle of the board, and
 #'   the centre of gravity.
-#' @param centre_of_pressure Where lift and drag act: share of the chord from the leading edge.
+#' @param centre_of_pressure Where lift and drag act: share of the chord from the leading edge, or
+#'   `"joessel"`: that of a flat plate, 0.2 + 0.3 sin(angle of attack) (Joessel, 1873).
 #' @param shoe_area Underside of an otter board on the sea bed.
 #' @rdname gear
 #' @export
@@ -179,17 +195,37 @@ otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, m
   component("otter_boards", as.list(environment()))
 }
 
+#' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`; of a kite
+#'   `"up"`, of a depressor `"down"`.
+#' @rdname gear
+#' @export
+kite <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
+                 volume = NULL, density = NULL, material = NULL, polar = NULL,
+                 attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
+                 centre_of_buoyancy = NULL, added_mass_kg = NULL) {
+  component("kites", as.list(environment()))
+}
+
 #' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
 #' @param height Two places: their vertical distance (m).
 #' @param depth A place: its depth (m).
+#' @param clearance A place: its height above the sea bed (m).
 #' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
 #' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
 #'   its `"divergence"` sideways (deg).
 #' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
 #'   attack, `"heel"` or `"trim"` (deg).
+#' @param volume_share `list(panels, of)`: the volume within panels as a share of another (percent).
+#' @param drag,lift Names of ropes, panels and pieces: the hydrodynamic force on them together, along
+#'   the flow or upwards (kN).
+#' @param sinking_speed A place: its downward speed (m/s).
+#' @param enclosed_volume Name of the rope along the lower edge of netting that hangs from the surface:
+#'   the volume of water that it encloses (m3); see [measures()].
 #' @rdname gear
 #' @export
-measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, tension = NULL,
-                    area = NULL, angle = NULL, attitude = NULL) {
+measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, clearance = NULL,
+                    tension = NULL, area = NULL, angle = NULL, attitude = NULL, volume = NULL,
+                    volume_share = NULL, drag = NULL, lift = NULL, sinking_speed = NULL,
+                    enclosed_volume = NULL) {
   component("measures", as.list(environment()))
 }

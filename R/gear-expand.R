@@ -1,13 +1,27 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
 # Each takes the checked fields in SI and the plan as given, and returns the tree of an assembly.
 gear_expanders <- list(
-  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan)
+  bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
+  cage = function(fields, plan) expand_cage(fields, plan),
+  dip_net = function(fields, plan) expand_dip_net(fields, plan),
+  gillnet = function(fields, plan) expand_gillnet(fields, plan),
+  longline = function(fields, plan) expand_longline(fields, plan),
+  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
+  pair_trawl = function(fields, plan) expand_pair_trawl(fields, plan),
+  purse_seine = function(fields, plan) expand_purse_seine(fields, plan),
+  stow_net = function(fields, plan) expand_stow_net(fields, plan)
 )
 
 # The tree of the assembly that a checked plan stands for: the plan itself when it is one.
 expand_plan <- function(fields, plan) {
   if (fields$kind == "assembly") return(plan)
-  plain_tree(gear_expanders[[fields$kind]](fields, plan))
+  tree <- gear_expanders[[fields$kind]](fields, plan)
+  for (name in names(tree)) {
+    tree[[name]] <- remembered(paste0("plain ", name), list(tree[[name]]), function() {
+      plain_tree(tree[[name]])
+    })
+  }
+  tree
 }
 
 # The checked fields, in SI, of the assembly that a plan stands for.

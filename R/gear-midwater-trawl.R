@@ -1,8 +1,4 @@
 # The midwater trawl's short form and the assembly that it stands for.
-#
-# Panels around the net follow each other clockwise as seen from the vessel's deck looking aft:
-# back, starboard sides from top to bottom, belly, port sides from bottom to top. Seen from outside
-# with its front edge up, each panel's left edge meets the panel before it.
 
 # For each number of panels: their names in that order, which of them span each line of the mouth,
 # and the seams (panel before the seam) that end in a wing tip.
@@ -43,13 +39,7 @@ expand_midwater_trawl <- function(fields, plan) {
   ring <- trawl_rings[[as.character(fields$panels)]]
   net <- trawl_net(fields, plan, ring)
   rig <- trawl_rig(fields, plan, ring)
-  out <- plan[intersect(
-    c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
-    ),
-    names(plan)
-  )]
+  out <- shared_fields(plan)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
@@ -65,16 +55,7 @@ check_trawl <- function(fields) {
   if (fields$panels > 2 && is.null(fields$side_lines)) {
     abort_field("side_lines", NULL, "given where a trawl has side panels", "is missing")
   }
-  check_section <- function(name, path) {
-    sections <- names(fields$sections)
-    if (!is.null(name) && !name %in% sections) {
-      abort_reference(name, name, sections, "section", path)
-    }
-  }
-  check_section(fields$belly_lines$until, "belly_lines.until")
-  for (name in names(fields$cross_ropes)) {
-    check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
-  }
+  check_section_names(fields)
   if (fields$panels == 2 && is.null(fields$wings) && !is.null(fields$side_lines)) {
     abort_field("side_lines", "given", "left out in a trawl of 2 panels without wings")
   }
@@ -83,148 +64,68 @@ check_trawl <- function(fields) {
   }
 }
 
-# A panel of a section as given, with what its side says otherwise.
-section_panel <- function(section, panel) {
-  side <- if (panel %in% c("back", "belly")) panel else "side"
-  own <- section[setdiff(names(section), c("back", "belly", "side"))]
-  other <- section[[side]]
-  own[names(other)] <- other
-  own
-}
-
 trawl_net <- function(fields, plan, ring) {
-  panels <- seams <- ropes <- list()
   around <- ring$panels
   n <- length(around)
-  after <- c(around[-1L], around[1L])
-  sections <- names(plan$sections)
-  id <- function(panel, section) paste0(panel, "_", section)
-  for (section in sections) {
-    for (panel in around) {
-      panels[[id(panel, section)]] <- c(
-        section_panel(plan$sections[[section]], panel), list(part = section)
-      )
-    }
-    for (k in seq_len(n)) {
-      seams[[paste(section, around[k], after[k], sep = "_")]] <- list(edges = c(
-        paste0(id(around[k], section), ".right"), paste0(id(after[k], section), ".left")
-      ))
-    }
-  }
-  for (k in seq_along(sections)[-1L]) {
-    for (panel in around) {
-      seams[[paste(panel, sections[k - 1L], sections[k], sep = "_")]] <- list(edges = c(
-        paste0(id(panel, sections[k - 1L]), ".lower"), paste0(id(panel, sections[k]), ".upper")
-      ))
-    }
-  }
-  last <- sections[length(sections)]
-  seams$codline_gathered <- list(
-    edges = paste0(vapply(around, id, "", section = last), ".lower"), gathered_at = "codline"
-  )
-  points <- list(codline = stats::setNames(list(), character()))
+  net <- trawl_sections(plan, around)
+  first <- names(plan$sections)[1L]
 
   # The front: along the first section's front edges, or ahead of them along the wings' inner edges.
-  first <- sections[1L]
-  front <- stats::setNames(
-    lapply(around, function(panel) paste0(id(panel, first), ".upper")), around
-  )
-  outer <- stats::setNames(lapply(around, function(panel) character()), around)
   if (!is.null(plan$wings)) {
-    wings <- trawl_wings(fields, plan, around, after, first)
-    panels <- c(wings$panels, panels)
-    seams <- c(wings$seams, seams)
+    wings <- trawl_wings(fields, plan, around, first)
+    net$panels <- c(wings$panels, net$panels)
+    net$seams <- c(wings$seams, net$seams)
+    net$points <- c(wings$points, net$points)
     front <- wings$front
     outer <- wings$outer
-    points <- c(wings$points, points)
   } else {
+    front <- lapply(stats::setNames(nm = around), function(panel) {
+      paste0(section_panel_name(panel, first), ".upper")
+    })
+    outer <- list()
     # The wing tips are the front corners of the panels that a line of the mouth begins with.
     for (line in names(ring$mouth)) {
       tip <- trawl_line_ends[[line]][1L]
-      corner <- paste0(id(ring$mouth[[line]][1L], first), ".upper_left")
-      if (!tip %in% names(points)) points[[tip]] <- list(at = corner)
+      corner <- paste0(section_panel_name(ring$mouth[[line]][1L], first), ".upper_left")
+      if (!tip %in% names(net$points)) net$points[[tip]] <- list(at = corner)
     }
     if (n == 2L) {
-      points$upper_starboard <- list(at = paste0(id("back", first), ".upper_right"))
-      points$lower_port <- list(at = paste0(id("belly", first), ".upper_right"))
+      net$points$upper_starboard <-
+        list(at = paste0(section_panel_name("back", first), ".upper_right"))
+      net$points$lower_port <- list(at = paste0(section_panel_name("belly", first), ".upper_right"))
     }
   }
-
-  line <- function(given, role, along) c(list(along = along), given, list(role = role))
-  for (name in names(ring$mouth)) {
-    along <- unlist(front[ring$mouth[[name]]], use.names = FALSE)
-    role <- sub("_(port|starboard)$", "", name)
-    given <- if (role == "side_line") plan$side_lines else plan[[name]]
-    ropes[[name]] <- line(given, role, along)
-  }
-  if (!is.null(plan$belly_lines)) {
-    until <- first_of(plan$belly_lines$until, last)
-    covered <- sections[seq_len(match(until, sections))]
-    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
-    for (k in seq_len(n)) {
-      panel <- after[k]
-      along <- c(outer[[panel]], paste0(vapply(covered, id, "", panel = panel), ".left"))
-      ropes[[paste("belly_line", around[k], after[k], sep = "_")]] <-
-        line(given, "belly_line", unname(along))
-    }
-  }
-  for (name in names(plan$cross_ropes)) {
-    given <- plan$cross_ropes[[name]]
-    along <- paste0(vapply(around, id, "", section = given$behind), ".lower")
-    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope", along)
-  }
-  list(panels = panels, seams = seams, ropes = ropes, points = points)
+  mouth <- lapply(ring$mouth, function(panels) front[panels])
+  net$ropes <- trawl_lines(plan, around, mouth, outer)
+  net
 }
 
 # Two wings a panel, at the ends of its front edge; each ends gathered in the wing tip at its corner.
-trawl_wings <- function(fields, plan, around, after, first) {
-  given <- plan$wings
-  count <- fields$wings$meshes
-  own <- given[setdiff(names(given), "meshes")]
-  wing <- function(panel, side) paste(panel, "wing", side, sep = "_")
+trawl_wings <- function(fields, plan, around, first) {
   panels <- seams <- front <- outer <- list()
   tips <- wing_corners(around)
   for (panel in around) {
     across <- section_panel(fields$sections[[first]], panel)$meshes$upper
-    if (2 * count$base > across) {
-      abort_field("wings.meshes.base", count$base,
-        paste("at most half the", format(across), "meshes of the first section's front edge"))
-    }
-    meshes <- list(upper = count$tip, lower = count$base, deep = count$deep)
-    edge <- paste0(panel, "_", first, ".upper")
-    base <- format(count$base)
-    from <- format(across - count$base)
-    for (side in c("left", "right")) {
-      panels[[wing(panel, side)]] <- c(
-        own, list(meshes = meshes, tapered = if (side == "left") "right" else "left", part = "wings")
-      )
-    }
-    whole <- format(across)
-    seams[[wing(panel, "left")]] <- list(edges = c(
-      paste0(wing(panel, "left"), ".lower"), paste0(edge, "[0:", base, "]")
-    ))
-    seams[[wing(panel, "right")]] <- list(edges = c(
-      paste0(wing(panel, "right"), ".lower"), paste0(edge, "[", from, ":", whole, "]")
-    ))
-    front[[panel]] <- c(
-      paste0(wing(panel, "left"), ".right"),
-      if (2 * count$base < across) paste0(edge, "[", base, ":", from, "]"),
-      paste0("-", wing(panel, "right"), ".left")
-    )
-    outer[[panel]] <- paste0(wing(panel, "left"), ".left")
+    pair <- wing_pair(panel, section_panel_name(panel, first), across, plan$wings,
+      fields$wings$meshes, "wings.meshes")
+    panels <- c(panels, pair$panels)
+    seams <- c(seams, pair$seams)
+    front[[panel]] <- pair$inner
+    outer[[panel]] <- paste0(pair$left, ".left")
   }
+  after <- panel_after(around)
   points <- list()
   for (k in seq_along(around)) {
     # In a net of two panels the upper and the lower wings end apart.
     joined <- length(around) > 2L
-    left <- wing(after[k], "left")
-    right <- wing(around[k], "right")
+    left <- paste0(after[k], "_wing_left")
+    right <- paste0(around[k], "_wing_right")
     if (joined) {
       seams[[paste("wings", around[k], after[k], sep = "_")]] <-
         list(edges = c(paste0(right, ".right"), paste0(left, ".left")))
     }
-    points[[tips[[left]]]] <- stats::setNames(list(), character())
-    points[[tips[[right]]]] <- stats::setNames(list(), character())
+    points[[tips[[left]]]] <- nothing
+    points[[tips[[right]]]] <- nothing
     if (tips[[left]] == tips[[right]]) {
       seams[[paste0("tip_", tips[[left]])]] <-
         list(edges = paste0(c(right, left), ".upper"), gathered_at = tips[[left]])
@@ -253,70 +154,23 @@ wing_corners <- function(around) {
   out
 }
 
-# A free board and the points of its backstrops, where the hand ropes begin.
-free_board <- function(plan, side) {
-  given <- plan$otter_boards
-  points <- paste0(c("board_", "backstrop_upper_", "backstrop_lower_"), side)
-  attachments <- given[c("warp_at", "upper_backstrop_at", "lower_backstrop_at")]
-  c(
-    list(pushes = side),
-    given[setdiff(names(given), c("attitude", names(attachments)))],
-    list(attachments = stats::setNames(attachments, points))
-  )
-}
-
-# What a trawl's boards need by their attitude, and what they cannot take.
-check_boards <- function(fields) {
-  boards <- fields$otter_boards
-  fixed <- c("lift_coefficient", "drag_coefficient", "diameter")
-  free <- c("chord", "span", "polar", "warp_at", "upper_backstrop_at", "lower_backstrop_at",
-    "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area")
-  is_free <- boards$attitude == "free"
-  due <- if (is_free) c("mass", free[1:6]) else c("area", fixed[1:2])
-  missing <- setdiff(due, names(boards))
-  if (length(missing)) {
-    abort_field(paste0("otter_boards.", missing[1]), NULL,
-      sprintf("given where the attitude is %s", boards$attitude), "is missing")
-  }
-  excess <- intersect(if (is_free) fixed else free, names(boards))
-  if (length(excess)) {
-    abort_field(paste0("otter_boards.", excess[1]), boards[[excess[1]]],
-      sprintf("left out where the attitude is %s", boards$attitude))
-  }
-}
-
 trawl_rig <- function(fields, plan, ring) {
-  points <- ropes <- pieces <- otter_boards <- list()
-  nothing <- stats::setNames(list(), character())
-  warp <- plan$warps[setdiff(names(plan$warps), "spacing")]
-  aside <- fields$warps$spacing / 2
   free <- fields$otter_boards$attitude == "free"
-  without <- function(given, drop) given[setdiff(names(given), drop)]
-  for (side in c("port", "starboard")) {
-    block <- paste0("block_", side)
-    board <- paste0("board_", side)
-    points[[block]] <- list(
-      position = list(0, if (side == "port") -aside else aside, 0), held = "moved"
-    )
-    points[[board]] <- nothing
-    ropes[[paste0("warp_", side)]] <- c(list(from = block, to = board), warp, list(role = "warp"))
+  boards <- trawl_boards(plan, free)
+  points <- c(
+    towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points
+  )
+  ropes <- trawl_warps(plan)
+  pieces <- boards$pieces
+  for (side in trawl_sides) {
     for (level in c("upper", "lower")) {
       ropes[[paste("hand_rope", level, side, sep = "_")]] <- c(
         list(
-          from = if (free) paste0("backstrop_", level, "_", side) else board,
+          from = if (free) paste0("backstrop_", level, "_", side) else paste0("board_", side),
           to = paste(level, side, sep = "_")
         ),
         plan$hand_ropes[[level]],
         list(role = "hand_rope")
-      )
-    }
-    if (free) {
-      otter_boards[[paste0("otter_board_", side)]] <- free_board(plan, side)
-      points[paste0(c("backstrop_upper_", "backstrop_lower_"), side)] <- list(nothing)
-    } else {
-      pieces[[paste0("otter_board_", side)]] <- c(
-        list(at = board), plan$otter_boards[setdiff(names(plan$otter_boards), "attitude")],
-        list(lift_direction = side, role = "otter_board")
       )
     }
     if (!is.null(plan$hammers)) {
@@ -332,18 +186,10 @@ trawl_rig <- function(fields, plan, ring) {
       )
     }
   }
-  if (!is.null(plan$floats)) {
-    pieces$floats <- c(list(along = "head_line"), plan$floats, list(role = "float"))
-  }
-  if (!is.null(plan$canvas)) {
-    pieces$canvas <- c(
-      list(along = "head_line"), plan$canvas, list(lift_direction = "up", role = "canvas")
-    )
-  }
-  if (!is.null(plan$catch)) {
-    pieces$catch <- c(list(at = "codline"), plan$catch, list(role = "catch"))
-  }
-  list(points = points, ropes = ropes, pieces = pieces, otter_boards = otter_boards)
+  list(
+    points = points, ropes = ropes, pieces = c(pieces, trawl_fittings(plan)),
+    otter_boards = boards$otter_boards
+  )
 }
 
 trawl_measures <- function(ring, free_boards) {
@@ -355,13 +201,7 @@ trawl_measures <- function(ring, free_boards) {
     wing_end_height = list(height = c("upper_port", "lower_port"))
   )
   if (length(ring$mouth) == 4L) out$mouth_area <- list(area = names(ring$mouth))
-  angles <- lapply(stats::setNames(nm = free_boards), function(board) {
-    stats::setNames(
-      lapply(c("attack", "heel"), function(a) list(attitude = stats::setNames(list(a), board))),
-      paste0(c("attack", "heel"), sub("otter_board", "", board, fixed = TRUE))
-    )
-  })
-  out <- c(out, unlist(unname(angles), recursive = FALSE))
+  out <- c(out, board_measures(free_boards))
   c(out, list(
     door_depth = list(depth = "board_port"),
     headline_depth = list(depth = "head_line.middle"),

@@ -1,4 +1,4 @@
-# Otter boards as rigid bodies, in SI numbers and in the engine's axes.
+# Otter boards, kites and depressors as rigid bodies, in SI numbers and in the engine's axes.
 
 # Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b its
 # longer side, by b/c (DNV-RP-C205, table D-2).
@@ -26,7 +26,19 @@ usual_shoe_width <- 0.05
 # leading edge, y to starboard, z up from the middle of the span), centres, polar, mass and volume.
 si_otter_board <- function(board, path, fields, known) {
   side <- if (board$pushes == "starboard") 1 else -1
-  axes <- function(place) c(place$aft, -side * place$inward, place$up)
+  si_lifting_body(board, path, fields, known, side, level = FALSE,
+    axes = function(place) c(place$aft, -side * place$inward, place$up))
+}
+
+# A kite or depressor, as a board whose span lies level: in its axes y is up and z to port.
+si_kite <- function(kite, path, fields, known) {
+  side <- if (kite$pushes == "up") 1 else -1
+  si_lifting_body(kite, path, fields, known, side, level = TRUE,
+    axes = function(place) c(place$aft, -side * place$inward, -place$starboard))
+}
+
+# axes: a function(place as given) that tells it in the board's axes.
+si_lifting_body <- function(board, path, fields, known, side, level, axes) {
   points <- names(board$attachments)
   for (name in points) {
     if (!name %in% known$points) {
@@ -43,6 +55,7 @@ si_otter_board <- function(board, path, fields, known) {
       "three places on the board that are not in one line")
   }
   body <- piece_body(board, path, fields)
+  wanders <- identical(board$centre_of_pressure, "joessel")
   middle <- c(board$chord / 2, 0, 0)
   gravity <- if (is.null(board$centre_of_gravity)) middle else axes(board$centre_of_gravity)
   water <- fields$water$density
@@ -54,9 +67,11 @@ si_otter_board <- function(board, path, fields, known) {
     0
   }
   list(
-    points = points, attachment = unname(attachment), side = side,
+    points = points, attachment = unname(attachment), side = side, level = level,
+    role = if (level) "kite" else "otter_board",
     chord = board$chord, span = board$span, area = first_of(board$area, board$chord * board$span),
-    mass = body$mass, volume = body$volume, pressure_centre = board$centre_of_pressure,
+    mass = body$mass, volume = body$volume,
+    pressure_centre = if (wanders) 0.5 else board$centre_of_pressure, pressure_wanders = wanders,
     gravity_centre = gravity,
     buoyancy_centre = if (is.null(board$centre_of_buoyancy)) {
       gravity
@@ -64,7 +79,8 @@ si_otter_board <- function(board, path, fields, known) {
       axes(board$centre_of_buoyancy)
     },
     added_volume = added,
-    shoe_area = first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
+    shoe_area = if (level) 0 else first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
+    height = if (level) board$chord else board$span,
     polar = si_polar(board$polar, paste0(path, ".polar"), board$span / board$chord)
   )
 }
@@ -89,8 +105,9 @@ strut_line <- function(board) {
 engine_board <- function(board, nodes, density) {
   list(
     node = nodes, attachment = as.double(board$attachment), side = board$side,
-    chord = board$chord, span = board$span, area = board$area,
-    pressure_centre = board$pressure_centre,
+    level = board$level, chord = board$chord, span = board$span, area = board$area,
+    height = board$height,
+    pressure_centre = board$pressure_centre, pressure_wanders = board$pressure_wanders,
     weight = gear_gravity * board$mass, buoyancy = gear_gravity * density * board$volume,
     gravity_centre = board$gravity_centre, buoyancy_centre = board$buoyancy_centre,
     added_mass = board$added_volume, shoe_area = board$shoe_area,
@@ -126,11 +143,17 @@ board_masses <- function(si, division, points) {
   mass
 }
 
-# Where a board's points are when it stands upright with its leading edge turned outward by this
-# angle, its points' middle at a place (m); towards x the flow.
-upright_board <- function(board, place, attack = 25 * pi / 180) {
+# Angle of attack of a first shape, rad: of a kite half that of its largest lift.
+first_attack <- function(board) {
+  if (board$level) stall_angle(board) / 2 * pi / 180 else 25 * pi / 180
+}
+
+# Where a board's points are when it stands upright, or a kite lies level, with its leading edge turned
+# outward by this angle, its points' middle at a place (m); towards x the flow.
+upright_board <- function(board, place, attack = first_attack(board)) {
   turn <- board$side * attack
   rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))
+  if (board$level) rotation <- rbind(rotation[1, ], -rotation[3, ], rotation[2, ])
   at <- rotation %*% board$attachment
   at - rowMeans(at) + place
 }

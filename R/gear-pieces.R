@@ -3,7 +3,7 @@
 sphere_drag_coefficient <- 0.47
 
 si_piece <- function(piece, path, fields, known) {
-  place <- if (!is.null(piece$at)) find_place(piece$at, paste0(path, ".at"), known)
+  place <- if (!is.null(piece[["at"]])) find_place(piece[["at"]], paste0(path, ".at"), known)
   along <- if (!is.null(piece$along)) find_run(piece$along, paste0(path, ".along"), known)
   share <- if (is.null(along)) NULL else first_of(piece$share, c(0, 1))
   if (!is.null(share) && share[1] >= share[2]) {
@@ -14,6 +14,16 @@ si_piece <- function(piece, path, fields, known) {
   }
   water <- fields$water$density
   body <- piece_body(piece, path, fields)
+  if (!is.null(piece$polar)) piece <- attacked_piece(piece, path)
+  smooth <- identical(piece$drag_coefficient, "smooth_sphere")
+  if (smooth) {
+    if (is.null(piece$diameter)) {
+      abort_field(paste0(path, ".diameter"), NULL, "given with `smooth_sphere`", "is missing")
+    }
+    # the projected area, whose coefficient is the engine's
+    piece$drag_coefficient <- 1
+    piece$area <- pi / 4 * piece$diameter^2
+  }
   drag <- piece_area(piece, path, "drag",
     if (!is.null(piece$diameter)) sphere_drag_coefficient else 1)
   lift <- piece_area(piece, path, "lift", NULL)
@@ -31,11 +41,40 @@ si_piece <- function(piece, path, fields, known) {
     at = place, along = along, share = share, number = piece$number, end_to_end = piece$end_to_end,
     mass = body$mass, volume = body$volume,
     area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
+    smooth_diameter = if (smooth) piece$diameter else 0,
     lift_direction = first_of(piece$lift_direction, NA_character_),
     added_mass = first_of(piece$added_mass_kg, piece$added_mass * body$volume * water),
     height = piece_height(piece, body$volume),
     role = first_of(piece$role, NA_character_)
   )
+}
+
+# A piece with the coefficients that its polar has at its angle of attack.
+attacked_piece <- function(piece, path) {
+  excess <- intersect(
+    c("lift_coefficient", "lift_area", "drag_coefficient", "drag_area"), names(piece)
+  )
+  if (length(excess)) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s` has both `polar` and `%s`; it must have one of them.", path, excess[1]
+      ),
+      path, piece
+    )
+  }
+  # Of a plate it is the aspect ratio that this counts with, beyond the stall alone.
+  polar <- engine_polar(si_polar(piece$polar, paste0(path, ".polar"), 2))
+  at <- function(value, slope) {
+    stats::splinefunH(polar$angle, polar[[value]], polar[[slope]])(piece$attack)
+  }
+  lift <- at("lift", "lift_slope")
+  if (lift < 0) {
+    abort_field(paste0(path, ".attack"), format_si(piece$attack, "angle"),
+      "an angle at which its polar lifts")
+  }
+  piece$lift_coefficient <- lift
+  piece$drag_coefficient <- at("drag", "drag_slope")
+  piece
 }
 
 # Mass in air (kg) and displaced volume (m3) of one piece.

@@ -1,24 +1,48 @@
-# Lift and drag of otter boards by angle of attack: published tests, and what lies between and
-# beyond their angles.
+# Lift and drag of otter boards, kites and depressors by angle of attack: published tests, and what
+# lies between and beyond their angles.
 
-# Tested boards. Only values that are printed in public; attack in deg, coefficients on the area.
-# low_aspect_cambered: low-aspect vertical cambered board, without heel, doi
-#   10.3724/SP.J.1231.2013.38768 (largest C_L/C_D at 15 deg, largest C_L at 30 deg).
-# krill_cambered: hollow vertical cambered board of high aspect ratio for a krill trawl, from the
-#   public abstract of its tank test in the DRDS journal database (largest C_L/C_D at
-#   10 deg, largest C_L at 30 deg).
+# Tested boards and kites. Only values that are printed in public; attack in deg, coefficients on the
+# area.
+tested_polar <- function(source, attack, lift, drag) {
+  list(source = source, values = data.frame(attack = attack, lift = lift, drag = drag))
+}
 published_polars <- list(
-  low_aspect_cambered = data.frame(
-    attack = c(15, 30), lift = c(1.120, 1.699), drag = c(0.463, 1.140)
+  # largest C_L/C_D at 15 deg, largest C_L at 30 deg
+  low_aspect_cambered = tested_polar(
+    "low-aspect vertical cambered otter board, no heel: doi 10.3724/SP.J.1231.2013.38768",
+    c(15, 30), c(1.120, 1.699), c(0.463, 1.140)
   ),
-  krill_cambered = data.frame(
-    attack = c(10, 30), lift = c(0.981, 1.436), drag = c(0.210, 0.649)
+  # largest C_L/C_D at 10 deg, largest C_L at 30 deg
+  krill_cambered = tested_polar(
+    "hollow vertical cambered otter board of a krill trawl: DRDS journal database, abstract",
+    c(10, 30), c(0.981, 1.436), c(0.210, 0.649)
+  ),
+  # largest C_L/C_D at 10 deg, largest C_L at 27.5 deg
+  high_lift = tested_polar(
+    "Effect of aspect ratio on hydrodynamic performance of high lift otter board: abstract, board H2",
+    c(10, 27.5), c(1.660, 2.535), c(0.473, 1.424)
+  ),
+  # read from diagrams; Reynolds number 140,000
+  flat_plate = tested_polar(
+    "A. Pelletier and T. J. Mueller, Journal of Aircraft 37, 2000: flat plate, aspect ratio 2",
+    c(3, 6, 8, 10, 15, 20, 25), c(0.15, 0.30, 0.40, 0.50, 0.70, 0.75, 0.67),
+    c(0.020, 0.035, 0.060, 0.080, 0.180, 0.280, 0.330)
+  ),
+  square_plate = tested_polar(
+    "A. Pelletier and T. J. Mueller, Journal of Aircraft 37, 2000: flat plate, aspect ratio 1",
+    c(3, 6, 8, 10, 15, 20, 25, 28), c(0.075, 0.15, 0.20, 0.25, 0.50, 0.70, 0.80, 0.80),
+    c(0.020, 0.030, 0.040, 0.060, 0.150, 0.280, 0.420, 0.480)
+  ),
+  # printed at 0, 20 and 40 deg, drag also at 90: 40 deg lies on their straight line
+  fabric_kite = tested_polar(
+    "U. Fechner et al., Renewable Energy 83, 2015, in KiteModels: soft kite with inflated edges",
+    c(0, 20, 40), c(0.2, 1.0, 1.0), c(0.1, 0.2, 0.429)
   )
 )
 
-#' Lift and drag coefficients of an otter board
+#' Lift and drag coefficients of an otter board or kite
 #'
-#' The polar that a free otter board is computed with, over the full circle.
+#' The polar that a free otter board, kite or depressor is computed with, over the full circle.
 #'
 #' Tests of boards print few angles, so most of a polar is filled in, always in the same way:
 #'
@@ -32,13 +56,23 @@ published_polars <- list(
 #' - flow on the outer face, or from behind: the same with 0.7 of the lift, as the same source
 #'   takes it.
 #'
-#' Boards by name: `low_aspect_cambered`, a low-aspect vertical cambered board (C_L 1.120, C_D 0.463
-#' at 15 deg and 1.699, 1.140 at 30 deg; doi 10.3724/SP.J.1231.2013.38768), and `krill_cambered`, a
-#' hollow vertical cambered board of high aspect ratio (0.981, 0.210 at 10 deg and 1.436, 0.649 at
-#' 30 deg). Both are printed at two angles only; the highest is that of the largest lift, beyond
-#' which the board counts as stalled.
+#' By name, each on its own area:
 #'
-#' @param polar Name of a tested board, or a data frame with columns `attack` (deg), `lift` and
+#' | name | tested | at (deg) |
+#' |---|---|---|
+#' | `low_aspect_cambered` | low-aspect vertical cambered otter board (doi 10.3724/SP.J.1231.2013.38768) | 15, 30 |
+#' | `krill_cambered` | hollow vertical cambered otter board of high aspect ratio, krill trawl | 10, 30 |
+#' | `high_lift` | high lift otter board H2, aspect ratio 1.4 | 10, 27.5 |
+#' | `flat_plate` | flat plate, aspect ratio 2 (Pelletier and Mueller, Journal of Aircraft 37, 2000) | 3 to 25 |
+#' | `square_plate` | flat plate, aspect ratio 1 (the same) | 3 to 28 |
+#' | `fabric_kite` | soft kite with inflated edges (Fechner et al., Renewable Energy 83, 2015) | 0, 20, 40 |
+#'
+#' The otter boards are printed at two angles only, the higher that of the largest lift, beyond which
+#' they count as stalled. The plates' values were read from diagrams. No test of a trawl's own kite
+#' with printed angles was found: the fabric kite is one for the air. [force_coefficients()] has all
+#' of these values, computed and published.
+#'
+#' @param polar One of these names, or a data frame with columns `attack` (deg), `lift` and
 #'   `drag` (coefficients on the board's area) of at least two angles between 0 and 90 deg.
 #' @param aspect_ratio Span over chord.
 #' @return A data frame with columns `attack` (deg, from -180 to 180), `lift`, `drag` and
@@ -48,7 +82,7 @@ published_polars <- list(
 #' board_polar("krill_cambered")
 board_polar <- function(polar, aspect_ratio = 2) {
   if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
-    given <- published_polars[[polar]]
+    given <- published_polars[[polar]]$values
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
     given <- polar
   } else {
@@ -100,7 +134,7 @@ board_polar <- function(polar, aspect_ratio = 2) {
   beyond <- stalled(c(steps(given$attack[n], 90), 90))
   front <- rbind(
     cbind(below, published = FALSE), cbind(given[c("attack", "lift", "drag")], published = TRUE),
-    cbind(between, published = FALSE), cbind(beyond, published = FALSE)
+    cbind(between, published = rep(FALSE, nrow(between))), cbind(beyond, published = FALSE)
   )
   front <- front[order(front$attack), ]
   # Flow from behind, and on the outer face.

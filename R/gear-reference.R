@@ -4,8 +4,15 @@ edge_pattern <- "^(-?)([^.]+)[.](upper|lower|left|right)(?:\\[([0-9.]+):([0-9.]+
 
 # Takes a place apart.
 # Returns list(kind = "point" | "panel" | "rope", name, place), where place is NA for a point, the
-# corner (upper_left ...) of a panel, and start, middle, end or max of a rope.
+# corner (upper_left ...) of a panel, and start, middle, end, max or a share of its length of a rope.
 parse_place <- function(text) {
+  open <- regexpr("[", text, fixed = TRUE)
+  if (open != -1) {
+    return(list(
+      kind = "rope", name = substring(text, 1, open - 1),
+      place = as.double(substring(text, open + 1, nchar(text) - 1))
+    ))
+  }
   dot <- regexpr(".", text, fixed = TRUE)
   if (dot == -1) return(list(kind = "point", name = text, place = NA_character_))
   place <- substring(text, dot + 1)
@@ -36,6 +43,14 @@ find_place <- function(text, path, known) {
     abort_reference(text, place$name, names, place$kind, path)
   }
   text
+}
+
+# Places at a share of a rope's length, as texts, that the parts of a gear name.
+share_places <- function(si) {
+  texts <- unique(as.character(unlist(
+    si[c("points", "ropes", "seams", "pieces", "measures")], use.names = FALSE
+  )))
+  grep("^[^.]+\\[[0-9.]+\\]$", texts, value = TRUE)
 }
 
 find_rope <- function(name, path, known) {

@@ -5,10 +5,10 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, measures). Places stay texts that `parse_place()`
+# seams, pieces, otter_boards, ground, shooting, measures). Places stay texts that `parse_place()`
 # takes apart; a chain is a list of
 # list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
-# leave out and has no default is NULL (position, at, from, to, along, held_between, segments,
+# leave out and has no default is NULL (position, at, near, from, to, along, shares, held_between, segments,
 # columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
@@ -26,12 +26,21 @@ gear_si <- function(gear) {
   )
   si$points <- map_named(fields$points, "points", si_point, known)
   si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
-  si$seams <- map_named(fields$seams, "seams", si_seam, known)
+  si$seams <- remembered("seams", list(fields$seams, known), function() {
+    map_named(fields$seams, "seams", si_seam, known)
+  })
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
-  si$otter_boards <- map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known)
+  # Kites are otter boards that push up or down.
+  si$otter_boards <- c(
+    map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known),
+    map_named(fields$kites, "kites", si_kite, fields, known)
+  )
   known$otter_boards <- names(si$otter_boards)
+  known$pieces <- names(si$pieces)
+  known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
+  si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   check_gear(si)
   plan_cache$plan <- gear$plan
@@ -60,10 +69,10 @@ si_water <- function(water) {
   }
   list(
     density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
-    current = data.frame(
+    current = list2DF(list(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
-    )
+    ))
   )
 }
 
@@ -147,9 +156,13 @@ si_panel <- function(panel, path, fields, law) {
 }
 
 si_point <- function(point, path, known) {
+  if (!is.null(point$near) && !is.null(point$position)) {
+    abort_field(paste0(path, ".near"), point$near, "left out where `position` is given")
+  }
   list(
     position = point$position, held = first_of(point$held, NA_character_),
     at = if (!is.null(point$at)) find_place(point$at, paste0(path, ".at"), known),
+    near = point$near,
     load = first_of(point$load, c(0, 0, 0))
   )
 }
@@ -158,6 +171,7 @@ si_rope <- function(rope, path, fields, law, known) {
   line <- line_properties(rope, fields$materials, path)
   along <- NULL
   length <- rope$length
+  shares <- NULL
   if (!is.null(rope$along)) {
     along <- find_chain(rope$along, paste0(path, ".along"), known)
     netting <- chain_length(along, known$panels)
@@ -167,13 +181,27 @@ si_rope <- function(rope, path, fields, law, known) {
         paste0(path, ".along"), rope$along
       )
     }
+    if (!is.null(rope$lengths)) {
+      if (length(rope$lengths) != length(along)) {
+        abort_field(paste0(path, ".lengths"), rope$lengths,
+          sprintf("one length for each of the %d edges of `along`", length(along)))
+      }
+      length <- sum(rope$lengths)
+      shares <- rope$lengths / length
+    }
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
   list(
+    material = first_of(rope$material, NA_character_),
     from = if (!is.null(rope$from)) find_place(rope$from, paste0(path, ".from"), known),
     to = if (!is.null(rope$to)) find_place(rope$to, paste0(path, ".to"), known),
-    along = along, length = length, diameter = rope$diameter,
+    along = along,
+    through = vapply(as.character(rope$through), find_place, "",
+      path = paste0(path, ".through"), known = known, USE.NAMES = FALSE),
+    length = length, shares = shares, diameter = rope$diameter,
     axial_stiffness = line$axial_stiffness, damping = line$damping,
+    bending_stiffness = rope$bending_stiffness,
+    strut = rope$pushes || rope$bending_stiffness > 0,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
     coefficients = line_law(rope$coefficients, rope$material, fields, law),

@@ -13,7 +13,12 @@ carry_positions <- function(panels, to, from, position) {
     places <- panel_places(panels, to$division, to$panels)
     start[, places$node] <- on_rows(places, panel_rows(panels, from, position))
   }
-  start[, to$points] <- position[, from$points[names(to$points)]]
+  # A point in the middle of a rope lies where the rope does: where that has one bar, it has no node
+  # of its own.
+  inside <- to$points %in% on_ropes$node[on_ropes$from != on_ropes$to & on_ropes$share > 0 &
+    on_ropes$share < 1]
+  ends <- to$points[!inside]
+  start[, ends] <- position[, from$points[names(ends)]]
   start
 }
 

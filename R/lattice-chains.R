@@ -7,6 +7,7 @@
 # Returns the table with first, rows (first row and number of rows of every chain) and who has
 # which chains: seams = list(first, count) of the chains of every seam that joins edges; laced,
 # run = chain of every rope that is laced and of every piece that is spread along edges, by name;
+# marks = list(edge, fraction) of the places at a share of a laced rope's length;
 # gathered = list(chain, at) of all chains gathered in a place; held = list(between = names of the
 # two points, chain) of every seam held on a line, by name.
 gear_chains <- function(si) {
@@ -25,9 +26,11 @@ gear_chains <- function(si) {
   first <- cumsum(in_seam) - in_seam + 1L
   between <- lapply(si$seams[!gathered], `[[`, "held_between")
   held <- !vapply(between, is.null, NA)
+  table <- chain_table(do.call(c, lapply(groups, unname)), si$panels)
   c(
-    chain_table(do.call(c, lapply(groups, unname)), si$panels),
+    table,
     list(
+      marks = chain_marks(si, table, setNames(ids[[2]], names(laced))),
       seams = list(first = first, count = in_seam),
       laced = setNames(ids[[2]], names(laced)), run = setNames(ids[[3]], names(spread)),
       gathered = list(
@@ -36,6 +39,22 @@ gear_chains <- function(si) {
       ),
       held = Map(list, between = between[held], chain = first[held])
     )
+  )
+}
+
+chain_marks <- function(si, chains, laced) {
+  places <- lapply(share_places(si), parse_place)
+  places <- Filter(function(place) place$name %in% names(laced), places)
+  row <- vapply(places, function(place) {
+    chain <- laced[[place$name]]
+    rows <- chains$first[chain] + seq_len(chains$rows[chain]) - 1L
+    rows[findInterval(place$place, chains$start[rows], all.inside = FALSE)]
+  }, 0L)
+  at <- vapply(places, `[[`, 0, "place")
+  within <- (at - chains$start[row]) / (chains$end[row] - chains$start[row])
+  list(
+    edge = chains$edge[row],
+    fraction = chains$from[row] + within * (chains$to[row] - chains$from[row])
   )
 }
 

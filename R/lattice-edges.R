@@ -32,6 +32,10 @@ edge_breaks <- function(chains, linked) {
   for (row in which(abs(to - from) != 1)) {
     breaks[[edge[row]]] <- merge_breaks(breaks[[edge[row]]], c(from[row], to[row]))
   }
+  for (k in seq_along(chains$marks$edge)) {
+    e <- chains$marks$edge[k]
+    breaks[[e]] <- merge_breaks(breaks[[e]], chains$marks$fraction[k])
+  }
   rows_of <- function(chain) chains$first[chain] + seq_len(chains$rows[chain]) - 1L
   # Chains of seams come first in the table.
   seam_of <- rep.int(seq_along(chains$seams$count), chains$seams$count)

@@ -8,12 +8,16 @@
 #
 # frame: the division's frame, where it was made for triangles all over; else the skeleton's is new.
 # lattice: list(nodes, division, ropes, points, panels), see build_lattice().
-lay_out <- function(si, lattice, panels, chains, frame = NULL) {
+# supports: function(skeleton) that tells which of its nodes are held where; open: how wide netting
+# wants to hang, as a share of its stretched width.
+lay_out <- function(si, lattice, panels, chains, frame = NULL,
+                    supports = function(skeleton) gear_supports(si, skeleton),
+                    open = nominal_hanging_ratio) {
   no_bars <- logical(length(si$panels))
   if (is.null(frame)) frame <- division_frame(chains, linked = !no_bars)
   own <- vapply(si$ropes, function(rope) is.null(rope$along), NA)
   skeleton <- divide(si, frame, rep.int(1L, length(frame$pieces$edge)), as.integer(own), no_bars)
-  place <- skeleton_positions(si, skeleton, panels)
+  place <- skeleton_positions(si, skeleton, panels, supports(skeleton), open)
   old <- list(
     nodes = skeleton$nodes, division = skeleton, ropes = skeleton$ropes, points = skeleton$points,
     panels = rep(list(list(netting = "triangles")), length(si$panels))
@@ -22,11 +26,18 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL) {
 }
 
 # Positions (3 x n) of the skeleton's nodes.
-skeleton_positions <- function(si, skeleton, panels) {
-  supports <- gear_supports(si, skeleton)
-  strings <- mapply(c, skeleton_strings(si, skeleton, panels), board_strings(si, skeleton),
+skeleton_positions <- function(si, skeleton, panels, supports, open) {
+  for (name in names(si$points)) {
+    near <- si$points[[name]]$near
+    node <- skeleton$points[[name]]
+    if (is.null(near) || supports$held[node]) next
+    supports$held[node] <- TRUE
+    supports$position[, node] <- near
+  }
+  strings <- mapply(c, skeleton_strings(si, skeleton, panels, open), board_strings(si, skeleton),
     SIMPLIFY = FALSE)
   load <- skeleton_load(si, skeleton, panels, supports$load)
+  if (si$water$free_surface) load <- floated(load)
   # Nothing pulls on a weightless gear at rest: let it hang.
   total <- max(sqrt(colSums(load^2)), 1e-9)
   load[3, ] <- load[3, ] - 1e-3 * total * !supports$held
@@ -37,11 +48,22 @@ skeleton_positions <- function(si, skeleton, panels) {
     strings$strength[keep] * total, as.vector(load)
   )
   found <- matrix(found, 3L)
+  # What floats stays at the surface.
+  if (si$water$free_surface) found[3, ] <- pmin(found[3, ], 0)
   for (board in si$otter_boards) {
     nodes <- skeleton$points[board$points]
     found[, nodes] <- upright_board(board, rowMeans(found[, nodes]))
   }
   found
+}
+
+# Loads at a free surface, where floats lift no more than hangs from them.
+floated <- function(load) {
+  up <- load[3, ] > 0
+  lifted <- sum(load[3, up])
+  hanging <- -sum(load[3, !up])
+  if (lifted > hanging) load[3, up] <- load[3, up] * hanging / lifted
+  load
 }
 
 # Strings between the points of boards, as skeleton_strings().
@@ -59,7 +81,7 @@ board_strings <- function(si, skeleton) {
 }
 
 # The skeleton's strings: list(first, second, rest (m), strength (of 1)).
-skeleton_strings <- function(si, skeleton, panels) {
+skeleton_strings <- function(si, skeleton, panels, open) {
   ropes <- rope_runs(skeleton$ropes)
   first <- seq_along(ropes$node)[-(ropes$before + ropes$count)]
   length <- vapply(si$ropes, `[[`, 0, "length")
@@ -103,7 +125,7 @@ skeleton_strings <- function(si, skeleton, panels) {
   crosswise <- list(
     panel = panel, first = grid[first], second = grid[first + 1L],
     rest = step(upper[panel], column) * meshes * unit[panel] *
-      ifelse(square, 1, nominal_hanging_ratio)[panel],
+      ifelse(square, 1, open)[panel],
     strength = rep.int(0.02, length(panel))
   )
   order <- order(c(lengthwise$panel, crosswise$panel))
@@ -151,9 +173,10 @@ skeleton_load <- function(si, skeleton, panels, load) {
     matrix(force / n, n, 3L, byrow = TRUE)
   })
   on_boards <- lapply(si$otter_boards, function(board) {
+    lift <- push * board$area * 1.2 * board$side
     force <- c(
-      push * board$area * 0.5, push * board$area * 1.2 * board$side,
-      -gear_gravity * (board$mass - density * board$volume)
+      push * board$area * 0.5, if (board$level) 0 else lift,
+      board$level * lift - gear_gravity * (board$mass - density * board$volume)
     )
     matrix(force / 3, 3L, 3L, byrow = TRUE)
   })

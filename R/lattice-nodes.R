@@ -49,6 +49,11 @@ divide <- function(si, frame, counts, rope_count, bars) {
   same(node[things_of(along, joined$first)], node[things_of(along, joined$other)])
   same(ends$first[c(1L, 2L), bars], rbind(ends$first[3L, bars], ends$last[3L, bars]))
   same(ends$last[c(1L, 2L), bars], rbind(ends$first[4L, bars], ends$last[4L, bars]))
+  # The tip of a pointed panel is one node, gathered in a place or not.
+  tips <- which(vapply(si$panels, function(p) c(p$upper, p$lower, 1, 1) == 0, logical(4)))
+  on_tip <- rep.int(tips, count[tips] - 1L)
+  k <- sequence(count[tips] - 1L)
+  same(edge_node(on_tip, k), edge_node(on_tip, k + 1L))
 
   row <- along$row
   at <- chains$start[row] +
@@ -65,9 +70,18 @@ divide <- function(si, frame, counts, rope_count, bars) {
   })
   last <- points + sum(on$size)
   ropes <- lapply(setNames(seq_along(si$ropes), names(si$ropes)), function(r) {
-    if (!is.null(si$ropes[[r]]$along)) return(run(chains$laced[[names(si$ropes)[r]]]))
-    ids <- last + seq_len(rope_count[r] + 1L)
-    last <<- last + rope_count[r] + 1L
+    rope <- si$ropes[[r]]
+    if (!is.null(rope$along)) {
+      chain <- chains$laced[[names(si$ropes)[r]]]
+      laced <- run(chain)
+      if (!is.null(rope$shares)) laced$at <- rope_fraction(laced$at, chains, chain, rope$shares)
+      return(laced)
+    }
+    # One that slides has an element from place to place.
+    through <- length(rope$through)
+    count <- if (through) through + 1L else rope_count[r]
+    ids <- last + seq_len(count + 1L)
+    last <<- last + count + 1L
     list(node = ids, at = seq(0, 1, length.out = length(ids)))
   })
   places <- name_places(si, ends, ropes)
@@ -75,6 +89,7 @@ divide <- function(si, frame, counts, rope_count, bars) {
     rope <- si$ropes[[r]]
     if (is.null(rope$along)) {
       same(places[paste0(r, c(".start", ".end"))], places[c(rope$from, rope$to)])
+      same(ropes[[r]]$node[1L + seq_along(rope$through)], places[rope$through])
     }
   }
   for (name in names(si$points)) {
@@ -104,6 +119,13 @@ divide <- function(si, frame, counts, rope_count, bars) {
     runs = lapply(chains$run, function(chain) renumber(run(chain))),
     places = setNames(number[places], names(places))
   )
+}
+
+# Fractions of a rope's length at fractions of its chain's stretched length, where it has these shares
+# of its length along the chain's edges.
+rope_fraction <- function(at, chains, chain, shares) {
+  ends <- chains$end[chains$first[chain] + seq_along(shares) - 1L]
+  stats::approx(c(0, ends), c(0, cumsum(shares) / sum(shares)), at, rule = 2)$y
 }
 
 # Fractions of its edge at every node of an edge, one edge after the other.
@@ -167,7 +189,8 @@ number_edges <- function(count, bars, from) {
 }
 
 # Nodes of all places by their texts: points, then corners of panels, then starts, middles and ends
-# of ropes.
+# of ropes, then the nodes nearest to places at a share of a rope's length (a laced rope has one
+# there).
 name_places <- function(si, ends, ropes) {
   corners <- rbind(ends$first[1L, ], ends$last[1L, ], ends$first[2L, ], ends$last[2L, ])
   of_ropes <- vapply(ropes, function(rope) {
@@ -177,9 +200,14 @@ name_places <- function(si, ends, ropes) {
   named <- function(names, places) {
     if (length(names)) paste0(rep(names, each = length(places)), ".", places)
   }
-  setNames(c(seq_along(si$points), corners, of_ropes), c(
+  shares <- share_places(si)
+  at_shares <- vapply(lapply(shares, parse_place), function(place) {
+    rope <- ropes[[place$name]]
+    rope$node[which.min(abs(rope$at - place$place))]
+  }, 0)
+  setNames(c(seq_along(si$points), corners, of_ropes, at_shares), c(
     names(si$points),
     named(names(si$panels), c("upper_left", "upper_right", "lower_left", "lower_right")),
-    named(names(si$ropes), c("start", "middle", "end"))
+    named(names(si$ropes), c("start", "middle", "end")), shares
   ))
 }

@@ -33,7 +33,7 @@ add_knots <- function(build, panels, parts, panel, node, count) {
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],
-    diameter = diameter[some],
+    diameter = diameter[some], smooth = integer(sum(some)),
     added_mass = (0.5 * pi / 6 * diameter^3 * count)[some],
     height = surface_height(diameter, panels$mesh_size[panel] * sqrt(count))[some],
     part = parts[panel][some])
@@ -226,7 +226,8 @@ add_piece <- function(build, piece, run, places, density, part) {
   k <- length(node)
   build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
     height = rep(piece$height, k), surface = rep(piece$height, k), area = n * piece$height^2)
-  build$add("spheres", node = node, drag_area = n * piece$drag_area, diameter = rep(0, k),
+  build$add("spheres", node = node, drag_area = n * piece$drag_area,
+    diameter = rep(piece$smooth_diameter, k), smooth = rep(as.integer(piece$smooth_diameter > 0), k),
     added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,
     height = rep(piece$height, k), part = rep(part, k))
   if (piece$lift_area != 0) {

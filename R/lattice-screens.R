@@ -51,16 +51,17 @@ blended_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
   some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "blended")
+  panels <- if (length(some)) si$panels
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
     rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
     height = triangles$height[some],
-    material = as.integer(panel[some]), materials = twine_materials(si$panels, alone = FALSE)
+    material = as.integer(panel[some]), materials = twine_materials(panels, alone = FALSE)
   )
 }
 
-# list(node, twine, couple, angle, multiplicity), as MeshOpenings.
+# list(node, twine, couple, angle, multiplicity), as MeshOpenings: twine coordinates in m.
 opening_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
@@ -72,10 +73,11 @@ opening_elements <- function(si, lattice) {
   angle[turned] <- pi - angle[turned]
   list(
     node = triangles$node[corners_of(some)],
-    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
+    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)] *
+      rep(triangles$rest[some], each = 6L),
     couple = vapply(of, `[[`, 0, "couple", USE.NAMES = FALSE),
     angle = angle,
-    multiplicity = triangles$multiplicity[some]
+    multiplicity = triangles$multiplicity[some] / triangles$rest[some]^2
   )
 }
 

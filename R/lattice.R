@@ -14,7 +14,7 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
 # fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
-# catch = where the catch may lie (see add_catch()),
+# catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see hang_out(),
 # division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
@@ -32,20 +32,19 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   counts <- if (alike) from$lattice$counts else division_counts(resolution, asked)
   division <- divide(si, frame, counts$pieces, counts$ropes, bars)
 
-  parts <- data.frame(
-    name = c(names(si$ropes), names(si$panels), names(si$pieces), names(si$otter_boards),
-      if (!is.null(si$catch)) "catch"),
+  parts <- list2DF(list(
+    name = as.character(c(names(si$ropes), names(si$panels), names(si$pieces),
+      names(si$otter_boards), if (!is.null(si$catch)) "catch")),
     kind = rep(
       c("rope", "netting", "piece", "piece", "catch"),
       c(lengths(si[c("ropes", "panels", "pieces", "otter_boards")]), !is.null(si$catch))
     ),
-    role = c(
+    role = unname(c(
       vapply(si$ropes, `[[`, "", "role"), vapply(si$panels, `[[`, "", "part"),
-      vapply(si$pieces, `[[`, "", "role"), rep("otter_board", length(si$otter_boards)),
+      vapply(si$pieces, `[[`, "", "role"), vapply(si$otter_boards, `[[`, "", "role"),
       if (!is.null(si$catch)) "catch"
-    ),
-    row.names = NULL
-  )
+    ))
+  ))
   build <- new_collection(division$nodes)
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
   drawn <- setNames(vector("list", length(bars)), names(si$panels))
@@ -94,11 +93,12 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     triangles = collected$triangles[
       c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material")
     ],
-    spheres = collected$spheres[c("node", "drag_area", "diameter", "added_mass", "height")],
+    spheres = collected$spheres[c("node", "drag_area", "diameter", "smooth", "added_mass", "height")],
     lifts = collected$lifts[c("node", "lift_area", "direction", "height")],
     boards = lapply(unname(si$otter_boards), function(board) {
       engine_board(board, unname(division$points[board$points]), density)
     }),
+    sliding = sliding_ropes(si, collected$bars$part),
     ground = si$ground, contacts = contacts, volumes = volumes,
     screens = shading_screens(collected$screens, si), wake = numeric()
   )
@@ -117,6 +117,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice$engine$drag_screens <- screen_elements(si, lattice)
   lattice$engine$blended <- blended_elements(si, lattice)
   lattice$engine$openings <- opening_elements(si, lattice)
+  lattice$engine$bends <- bend_elements(si, lattice)
   check_totals(lattice, panels, length(si$ropes))
   lattice$start <- if (is.null(from)) {
     start <- lay_out(si, lattice, panels, chains, if (!any(bars)) frame)
@@ -134,11 +135,20 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice <- add_catch(si, lattice)
   if (!is.null(si$catch) && is.null(from)) lattice$start <- round_start(si, lattice)
   if (is.null(from) || !alike) lattice$start <- place_inner_nodes(lattice)
+  if (!is.null(si$shooting)) lattice$hung <- hang_out(si, lattice, panels, chains)
   lattice
 }
 
 no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
 no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
+
+# Ropes that slide through places: their bars carry weight and drag alone, the whole pulls.
+sliding_ropes <- function(si, bar_part) {
+  slide <- which(lengths(lapply(si$ropes, `[[`, "through")) > 0L)
+  lapply(unname(slide), function(r) {
+    list(bar = which(bar_part == r), axial_stiffness = si$ropes[[r]]$axial_stiffness)
+  })
+}
 
 wake_laws <- c(none = 0L, loland = 1L, cheng = 2L)
 
@@ -191,8 +201,13 @@ twine_materials <- function(lines, alone = TRUE) {
   law <- law_numbers[vapply(laws, `[[`, "", "law")]
   law[screens] <- law_numbers[["constant"]]
   added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
+  slides <- lengths(lapply(lines, `[[`, "through")) > 0L
+  stiffness <- number("axial_stiffness")
+  stiffness[slides] <- 0
+  damping <- vapply(lines, function(line) first_of(line$damping, 0), 0, USE.NAMES = FALSE)
+  damping[slides] <- 0
   list(
-    axial_stiffness = number("axial_stiffness"), damping = vapply(lines, function(line) first_of(line$damping, 0), 0, USE.NAMES = FALSE),
+    axial_stiffness = stiffness, damping = damping,
     diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),

@@ -1,14 +1,15 @@
-# How free otter boards stand in a state, and what is wrong with them.
+# How free otter boards and kites stand in a state, and what is wrong with them.
 
 # Beyond this heel (deg) a board lies on its side.
 fallen_heel <- 45
 
-#' Free otter boards of a state
+#' Free otter boards and kites of a state
 #'
 #' @param state A state, from [settle()].
-#' @return A data frame with a row per otter board whose attitude is free: `board`, `attack_deg`,
-#'   `stall_deg` (angle of attack of its polar's largest lift), `heel_deg` (positive where its upper
-#'   edge leans outward), `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
+#' @return A data frame with a row per otter board whose attitude is free, and per kite or depressor:
+#'   `board`, `attack_deg`, `stall_deg` (angle of attack of its polar's largest lift), `heel_deg`
+#'   (positive where its upper edge leans outward; of a kite where its starboard end is high),
+#'   `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
 #'   flow), `drag_kN`, `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`,
 #'   `"stalled"` (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face)
 #'   or `"fallen over"` (heel beyond 45 deg).
@@ -43,11 +44,21 @@ measure_attitude <- function(state, measure) {
   state$boards[[measure$angle]][k] * 180 / pi
 }
 
-# Warns of boards that do not fly.
+# Warns of boards that do not fly, or not for long.
 warn_of_boards <- function(state) {
+  if (isTRUE(state$report$upset_at_last)) {
+    cli::cli_warn(
+      c("The balance that was found for the free boards and kites does not last: a small push
+        carries them further away from it.",
+        "i" = "Look at {.fn tow} from this state, and where warps and backstrops are fastened."),
+      class = c("codend_warning_board_unstable", "codend_warning"), call = NULL
+    )
+  }
+  if (!length(state$si$otter_boards)) return(invisible())
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]
+    name <- if (state$si$otter_boards[[k]]$level) "Kite" else "Otter board"
     kind <- gsub("[^a-z]", "_", board$condition)
     reason <- switch(board$condition,
       "stalled" = sprintf("it meets the flow at %.0f deg, and its lift is largest at %.0f deg",
@@ -56,7 +67,7 @@ warn_of_boards <- function(state) {
       "fallen over" = sprintf("it heels by %.0f deg", board$heel_deg)
     )
     cli::cli_warn(
-      "Otter board {.field {board$board}} is {board$condition}: {reason}.",
+      "{name} {.field {board$board}} is {board$condition}: {reason}.",
       class = c(paste0("codend_warning_board_", kind), "codend_warning"), call = NULL
     )
   }

@@ -84,6 +84,12 @@ drag_table <- function(state) {
   )
 }
 
+# Hydrodynamic force on parts by name, along the flow (drag) or upwards (lift), kN.
+measure_part_force <- function(state, measure) {
+  drag <- drag_table(state)
+  sum(drag[[paste0(measure$kind, "_kN")]][drag$part %in% measure$parts])
+}
+
 # Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
 # pieces), then all.
 drag_totals <- function(drag) {

@@ -25,6 +25,16 @@ measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[
 # Depth below the water surface, m.
 measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
 
+# Downward speed of a place, m/s.
+measure_sinking_speed <- function(state, measure) {
+  -state$velocity[3, state$lattice$place(measure$place)] + 0
+}
+
+# Height above the sea bed, across it, m.
+measure_clearance <- function(state, measure) {
+  height_above_ground(state$si$ground, cbind(place_position(state, measure$place)))
+}
+
 # Area that ropes, end to end, enclose as seen level and from right ahead of them, m2.
 measure_area <- function(state, measure) {
   sqrt(sum(outline_area(rope_outline(state, measure$ropes))^2))

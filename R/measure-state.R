@@ -12,6 +12,7 @@
 #'   head line's centre above the footrope's.
 #' - `length` (m): straight distance between two places.
 #' - `depth` (m): below the water surface.
+#' - `clearance` (m): height above the sea bed, across it.
 #' - `tension` (kN): of a rope at a place, or the largest along it. At its start or end it is that
 #'   of its outermost bar.
 #' - `area` (m2): enclosed by ropes end to end, seen level and from right ahead of them: along x in a
@@ -20,8 +21,17 @@
 #' - `angle` (deg): of a rope's bar at a place, in its direction from start to end: below the
 #'   horizontal (declination) or, in plan view, out of the vessel's centre line (divergence), in a
 #'   turn too.
+#' - `volume` (m3): within panels that follow each other around an opening, such as a cage's walls and
+#'   bottom, closed by a lid from the rim of the opening to its middle; `volume_share` (percent): the
+#'   same as a share of a volume `of`.
+#' - `drag`, `lift` (kN): hydrodynamic force on ropes, panels and pieces together, along the flow and
+#'   upwards.
 #' - `attitude` (deg): of a free otter board, its angle of attack, heel (positive where its upper edge
 #'   leans outward, so that its lift points down) or trim (positive where its leading edge is high).
+#' - `sinking_speed` (m/s): downward speed of a place; 0 in a settled state.
+#' - `enclosed_volume` (m3): of water that netting hanging from the surface encloses, down to a
+#'   surface from a rope, such as the lead line, to that rope's middle. A gap between the two ends of
+#'   the net is closed by an upright wall.
 #'
 #' Then follow, unless the plan has a measure of the same name:
 #'
@@ -79,10 +89,15 @@ plan_measures <- function(state) {
       height = measure_height(state, measure),
       length = measure_length(state, measure),
       depth = measure_depth(state, measure),
+      clearance = measure_clearance(state, measure),
       tension = measure_tension(state, measure),
       area = measure_area(state, measure),
       angle = measure_angle(state, measure),
-      attitude = measure_attitude(state, measure)
+      attitude = measure_attitude(state, measure),
+      volume = , volume_share = measure_volume(state, measure),
+      drag = , lift = measure_part_force(state, measure),
+      sinking_speed = measure_sinking_speed(state, measure),
+      enclosed_volume = measure_enclosed_volume(state, measure)
     )
   }, 0)
   setNames(values, vapply(asked, `[[`, "", "column"))
@@ -177,7 +192,7 @@ depth_measures <- function(state) {
 
 # Units of measures as their names spell them, longest first, with the units as printed.
 measure_suffixes <- c(
-  km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
+  m_per_s = "m/s", km2_per_h = "km2/h", m3_per_h = "m3/h", percent = "%", deg = "deg", kN = "kN", kW = "kW",
   m2 = "m2", m3 = "m3", meshes = "meshes", m = "m", N = "N"
 )
 

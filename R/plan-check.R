@@ -4,6 +4,16 @@
 
 plan_cache <- new.env(parent = emptyenv())
 
+# What make() gives for these inputs, made again only when they are others than the last time: a
+# slider changes one field of a plan, and most of the plan stays as it was.
+remembered <- function(key, inputs, make) {
+  last <- plan_cache[[key]]
+  if (identical(last$inputs, inputs)) return(last$made)
+  made <- make()
+  assign(key, list(inputs = inputs, made = made), envir = plan_cache)
+  made
+}
+
 # The schema with references put in place: $kinds, a compiled node per kind of plan.
 compile_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
@@ -175,7 +185,10 @@ check_map <- function(value, node, path) {
         next
       }
     }
-    checked[[i]] <- check_field(value[[i]], property, join(path, name))
+    check <- function() check_field(value[[i]], property, join(path, name))
+    checked[[i]] <- if (nzchar(path)) check() else {
+      remembered(paste0("field ", name), list(value[[i]], property), check)
+    }
   }
   for (name in node$required) {
     if (!name %in% given) {
@@ -250,6 +263,7 @@ check_presence <- function(given, value, node, path) {
 
 # The alternative of `node` that a value is meant as, by its shape alone.
 choose_node <- function(value, node, path) {
+  found <- NULL
   for (choice in node$choices) {
     fits <- switch(choice$shape,
       object = is_map(value) && (length(value) > 0 || is.list(value)),
@@ -259,8 +273,12 @@ choose_node <- function(value, node, path) {
       number = , integer = is.numeric(value) && length(value) == 1,
       boolean = is.logical(value) && length(value) == 1
     )
-    if (fits) return(choice)
+    if (!fits) next
+    # A name is looked for first where the text may also be a quantity.
+    if (is.null(choice$enum) || value %in% choice$enum) return(choice)
+    if (is.null(found)) found <- choice
   }
+  if (!is.null(found)) return(found)
   abort_field(path, value, describe(node))
 }
 

@@ -25,6 +25,7 @@ plan_units <- list(
   ),
   density = c("kg/m3" = 1, "g/cm3" = 1e3),
   mass_per_length = c("kg/m" = 1, "g/m" = 1e-3, "kg/100 m" = 1e-2),
+  bending_stiffness = c("N m2" = 1, "kN m2" = 1e3, "MN m2" = 1e6),
   viscosity = c("m2/s" = 1),
   stress = c(Pa = 1, kPa = 1e3, MPa = 1e6, GPa = 1e9),
   # Named through setNames(): as an argument's name the degree sign is lost in a C locale.

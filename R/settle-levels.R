@@ -13,7 +13,7 @@ coarse_shape <- function(si, nodes, netting, progress) {
   found <- NULL
   if (!length(si$panels)) return(found)
   free <- undivided(si)
-  for (level in coarse_levels(nodes)) {
+  for (level in coarse_levels(min(nodes, fixed_nodes(si)))) {
     coarse <- settle_level(
       free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps, progress
     )
@@ -31,6 +31,22 @@ coarse_shape <- function(si, nodes, netting, progress) {
 coarse_levels <- function(nodes) {
   between <- nodes / level_ratio^seq_len(ceiling(log(nodes, level_ratio)))
   c(if (nodes > 2 * coarsest_nodes) coarsest_nodes, rev(between[between > 2 * coarsest_nodes]))
+}
+
+# Most nodes that a gear has whose plan divides every panel and rope itself, about; Inf where it
+# leaves one open.
+fixed_nodes <- function(si) {
+  ropes <- vapply(si$ropes, function(rope) {
+    if (!is.null(rope$along)) 0 else if (is.null(rope$segments)) Inf else rope$segments
+  }, 0)
+  # a square mesh has one knot and two bars of its own, any other two and four
+  panels <- vapply(si$panels, function(panel) {
+    across <- max(panel$upper, panel$lower)
+    columns <- c(panel$columns, panel$rows * across / panel$deep, Inf)[1L]
+    knots <- if (panel$orientation == "square") 1 else 2
+    columns^2 * panel$deep / across * knots * (2 * panel$bar_segments - 1)
+  }, 0)
+  sum(ropes, panels)
 }
 
 # A gear whose plan says nothing of how finely it is divided.
@@ -88,6 +104,29 @@ state_shape <- function(state) {
   )
   list(lattice = state$lattice, position = state_points(state), strain = strain)
 }
+
+# A state's shape, moved to where a gear with other lengths of rope should be found.
+#
+# From one pair of crude layouts, which differ by those lengths alone: more warp out takes the whole
+# net aft and down as it is, where netting left in place would be torn between its ropes. (What other
+# forces do is not worth two layouts: the crude ones overrate it.)
+shape_for <- function(si, from) {
+  shape <- state_shape(from)
+  if (identical(rope_lengths(si), rope_lengths(from$si))) return(shape)
+  before <- si
+  before$ropes <- Map(function(rope, old) {
+    rope$length <- old$length
+    rope
+  }, si$ropes, from$si$ropes)
+  chains <- gear_chains(si)
+  panels <- panel_table(si$panels)
+  moved <- lay_out(si, shape$lattice, panels, chains) -
+    lay_out(before, shape$lattice, panels, chains)
+  shape$position <- shape$position + lattice_points(shape$lattice, moved)
+  shape
+}
+
+rope_lengths <- function(si) vapply(si$ropes, `[[`, 0, "length")
 
 # Stops unless a state's gear has the parts of this one.
 check_same_parts <- function(si, from) {

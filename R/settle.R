@@ -19,6 +19,9 @@
 #' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
 #' report).
 #'
+#' A gear whose plan has a section `shooting` begins as it is shot and sinks for a quarter of an hour or
+#' more ([tow()]), then settles from there. What is hauled during its operation stays out.
+#'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
@@ -29,7 +32,10 @@
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
-#'   A free otter board that settles stalled, back-winded or fallen over is a warning of class
+#'   Free otter boards and kites that settle in a balance which a small push would carry them away from
+#'   are pushed and settled again (`upsets` in the report counts how often); where none is found that
+#'   lasts it is a warning of class `codend_warning_board_unstable`. That tells of static stability
+#'   only, not of swinging. A free otter board that settles stalled, back-winded or fallen over is a warning of class
 #'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
 #'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
@@ -37,19 +43,27 @@
 #' summary(state)
 #' @export
 settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
-  started <- cpu_clock()
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
+  settle_gear(gear, nodes, netting, from, settle_iterations)
+}
+
+# steps: of the solver from a crude start, at most.
+settle_gear <- function(gear, nodes, netting, from, steps) {
+  started <- cpu_clock()
   si <- gear_si(gear)
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+  }
+  if (is.null(found) && !is.null(si$shooting)) {
+    found <- settle_shot(gear, si, nodes, netting, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress), settle_iterations, progress
+      si, nodes, netting, coarse_shape(si, nodes, netting, progress), steps, progress
     )
   }
   report <- found$report

@@ -37,6 +37,8 @@
 #'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`,
 #'     `role`, hydrodynamic force as `drag_kN` (along the flow), `side_kN` (to starboard of it) and
 #'     `lift_kN` (up), and `weight_in_water_kN` (weight less buoyancy).
+#'   - `"pieces"`: a row per piece at a place, such as every hook of a longline: `part`, `role`,
+#'     `number` (how many sit there), `x_m`, `y_m`, `z_m` and `depth_m`.
 #'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. The two
 #'     points of an edge held between them share what pulls at it, as the supports of a beam do.
 #' @param ... Not used.
@@ -48,12 +50,13 @@
 #' @export
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
                                        what = c("tensions", "nodes", "measures", "drag",
-                                                "reactions"), ...) {
+                                                "pieces", "reactions"), ...) {
   table <- switch(match.arg(what),
     tensions = line_table(x),
     nodes = node_table(x),
     measures = measure_table(x),
     drag = drag_table(x),
+    pieces = piece_table(x),
     reactions = reaction_table(x)
   )
   if (!is.null(row.names)) row.names(table) <- row.names

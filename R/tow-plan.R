@@ -41,8 +41,8 @@ tow_plan <- function(si, lattice, given, until) {
   list(
     plan = list(
       track = c(towed, track, list(course = course, heave = heave)),
-      parts = parts, current_x = current$x, current_y = current$y,
-      partings = partings
+      shooting = shooting_times(si, lattice), parts = parts, current_x = current$x,
+      current_y = current$y, partings = partings
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
@@ -68,10 +68,10 @@ moved_nodes <- function(si, lattice, moved) {
   list(node = as.integer(node), place = as.double(place))
 }
 
-# Ropes that a winch holds: those of role warp.
+# Ropes that a winch holds: those of role warp or purse_wire.
 warp_ropes <- function(si) {
   role <- vapply(si$ropes, `[[`, "", "role")
-  names(role)[!is.na(role) & role == "warp"]
+  names(role)[role %in% c("warp", "purse_wire")]
 }
 
 # Length paid out of each warp that the schedule names, as curves (m) by rope.

@@ -19,6 +19,11 @@
 #' `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots the shipped trawl's
 #' warps, tows it, turns by 90 degrees and hauls it back.
 #'
+#' A gear whose plan has a section `shooting` is not settled first: at time 0 it lies bunched within
+#' half a metre below the surface, along the arc that the vessel runs while it shoots, and every part
+#' of it waits there until the vessel has passed. A net is then where it would be when it leaves the
+#' vessel, but what is not yet shot lies on the water instead of on deck.
+#'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
 #' towing speed, and a share m w^2 of its tension, 16 N for 4 kg/m at w = 2 m/s.
@@ -38,8 +43,8 @@
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
 #' @param speed Towing speed, m/s; the plan's when `NULL`.
 #' @param course Course to starboard of that at the start, rad; it starts at 0.
-#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp`, or a list of
-#'   them by rope or by `port` and `starboard`. At least 1 m.
+#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp` or `purse_wire`,
+#'   or a list of them by rope or by `port` and `starboard`. At least 1 m.
 #' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
 #'   faster, and pay out where their tension at the vessel exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that

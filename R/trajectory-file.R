@@ -405,7 +405,7 @@ check_trajectory_path <- function(file) {
 check_netcdf <- function() {
   if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
   cli::cli_abort(
-    "Trajectories in files take the package {.pkg RNetCDF}, which is not installed.",
+    "NetCDF files take the package {.pkg RNetCDF}, which is not installed.",
     class = c("codend_error_package", "codend_error"), call = NULL
   )
 }

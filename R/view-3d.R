@@ -12,10 +12,9 @@
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
-#'   nothing of the network. It is written whole or not at all. This takes pandoc.
+#'   nothing of the network. It is written whole or not at all.
 #' @return An HTML widget, which prints in the viewer or browser; invisibly where `file` is given.
-#'   A wrong argument is an error of class `codend_error_argument`; a missing pandoc one of class
-#'   `codend_error_pandoc`.
+#'   A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' page <- view(settle("towed_cable"))
 #' class(page)
@@ -23,29 +22,16 @@
 view <- function(state, file = NULL) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
-  if (!is.null(file)) {
-    picture_extension(file, "html")
-    check_pandoc()
-  }
+  if (!is.null(file)) picture_extension(file, "html")
   # In a file a fixed name, so that every new session writes the same page of the same state.
   element <- if (!is.null(file)) "gear"
   page <- if (moves) motion_page(state, element) else gear_page(state, element)
   if (is.null(file)) return(page)
   write_whole(file, function(path) {
-    htmlwidgets::saveWidget(page, path, selfcontained = TRUE, title = state$gear$plan$name)
+    write_single_page(path, state$gear$plan$name, htmltools::as.tags(page, standalone = TRUE),
+      style = "body { margin: 0; background: white; }")
   })
   invisible(page)
-}
-
-check_pandoc <- function() {
-  found <- c(Sys.which("pandoc"), file.path(Sys.getenv("RSTUDIO_PANDOC"), "pandoc"))
-  if (!any(nzchar(found) & file.exists(found))) {
-    cli::cli_abort(
-      "Writing a page as one file takes {.pkg pandoc}, which is not on the path; install it, or
-      leave out {.arg file} to see the page.",
-      class = c("codend_error_pandoc", "codend_error"), call = NULL
-    )
-  }
 }
 
 # The page of a state as a widget; element is its name in HTML or NULL for a random one.
@@ -137,7 +123,7 @@ scene_lines <- function(lines, scale, width) {
 # Returns the numbers of the objects drawn with the rows of the marks that they show: a list of
 # plates, and balls, which are one object or NULL.
 scene_marks <- function(marks, size) {
-  flat <- marks$role %in% c("otter_board", "canvas")
+  flat <- marks$role %in% c("otter_board", "kite", "canvas")
   plates <- lapply(which(flat), function(k) list(id = scene_plate(marks[k, ], size), mark = k))
   round <- marks[!flat, ]
   if (!NROW(round)) return(list(plates = plates))
@@ -244,6 +230,5 @@ gear_widget <- function(scene, legend, whole, net, element) {
 
 # Runs one of the package's scripts once the page is there.
 run_script <- function(widget, name, data) {
-  script <- readLines(system.file("view", name, package = "codend"), encoding = "UTF-8")
-  htmlwidgets::onRender(widget, paste(script, collapse = "\n"), data = data)
+  htmlwidgets::onRender(widget, view_file(name), data = data)
 }

@@ -3,6 +3,11 @@
 
 slack_colour <- "#BDC3CA"
 
+# What the colour of slack stands for among lines of these tensions; NULL where it is not used.
+slack_words <- function(tension) {
+  if (any(tension < 0)) "slack or pushing" else if (any(tension == 0)) "slack"
+}
+
 tension_palette <- function(kind) {
   # The lightest tenth or two would vanish on white paper.
   trimmed <- function(name, from) utils::tail(grDevices::hcl.colors(256L, name, rev = TRUE), -from)
@@ -68,3 +73,15 @@ colour_numbers <- function(scale, tension) {
 }
 
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)
+
+# Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE
+# L*, so grey prints differ) or 24 in colour (CIE Lab) with normal sight, deuteranopia, protanopia
+# or tritanopia, and the lightest stands out from white by 2.7 to 1. Beyond five they begin anew.
+series_palette <- c("#1E2500", "#71056D", "#006F50", "#AB7000", "#00AAD8")
+
+series_colours <- function(n) {
+  most <- length(series_palette)
+  if (n <= 1L) return(series_palette[3L][seq_len(n)])
+  if (n <= most) return(series_palette[round(seq(1, most, length.out = n))])
+  rep_len(series_palette, n)
+}

@@ -5,13 +5,14 @@ page_legend <- function(state, drawing, scales, conditions = state_conditions(st
                         bottom = 12) {
   text <- "font: 12px/1.35 system-ui, sans-serif; color: #202428; pointer-events: none;"
   paste0(
-    "<div style='position: absolute; left: 14px; top: 10px; ", text, "'>",
+    "<div class='view-title' style='position: absolute; left: 14px; top: 10px; ", text, "'>",
     "<div style='font-size: 17px; font-weight: 600'>", escape_html(state$gear$plan$name), "</div>",
     "<div>", escape_html(conditions), "</div></div>",
-    "<div style='position: absolute; left: 14px; bottom: ", bottom, "px; ", text,
+    "<div class='view-legend' style='position: absolute; left: 14px; bottom: ", bottom, "px; ",
+    text,
     " display: flex; flex-wrap: wrap; gap: 26px; align-items: flex-start'>",
-    html_colour_bar(scales$rope, "rope", any(drawing$ropes$tension <= 0)),
-    html_colour_bar(scales$netting, "netting", any(drawing$netting$tension <= 0)),
+    html_colour_bar(scales$rope, "rope", slack_words(drawing$ropes$tension)),
+    html_colour_bar(scales$netting, "netting", slack_words(drawing$netting$tension)),
     html_key(drawing$marks), "</div>"
   )
 }
@@ -20,12 +21,12 @@ html_colour_bar <- function(scale, kind, slack) {
   heading <- paste0(
     "<div><div style='font-weight: 600; margin-bottom: 3px'>", scale_heading(scale, kind), "</div>",
     "<div style='display: flex; gap: 16px'>",
-    if (slack) {
-      sprintf("<div><div style='width: 26px; height: 12px; background: %s'></div>slack</div>",
-        slack_colour)
+    if (length(slack)) {
+      sprintf("<div><div style='width: 26px; height: 12px; background: %s'></div>%s</div>",
+        slack_colour, slack)
     }
   )
-  if (is.null(scale)) return(if (slack) paste0(heading, "</div></div>") else "")
+  if (is.null(scale)) return(if (length(slack)) paste0(heading, "</div></div>") else "")
   colours <- scale$colours[round(seq(1, length(scale$colours), length.out = 16L))]
   at <- 100 * scale_share(scale, scale$ticks * scale$per_unit)
   ticks <- sprintf(
@@ -43,7 +44,7 @@ html_colour_bar <- function(scale, kind, slack) {
 html_key <- function(marks) {
   used <- symbols_used(marks)
   if (!nrow(used)) return("")
-  round <- ifelse(used$role %in% c("otter_board", "canvas"), "0", "50%")
+  round <- ifelse(used$role %in% c("otter_board", "kite", "canvas"), "0", "50%")
   paste0(
     "<div style='display: grid; grid-template-columns: auto auto; gap: 1px 16px'>",
     paste0(

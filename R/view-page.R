@@ -35,7 +35,8 @@ plane_views <- function(drawing, planes, enlarge) {
 }
 
 fitting_height <- function(figure, width) {
-  natural_height(plane_views(figure$drawing, figure$planes, TRUE), width)
+  zoom <- page_zoom(width)
+  zoom * natural_height(plane_views(figure$drawing, figure$planes, TRUE), width / zoom)
 }
 
 # A page much too low for the enlarged net goes without it.
@@ -155,7 +156,7 @@ draw_legends <- function(figure, frame, page) {
     scale <- figure$scales[[kind]]
     lines <- figure$drawing[[if (kind == "rope") "ropes" else "netting"]]
     if (!length(lines$tension)) next
-    draw_colour_bar(scale, kind, left, width, any(lines$tension <= 0))
+    draw_colour_bar(scale, kind, left, width, slack_words(lines$tension))
     left <- left + width + min(0.55, 0.05 * page[1])
   }
   draw_key(symbols_used(figure$drawing$marks), left, page[1] - 0.1)
@@ -172,10 +173,10 @@ scale_heading <- function(scale, kind) {
 draw_colour_bar <- function(scale, kind, left, width, slack) {
   graphics::text(left, 0.72, scale_heading(scale, kind), adj = c(0, 0.5), font = 2, cex = 0.8)
   from <- left
-  if (slack) {
+  if (length(slack)) {
     graphics::rect(left, 0.4, left + 0.25, 0.56, col = slack_colour, border = NA)
-    graphics::text(left + 0.125, 0.26, "slack", cex = 0.72)
-    from <- left + 0.45
+    graphics::text(left, 0.26, slack, cex = 0.72, adj = c(0, 0.5))
+    from <- left + max(0.45, graphics::strwidth(slack, cex = 0.72) + 0.15)
   }
   if (is.null(scale)) return(invisible())
   edges <- seq(from, left + width, length.out = 129L)

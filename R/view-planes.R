@@ -6,8 +6,8 @@
 #' if the page is high enough.
 #'
 #' Netting of triangles is drawn as the two twine directions through its cells, which are larger
-#' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about as
-#' far apart everywhere, and several bars or cells in a row are one line with their mean tension.
+#' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about
+#' as far apart everywhere, and several bars or cells in a row are one line with their mean tension.
 #'
 #' @param x A state, from [settle()].
 #' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.
@@ -74,14 +74,17 @@ state_conditions <- function(state) {
   if (state$si$water$density > 0) "in still water" else "in air"
 }
 
+# page: inches. A narrow page is a wide one drawn smaller: text and margins shrink with it.
 draw_figure <- function(figure, page) {
+  given <- page
+  page <- page / page_zoom(page[1])
   views <- views_for_page(figure, page)
   frames <- page_frames(views, page)
-  check_room(frames$views, page)
+  check_room(frames$views, given)
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
   # The size of text first: margins are laid out in lines of it.
-  graphics::par(family = "sans", bg = "white", cex = 0.8)
+  graphics::par(family = "sans", bg = "white", cex = 0.8 * zoom_of(page))
   graphics::plot.new()
   for (k in seq_along(views)) draw_plane(figure, views[[k]], frames$views[[k]], page)
   draw_title(figure, frames$title, page)
@@ -100,12 +103,22 @@ check_room <- function(frames, page) {
   }
 }
 
+# Inches of the narrowest page that has room for text at its full size.
+full_width <- 7
+
+page_zoom <- function(width) min(1, width / full_width)
+
+# How much smaller the open device is than a page that is drawn on it.
+zoom_of <- function(page) graphics::par("din")[1] / page[1]
+
 # Opens a plotting region on part of the page; frame and margins in inches (left, bottom, right, top
 # of the frame; bottom, left, top, right as mai).
 open_region <- function(frame, page, margins) {
+  zoom <- zoom_of(page)
   graphics::par(
     fig = c(frame[1] / page[1], frame[3] / page[1], frame[2] / page[2], frame[4] / page[2]),
-    mai = margins, new = TRUE, xaxs = "i", yaxs = "i", cex = 0.8, mgp = c(2, 0.5, 0), tcl = -0.25
+    mai = margins * zoom, new = TRUE, xaxs = "i", yaxs = "i", cex = 0.8 * zoom,
+    mgp = c(2, 0.5, 0), tcl = -0.25
   )
   graphics::plot.new()
 }
@@ -118,6 +131,8 @@ plane_words <- c(xy = "from above", xz = "from the port side", yz = "from astern
 
 draw_plane <- function(figure, view, frame, page) {
   open_region(frame, page, plane_margins)
+  zoom <- zoom_of(page)
+  pin <- graphics::par("pin") / zoom
   axes <- plane_axes[[view$plane]]
   graphics::plot.window(view$across, view$up, asp = 1)
   usr <- graphics::par("usr")
@@ -126,27 +141,29 @@ draw_plane <- function(figure, view, frame, page) {
   if (axes[2] == 3L && figure$in_water && usr[4] > 0) {
     graphics::rect(usr[1], 0, usr[2], usr[4], col = "white", border = NA)
     graphics::segments(usr[1], 0, usr[2], 0, col = water_colour, lwd = 1)
-    above <- usr[4] > 0.16 * diff(usr[3:4]) / graphics::par("pin")[2]
+    above <- usr[4] > 0.16 * diff(usr[3:4]) / pin[2]
     graphics::text(usr[2], 0, "water surface ", adj = c(1, if (above) -0.35 else 1.35),
       col = water_colour, cex = 0.75)
   }
-  thin <- if (view$region == "whole" && view$enlarged) 0.35 else 0.6
+  thin <- zoom * if (view$region == "whole" && view$enlarged) 0.35 else 0.6
   draw_lines(figure$drawing$netting, figure$scales$netting, axes, thin)
-  draw_lines(figure$drawing$ropes, figure$scales$rope, axes, if (view$region == "net") 2.6 else 2)
+  draw_lines(figure$drawing$ropes, figure$scales$rope, axes,
+    zoom * if (view$region == "net") 2.6 else 2)
   for (box in view$boxes) {
     graphics::rect(box[1], box[3], box[2], box[4], border = "grey30", lty = 3)
   }
   draw_marks(figure$drawing$marks, axes)
   do.call(graphics::clip, as.list(usr + c(-1, 1, -1, 1) * 10 * max(diff(usr))))
   graphics::box(col = "grey40")
-  up <- ticks_between(usr[3:4], max(3, graphics::par("pin")[2] / 0.4))
-  across <- ticks_between(usr[1:2], max(3, graphics::par("pin")[1] / 0.7))
+  up <- ticks_between(usr[3:4], max(3, pin[2] / 0.4))
+  across <- ticks_between(usr[1:2], max(3, pin[1] / 0.7))
   graphics::axis(1, at = across, col = "grey40")
   graphics::axis(2, at = up, labels = if (axes[2] == 3L) 0 - up else up, las = 1, col = "grey40")
   graphics::title(xlab = plane_labels[axes[1]])
   graphics::title(ylab = plane_labels[axes[2]], line = 2.6)
-  graphics::mtext(view_heading(view), side = 3, line = 0.3, adj = 0, cex = 0.85, font = 2)
-  draw_flow(figure$flow, axes, usr)
+  graphics::mtext(view_heading(view), side = 3, line = 0.3, adj = 0,
+    cex = 0.85 * zoom, font = 2)
+  draw_flow(figure$flow, axes, usr, pin)
 }
 
 ticks_between <- function(range, wanted) {
@@ -181,11 +198,12 @@ draw_marks <- function(marks, axes) {
 }
 
 # The flow beside the heading: an arrow in its plane, or an arrow's tip or tail where it crosses it.
-draw_flow <- function(flow, axes, usr) {
+# pin: inches of the view on the page.
+draw_flow <- function(flow, axes, usr, pin) {
   speed <- sqrt(sum(flow^2))
   if (speed == 0) return(invisible())
   # Metres per inch.
-  inch <- diff(usr[1:2]) / graphics::par("pin")[1]
+  inch <- diff(usr[1:2]) / pin[1]
   along <- c(flow, 0)[axes] / speed
   centre <- c(usr[2] - 0.25 * inch, usr[4] + 0.13 * inch)
   kept <- graphics::par(xpd = NA)
@@ -201,7 +219,7 @@ draw_flow <- function(flow, axes, usr) {
       col = water_colour)
   }
   # A narrow view has only room for the arrow.
-  if (graphics::par("pin")[1] < 2.8) return(invisible())
+  if (pin[1] < 2.8) return(invisible())
   graphics::text(usr[2] - 0.5 * inch, centre[2], sprintf("flow %.2f m/s", speed), adj = c(1, 0.5),
     col = water_colour, cex = 0.8)
 }

@@ -231,10 +231,18 @@ board_marks <- function(state) {
     board <- state$si$otter_boards[[name]]
     at <- rowMeans(state$position[, state$lattice$points[board$points]])
     data.frame(
-      x = at[1], y = at[2], z = at[3], role = "otter_board", part = name, size = sqrt(board$area),
-      direction = if (board$side > 0) "starboard" else "port"
+      x = at[1], y = at[2], z = at[3], role = board$role, part = name, size = sqrt(board$area),
+      direction = board_direction(board)
     )
   }))
+}
+
+board_direction <- function(board) {
+  if (board$level) {
+    if (board$side > 0) "up" else "down"
+  } else {
+    if (board$side > 0) "starboard" else "port"
+  }
 }
 
 support_marks <- function(state) {

@@ -1,21 +1,25 @@
 # Symbols of pieces and supports: one table for the plane figures and the 3D page.
 view_symbols <- data.frame(
   role = c(
-    "otter_board", "hammer", "float", "canvas", "catch", "weight", "other", "moved", "fixed"
+    "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "other", "moved", "fixed"
   ),
   label = c(
-    "otter board", "hammer", "float", "canvas", "catch", "weight", "other piece",
+    "otter board", "kite", "hammer", "float", "canvas", "catch", "weight", "other piece",
     "towing point", "fixed point"
   ),
-  symbol = c(22L, 25L, 21L, 24L, 23L, 21L, 4L, 13L, 7L),
+  symbol = c(22L, 24L, 25L, 21L, 24L, 23L, 21L, 4L, 13L, 7L),
   fill = c(
-    "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A", "#2C6E9B",
+    "#202428", "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A", "#2C6E9B",
     "#2C6E9B"
   ),
-  size = c(1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1)
+  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1)
 )
 
 # The rows of the table that a drawing's marks use, in its order.
-symbols_used <- function(marks) view_symbols[view_symbols$role %in% marks$role, ]
+symbols_used <- function(marks) view_symbols[view_symbols$role %in% symbol_of(marks$role)$role, ]
 
-symbol_of <- function(role) view_symbols[match(role, view_symbols$role), ]
+# The symbols of roles; a role that the table does not have is another piece.
+symbol_of <- function(role) {
+  known <- ifelse(role %in% view_symbols$role, role, "other")
+  view_symbols[match(known, view_symbols$role), ]
+}

@@ -19,19 +19,22 @@
 #' @export
 plot.codend_trajectory <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
-  series <- trajectory_series(x, measures)
-  title <- paste("Tow of", x$gear$plan$name)
-  draw <- function(page) draw_series(series, title, page)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- fitting_rows(length(series), width)
-    write_picture(file, c(width, height), title, draw)
-  }
+  figures <- lapply(trajectory_series(x, measures), time_figure)
+  plot_series(figures, paste("Tow of", x$gear$plan$name), NULL, file, width, height)
   invisible(x)
+}
+
+# A series against time, in minutes where it is long.
+time_figure <- function(series) {
+  minutes <- max(series$time) > 180
+  list(
+    words = series$words, unit = series$unit,
+    across = if (minutes) "time (min)" else "time (s)",
+    lines = list(list(
+      x = series$time / if (minutes) 60 else 1, y = series$value, group = 1L, dashed = FALSE,
+      symbols = FALSE
+    ))
+  )
 }
 
 # What is drawn against time: a list of list(words, unit, time (s), value).
@@ -73,65 +76,4 @@ condition_series <- function(trajectory) {
       time = table$time_s, value = table[[name]]
     )
   })
-}
-
-# Inches of the page: of one figure, and of the title above them.
-least_series <- c(2.4, 1.3)
-series_height <- 1.6
-series_title <- 0.4
-
-series_columns <- function(n, width) min(n, 4L, max(1L, floor(width / least_series[1L])))
-
-fitting_rows <- function(n, width) {
-  rows <- ceiling(n / series_columns(n, width))
-  max(3, series_title + series_height * rows)
-}
-
-draw_series <- function(series, title, page) {
-  n <- length(series)
-  columns <- series_columns(n, page[1L])
-  rows <- ceiling(n / columns)
-  if ((page[2L] - series_title) / rows < least_series[2L]) {
-    abort_view(
-      "A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it larger or
-      choose some {.arg measures}.",
-      list(page = round(page, 1), n = n)
-    )
-  }
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  graphics::par(
-    mfrow = c(rows, columns), omi = c(0, 0, series_title, 0), mai = c(0.42, 0.6, 0.28, 0.12),
-    cex = 0.75, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
-  )
-  minutes <- max(series[[1L]]$time) > 180
-  for (one in series) draw_one_series(one, minutes)
-  graphics::mtext(title, side = 3, outer = TRUE, line = 0.4, adj = 0.01, font = 2, cex = 1)
-}
-
-draw_one_series <- function(one, minutes) {
-  time <- one$time / if (minutes) 60 else 1
-  graphics::plot.new()
-  graphics::plot.window(range(time), series_range(one))
-  usr <- graphics::par("usr")
-  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
-  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
-  of_force <- one$unit %in% c("N", "kN")
-  colour <- if (of_force) tension_palette("rope")[100L] else water_colour
-  graphics::lines(time, one$value, col = colour, lwd = 1.6)
-  graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
-  graphics::axis(2, col = "grey40", lwd = 0, lwd.ticks = 1)
-  graphics::box(col = "grey40")
-  graphics::title(xlab = if (minutes) "time (min)" else "time (s)", line = 1.3)
-  graphics::mtext(sprintf("%s (%s)", one$words, one$unit), side = 3, line = 0.3, adj = 0,
-    cex = 0.72, font = 2)
-}
-
-# Ends of a figure's axis, no narrower than a thousandth of the values: what does not change is a
-# straight line, not its rounding. Depths grow downwards.
-series_range <- function(one) {
-  ends <- range(one$value)
-  least <- if (any(ends != 0)) 1e-3 * max(abs(ends)) else 1
-  if (diff(ends) < least) ends <- mean(ends) + c(-0.5, 0.5) * least
-  if (grepl("depth", one$words)) rev(ends) else ends
 }

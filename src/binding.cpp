@@ -14,6 +14,7 @@
 #include "engine/march/substitution.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
+#include "engine/wake.hpp"
 
 using namespace cpp11;
 namespace writable = cpp11::writable;
@@ -171,8 +172,11 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
     board.side = number(one, "side");
     board.chord = number(one, "chord");
     board.span = number(one, "span");
+    board.height = number(one, "height");
+    board.level = as_cpp<bool>(one["level"]);
     board.area = number(one, "area");
     board.pressure_centre = number(one, "pressure_centre");
+    board.pressure_wanders = as_cpp<bool>(one["pressure_wanders"]);
     board.weight = number(one, "weight");
     board.buoyancy = number(one, "buoyancy");
     board.gravity_centre = vector_of(one, "gravity_centre");
@@ -186,6 +190,17 @@ void read_boards(const list& from, codend::OtterBoards& boards) {
     board.polar.lift_slope = numbers(polar, "lift_slope");
     board.polar.drag_slope = numbers(polar, "drag_slope");
     boards.board.push_back(board);
+  }
+}
+
+// A list of ropes that slide, each a list of its bars and its stiffness.
+void read_sliding(const list& from, std::vector<codend::SlidingRope>& ropes) {
+  for (const SEXP item : from) {
+    const list one(item);
+    codend::SlidingRope rope;
+    rope.bar = places(one, "bar");
+    rope.axial_stiffness = number(one, "axial_stiffness");
+    ropes.push_back(rope);
   }
 }
 
@@ -251,6 +266,9 @@ codend::Model read_model(const list& lattice) {
   model.spheres.node = places(spheres, "node");
   model.spheres.drag_area = numbers(spheres, "drag_area");
   model.spheres.diameter = numbers(spheres, "diameter");
+  for (const int smooth : whole_numbers(spheres, "smooth")) {
+    model.spheres.smooth.push_back(smooth ? 1 : 0);
+  }
   model.spheres.added_mass = numbers(spheres, "added_mass");
   model.spheres.height = numbers(spheres, "height");
 
@@ -274,6 +292,7 @@ codend::Model read_model(const list& lattice) {
   model.screens.law = whole_numbers(screens, "law");
   model.wake = numbers(lattice, "wake");
   read_boards(lattice["boards"], model.boards);
+  read_sliding(lattice["sliding"], model.sliding);
   if (!Rf_isNull(lattice["ground"])) {
     model.contacts.ground = model.boards.ground = read_ground(lattice["ground"]);
   }
@@ -307,6 +326,10 @@ codend::Model read_model(const list& lattice) {
   model.openings.couple = numbers(openings, "couple");
   model.openings.angle = numbers(openings, "angle");
   model.openings.multiplicity = numbers(openings, "multiplicity");
+
+  const list bends(lattice["bends"]);
+  model.bends.node = places(bends, "node");
+  model.bends.couple = numbers(bends, "couple");
   return model;
 }
 
@@ -366,6 +389,9 @@ codend::Plan read_plan(const list& from) {
   plan.track.y = read_curve(list(track["y"]));
   plan.track.heave = read_curve(list(track["heave"]));
   plan.track.course = read_curve(list(track["course"]));
+  const list shooting(from["shooting"]);
+  plan.shooting.node = places(shooting, "node");
+  plan.shooting.time = numbers(shooting, "time");
   for (const list part : list(from["parts"])) {
     codend::GrowingPart p;
     p.has_winch = !Rf_isNull(part["winch"]);
@@ -500,6 +526,8 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
       "residual"_nm = report.residual,
       "largest_tension"_nm = report.largest_tension,
       "shadings"_nm = report.shadings,
+      "upsets"_nm = report.upsets,
+      "upset_at_last"_nm = report.upset_at_last,
       "shading_change"_nm = report.shading_change,
       "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
       "worst_node"_nm = report.worst_node + 1,
@@ -547,6 +575,17 @@ list engine_evaluate(list lattice, doubles position, doubles velocity) {
       "volume_force"_nm = as_doubles(e.volume_force),
       "boards"_nm = board_table(e.boards),
   });
+}
+
+// Speed behind a sheet of netting as a share of that before it, by a wake law.
+[[cpp11::register]]
+doubles engine_speed_reduction(int law, doubles solidity, doubles cosine) {
+  writable::doubles out;
+  for (R_xlen_t k = 0; k < solidity.size(); ++k) {
+    out.push_back(codend::speed_reduction(static_cast<codend::WakeLaw>(law), solidity[k],
+                                          cosine[k]));
+  }
+  return out;
 }
 
 [[cpp11::register]]

@@ -20,6 +20,13 @@ extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP veloci
   END_CPP11
 }
 // binding.cpp
+doubles engine_speed_reduction(int law, doubles solidity, doubles cosine);
+extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<int>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+  END_CPP11
+}
+// binding.cpp
 list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
 extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
   BEGIN_CPP11
@@ -43,11 +50,12 @@ extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
-    {"_codend_engine_evaluate", (DL_FUNC) &_codend_engine_evaluate, 3},
-    {"_codend_engine_lay_out",  (DL_FUNC) &_codend_engine_lay_out,  6},
-    {"_codend_engine_march",    (DL_FUNC) &_codend_engine_march,    7},
-    {"_codend_engine_settle",   (DL_FUNC) &_codend_engine_settle,   7},
-    {"_codend_engine_tow",      (DL_FUNC) &_codend_engine_tow,      9},
+    {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
+    {"_codend_engine_lay_out",         (DL_FUNC) &_codend_engine_lay_out,         6},
+    {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
+    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
+    {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
+    {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {NULL, NULL, 0}
 };
 }

@@ -24,6 +24,7 @@ function (el, x, data) {
   }
 
   var bar = document.createElement('div');
+  bar.className = 'view-buttons';
   bar.style.cssText = 'position: absolute; right: 14px; top: 12px; ' +
     'font: 13px system-ui, sans-serif';
   [['Net', net, gear], ['Whole gear', gear, net]].forEach(function (choice) {

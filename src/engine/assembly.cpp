@@ -111,6 +111,9 @@ void Assembly::residual(double* force, const CarriedTension* carried) {
                             force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
+  for (std::size_t n = 0; n < kept_.size(); ++n) {
+    if (kept_[n]) at(force, static_cast<int>(n)).setZero();
+  }
 }
 
 void Assembly::jacobian(const JacobianRequest& request, double* values,
@@ -125,6 +128,21 @@ void Assembly::jacobian(const JacobianRequest& request, double* values,
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     kinds_[k]->add_jacobian(field(), request, places_[k + 4].into(values));
   }
+  if (kept_.empty()) return;
+  for (int i = 0; i < unknowns(); ++i) {
+    if (!kept_[free_nodes()[i]]) continue;
+    std::fill(values + 9 * pattern_.row_start[i], values + 9 * pattern_.row_start[i + 1], 0.0);
+  }
+}
+
+double Assembly::bar_pull(int bar) const {
+  double pull = lines().multiplicity[bar] * lines().tension[bar];
+  for (const SlidingRope& rope : model_.sliding) {
+    if (std::find(rope.bar.begin(), rope.bar.end(), bar) != rope.bar.end()) {
+      pull += rope.tension(field());
+    }
+  }
+  return pull;
 }
 
 void Assembly::add_diagonal(const double* numbers, double* values) const {
@@ -170,6 +188,7 @@ double Assembly::largest_tension() const {
     const double many = has_bars ? this->lines().multiplicity[k] : 1.0;
     largest = std::max(largest, many * this->lines().tension[k]);
   }
+  for (const SlidingRope& rope : model_.sliding) largest = std::max(largest, rope.tension(field()));
   return largest;
 }
 

@@ -38,6 +38,11 @@ class Assembly {
   // rest_rate: dL0/dt over L0, 1/s.
   void update_bar(int bar, double rest_rate) { lines_.update_bar(bar, rest_rate); }
 
+  // Free nodes that stay where they are, 1 each, until this is called again: no net force shows on
+  // them and they do not move in a step of Newton's method whose right side is zero for them. Empty:
+  // none.
+  void keep(const std::vector<char>& kept) { kept_ = kept; }
+
   // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
   // what all the following share, which speak of them.
   void move_to(const double* x, const double* v);
@@ -77,6 +82,9 @@ class Assembly {
   // (a triangle may hold a fraction of a twine, whose tension says little).
   double largest_tension() const;
 
+  // Tension of a bar, all its lines together, or of the rope that slides along it, N.
+  double bar_pull(int bar) const;
+
   // Strain of every line, then penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
 
@@ -105,6 +113,7 @@ class Assembly {
   // Of bars, of both triangles, of contacts, then one per kind.
   std::vector<BlockPlaces> places_;
   bool flow_known_ = false;
+  std::vector<char> kept_;
   LineChange change_;
   // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;

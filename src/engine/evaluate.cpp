@@ -60,6 +60,9 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   const int bars = model.bars.count(), triangles = model.triangles.count();
   const LineArrays& lines = assembly.lines();
   read_lines(lines, 2, 0, bars, out.bar_tension, out.bar_length, out.bar_drag);
+  for (const SlidingRope& rope : model.sliding) {
+    for (const int bar : rope.bar) out.bar_tension[bar] = rope.tension(assembly.field());
+  }
   read_lines(lines, 3, bars, triangles, out.u_tension, out.u_length, out.triangle_drag);
   read_lines(lines, 3, bars + triangles, triangles, out.v_tension, out.v_length,
              out.triangle_drag);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "elements/bar.hpp"
+#include "elements/bending.hpp"
 #include "elements/blended_netting.hpp"
 #include "elements/catch_pressure.hpp"
 #include "elements/ground_contact.hpp"
@@ -19,6 +20,7 @@
 #include "elements/netting_screen.hpp"
 #include "elements/netting_triangle.hpp"
 #include "elements/otter_board.hpp"
+#include "elements/sliding_rope.hpp"
 #include "elements/sphere.hpp"
 #include "wake.hpp"
 #include "water.hpp"
@@ -48,7 +50,9 @@ struct Model {
   NettingScreens drag_screens;  // netting whose drag is a screen's
   BlendedNetting blended;
   MeshOpenings openings;
+  Bends bends;  // of ropes that resist bending
   OtterBoards boards;
+  std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
   Screens screens;          // netting that slows the water behind it
@@ -58,7 +62,10 @@ struct Model {
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but lines and contacts.
   std::vector<const ElementKind*> kinds() const {
-    return {&spheres, &lifts, &boards, &volumes, &pressure, &drag_screens, &blended, &openings};
+    std::vector<const ElementKind*> all = {&spheres,      &lifts,   &boards,   &volumes, &pressure,
+                                           &drag_screens, &blended, &openings, &bends};
+    for (const SlidingRope& rope : sliding) all.push_back(&rope);
+    return all;
   }
   // Call once after filling; copies of a Model need it again.
   void connect() {
@@ -68,8 +75,10 @@ struct Model {
     hexagons.first_line = bars.count() + 2 * triangles.count();
     hexagons.prepare();
     boards.prepare();
+    for (SlidingRope& rope : sliding) rope.connect(bars);
     // Bodies of unknown height: only asked for at a free surface.
     spheres.height.resize(spheres.node.size(), 1.0);
+    spheres.smooth.resize(spheres.node.size(), 0);
     lifts.height.resize(lifts.node.size(), 1.0);
   }
   // One family of parallel twines each: the bars, then the u lines of all triangles, then their v

@@ -29,9 +29,11 @@ class Random {
 };
 
 struct Ingredients {
-  int bars = 0, triangles = 0, bodies = 0, knots = 0, lifts_up = 0, lifts_sideways = 0;
-  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0;
+  int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0;
+  int lifts_up = 0, lifts_sideways = 0;
+  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
   int boards = 0, contacts = 0, volumes = 0;
+  int sliding = 0;               // ropes that slide through four points
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -78,8 +80,9 @@ class Specimen {
     material.volume_per_length = 0.785 * wanted.diameter * wanted.diameter;
     material.added_mass_tangential = 0.15;
     material.law = wanted.law;
-    model.materials = {material, material};
+    model.materials = {material, material, material};
     model.materials[1].strut = true;
+    model.materials[2].axial_stiffness = 0.0;
     model.water.free_surface = wanted.free_surface;
     ground();
     fill(random, wanted);
@@ -137,7 +140,10 @@ class Specimen {
     board.chord = 1.0;
     board.span = 1.6;
     board.area = 0.1;
+    board.height = 1.6;
+    board.level = random.below(2) == 1;
     board.pressure_centre = 0.4;
+    board.pressure_wanders = random.below(2) == 1;
     board.weight = 20.0;
     board.buoyancy = 15.0;
     board.gravity_centre = {0.5, 0.1, -0.2};
@@ -163,6 +169,22 @@ class Specimen {
     for (int b = 0; b < wanted.bars; ++b) {
       model.bars.material.push_back(wanted.struts && b % 2 ? 1 : 0);
     }
+    for (int r = 0; r < wanted.sliding; ++r) {
+      std::vector<int> chain;
+      points(random, 4, chain);
+      SlidingRope rope;
+      rope.axial_stiffness = wanted.axial_stiffness;
+      rope.bend = 0.3;
+      for (int k = 0; k < 3; ++k) {
+        rope.bar.push_back(model.bars.count());
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k)]);
+        model.bars.node.push_back(chain[static_cast<std::size_t>(k) + 1]);
+        model.bars.rest.push_back(1.0);
+        model.bars.multiplicity.push_back(1.0);
+        model.bars.material.push_back(2);
+      }
+      model.sliding.push_back(rope);
+    }
     for (int e = 0; e < wanted.triangles; ++e) {
       points(random, 3, model.triangles.node);
       corners(random, model.triangles.twine);
@@ -171,10 +193,15 @@ class Specimen {
     model.triangles.rest.assign(wanted.triangles, 1.0);
     model.triangles.material.assign(wanted.triangles, 0);
     model.triangles.height.assign(wanted.triangles, 1.5);
-    for (int s = 0; s < wanted.bodies + wanted.knots; ++s) {
+    for (int s = 0; s < wanted.bodies + wanted.knots + wanted.smooth_spheres; ++s) {
+      const bool smooth = s >= wanted.bodies + wanted.knots;
       points(random, 1, model.spheres.node);
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
-      model.spheres.diameter.push_back(s < wanted.bodies ? 0.0 : random.between(1e-5, 1e-2));
+      // smooth ones from the Stokes flow to beyond the drag crisis
+      model.spheres.diameter.push_back(s < wanted.bodies ? 0.0
+                                       : smooth ? std::pow(10.0, random.between(-5.0, 0.0))
+                                                : random.between(1e-5, 1e-2));
+      model.spheres.smooth.push_back(smooth ? 1 : 0);
       model.spheres.added_mass.push_back(random.between(0.0, 0.01));
       model.spheres.height.push_back(random.between(0.5, 2.0));
     }
@@ -250,6 +277,10 @@ class Specimen {
       model.openings.angle.push_back(random.between(0.0, 3.1));
       model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
+    for (int e = 0; e < wanted.bends; ++e) {
+      points(random, 3, model.bends.node);
+      model.bends.couple.push_back(random.between(0.1, 2.0));
+    }
   }
 
   void stretch(Random& random) {
@@ -268,6 +299,14 @@ class Specimen {
       }
     };
     for (int b = 0; b < model.bars.count(); ++b) model.bars.rest[b] = clear({1.0 + strain[b]});
+    // Three ropes of four taut, by a tenth or so.
+    for (std::size_t r = 0; r < model.sliding.size(); ++r) {
+      const SlidingRope& rope = model.sliding[r];
+      double length = 0.0;
+      for (const int b : rope.bar) length += std::hypot(1.0 + strain[b], rope.bend);
+      const double rest = length * (r % 4 == 3 ? 1.1 : random.between(0.85, 0.95));
+      for (const int b : rope.bar) model.bars.rest[b] = rest / 3.0;
+    }
     for (int e = 0; e < model.triangles.count(); ++e) {
       const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
       model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});

@@ -217,6 +217,7 @@ TEST_CASE("drag of knots by Reynolds number, White's fit for spheres") {
   knots.node = {0};
   knots.drag_area = {0.5};
   knots.diameter = {0.01};
+  knots.smooth = {0};
   knots.added_mass = {0.0};
   knots.height = {0.01};
   Water water;

@@ -206,7 +206,8 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
       Ingredients wanted;
       wanted.bars = 10;
       wanted.triangles = 6;
-      wanted.hexagons = wanted.pressed = wanted.drag_screens = wanted.blended = wanted.openings = 3;
+      wanted.hexagons = wanted.pressed = wanted.drag_screens = wanted.blended = 3;
+      wanted.openings = wanted.bends = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
       wanted.boards = wanted.contacts = wanted.volumes = 4;
       wanted.free_surface = true;

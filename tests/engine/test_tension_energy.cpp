@@ -9,12 +9,13 @@ namespace {
 
 using namespace codend;
 
-Ingredients in_vacuum(int bars, int triangles, int hexagons, int openings = 0) {
+Ingredients in_vacuum(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
   Ingredients wanted;
   wanted.bars = bars;
   wanted.triangles = triangles;
   wanted.hexagons = hexagons;
   wanted.openings = openings;
+  wanted.bends = bends;
   wanted.axial_stiffness = 1e4;
   wanted.density = 0.0;
   return wanted;
@@ -33,13 +34,16 @@ double strain_energy(Assembly& assembly, const Specimen& s) {
   for (int e = 0; e < assembly.model().openings.count(); ++e) {
     total += assembly.model().openings.element_energy(e, field);
   }
+  for (int e = 0; e < assembly.model().bends.count(); ++e) {
+    total += assembly.model().bends.element_energy(e, field);
+  }
   return total;
 }
 
-void check_gradient(int bars, int triangles, int hexagons, int openings = 0) {
+void check_gradient(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
   Random random(20260411);
   for (int repeat = 0; repeat < 10; ++repeat) {
-    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings));
+    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings, bends));
     Assembly assembly(s.model);
     std::vector<double> force(s.x.size());
     assembly.move_to(s.x.data(), s.v.data());
@@ -67,10 +71,10 @@ void check_gradient(int bars, int triangles, int hexagons, int openings = 0) {
   }
 }
 
-void check_momentum(int bars, int triangles, int hexagons, int openings = 0) {
+void check_momentum(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
   Random random(20260412);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings));
+    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings, bends));
     Assembly assembly(s.model);
     std::vector<double> force(s.x.size());
     assembly.move_to(s.x.data(), s.v.data());
@@ -107,6 +111,10 @@ TEST_CASE("forces of mesh openings are the gradient of their energy") {
   check_gradient(0, 0, 0, 12);
 }
 
+TEST_CASE("forces of bends are the gradient of their energy") {
+  check_gradient(0, 0, 0, 0, 12);
+}
+
 TEST_CASE("tensions of bars have no sum and no moment") { check_momentum(20, 0, 0); }
 
 TEST_CASE("tensions of netting triangles have no sum and no moment") { check_momentum(0, 20, 0); }
@@ -116,6 +124,8 @@ TEST_CASE("tensions of hexagonal triangles have no sum and no moment") {
 }
 
 TEST_CASE("mesh openings have no sum and no moment") { check_momentum(0, 0, 0, 12); }
+
+TEST_CASE("bends have no sum and no moment") { check_momentum(0, 0, 0, 0, 12); }
 
 TEST_CASE("a slack line pulls and stores nothing") {
   TwineMaterial material;

@@ -35,7 +35,7 @@ test_that("the installed script may be run by name", {
 test_that("help and version go to standard output", {
   help <- command("--help")
   expect_identical(help$status, 0L)
-  for (name in c("check", "gears", "settle", "expand")) {
+  for (name in c("check", "gears", "settle", "report", "expand")) {
     expect_true(any(grepl(paste0("^  ", name, " "), help$out)))
   }
   settle_help <- command("settle", "--help")
@@ -55,6 +55,8 @@ test_that("a command used wrongly ends with status 2", {
   expect_one_message(command("settle", "towed_cable", "--nodes", "many"), 2L, "--nodes is many")
   expect_one_message(command("settle", "towed_cable", "--nodes"), 2L, "--nodes needs a value")
   expect_one_message(command("settle", "towed_cable", "--set", "speed"), 2L, "--set is speed")
+  expect_one_message(command("flume", "--port", "80"), 2L, "--port is 80; it must be")
+  expect_one_message(command("flume", "towed_cable", "flat_panel"), 2L, "at most one PLAN")
   nowhere <- file.path(tempfile(), "state.json")
   expect_one_message(command("settle", "towed_cable", "--json", nowhere), 2L, "--json is ")
 })
@@ -134,6 +136,20 @@ test_that("settle writes pictures and tables", {
     as.data.frame(state, what = "tensions")$tension_kN, tolerance = 1e-13
   )
   expect_match(paste(ran$out, collapse = "\n"), "Measures")
+})
+
+test_that("report writes one page, of the plan as changed", {
+  folder <- tempfile()
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  file <- file.path(folder, "cable.html")
+  ran <- command("report", "towed_cable", "--out", file, "--set", "towing.speed=5 knot")
+  expect_identical(ran$status, 0L)
+  expect_identical(ran$err, paste("Written:", file))
+  expect_match(paste(readLines(file, warn = FALSE), collapse = " "), "(5 knot)", fixed = TRUE)
+  expect_identical(list.files(folder), "cable.html")
+  expect_one_message(command("report", "towed_cable", "--out", folder), 2L, "--out is .*[.]html")
+  expect_one_message(command("report", "towed_cabel", "--out", file), 1L, "towed_cable")
 })
 
 test_that("tow writes tables, a plot, a page that plays and what to go on from", {

@@ -129,6 +129,23 @@ test_that("a board to port is the mirror image of one to starboard", {
   expect_equal(port$boards$heel, starboard$boards$heel, tolerance = 1e-5)
 })
 
+test_that("a board does not stay in a balance that a small push ends", {
+  # With its warp this far aft the first balance has it on its side, at a heel of 78 deg.
+  expect_warning(
+    state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.8 m")),
+    class = "codend_warning_board_stalled"
+  )
+  expect_gt(state$report$upsets, 0)
+  expect_false(state$report$upset_at_last)
+  # It stands where one beside it stands that settles at once.
+  expect_warning(
+    beside <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")),
+    class = "codend_warning_board_stalled"
+  )
+  expect_equal(beside$report$upsets, 0)
+  expect_lt(abs(state$boards$heel - beside$boards$heel) * 180 / pi, 5)
+})
+
 test_that("stalled and fallen boards are told of", {
   expect_warning(
     state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")),
@@ -138,8 +155,7 @@ test_that("stalled and fallen boards are told of", {
   expect_equal(table$condition, "stalled")
   expect_gt(table$attack_deg, table$stall_deg)
   expect_match(paste(format(summary(state)), collapse = " "), "stalled")
-  expect_warning(
-    state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.8 m")),
+  expect_warning(state <- settle(towed_board(towing.speed = "1 knot")),
     class = "codend_warning_board_fallen_over"
   )
   expect_gt(abs(board_table(state)$heel_deg), 45)

@@ -35,7 +35,7 @@ test_that("fields that are missing, wrong or too many are refused", {
   e("codend: 1", "codend: 2", "codend", "it must be 1")
   e("codend: 1\n", "", "codend", "is missing")
   e("name: A net on a warp", "name: 5", "name", "is 5; it must be text")
-  e("name: A", "kind: trawl\nname: A", "kind", "one of assembly, midwater_trawl")
+  e("name: A", "kind: trawl\nname: A", "kind", "it must be one of assembly, ")
   e("twine: {", "twine: {double: maybe, ", "panels.net.twine.double", "must be yes or no")
   e("upper: 10", "upper: -1", "panels.net.meshes.upper", "a number of at least 0")
   e("upper: 10, lower: 5", "upper: 0, lower: 0", "panels.net.meshes", "no meshes at either edge")

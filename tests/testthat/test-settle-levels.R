@@ -31,6 +31,13 @@ test_that("a state is the start of another speed, warp or finer lattice", {
   crude <- settle_level(gear_si(faster), 500, NULL, NULL, 800L, function(...) NULL)
   expect_lt(near$report$factorisations, crude$report$factorisations)
 
+  # Left in place the net would be torn: 60 steps and more, 10 or 30 % more warp alike.
+  longer <- update(gear, warps.length = "910 m")
+  near <- settle(longer, nodes = 500, from = state)
+  expect_lte(near$report$iterations, 40)
+  expect_equal(measures(near)[["door_spread_m"]],
+    measures(settle(longer, nodes = 500))[["door_spread_m"]], tolerance = 1e-5)
+
   finer <- settle(gear, nodes = 1500, from = state)
   expect_gt(finer$lattice$nodes, 1000)
   expect_equal(

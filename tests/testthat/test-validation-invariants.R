@@ -3,7 +3,8 @@
 
 shipped <- gears()$name
 quick <- function(name, ...) {
-  if (name == "midwater_trawl") settled(name, nodes = 400, ...) else settled(name, ...)
+  nodes <- switch(name, midwater_trawl = 400, purse_seine = 300, 1500)
+  settled(name, nodes = nodes, ...)
 }
 
 test_that("port and starboard of the midwater trawl are mirror images", {
@@ -25,7 +26,8 @@ test_that("supports carry the sum of all external forces", {
     state <- do.call(quick, case)
     e <- state$lattice$engine
     external <- rowSums(matrix(e$load, 3L)) + rowSums(state$bar_drag) +
-      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force)
+      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force) +
+      rowSums(state$contact_force) + rowSums(state$volume_force) + rowSums(state$catch_force)
     reactions <- -rowSums(state$force[, e$held, drop = FALSE])
     # every free node may keep 1e-8 of the largest tension, at random signs
     left <- 1e-8 * state$report$largest_tension * sqrt(e$nodes)
@@ -34,7 +36,8 @@ test_that("supports carry the sum of all external forces", {
 })
 
 test_that("a plan written, read and settled again gives the same bytes", {
-  for (name in shipped) {
+  # a purse seine takes seconds to sink; test-shooting.R has what goes on to the same bytes
+  for (name in setdiff(shipped, "purse_seine")) {
     file <- tempfile(fileext = ".yaml")
     write_gear(read_gear(name), file)
     nodes <- if (name == "midwater_trawl") 400 else 1500

@@ -48,7 +48,6 @@ test_that("the scene turns around the net where it is far behind its ship", {
 })
 
 test_that("the file is one page that asks nothing of the network", {
-  skip_if_not(nzchar(Sys.which("pandoc")), "pandoc is not installed")
   folder <- test_folder()
   file <- file.path(folder, "gear.html")
   state <- unsettled(sheets_plan)
@@ -80,17 +79,12 @@ test_that("legends in the page name units, slack netting and symbols", {
   }
 })
 
-test_that("wrong arguments and a missing pandoc are clear errors that leave nothing", {
+test_that("wrong arguments are clear errors that leave nothing", {
   state <- unsettled("crossing_cables")
   folder <- test_folder()
   wrong <- function(...) expect_error(view(...), class = "codend_error_argument")
   wrong(state, file = file.path(folder, "a.htm"))
   wrong(state, file = file.path(folder, "no", "a.html"))
   wrong(list())
-  path <- Sys.getenv("PATH")
-  studio <- Sys.getenv("RSTUDIO_PANDOC")
-  on.exit(Sys.setenv(PATH = path, RSTUDIO_PANDOC = studio))
-  Sys.setenv(PATH = folder, RSTUDIO_PANDOC = "")
-  expect_error(view(state, file = file.path(folder, "a.html")), class = "codend_error_pandoc")
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
 })

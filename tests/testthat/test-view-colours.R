@@ -43,3 +43,25 @@ test_that("both palettes darken steadily, so that they survive grey printing", {
     expect_lt(max(grey), 1.15 * as.vector(slack))
   }
 })
+
+test_that("colours of series differ in grey and for the colour-blind", {
+  # Vienot, Brettel and Mollon (1999), Color Research and Application 24:243: what dichromats see,
+  # in linear light. Independent of the simulation that the colours were found with.
+  seen <- list(
+    normal = diag(3),
+    protanopia = rbind(c(0.11238, 0.88762, 0), c(0.11238, 0.88762, 0), c(0.00401, -0.00401, 1)),
+    deuteranopia = rbind(c(0.29275, 0.70725, 0), c(0.29275, 0.70725, 0), c(-0.02234, 0.02234, 1))
+  )
+  share <- grDevices::col2rgb(series_palette) / 255
+  for (sight in seen) {
+    light <- pmin(pmax(sight %*% linear_light(share), 0), 1)
+    shown <- ifelse(light <= 0.0031308, 12.92 * light, 1.055 * light^(1 / 2.4) - 0.055)
+    lab <- grDevices::convertColor(t(shown), "sRGB", "Lab")
+    # 2 is just noticed; the simulations differ by a few
+    expect_gt(min(stats::dist(lab)), 20)
+  }
+  lab <- grDevices::convertColor(t(share), "sRGB", "Lab")
+  expect_gt(min(diff(lab[, 1])), 10)
+  for (n in 1:7) expect_length(series_colours(n), n)
+  expect_false(anyDuplicated(series_colours(4)) > 0)
+})

@@ -70,7 +70,6 @@ test_that("the scene holds the gear at all times, and the file is one page", {
     expect_lte(box[1, axis], min(motion$points[axis, , ]))
     expect_gte(box[2, axis], max(motion$points[axis, , ]))
   }
-  skip_if_not(nzchar(Sys.which("pandoc")), "pandoc is not installed")
   file <- file.path(test_folder(), "tow.html")
   view(trajectory, file = file)
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")

@@ -51,8 +51,17 @@ test_that("wrong arguments are one clear error and leave nothing", {
   wrong(file = c("a.png", "b.png"))
   wrong(width = 0)
   wrong(height = NA_real_, file = file.path(folder, "a.png"))
-  wrong(width = 3, height = 3, file = file.path(folder, "a.png"))
+  wrong(width = 10, height = 3, file = file.path(folder, "a.png"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+})
+
+test_that("a narrow page is a wide one drawn smaller", {
+  figure <- plane_figure(unsettled("midwater_trawl", nodes = 300), c("xy", "xz", "yz"))
+  expect_equal(fitting_height(figure, full_width / 2), fitting_height(figure, full_width) / 2)
+  folder <- test_folder()
+  file <- file.path(folder, "a.png")
+  plot(unsettled("crossing_cables"), width = 3, height = 3, file = file)
+  expect_true(file.exists(file))
 })
 
 test_that("a picture that fails leaves the old file and no other", {

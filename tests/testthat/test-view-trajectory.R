@@ -29,10 +29,10 @@ test_that("a trajectory's figures show its measures and what its schedule change
 })
 
 test_that("depths grow downwards, and what stands still is not its rounding", {
-  expect_equal(series_range(list(words = "door depth", value = c(3, 9, 4))), c(9, 3))
-  expect_equal(series_range(list(words = "spread", value = c(3, 9, 4))), c(3, 9))
-  expect_equal(series_range(list(words = "spread", value = c(100, 100 + 1e-10))), c(99.95, 100.05))
-  expect_equal(series_range(list(words = "least depth", value = c(0, 0))), c(0.5, -0.5))
+  expect_equal(series_range(c(3, 9, 4), "door depth"), c(9, 3))
+  expect_equal(series_range(c(3, 9, 4), "spread"), c(3, 9))
+  expect_equal(series_range(c(100, 100 + 1e-10), "spread"), c(99.95, 100.05))
+  expect_equal(series_range(c(0, 0), "least depth"), c(0.5, -0.5))
 })
 
 test_that("figures go to a device or a file, and wrong arguments are clear errors", {

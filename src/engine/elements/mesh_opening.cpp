@@ -6,9 +6,21 @@ namespace codend {
 namespace {
 
 constexpr double rounding = 0.02;
-// A bar without length has no direction: lengths squared are kept above this share of a bar's (bars
-// are of the size of 1 m to 1 mm).
-constexpr double least_square = 1e-18;
+
+// The square of a length over the rest length as it counts, and its derivatives: itself where taut,
+// below that levelling off at 3/4 where it has fallen to half. A slack twine without length would
+// otherwise have any angle, at no distance from each other.
+struct Held {
+  double value, slope, curve;
+};
+Held held_square(double x) {
+  constexpr double level = 0.5;
+  if (x >= 1.0) return {x, 1.0, 0.0};
+  if (x <= level) return {0.5 * (1.0 + level), 0.0, 0.0};
+  const double below = 1.0 - x;
+  return {x + 0.5 * below * below / (1.0 - level), 1.0 - below / (1.0 - level),
+          1.0 / (1.0 - level)};
+}
 
 }  // namespace
 
@@ -29,8 +41,8 @@ MeshOpenings::Opening MeshOpenings::opening(int e, const Field& field) const {
     o.v += o.v_shape[k] * side;
   }
   const double knots = 0.5 * std::abs(d) * multiplicity[t];
-  const double a = o.u.squaredNorm() + least_square, b = o.v.squaredNorm() + least_square;
-  const double inverse = 1.0 / std::sqrt(a * b);
+  const Held a = held_square(o.u.squaredNorm()), b = held_square(o.v.squaredNorm());
+  const double inverse = 1.0 / std::sqrt(a.value * b.value);
   const double k = o.u.dot(o.v) * inverse;
   const double sine = std::sqrt(1.0 - k * k + rounding * rounding);
   const double off = std::atan2(sine, k) - angle[t];
@@ -38,10 +50,13 @@ MeshOpenings::Opening MeshOpenings::opening(int e, const Field& field) const {
   // Of the energy by k, and of k by the three.
   const double h1 = -knots * couple[t] * off / sine;
   const double h2 = knots * couple[t] * (1.0 / (sine * sine) - off * k / (sine * sine * sine));
-  const double k1[3] = {-0.5 * k / a, -0.5 * k / b, inverse};
-  const double k2[3][3] = {{0.75 * k / (a * a), 0.25 * k / (a * b), -0.5 * inverse / a},
-                           {0.25 * k / (a * b), 0.75 * k / (b * b), -0.5 * inverse / b},
-                           {-0.5 * inverse / a, -0.5 * inverse / b, 0.0}};
+  const double by_a = a.slope / a.value, by_b = b.slope / b.value;
+  const double k1[3] = {-0.5 * k * by_a, -0.5 * k * by_b, inverse};
+  const double aa = k * (0.75 * by_a * by_a - 0.5 * a.curve / a.value);
+  const double bb = k * (0.75 * by_b * by_b - 0.5 * b.curve / b.value);
+  const double ab = 0.25 * k * by_a * by_b;
+  const double ac = -0.5 * inverse * by_a, bc = -0.5 * inverse * by_b;
+  const double k2[3][3] = {{aa, ab, ac}, {ab, bb, bc}, {ac, bc, 0.0}};
   for (int i = 0; i < 3; ++i) {
     o.slope[i] = h1 * k1[i];
     for (int j = 0; j < 3; ++j) o.curve[i][j] = h2 * k1[i] * k1[j] + h1 * k2[i][j];

@@ -1,10 +1,10 @@
 // Stiffness of meshes against opening and closing: a couple at every knot between the two families
 // of twine (D. Priour, A Finite Element Method for Netting, Springer 2013), on netting triangles.
 //
-// With b the angle between the bar vectors e_u and e_v of the triangle, the energy of a knot is
-// 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|); b has a kink
-// where the twines are parallel, rounded here: sin b is taken as sqrt(1 - k^2 + 0.02^2), which
-// changes no angle by more than 0.02.
+// With b the angle between the bar vectors e_u and e_v of the triangle, over their rest length, a
+// knot's energy is 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|), in
+// which the lengths of slack twines, whose ends say less and less of their angle at the knot, are
+// held above sqrt(3/4); sin b is taken as sqrt(1 - k^2 + 0.02^2), an angle changed by 0.02 at most.
 #pragma once
 
 #include "kind.hpp"
@@ -14,10 +14,10 @@ namespace codend {
 class MeshOpenings : public ElementKind {
  public:
   std::vector<int> node;              // 3 per triangle
-  std::vector<double> twine;          // u1 v1 u2 v2 u3 v3 per triangle
+  std::vector<double> twine;          // u1 v1 u2 v2 u3 v3 per triangle, m of twine at rest
   std::vector<double> couple;         // H, N m/rad, of one knot
   std::vector<double> angle;          // b0, rad
-  std::vector<double> multiplicity;   // as of the netting triangle
+  std::vector<double> multiplicity;   // that of the netting triangle over the bar's length squared
 
   int count() const { return static_cast<int>(couple.size()); }
   int nodes_per_element() const override { return 3; }

@@ -55,6 +55,16 @@ Scalar dot(const Triple<Scalar>& a, const Triple<Scalar>& b) {
 
 }  // namespace
 
+PressureCentre joessel_pressure_centre(double attack) {
+  constexpr double rounding = 0.01;
+  const double s = std::sin(attack), c = std::cos(attack);
+  const double size = std::sqrt(s * s + rounding * rounding);
+  // The edge that meets the flow changes at 90 deg, where both say half of the chord.
+  const double most = std::sqrt(1.0 + rounding * rounding);
+  const double way = c < 0.0 ? -1.0 : 1.0;
+  return {0.5 - 0.3 * way * (most - size), 0.3 * way * s * c / size};
+}
+
 // The three points, and how they move.
 template <class Scalar>
 struct OtterBoards::Motion {
@@ -71,10 +81,13 @@ struct OtterBoards::Motion {
   }
   Triple<Scalar> vector(const Parts& p) const { return p.a * e1 + p.b * e2 + p.c * e3; }
   Triple<Scalar> place(const Parts& p) const { return x[0] + vector(p); }
-  Triple<Scalar> velocity(const Parts& p) const {
+  template <class Share>
+  Triple<Scalar> velocity(const PartsOf<Share>& p) const {
     return v[0] + p.a * e1_dot + p.b * e2_dot + p.c * e3_dot;
   }
-  void hand_on(const Parts& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
+  template <class Share>
+  void hand_on(const PartsOf<Share>& p, const Triple<Scalar>& load,
+               Triple<Scalar> force[3]) const {
     const Triple<Scalar> f1 = p.a * load + p.c * cross(e2, load);
     const Triple<Scalar> f2 = p.b * load + p.c * cross(load, e1);
     force[0] += load - f1 - f2;
@@ -119,7 +132,7 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
 
   const Triple<Scalar> middle = motion.place(f.middle);
   Immersion wet{1.0, 0.0, 1.0, 0.0};
-  if (water.free_surface) wet = immersion(value_of(middle.z()), b.span);
+  if (water.free_surface) wet = immersion(value_of(middle.z()), b.height);
   const Scalar share = follow(middle.z(), wet.share, wet.slope);
 
   const Scalar none(0.0);
@@ -130,11 +143,27 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
                        outward = motion.vector(f.outward);
   Vector current, slope;
   water.velocity(value_of(middle.z()), current, slope);
-  const Triple<Scalar> moving = motion.velocity(f.middle);
+  // Of the water relative to a place of the board, and its parts in the board's axes.
   Triple<Scalar> u;
-  for (int k = 0; k < 3; ++k) u[k] = follow(middle.z(), current[k], slope[k]) - moving[k];
-  const Scalar along_chord = dot(u, chord), along_outward = dot(u, outward),
-               along_span = dot(u, span);
+  Scalar along_chord, along_outward, along_span;
+  auto meet = [&](const Triple<Scalar>& moving) {
+    for (int k = 0; k < 3; ++k) u[k] = follow(middle.z(), current[k], slope[k]) - moving[k];
+    along_chord = dot(u, chord);
+    along_outward = dot(u, outward);
+    along_span = dot(u, span);
+  };
+  meet(motion.velocity(f.middle));
+  PartsOf<Scalar> pressed{Scalar(f.middle.a), Scalar(f.middle.b), Scalar(f.middle.c)};
+  if (b.pressure_wanders) {
+    // The flow that matters is that where the force acts, or it would not always take energy.
+    const Scalar first = angle(along_outward, along_chord);
+    const PressureCentre centre = joessel_pressure_centre(value_of(first));
+    const Scalar aft = b.chord * (follow(first, centre.share, centre.slope) - b.pressure_centre);
+    pressed.a += aft * f.chord.a;
+    pressed.b += aft * f.chord.b;
+    pressed.c += aft * f.chord.c;
+    meet(motion.velocity(pressed));
+  }
   const Scalar across2 = along_chord * along_chord + along_outward * along_outward;
   const Scalar across = square_root(across2);
   const Scalar speed = square_root(Scalar(dot(u, u)));
@@ -156,7 +185,7 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
     load += drag_factor * u;
     drag_size = value_of(drag_factor) * value_of(speed);
   }
-  motion.hand_on(f.middle, load, force);
+  motion.hand_on(pressed, load, force);
 
   Vector on_ground = Vector::Zero();
   if (ground.present) {
@@ -182,10 +211,14 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
   const Vector c = values(chord), s = values(span);
   attitude->attack = value_of(attack);
   attitude->trim = std::atan2(-c.z(), std::hypot(c.x(), c.y()));
-  // Outward and level, across the chord.
-  const Vector level = b.side * Vector::UnitZ().cross(c);
-  const double size = level.norm();
-  attitude->heel = std::atan2(size > 0.0 ? s.dot(level) / size : 0.0, s.z());
+  if (b.level) {
+    attitude->heel = std::atan2(-s.z(), b.side * values(outward).z());
+  } else {
+    // Outward and level, across the chord.
+    const Vector aside = b.side * Vector::UnitZ().cross(c);
+    const double size = aside.norm();
+    attitude->heel = std::atan2(size > 0.0 ? s.dot(aside) / size : 0.0, s.z());
+  }
   attitude->lift = values(lift).norm();
   attitude->drag = drag_size;
   attitude->force = values(load);
@@ -271,7 +304,7 @@ void OtterBoards::add_added_mass(const Field& field, double* mass) const {
 void OtterBoards::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, slope;
-    field.relative_velocity(node[3 * e], board[e].span, u, slope);
+    field.relative_velocity(node[3 * e], board[e].height, u, slope);
     const double share = 0.5 * field.water->density * board[e].area * u.norm() / 3.0;
     for (int k = 0; k < 3; ++k) scale[node[3 * e + k]] += share;
   }

@@ -1,5 +1,5 @@
-// Otter boards as rigid bodies with six degrees of freedom, which find their own angle of attack,
-// heel and trim.
+// Otter boards, kites and depressors as rigid bodies with six degrees of freedom, which find their
+// own angle of attack, heel and trim.
 //
 // A board is three points, the places where its warp and backstrops are fastened, held at their
 // distances by struts (lines that also push: TwineMaterial::strut). What else belongs to it, its
@@ -26,12 +26,15 @@ namespace codend {
 
 // Lengths in m in the board's own axes: x from its leading to its trailing edge, z along its span,
 // up, y to starboard of a board that stands upright along the flow. Origin: the middle of the
-// leading edge.
+// leading edge. Kites and depressors are boards whose span lies level, to port.
 struct OtterBoard {
   Vector attachment[3];
-  double side = 1.0;           // +1: pushes to starboard, -1: to port
+  double side = 1.0;           // +1: pushes to starboard or, level, up; -1: to port or down
+  bool level = false;          // whether a kite or depressor
   double chord = 0.0, span = 0.0, area = 0.0;  // m, m, m2
+  double height = 1.0;           // over which it leaves the water, m
   double pressure_centre = 0.5;  // on the chord, share of it from the leading edge
+  bool pressure_wanders = false; // with the angle of attack, see pressure_centre() below
   double weight = 0.0, buoyancy = 0.0;  // N
   Vector gravity_centre = Vector::Zero(), buoyancy_centre = Vector::Zero();
   double added_mass = 0.0;       // across its face, at density 1 kg/m3 of water, m3
@@ -39,10 +42,19 @@ struct OtterBoard {
   Polar polar;
 };
 
+// Where lift and drag act on a flat plate, share of its chord from the edge that meets the flow:
+// 0.2 + 0.3 |sin alpha| (Joessel, 1873), and its derivative by the angle of attack; the kink at 0 is
+// rounded, over a hundredth.
+struct PressureCentre {
+  double share, slope;
+};
+PressureCentre joessel_pressure_centre(double attack);
+
 // How a board stands and what the water does to it.
 struct BoardAttitude {
   double attack = 0.0;  // rad
-  double heel = 0.0;    // rad; positive where the upper edge leans outward
+  double heel = 0.0;    // rad; positive where the upper edge leans outward, of a level board where
+                        // its starboard end is high
   double trim = 0.0;    // rad; positive where the leading edge is high
   double lift = 0.0, drag = 0.0;         // N, across and along the flow
   Vector force = Vector::Zero();         // hydrodynamic, N
@@ -70,9 +82,11 @@ class OtterBoards : public ElementKind {
 
  private:
   // A vector of the board in terms of e1, e2 and e1 x e2.
-  struct Parts {
-    double a = 0.0, b = 0.0, c = 0.0;
+  template <class Scalar>
+  struct PartsOf {
+    Scalar a = Scalar(0.0), b = Scalar(0.0), c = Scalar(0.0);
   };
+  using Parts = PartsOf<double>;
   // What of a board goes with its points.
   struct Fixed {
     Parts leading, chord, span, outward;  // place; unit vectors

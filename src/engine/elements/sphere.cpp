@@ -12,6 +12,18 @@ void Spheres::coefficient(int e, double speed, double viscosity, double& value,
     return;
   }
   const double per_speed = diameter[e] / viscosity;
+  if (smooth[e]) {
+    const double re = per_speed * speed, r = re / 2.63e5;
+    const double rise = std::pow(re / 5.0, 1.52), fall = std::pow(r, 8.0);
+    const double first = 2.6 * (re / 5.0) / (1.0 + rise);
+    const double second = 0.411 * std::pow(r, 0.06) / (1.0 + fall);
+    const double third = std::pow(re, 0.8) / 461000.0;
+    value = 24.0 / per_speed + speed * (first + second + third);
+    // Each times the speed, by the speed: its value and Re times its derivative.
+    slope = first * (2.0 - 1.52 * rise / (1.0 + rise)) +
+            second * (1.06 - 8.0 * fall / (1.0 + fall)) + 1.8 * third;
+    return;
+  }
   const double root = std::sqrt(per_speed * speed);
   const double one = 1.0 + root;
   value = 24.0 / per_speed + 6.0 * speed / one + 0.4 * speed;

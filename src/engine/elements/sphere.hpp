@@ -1,8 +1,11 @@
 // Bodies without lift at one point: knots, floats, hammers, catch. Drag 1/2 rho A C |U| U.
 //
 // Knots are spheres with C(Re) = 24/Re + 6/(1 + sqrt Re) + 0.4, Re = |U| d / nu (F. White, Viscous
-// Fluid Flow; good below Re = 2e5); other bodies have one coefficient for all speeds, given by
-// diameter 0 and their drag area C A.
+// Fluid Flow; good below Re = 2e5). Smooth spheres go through the drag crisis (F. A. Morrison, Data
+// Correlation for Drag Coefficient for Sphere, Michigan Technological University, 2013; to Re = 1e6):
+//   C(Re) = 24/Re + 2.6 (Re/5) / (1 + (Re/5)^1.52) + 0.411 r^-7.94 / (1 + r^-8) + Re^0.8 / 461000,
+//   r = Re / 263000.
+// Other bodies have one coefficient for all speeds, given by diameter 0 and their drag area C A.
 #pragma once
 
 #include "kind.hpp"
@@ -14,6 +17,7 @@ class Spheres : public ElementKind {
   std::vector<int> node;
   std::vector<double> drag_area;  // C A where diameter is 0, else projected area A of all knots, m2
   std::vector<double> diameter;   // m; 0: coefficient included in drag_area
+  std::vector<char> smooth;       // whether a smooth sphere instead of a knot
   std::vector<double> added_mass; // kg at density 1 kg/m3 of water, i.e. m3
   std::vector<double> height;     // over which it leaves the water, m
 

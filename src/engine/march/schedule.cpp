@@ -12,6 +12,8 @@ constexpr double catch_up = 5.0;
 constexpr double full_share = 0.1;
 // A winch is asked this often (s), while it slips or may slip soon, and else.
 constexpr double slipping_step = 0.05, idle_step = 0.5;
+// Steps are no longer (s) while a gear is shot, so that each node begins in its turn.
+constexpr double shooting_step = 0.5;
 // Steps may grow by this factor before a winch is asked again.
 constexpr double next_growth = 2.0;
 
@@ -39,6 +41,10 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
   }
   for (Parting& parting : plan_.partings) {
     if (parting.parted >= 0) part(parting, parting.parted, parting.parted_at);
+  }
+  if (!plan_.shooting.node.empty()) {
+    kept_.assign(static_cast<std::size_t>(model.nodes), 0);
+    all_shot_ = *std::max_element(plan_.shooting.time.begin(), plan_.shooting.time.end());
   }
   answers_ = !plan_.partings.empty() || assembly.shades();
   for (const GrowingPart& part : plan_.parts) answers_ = answers_ || part.has_winch;
@@ -73,7 +79,21 @@ void Schedule::to_time(double time, Side side, Motion& motion) {
                                0.0};
   }
   grow(time, side);
+  shoot(time);
   assembly_.update();
+}
+
+void Schedule::shoot(double time) {
+  time_ = time;
+  if (kept_.empty()) return;
+  bool changed = false;
+  for (std::size_t k = 0; k < plan_.shooting.node.size(); ++k) {
+    const char kept = plan_.shooting.time[k] > time;
+    char& was = kept_[static_cast<std::size_t>(plan_.shooting.node[k])];
+    changed = changed || was != kept;
+    was = kept;
+  }
+  if (changed) assembly_.keep(kept_);
 }
 
 void Schedule::grow(double time, Side side) {
@@ -143,8 +163,7 @@ void Schedule::turn(Winch& winch, double time) {
   }
   speed = std::clamp(speed, -winch.speed_limit, winch.speed_limit);
   if (std::isfinite(winch.tension_limit)) {
-    const LineArrays& lines = assembly_.lines();
-    const double tension = lines.multiplicity[winch.bar] * lines.tension[winch.bar];
+    const double tension = assembly_.bar_pull(winch.bar);
     const double slope = full_share * winch.tension_limit / winch.speed_limit;
     const double over = tension - winch.tension_limit - slope * winch.speed;
     const double slipping =
@@ -159,6 +178,7 @@ void Schedule::turn(Winch& winch, double time) {
 
 double Schedule::longest_step() const {
   double longest = std::numeric_limits<double>::infinity();
+  if (time_ < all_shot_) longest = shooting_step;
   for (const GrowingPart& part : plan_.parts) {
     if (!part.has_winch) continue;
     longest = std::min(longest, part.winch.near_limit ? slipping_step : idle_step);
@@ -170,14 +190,14 @@ bool Schedule::broken_at(const Motion& now) {
   bool broken = false;
   if (!answers_) return broken;
   assembly_.move_to(now.x.data(), now.v.data());
-  const LineArrays& lines = assembly_.lines();
   for (Parting& parting : plan_.partings) {
     if (parting.parted >= 0) continue;
     int bar = now.time >= parting.time * (1.0 - 1e-12) ? parting.at : -1;
     double most = parting.strength;
     for (const int b : parting.bars) {
-      if (!(lines.tension[b] > most)) continue;
-      most = lines.tension[b];
+      const double pull = assembly_.bar_pull(b);
+      if (!(pull > most)) continue;
+      most = pull;
       bar = b;
     }
     if (bar < 0) continue;

@@ -74,8 +74,15 @@ struct Parting {
   double parted_at = 0.0;          // s
 };
 
+// Nodes that stay where they lie until they are shot.
+struct Shooting {
+  std::vector<int> node;
+  std::vector<double> time;        // s
+};
+
 struct Plan {
   Track track;
+  Shooting shooting;
   std::vector<GrowingPart> parts;
   std::vector<Curve> current_x, current_y;  // m/s over the ground, per depth of the model's water
   std::vector<Parting> partings;
@@ -98,6 +105,7 @@ class Schedule : public Conditions {
 
  private:
   void grow(double time, Side side);
+  void shoot(double time);
   void part(Parting& parting, int bar, double time);
   void turn(Winch& winch, double time);
 
@@ -111,6 +119,8 @@ class Schedule : public Conditions {
   // Per part, buoyancy of its volumes without its own, N.
   std::vector<std::vector<double>> other_buoyancy_;
   std::vector<double> factor_, rate_;     // of the parts, as the model has them
+  std::vector<char> kept_;                // per node: 1 until it is shot
+  double all_shot_ = 0.0, time_ = 0.0;    // s
 };
 
 }  // namespace codend

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "block_lu.hpp"
+#include "board_stability.hpp"
 #include "tension_path.hpp"
 
 namespace codend {
@@ -40,6 +41,10 @@ constexpr int attempts = 8;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
 constexpr int shadings = 20, searches = 4;
+// Boards in a balance that does not last are pushed by this share of their chord, and the pseudo time
+// step stays below this share of the time in which their motion grows for so many steps. Tried so often.
+constexpr double push_share = 0.1, push_pace = 0.4;
+constexpr int push_steps = 40, pushes = 4;
 constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
 // CPU seconds into a total, from construction to destruction.
@@ -95,6 +100,30 @@ class Settling {
     cycle_ = 0;
   }
 
+  // Of the shape that was found.
+  GrowingMotion growing_motion() {
+    Stopwatch watch(report_.seconds_linear);
+    return growing_board_motion(assembly_, *lu_);
+  }
+
+  // On from a shape that does not last, along the motion that leaves it or, backwards, against it.
+  void leave(const GrowingMotion& from, bool backwards) {
+    const double size = (backwards ? -push_share : push_share) * least_chord();
+    assembly_.strain(strain_);
+    path_ = TensionPath(assembly_.model(), load_);
+    path_.follow(strain_);
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      at(x_, free_[i]) += size * at(from.motion.data(), static_cast<int>(i));
+    }
+    turning_ = last_turning_ = 1.0;
+    on_law_ = false;
+    begun_ = true;
+    steps_to_law_ = push_steps;
+    cycle_ = 0;
+    held_steps_ = push_steps;
+    held_pseudo_step_ = pseudo_step_ = push_pace / from.rate;
+  }
+
   // Net forces of the law itself.
   void measure() {
     Stopwatch watch(report_.seconds_forces);
@@ -126,7 +155,7 @@ class Settling {
     if (report_.residual < law_residual) turning_ = 0.0;
   }
 
-  bool found() const { return turning_ < found_turning; }
+  bool found() const { return turning_ < found_turning && held_steps_ == 0; }
 
   // Whether the net forces are no more than what rounding of the positions makes.
   bool at_rounding() const { return report_.worst_force <= rounding_; }
@@ -256,6 +285,18 @@ class Settling {
       pseudo_step_ = std::max(3.0 * own, 1e-3);
       cycle_ = 0;
     }
+    if (held_steps_ > 0) {
+      --held_steps_;
+      pseudo_step_ = std::min(pseudo_step_, held_pseudo_step_);
+    }
+  }
+
+  double least_chord() const {
+    double least = 1e12;
+    for (const OtterBoard& board : assembly_.model().boards.board) {
+      least = std::min(least, board.chord);
+    }
+    return least;
   }
 
   // Net force (N) that a stiff line shows when its ends move by their rounding.
@@ -297,6 +338,8 @@ class Settling {
   double pseudo_step_ = 1.0;  // s
   double turning_ = 1.0, last_turning_ = 1.0;
   bool begun_ = false;        // a step has been taken
+  int held_steps_ = 0;        // steps for which the pseudo time step stays short
+  double held_pseudo_step_ = 0.0;  // s
   int cycle_ = 0;             // undamped steps in a row that do not close in
   bool on_law_ = false;
   int law_steps_done_ = 0, steps_to_law_ = 0;
@@ -333,6 +376,17 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
         settling.measure();
         if (report.shadings == shadings) return report;
         settling.resume();
+        steps = 0;
+      }
+    }
+    if (report.converged && assembly.model().boards.count() > 0) {
+      const GrowingMotion growing = settling.growing_motion();
+      report.upset_at_last = growing.found;
+      if (growing.found && report.upsets < pushes) {
+        settling.leave(growing, report.upsets % 2 == 1);
+        ++report.upsets;
+        report.converged = false;
+        settling.measure();
         steps = 0;
       }
     }

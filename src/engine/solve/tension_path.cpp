@@ -55,6 +55,7 @@ void TensionPath::follow(const std::vector<double>& strain) {
   parameter_ = near_parameter;
   begun_ = true;
   for (std::size_t k = 0; k < scale_.size(); ++k) {
+    if (stiffness_[k] == 0.0) continue;
     if (strut_[k]) {
       current_.tension[k] = stiffness_[k] * strain[k];
       continue;
@@ -87,6 +88,7 @@ void TensionPath::rest_contact(std::size_t k, double penetration) {
 void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
   parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
+    if (stiffness_[k] == 0.0) continue;  // carries no tension, from the start
     if (strut_[k]) {  // either sign: nothing to approach, tension and position meet at once
       current_.modulus[k] = stiffness_[k];
       mismatch_[k] = strain[k] - current_.tension[k] / stiffness_[k];
@@ -108,6 +110,7 @@ void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
 
 void TensionPath::advance(const std::vector<double>& strain_change, double share) {
   for (std::size_t k = 0; k < scale_.size(); ++k) {
+    if (stiffness_[k] == 0.0) continue;
     double& t = current_.tension[k];
     double& s = shortfall_[k];
     const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);

@@ -1,0 +1,145 @@
+# Single elements in the engine, all held, for the forces that a solve would find on them.
+
+specimen_density <- 1000
+specimen_viscosity <- 1e-6
+
+# A lattice of the engine with no element: points (3 x n, m) in still water.
+specimen <- function(points, materials = twine_materials(list())) {
+  n <- ncol(points)
+  bare <- gear("Nothing",
+    water = list(density = specimen_density, viscosity = specimen_viscosity),
+    held_point = point(position = list(0, 0, 0), held = "fixed")
+  )
+  engine <- build_lattice(gear_si(bare))$engine
+  engine$nodes <- n
+  engine$held <- rep(TRUE, n)
+  engine$load <- numeric(3L * n)
+  engine$mass <- numeric(n)
+  engine$slack_twine <- "straight"
+  engine$materials <- engine$blended$materials <- materials
+  list(position = points, engine = engine)
+}
+
+# What the engine finds where elements of so many points move through still water at their speeds
+# (m/s; one for all will do) towards -x: the flow comes along x.
+evaluate_specimen <- function(specimen, speed, points) {
+  velocity <- rbind(-rep_len(rep(speed, each = points), specimen$engine$nodes), 0, 0)
+  engine_evaluate(specimen$engine, as.double(specimen$position), as.double(velocity))
+}
+
+# Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it, towards y.
+drag_and_lift <- function(force, speed, area) {
+  per <- 0.5 * specimen_density * speed^2 * area
+  force <- matrix(force, 3L)
+  list(drag = force[1, ] / per, lift = force[2, ] / per)
+}
+
+# Twines of 1 m, 2 mm thick, at angles (rad) to the flow, on diameter times length.
+twine_specimens <- function(coefficients, angle, reynolds, solidity) {
+  diameter <- 0.002
+  n <- length(angle)
+  line <- list(
+    axial_stiffness = 1, diameter = diameter, volume_per_length = 0,
+    coefficients = drag_law(coefficients), added_mass = c(normal = 0, tangential = 0)
+  )
+  materials <- twine_materials(list(line))
+  materials$solidity <- solidity
+  ends <- matrix(0, 3L, 2L * n)
+  second <- 2L * seq_len(n)
+  # Its normal part of the flow is towards y.
+  ends[, second] <- rbind(cos(angle), -sin(angle), 0)
+  held <- specimen(ends, materials)
+  held$engine$bars <- list(
+    node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), height = rep(diameter, n),
+    material = rep(1L, n)
+  )
+  speed <- reynolds * specimen_viscosity / diameter
+  found <- evaluate_specimen(held, speed, 2L)
+  drag_and_lift(found$bar_drag, speed, diameter)
+}
+
+# Square netting of 20 bars by 20 of 2 mm twine, knotless, that turns about its bars along z; angle
+# (rad) between its normal and the flow. On its area, as two triangles.
+netting_specimens <- function(law, angle, reynolds, solidity) {
+  diameter <- 0.002
+  n <- length(angle)
+  count <- 20
+  # Sn = 2 d/a - (d/a)^2 counts crossings once, as the sum over twines does not.
+  bar <- if (law %in% c("twines", "blended")) {
+    2 * diameter / solidity
+  } else {
+    diameter / (1 - sqrt(1 - solidity))
+  }
+  side <- count * bar
+  line <- list(
+    axial_stiffness = 1, twine_diameter = diameter, twine_count = 1, mesh_size = 2 * bar,
+    orientation = "square", volume_per_length = 0, coefficients = drag_law("bessonneau_marichal"),
+    added_mass = c(normal = 0, tangential = 0)
+  )
+  materials <- twine_materials(list(line))
+  corners <- vapply(angle, function(a) {
+    along <- side * c(-sin(a), cos(a), 0)
+    up <- c(0, 0, side)
+    cbind(0, along, along + up, 0, along + up, up)
+  }, matrix(0, 3L, 6L))
+  held <- specimen(matrix(corners, 3L), materials)
+  node <- seq_len(6L * n)
+  triangles <- 2L * n
+  twine <- rep(c(0, 0, count, 0, count, count, 0, 0, count, count, 0, count), n)
+  common <- list(
+    node = node, twine = twine, rest = rep(bar, triangles), multiplicity = rep(1, triangles),
+    height = rep(diameter, triangles), material = rep(1L, triangles)
+  )
+  if (law == "twines") {
+    held$engine$triangles <- c(
+      common, list(straight = numeric(triangles), inner = integer(triangles))
+    )
+  } else if (law == "blended") {
+    held$engine$blended[names(common)] <- common
+  } else {
+    held$engine$drag_screens <- list(
+      node = node, twine_area = rep(solidity * side^2 / 2, triangles),
+      diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
+      height = rep(diameter, triangles), law = rep(screen_numbers[[law]], triangles)
+    )
+  }
+  speed <- reynolds * specimen_viscosity / diameter
+  found <- evaluate_specimen(held, speed, 6L)
+  which <- c(twines = "triangle_drag", blended = "blended_force")
+  force <- found[[if (law %in% names(which)) which[[law]] else "screen_force"]]
+  whole <- matrix(force, 6L)
+  drag_and_lift(whole[1:3, ] + whole[4:6, ], speed, side^2)
+}
+
+# Otter boards of 1 m2, upright, by their angle of attack (rad), on their area.
+board_specimens <- function(polar, angle, aspect_ratio) {
+  span <- sqrt(aspect_ratio)
+  board <- list(
+    attachment = cbind(c(0, 0, 0), c(1 / span, 0, span / 2), c(1 / span, 0, -span / 2)), side = 1,
+    level = FALSE, chord = 1 / span, span = span, height = span, area = 1,
+    pressure_centre = 0.5, pressure_wanders = FALSE, mass = 0, volume = 0,
+    gravity_centre = c(0, 0, 0), buoyancy_centre = c(0, 0, 0), added_volume = 0, shoe_area = 0,
+    polar = board_polar(polar, aspect_ratio)
+  )
+  points <- vapply(angle, function(a) upright_board(board, c(0, 0, 0), a), matrix(0, 3L, 3L))
+  held <- specimen(matrix(points, 3L))
+  held$engine$boards <- lapply(seq_along(angle), function(k) {
+    engine_board(board, 3L * (k - 1L) + 1:3, specimen_density)
+  })
+  speed <- 1
+  found <- evaluate_specimen(held, speed, 3L)
+  drag_and_lift(found$boards$force, speed, 1)
+}
+
+# Knots or smooth spheres, by their Reynolds number, on their projected area.
+sphere_specimens <- function(reynolds, smooth = FALSE) {
+  n <- length(reynolds)
+  diameter <- 0.002
+  held <- specimen(matrix(0, 3L, n))
+  held$engine$spheres <- list(
+    node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
+    smooth = rep(as.integer(smooth), n), added_mass = numeric(n), height = rep(diameter, n)
+  )
+  speed <- reynolds * specimen_viscosity / diameter
+  drag_and_lift(evaluate_specimen(held, speed, 1L)$sphere_drag, speed, pi / 4 * diameter^2)
+}

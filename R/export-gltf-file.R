@@ -1,0 +1,98 @@
+# A glTF 2.0 file: a tree in JSON that says what lies where in one buffer of numbers. The buffer is
+# gathered in a file beside the target, part by part, so that it never lies in memory as a whole.
+
+# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), both of which give
+# the number of an accessor; views(), accessors(), bytes(), path, remove()).
+gltf_buffer <- function(folder) {
+  path <- tempfile(".export-", tmpdir = folder, fileext = ".bin")
+  connection <- base::file(path, "wb")
+  open <- TRUE
+  views <- list()
+  accessors <- list()
+  bytes <- 0
+  shut <- function() {
+    if (open) close(connection)
+    open <<- FALSE
+  }
+  add <- function(values, size, accessor) {
+    writeBin(values, connection, size = size, endian = "little")
+    length <- size * length(values)
+    views[[length(views) + 1L]] <<- list(
+      buffer = 0L, byteOffset = bytes, byteLength = length, target = 34962L
+    )
+    bytes <<- bytes + length
+    accessors[[length(accessors) + 1L]] <<- c(list(bufferView = length(views) - 1L), accessor)
+    length(accessors) - 1L
+  }
+  list(
+    add_places = function(x) {
+      # the ends of what the file holds, which is in single precision
+      ends <- apply(matrix(x, 3L), 1L, range)
+      ends <- matrix(readBin(writeBin(as.vector(ends), raw(), 4L), "double", 6L, 4L), 2L)
+      add(x, 4L, list(
+        componentType = 5126L, count = length(x) / 3, type = "VEC3", min = ends[1L, ],
+        max = ends[2L, ]
+      ))
+    },
+    add_colours = function(colours, opacity = 1) {
+      # few colours are different
+      known <- unique(colours)
+      share <- rbind(linear_light(grDevices::col2rgb(known) / 255), opacity)
+      numbers <- as.integer(round(65535 * share))
+      values <- matrix(numbers, 4L)[, match(colours, known)]
+      # two bytes hold 0 to 65535 as R's signed 0 to -1
+      values <- as.vector(values - 65536L * (values > 32767L))
+      add(values, 2L, list(
+        componentType = 5123L, normalized = TRUE, count = length(colours), type = "VEC4"
+      ))
+    },
+    views = function() views, accessors = function() accessors, bytes = function() bytes,
+    path = path,
+    done = shut,
+    remove = function() {
+      shut()
+      unlink(path)
+    }
+  )
+}
+
+# Shares of light, which glTF wants, from shares as screens take them (sRGB, IEC 61966-2-1).
+linear_light <- function(share) {
+  ifelse(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055)^2.4)
+}
+
+gltf_json <- function(scene, buffer, uri = NULL) {
+  scene$bufferViews <- buffer$views()
+  scene$accessors <- buffer$accessors()
+  scene$buffers <- list(c(list(byteLength = buffer$bytes()), if (!is.null(uri)) list(uri = uri)))
+  enc2utf8(as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA)))
+}
+
+write_gltf_text <- function(path, scene, buffer) {
+  buffer$done()
+  numbers <- readBin(buffer$path, "raw", buffer$bytes())
+  uri <- paste0("data:application/octet-stream;base64,", jsonlite::base64_enc(numbers))
+  writeBin(charToRaw(gltf_json(scene, buffer, gsub("\n", "", uri, fixed = TRUE))), path)
+}
+
+# The binary file: a head of 12 bytes, then the tree and the buffer, each behind its length and kind
+# and filled up to a multiple of four bytes.
+write_glb <- function(path, scene, buffer) {
+  buffer$done()
+  tree <- charToRaw(gltf_json(scene, buffer))
+  tree <- c(tree, rep(charToRaw(" "), -length(tree) %% 4))
+  connection <- base::file(path, "wb")
+  on.exit(close(connection))
+  word <- function(x) writeBin(low_word_first(x)[1L], connection, endian = "little")
+  writeBin(charToRaw("glTF"), connection)
+  word(2)
+  word(12 + 8 + length(tree) + 8 + buffer$bytes())
+  word(length(tree))
+  writeBin(charToRaw("JSON"), connection)
+  writeBin(tree, connection)
+  word(buffer$bytes())
+  writeBin(c(charToRaw("BIN"), as.raw(0)), connection)
+  from <- base::file(buffer$path, "rb")
+  on.exit(close(from), add = TRUE)
+  while (length(block <- readBin(from, "raw", 2^24))) writeBin(block, connection)
+}

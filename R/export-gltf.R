@@ -1,0 +1,227 @@
+#' Write a gear's shape for the web and for CAD
+#'
+#' Writes a state as a scene in glTF 2.0, the format that web viewers, Blender, Windows and most CAD
+#' programs open: ropes and twines as lines, netting of triangles also as see-through sheets, free
+#' otter boards as plates and other pieces as balls.
+#'
+#' @details
+#' The scene has a node for every rope, panel and piece, named as in the plan; its extras hold
+#' `kind` and `role`, and of ropes and netting `largest_tension_N` of one line or twine. The scene's
+#' extras hold the measures.
+#'
+#' Lengths are metres in codend's axes: x aft, y to starboard, z up. glTF has y up, so the node
+#' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
+#' up and z to port.
+#'
+#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey
+#' where slack or pushing; or one colour for every part, in turns. Netting of triangles is drawn as
+#' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
+#' of its height, spread pieces stand for what is between them.
+#'
+#' @param state A state, from [settle()] or [state_at()].
+#' @param file Path to write: `.glb` (one binary file) or `.gltf` (text with the same numbers in
+#'   it, a third larger). Written whole or not at all.
+#' @param colours `"tension"` or `"part"`.
+#' @return `file`, invisibly. A path that cannot be written is an error of class
+#'   `codend_error_input`.
+#' @seealso [write_vtk()] for all numbers, [view()] for a page of its own.
+#' @export
+#' @examples
+#' file <- tempfile(fileext = ".glb")
+#' write_gltf(settle("towed_cable"), file)
+write_gltf <- function(state, file, colours = c("tension", "part")) {
+  check_is_state(state)
+  colours <- match.arg(colours)
+  extension <- check_export_path(file, c(".glb", ".gltf"))
+  export_whole(file, function(path) {
+    buffer <- gltf_buffer(dirname(file))
+    on.exit(buffer$remove())
+    scene <- gltf_scene(state, colours, buffer)
+    write <- if (extension == ".glb") write_glb else write_gltf_text
+    write(path, scene, buffer)
+  })
+}
+
+# The scene as glTF's tree, without its buffer; numbers go to the buffer part by part.
+gltf_scene <- function(state, colours, buffer) {
+  parts <- state$lattice$parts
+  drawing <- state_drawing(state, .Machine$integer.max)
+  scales <- list(
+    rope = tension_scale(drawing$ropes$tension, "rope"),
+    netting = tension_scale(drawing$netting$tension, "netting")
+  )
+  one_each <- rep_len(series_palette, nrow(parts))
+  meshes <- list()
+  nodes <- list()
+  add_mesh <- function(name, primitives) {
+    meshes[[length(meshes) + 1L]] <<- list(name = name, primitives = primitives)
+    length(meshes) - 1L
+  }
+  add_node <- function(...) {
+    nodes[[length(nodes) + 1L]] <<- list(...)
+    length(nodes) - 1L
+  }
+  corners <- board_corners(state)
+  balls <- gltf_balls(state, drawing$marks)
+  used <- unique(balls$role)
+  ball_mesh <- setNames(vapply(used, function(role) {
+    add_mesh(paste("ball,", role), list(ball_primitive(symbol_of(role)$fill, buffer)))
+  }, 0), used)
+  children <- numeric()
+  for (part in seq_len(nrow(parts))) {
+    name <- parts$name[part]
+    kind <- parts$kind[part]
+    extras <- list(kind = kind, role = parts$role[part])
+    extras <- extras[!is.na(extras)]
+    if (kind %in% c("rope", "netting")) {
+      lines <- part_lines(drawing[[if (kind == "rope") "ropes" else "netting"]], part)
+      colour <- if (colours == "part") {
+        rep(one_each[part], length(lines$tension))
+      } else {
+        tension_colours(scales[[kind]], lines$tension)
+      }
+      primitives <- list(line_primitive(lines, colour, buffer))
+      sheet <- which(state$lattice$triangle_part == part)
+      if (length(sheet)) {
+        tension <- pmax(state$u_tension[sheet], state$v_tension[sheet])
+        colour <- if (colours == "part") {
+          rep(one_each[part], length(sheet))
+        } else {
+          tension_colours(scales$netting, tension)
+        }
+        primitives[[2L]] <- sheet_primitive(state, sheet, colour, buffer)
+      }
+      if (!length(lines$tension)) next
+      extras$largest_tension_N <- max(lines$tension)
+      children <- c(children, add_node(name = name, mesh = add_mesh(name, primitives),
+        extras = extras))
+    } else if (name %in% names(state$si$otter_boards)) {
+      at <- 4L * (match(name, names(state$si$otter_boards)) - 1L) + 1:4
+      plate <- list(plate_primitive(corners[, at], buffer))
+      children <- c(children, add_node(name = name, mesh = add_mesh(name, plate), extras = extras))
+    } else {
+      mine <- balls[balls$part == name, ]
+      if (!nrow(mine)) next
+      inside <- vapply(seq_len(nrow(mine)), function(k) {
+        add_node(
+          name = paste(name, k), mesh = ball_mesh[[mine$role[k]]],
+          translation = c(mine$x[k], mine$y[k], mine$z[k]), scale = rep(mine$height[k] / 2, 3L)
+        )
+      }, 0)
+      children <- c(children, add_node(name = name, children = I(inside), extras = extras))
+    }
+  }
+  quarter <- sqrt(0.5)
+  top <- add_node(
+    name = state$gear$plan$name, rotation = c(-quarter, 0, 0, quarter), children = I(children)
+  )
+  list(
+    asset = list(
+      version = "2.0", generator = paste("codend", utils::packageVersion("codend"))
+    ),
+    extensionsUsed = I("KHR_materials_unlit"),
+    scene = 0L,
+    scenes = list(list(
+      name = state$gear$plan$name, nodes = I(top),
+      extras = list(
+        conditions = state_conditions(state), measures = as.list(measures(state)),
+        axes = "below the top node: x aft, y to starboard, z up from the water surface, metres"
+      )
+    )),
+    nodes = nodes, meshes = meshes, materials = gltf_materials()
+  )
+}
+
+part_lines <- function(lines, part) {
+  mine <- which(lines$part == part)
+  list(
+    from = lines$from[, mine, drop = FALSE], to = lines$to[, mine, drop = FALSE],
+    tension = lines$tension[mine]
+  )
+}
+
+# Marks of pieces with the height (m) of each; boards have plates, and supports are no pieces.
+gltf_balls <- function(state, marks) {
+  height <- vapply(state$si$pieces, `[[`, 0, "height")
+  if (!length(height)) return(data.frame(part = character(), role = character()))
+  balls <- marks[marks$part %in% names(height) & !marks$role %in% c("moved", "fixed"), ]
+  balls$height <- height[balls$part]
+  balls
+}
+
+gltf_unlit <- 0L
+gltf_sheet <- 1L
+gltf_lit <- 2L
+
+gltf_materials <- function() {
+  unlit <- list(KHR_materials_unlit = setNames(list(), character()))
+  matt <- list(metallicFactor = 0, roughnessFactor = 0.9)
+  list(
+    list(name = "lines", pbrMetallicRoughness = matt, extensions = unlit),
+    list(name = "sheets", pbrMetallicRoughness = matt, extensions = unlit, alphaMode = "BLEND",
+      doubleSided = TRUE),
+    list(name = "pieces", pbrMetallicRoughness = matt, doubleSided = TRUE)
+  )
+}
+
+# Modes of glTF.
+gltf_lines <- 1L
+gltf_triangles <- 4L
+
+line_primitive <- function(lines, colour, buffer) {
+  ends <- rbind(lines$from, lines$to)
+  list(
+    attributes = list(
+      POSITION = buffer$add_places(as.vector(ends)),
+      COLOR_0 = buffer$add_colours(rep(colour, each = 2L))
+    ),
+    mode = gltf_lines, material = gltf_unlit
+  )
+}
+
+sheet_opacity <- 0.3
+
+sheet_primitive <- function(state, triangles, colour, buffer) {
+  node <- matrix(state$lattice$engine$triangles$node, 3L)[, triangles]
+  list(
+    attributes = list(
+      POSITION = buffer$add_places(as.vector(state_points(state)[, node])),
+      COLOR_0 = buffer$add_colours(rep(colour, each = 3L), sheet_opacity)
+    ),
+    mode = gltf_triangles, material = gltf_sheet
+  )
+}
+
+plate_primitive <- function(corners, buffer) {
+  list(
+    attributes = list(
+      POSITION = buffer$add_places(as.vector(corners[, c(1L, 2L, 3L, 1L, 3L, 4L)])),
+      COLOR_0 = buffer$add_colours(rep(symbol_of("otter_board")$fill, 6L))
+    ),
+    mode = gltf_triangles, material = gltf_unlit
+  )
+}
+
+# A ball of radius 1: an octahedron with every face divided into four.
+ball_primitive <- function(colour, buffer) {
+  corner <- cbind(diag(3L), -diag(3L))
+  faces <- rbind(
+    c(1L, 2L, 4L, 5L, 2L, 4L, 5L, 1L), c(2L, 4L, 5L, 1L, 1L, 2L, 4L, 5L),
+    c(3L, 3L, 3L, 3L, 6L, 6L, 6L, 6L)
+  )
+  unit <- function(x) x / rep(sqrt(colSums(x^2)), each = 3L)
+  a <- corner[, faces[1L, ]]
+  b <- corner[, faces[2L, ]]
+  c <- corner[, faces[3L, ]]
+  ab <- unit(a + b)
+  bc <- unit(b + c)
+  ca <- unit(c + a)
+  places <- as.vector(rbind(a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca))
+  list(
+    attributes = list(
+      POSITION = buffer$add_places(places), NORMAL = buffer$add_places(places),
+      COLOR_0 = buffer$add_colours(rep(colour, length(places) / 3L))
+    ),
+    mode = gltf_triangles, material = gltf_lit
+  )
+}

@@ -1,0 +1,205 @@
+#' Write a gear's state for ParaView and other readers of VTK
+#'
+#' Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
+#' of them that plays in time (`.pvd`). ParaView, VisIt and the VTK libraries read both.
+#'
+#' @details
+#' Cells are lines (bars of ropes and of netting), triangles (of netting that is divided into
+#' triangles), vertices (where pieces sit) and quadrilaterals (free otter boards, in their true size
+#' and attitude). Numbers are in double precision, low byte first, as codend has them.
+#'
+#' Every cell has
+#'
+#' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same
+#'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
+#' - `tension_N` of one line or twine, in triangles the larger of the two families of twine, which
+#'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in
+#'   other cells; negative in poles and struts that push;
+#' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
+#' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
+#'   catch in netting, `catch_force_N`.
+#'
+#' Every point has `depth_m`; `force_N`, the net force on its node, which on a held node is the
+#' opposite of its support's; `held`; with knots `knot_drag_N`; in motion `velocity_m_per_s`. Points
+#' that hang between two nodes, and the corners of boards, have no forces of their own. The first
+#' points are the nodes, in their order in `as.data.frame(state, what = "nodes")`.
+#'
+#' The grid's field data hold the measures under their names, the names of all parts as `part_names`
+#' and the text of the `plan`.
+#'
+#' Axes are codend's: x aft, y to starboard, z up from the water surface. A trajectory is over the
+#' ground, so the gear moves forward, against x, from file to file.
+#'
+#' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
+#' @param file Path to write: of a state ending in `.vtu`; of a trajectory in `.pvd`, whose grids
+#'   lie beside it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written
+#'   whole or not at all, and older ones of the same names replaced; a folder that holds anything
+#'   else is left alone.
+#' @return `file`, invisibly. A path that cannot be written is an error of class
+#'   `codend_error_input`.
+#' @seealso [write_gltf()] for the web and CAD, [write_trajectory()] for NetCDF.
+#' @export
+#' @examples
+#' file <- tempfile(fileext = ".vtu")
+#' write_vtk(settle("towed_cable"), file)
+write_vtk <- function(x, file) {
+  check_exported(x, c("state", "trajectory"))
+  if (inherits(x, "codend_state")) {
+    check_export_path(file, ".vtu")
+    return(export_whole(file, function(path) write_state_vtu(x, path)))
+  }
+  check_export_path(file, ".pvd")
+  folder <- sub("[.][^.]*$", "", file)
+  check_series_folder(folder, file)
+  names <- sprintf("%04d.vtu", seq_along(x$time))
+  beside <- tempfile(".export-", tmpdir = dirname(file))
+  dir.create(beside)
+  on.exit(unlink(beside, recursive = TRUE))
+  for (k in seq_along(x$time)) write_state_vtu(ground_state(x, k), file.path(beside, names[k]))
+  unlink(folder, recursive = TRUE)
+  if (!suppressWarnings(file.rename(beside, folder))) abort_export(file, "cannot be written.")
+  export_whole(file, function(path) {
+    writeLines(series_lines(x$time, file.path(basename(folder), names)), path)
+  })
+}
+
+# A folder is replaced only if it holds a series and nothing else.
+check_series_folder <- function(folder, file) {
+  if (!file.exists(folder)) return(invisible())
+  inside <- list.files(folder, all.files = TRUE, no.. = TRUE)
+  if (!dir.exists(folder) || !all(grepl("^[0-9]+[.]vtu$", inside))) {
+    abort_export(file, "needs the folder {.file {folder}} for its grids, which holds other files.",
+      list(folder = folder))
+  }
+}
+
+series_lines <- function(time, files) {
+  c(
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
+    "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">", "<Collection>",
+    sprintf("<DataSet timestep=\"%.15g\" part=\"0\" file=\"%s\"/>", time, escape_html(files)),
+    "</Collection>", "</VTKFile>"
+  )
+}
+
+# The state at the k-th kept time with places and forces along axes over the ground. What is
+# measured stays as seen from the vessel.
+ground_state <- function(trajectory, k) {
+  state <- state_at(trajectory, trajectory$time[k])
+  state$measured <- measures(state)
+  turn <- t(to_vessel(trajectory$conditions$course[k]))
+  forces <- c("force", "bar_drag", "triangle_drag", "sphere_drag", "lift_force", "catch_force")
+  for (field in forces) state[[field]] <- turn %*% state[[field]]
+  state$boards$force <- turn %*% state$boards$force
+  state$position <- trajectory$position[, , k]
+  state$velocity <- trajectory$velocity[, , k]
+  state
+}
+
+write_state_vtu <- function(state, path) {
+  points <- state_points(state)
+  corners <- board_corners(state)
+  grid <- vtk_cells(state, ncol(points))
+  parts <- state$lattice$parts
+  part <- grid$data$part
+  # data of cells, in the order that a reader lists them
+  cell_data <- c(
+    list(
+      part = part, part_name = parts$name[part],
+      kind = as.raw(match(parts$kind, c("rope", "netting", "piece"), 4L)[part])
+    ),
+    grid$data[names(grid$data) != "part"]
+  )
+  measured <- if (is.null(state$measured)) measures(state) else state$measured
+  field_data <- c(
+    as.list(measured),
+    list(part_names = parts$name, plan = format(state$gear)),
+    if (!is.null(state$time)) list(TimeValue = state$time)
+  )
+  write_vtu(path, cbind(points, corners), grid$cells,
+    vtk_point_data(state, points, ncol(corners)), cell_data, field_data)
+}
+
+vtk_point_data <- function(state, points, corners) {
+  engine <- state$lattice$engine
+  n <- engine$nodes
+  none <- ncol(points) - n + corners
+  filled <- function(vectors) cbind(vectors, matrix(0, 3L, none))
+  knots <- which(state$lattice$parts$kind[state$lattice$sphere_part] == "netting")
+  c(
+    list(
+      depth_m = 0 - c(points[3L, ], board_corners(state)[3L, ]), force_N = filled(state$force),
+      held = c(engine$held, logical(none))
+    ),
+    if (length(knots)) {
+      drag <- sum_by_part(state$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
+        ncol(points) + corners)
+      list(knot_drag_N = drag)
+    },
+    if (!is.null(state$time)) list(velocity_m_per_s = filled(state$velocity))
+  )
+}
+
+# The cells of a state and what each carries: list(cells = as write_vtu() takes them, data). Corners
+# of boards follow the points, four each.
+vtk_cells <- function(state, points) {
+  lattice <- state$lattice
+  engine <- lattice$engine
+  pieces <- vtk_pieces(state)
+  boards <- length(state$si$otter_boards)
+  # A board's struts are drawn as its plate.
+  bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
+  ends <- matrix(engine$bars$node, 2L)[, bar]
+  triangles <- length(lattice$triangle_part)
+  hexagonal <- engine$triangles$straight > 0
+  count <- c(line = length(bar), triangle = triangles, vertex = length(pieces$node), quad = boards)
+  spread <- function(bars = NaN, triangles = NaN, rest = NaN) {
+    c(rep_len(bars, count[1L]), rep_len(triangles, count[2L]), rep_len(rest, sum(count[3:4])))
+  }
+  families <- 2 + hexagonal
+  straight <- ifelse(hexagonal, state$straight_tension, NaN)
+  slack <- (state$u_tension == 0) + (state$v_tension == 0) +
+    (hexagonal & state$straight_tension == 0)
+  zero <- function(n) matrix(0, 3L, n)
+  data <- list(
+    part = c(lattice$bar_part[bar], lattice$triangle_part, pieces$part, lattice$board_part),
+    tension_N = spread(
+      state$bar_tension[bar], pmax(state$u_tension, state$v_tension, straight, na.rm = TRUE)
+    )
+  )
+  if (triangles) {
+    data$u_tension_N <- spread(triangles = state$u_tension)
+    data$v_tension_N <- spread(triangles = state$v_tension)
+  }
+  if (any(hexagonal)) data$straight_tension_N <- spread(triangles = straight)
+  data$lines <- spread(
+    engine$bars$multiplicity[bar], if (triangles) triangle_bars(engine$triangles), 0
+  )
+  data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
+  data$drag_N <- cbind(state$bar_drag[, bar], state$triangle_drag, pieces$force,
+    state$boards$force)
+  if (!is.null(state$si$catch)) {
+    data$catch_force_N <- cbind(zero(count[1L]), state$catch_force, zero(sum(count[3:4])))
+  }
+  list(
+    cells = list(
+      corners = c(
+        ends, engine$triangles$node, pieces$node, points + seq_len(4L * boards)
+      ),
+      size = rep(c(2L, 3L, 1L, 4L), count), type = rep(names(count), count)
+    ),
+    data = data
+  )
+}
+
+# Where pieces sit, a row per piece and node: list(part, node, force = 3 x rows, N).
+vtk_pieces <- function(state) {
+  lattice <- state$lattice
+  sphere <- which(lattice$parts$kind[lattice$sphere_part] == "piece")
+  part <- lattice$sphere_part[sphere]
+  node <- lattice$engine$spheres$node[sphere]
+  force <- state$sphere_drag[, sphere, drop = FALSE]
+  at <- match(paste(lattice$lift_part, lattice$engine$lifts$node), paste(part, node))
+  force[, at] <- force[, at] + state$lift_force
+  list(part = part, node = node, force = force)
+}

@@ -1,0 +1,80 @@
+# The R code that makes what the flume tank shows.
+
+# loaded, pinned, design: gears, `loaded` as it was opened; nodes: of the lattice, about.
+flume_code <- function(loaded, pinned, design, nodes) {
+  settle_call <- function(gear) {
+    paste0("settle(", gear, if (nodes != 1500) paste0(", nodes = ", shortest_decimal(nodes)), ")")
+  }
+  differ <- !identical(pinned$plan, design$plan)
+  lines <- c(
+    "library(codend)", "", gear_code("gear", loaded, design, "loaded"),
+    paste("state <-", settle_call("gear")), "", "summary(state)", "plot(state)", "view(state)"
+  )
+  if (differ) {
+    lines <- c(
+      lines, "", "# beside the pinned design", gear_code("pinned", loaded, pinned, "loaded_pinned"),
+      paste("reference <-", settle_call("pinned")),
+      "named <- intersect(names(measures(state)), names(measures(reference)))",
+      "measures(state)[named] - measures(reference)[named]"
+    )
+  }
+  paste(c(lines, ""), collapse = "\n")
+}
+
+# Lines that make a gear: the loaded one with its changed fields, or a plan of its own.
+gear_code <- function(name, loaded, gear, plan_name) {
+  shipped <- loaded_shipped(loaded)
+  changes <- if (!is.null(shipped)) update_arguments(loaded$plan, gear$plan)
+  if (is.null(changes)) {
+    return(c(
+      paste(plan_name, "<- tempfile(fileext = \".yaml\")"),
+      paste0("writeLines(", code_text(strsplit(format(gear), "\n", fixed = TRUE)[[1]]), ", ",
+        plan_name, ", useBytes = TRUE)"),
+      sprintf("%s <- read_gear(%s)", name, plan_name)
+    ))
+  }
+  read <- sprintf("read_gear(%s)", code_text(shipped))
+  if (!length(changes)) return(paste(name, "<-", read))
+  c(sprintf("%s <- update(%s,", name, read), paste0("  ", paste(changes, collapse = ",\n  ")), ")")
+}
+
+# The name of the shipped plan that a gear is, or NULL.
+loaded_shipped <- function(gear) {
+  shipped <- shipped_plans()
+  if (is.null(gear$file) || !gear$file %in% shipped) return(NULL)
+  names(shipped)[match(gear$file, shipped)]
+}
+
+# Arguments of update() that turn one plan into another, or NULL where no such do.
+update_arguments <- function(from, to) {
+  found <- plan_differences(from, to)
+  plain <- vapply(found, function(d) {
+    nzchar(d$path) && is.atomic(d$other) && length(d$other) == 1L && is.null(names(d$other))
+  }, NA)
+  if (!all(plain)) return(NULL)
+  as.character(lapply(found, function(d) {
+    path <- if (make.names(d$path) == d$path) d$path else code_text(d$path)
+    value <- if (is.character(d$other)) code_text(d$other) else if (is.logical(d$other)) {
+      as.character(d$other)
+    } else {
+      shortest_decimal(d$other)
+    }
+    paste(path, "=", value)
+  }))
+}
+
+# Texts as R code that is nothing but these texts, in ASCII.
+code_text <- function(texts) {
+  quoted <- vapply(texts, function(text) {
+    codes <- utf8ToInt(enc2utf8(text))
+    paste0("\"", paste(vapply(codes, code_character, ""), collapse = ""), "\"")
+  }, "", USE.NAMES = FALSE)
+  if (length(quoted) == 1L) return(quoted)
+  paste0("c(\n  ", paste(quoted, collapse = ",\n  "), "\n)")
+}
+
+code_character <- function(code) {
+  if (code == 0x22 || code == 0x5c) return(paste0("\\", intToUtf8(code)))
+  if (code >= 0x20 && code < 0x7f) return(intToUtf8(code))
+  sprintf(if (code > 0xffff) "\\U%08x" else "\\u%04x", code)
+}

@@ -1,0 +1,257 @@
+# The flume tank's server: one session is one browser with a gear of its own.
+
+# Steps of the solver from a crude start, at most, before a design counts as one that does not
+# settle: someone is waiting.
+flume_steps <- 1000L
+
+# start: list(gear, state, notes) to open with.
+flume_server <- function(start, marked, nodes) {
+  function(input, output, session) {
+    tank <- new_tank(start, marked, nodes)
+    said <- function(what, ...) session$sendCustomMessage(what, list(...))
+
+    # A picture goes out before the tables are made.
+    show <- function(answers = 0) {
+      message <- tank$picture()
+      session$sendCustomMessage("flume_picture", c(list(
+        answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes))
+      ), message))
+      tank$changed(shiny::isolate(tank$changed()) + 1L)
+    }
+
+    # try: what changes the tank. A design that is wrong or does not settle changes nothing.
+    attempt <- function(try, where, answers = 0) {
+      problem <- flume_problem(try())
+      if (is.null(problem)) {
+        show(answers)
+        return(TRUE)
+      }
+      said("flume_refused", answers = answers, where = where, message = problem$message,
+        path = problem$path, control = control_of_path(tank$controls, problem$path))
+      FALSE
+    }
+
+    session$onFlushed(function() {
+      session$sendCustomMessage("flume_palettes", flume_palettes())
+      show()
+    })
+
+    shiny::observeEvent(input$design, {
+      given <- as.list(input$design)
+      answers <- if (is.numeric(given$number)) given$number[1] else 0
+      attempt(function() tank$design(as.list(given$values)), "controls", answers)
+    })
+    shiny::observeEvent(input$plan_file, {
+      attempt(function() tank$open(read_upload(input$plan_file)), "plan_file")
+    })
+    shiny::observeEvent(input$plan_text, {
+      attempt(function() tank$replace(read_typed(input$plan_text, tank$gear)), "plan_text")
+    })
+    shiny::observeEvent(input$mark, {
+      attempt(function() tank$mark(input$mark), "mark")
+    })
+    shiny::observeEvent(input$pin, {
+      tank$pin()
+      show()
+    })
+    shiny::observeEvent(input$reset, {
+      tank$reset()
+      show()
+    })
+
+    output$controls <- shiny::renderUI({
+      tank$laid_out()
+      controls_html(tank$controls)
+    })
+    output$markable <- shiny::renderUI({
+      tank$laid_out()
+      markable_html(tank$gear$plan, tank$controls)
+    })
+    of_state <- function(make) {
+      shiny::renderUI({
+        tank$changed()
+        make()
+      })
+    }
+    output$measures <- of_state(function() measures_html(tank$measures, tank$pinned$measures))
+    output$tensions <- of_state(function() tensions_html(tank$state))
+    output$drag <- of_state(function() drag_html(tank$state))
+    output$differences <- of_state(function() differences_html(tank$pinned$gear, tank$gear))
+    output$code <- shiny::renderText({
+      tank$changed()
+      tank$code()
+    })
+    # The plan is a text of the user's once it is being changed: the page decides what to do with
+    # it.
+    shiny::observe({
+      tank$changed()
+      if (identical(input$shown, "Plan")) said("flume_plan", text = format(tank$gear))
+    })
+    flume_saves(output, tank)
+  }
+}
+
+# What a session holds. `changed` counts the pictures, `laid_out` how often the controls were laid
+# out: with the values of the gear `base`, which those that are moved since change.
+new_tank <- function(start, marked, nodes) {
+  tank <- new.env(parent = emptyenv())
+  tank$loaded <- start$gear
+  tank$gear <- start$gear
+  tank$state <- start$state
+  tank$drawing <- flume_drawing(start$state)
+  tank$measures <- measures(start$state)
+  tank$notes <- start$notes
+  tank$known <- list()
+  tank$changed <- shiny::reactiveVal(0L)
+  tank$laid_out <- shiny::reactiveVal(0L)
+
+  # Puts a gear that settles on screen; what fails leaves everything as it is.
+  put <- function(gear, from) {
+    # Checked before it is asked for: a gear just checked is not checked again.
+    force(gear)
+    found <- settle_noted(gear, nodes, from)
+    drawing <- flume_drawing(found$state)
+    tank$gear <- gear
+    tank$state <- found$state
+    tank$notes <- found$notes
+    tank$drawing <- drawing
+    tank$measures <- measures(found$state)
+  }
+  lay_out <- function() {
+    tank$base <- tank$gear
+    tank$controls <- plan_controls(tank$gear$plan, marked)
+    tank$laid_out(shiny::isolate(tank$laid_out()) + 1L)
+  }
+  tank$design <- function(values) {
+    put(apply_controls(tank$base, tank$controls, values), tank$state)
+  }
+  tank$replace <- function(gear) {
+    put(gear, tank$state)
+    lay_out()
+  }
+  tank$open <- function(gear) {
+    put(gear, NULL)
+    tank$loaded <- gear
+    lay_out()
+    tank$pin()
+  }
+  tank$mark <- function(path) {
+    if (!is_text(path)) abort_flume("A field is marked by its path.")
+    marked <<- c(marked, check_marked(path, tank$gear$plan))
+    lay_out()
+  }
+  tank$pin <- function() {
+    tank$pinned <- as.list(tank)[c("gear", "state", "drawing", "measures")]
+  }
+  tank$reset <- function() {
+    list2env(tank$pinned, tank)
+    tank$notes <- character()
+    lay_out()
+  }
+  tank$picture <- function() {
+    message <- picture_message(tank$state, tank$drawing, tank$pinned$drawing, tank$known)
+    tank$known <- list(now = tank$drawing, pinned = tank$pinned$drawing)
+    message
+  }
+  tank$code <- function() flume_code(tank$loaded, tank$pinned$gear, tank$gear, nodes)
+  lay_out()
+  tank$pin()
+  tank
+}
+
+# Settles from a state where it has the same parts, else anew: list(state, notes = warnings).
+settle_noted <- function(gear, nodes, from) {
+  notes <- character()
+  settle_from <- function(from) settle_gear(gear, nodes, NULL, from, flume_steps)
+  state <- withCallingHandlers(
+    tryCatch(settle_from(from), codend_error_argument = function(e) settle_from(NULL)),
+    codend_warning = function(w) {
+      notes <<- c(notes, plain_message(w))
+      invokeRestart("muffleWarning")
+    }
+  )
+  list(state = state, notes = notes)
+}
+
+# NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A
+# mistake of the program's own is told and logged, and the page lives on.
+flume_problem <- function(expression) {
+  tryCatch(
+    {
+      force(expression)
+      NULL
+    },
+    codend_error = function(e) list(message = plain_message(e), path = e$path),
+    error = function(e) {
+      message("codend flume: ", conditionMessage(e))
+      list(message = paste0("codend failed at this: ", plain_message(e)), path = NULL)
+    }
+  )
+}
+
+# A condition's message on one line, without the marks of cli's list items.
+plain_message <- function(condition) {
+  text <- gsub("\n[^[:alnum:][:space:]] ", " ", cli::ansi_strip(conditionMessage(condition)))
+  trimws(gsub("[[:space:]]+", " ", text))
+}
+
+# The gear of an uploaded file, whose messages name the file as its owner does.
+read_upload <- function(upload) {
+  file <- upload$datapath[1]
+  gear <- tryCatch(
+    read_gear(file),
+    codend_error_plan = function(e) {
+      abort_plan(gsub(file, upload$name[1], conditionMessage(e), fixed = TRUE), e$path, e$value)
+    }
+  )
+  # It is nowhere that R code could read it from.
+  new_gear(gear$plan)
+}
+
+# The gear of a plan typed on the page; like: the gear whose plan it was.
+read_typed <- function(text, like) {
+  if (!is_text(text)) abort_plan("A plan is text.", NULL)
+  file <- tempfile(fileext = ".yaml")
+  on.exit(unlink(file))
+  writeBin(charToRaw(enc2utf8(text)), file)
+  gear <- read_upload(list(datapath = file, name = "on this page"))
+  new_gear(gear$plan, file = like$file)
+}
+
+# The first measures of a gear as a sentence, for those who listen.
+spoken <- function(measures) {
+  shown <- unique(c(utils::head(names(measures), 3L), "total_drag_kN"))
+  paste0("Settled. ", paste(measure_text(measures[shown]), collapse = ", "), ".")
+}
+
+# What can be saved of what is on screen.
+flume_saves <- function(output, tank) {
+  save <- function(name, extension, write) {
+    shiny::downloadHandler(
+      filename = function() paste0(file_words(tank$gear$plan$name), name, ".", extension),
+      content = write
+    )
+  }
+  table <- function(make) {
+    function(file) utils::write.csv(make(), file, row.names = FALSE, na = "")
+  }
+  output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
+  output$save_measures <- save("-measures", "csv", table(function() {
+    measure_changes(tank$measures, tank$pinned$measures)
+  }))
+  output$save_tensions <- save("-tensions", "csv", table(function() {
+    as.data.frame(tank$state, what = "tensions")
+  }))
+  output$save_drag <- save("-drag", "csv", table(function() {
+    as.data.frame(tank$state, what = "drag")
+  }))
+  output$save_code <- save("", "R", function(file) writeLines(tank$code(), file, useBytes = TRUE))
+  output$save_report <- save("", "html", function(file) report(tank$state, file))
+}
+
+# A gear's name as part of a file's.
+file_words <- function(name) {
+  words <- gsub("[^a-z0-9]+", "-", tolower(iconv(name, to = "ASCII//TRANSLIT", sub = "")))
+  words <- gsub("^-|-$", "", substr(words, 1, 60))
+  if (is.na(words) || !nzchar(words)) "gear" else words
+}

@@ -1,0 +1,183 @@
+# The flume tank's tables, as HTML.
+
+# A table of texts with row headers. Made as text: tag by tag it would take longer than settling.
+html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL) {
+  class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
+  line <- function(cells) {
+    last <- c("</th>", rep("</td>", length(cells) - 1L))
+    open <- c("<th scope='row'>", paste0("<td", class[-1], ">"))
+    paste0("<tr>", paste0(open, escape_html(as.character(cells)), last, collapse = ""), "</tr>")
+  }
+  shiny::HTML(paste0(
+    "<div class='table-scroll' tabindex='0' role='region' aria-label='", escape_html(caption), "'>",
+    "<table class='table table-sm flume-table'><caption>", escape_html(caption), "</caption>",
+    "<thead><tr>", paste0("<th scope='col'", class, ">", escape_html(head), "</th>", collapse = ""),
+    "</tr></thead><tbody>", paste(vapply(rows, line, ""), collapse = ""), "</tbody>",
+    if (!is.null(foot)) paste0("<tfoot>", line(foot), "</tfoot>"), "</table></div>"
+  ))
+}
+
+# Rows of a data frame of texts, as lists.
+text_rows <- function(table) {
+  lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
+}
+
+# Measures of two states beside each other: data frame with measure, unit, now, pinned, change and
+# change_percent (NA where only one of them has the measure, or the pinned one is zero).
+measure_changes <- function(now, pinned) {
+  names <- union(names(now), names(pinned))
+  said <- measure_words(names)
+  now <- unname(now[names])
+  pinned <- unname(pinned[names])
+  change <- now - pinned
+  data.frame(
+    measure = said$words, unit = said$unit, now = now, pinned = pinned, change = change,
+    change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned))
+  )
+}
+
+# Numbers as text with given decimals, thousands apart. (formatC would take as long as settling.)
+fixed_decimals <- function(x, decimals) {
+  text <- sprintf("%.*f", as.integer(decimals), x)
+  long <- which(abs(x) >= 1e4)
+  text[long] <- vapply(text[long], format_thousands, "")
+  text[is.na(x)] <- ""
+  text
+}
+
+format_thousands <- function(text) {
+  parts <- strsplit(text, ".", fixed = TRUE)[[1]]
+  parts[1] <- gsub("(?<=[0-9])(?=(?:[0-9]{3})+$)", "\u202f", parts[1], perl = TRUE)
+  paste(parts, collapse = ".")
+}
+
+# Differences as text, "+3.2" or "\u2212" for minus; "0" where nothing that shows has changed.
+signed <- function(x, decimals) {
+  text <- fixed_decimals(abs(x), decimals)
+  text <- ifelse(grepl("[1-9]", text), paste0(ifelse(x < 0, "\u2212", "+"), text), "0")
+  text[is.na(x)] <- ""
+  text
+}
+
+# A row has one number of decimals: four figures of its larger value, as in summaries, and at most
+# four decimals.
+measures_html <- function(now, pinned) {
+  table <- measure_changes(now, pinned)
+  shown <- signif(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE), 4)
+  decimals <- ifelse(shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
+  change <- signed(table$change, decimals)
+  percent <- signed(table$change_percent, 1L)
+  percent[change == "0"] <- "0"
+  rows <- data.frame(
+    paste0(table$measure, " (", table$unit, ")"), fixed_decimals(table$now, decimals),
+    fixed_decimals(table$pinned, decimals), change, percent
+  )
+  html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows))
+}
+
+# Ropes and netting ranked by their largest tension, parts of one role together; kN, of one line.
+ranked_tensions <- function(state) {
+  table <- tension_table(state)
+  groups <- by_role(table)
+  rows <- do.call(rbind, lapply(names(groups), function(name) {
+    group <- groups[[name]]
+    rope <- group$kind[1] == "rope"
+    height <- if (rope) group$max_kN else group$exceeded_by_1_percent_kN
+    at <- which.max(height)
+    data.frame(
+      part = name, kind = group$kind[1], highest_kN = height[at], mean_kN = max(group$mean_kN),
+      strength_kN = group$strength_kN[at], at = group$part[at]
+    )
+  }))
+  rows <- rows[order(-rows$highest_kN), ]
+  rows$margin <- rows$strength_kN / rows$highest_kN
+  row.names(rows) <- NULL
+  rows
+}
+
+tensions_html <- function(state) {
+  ranked <- ranked_tensions(state)
+  margin <- ifelse(
+    is.finite(ranked$margin),
+    paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
+  )
+  table <- function(kind, caption, per, highest, with_strength) {
+    rows <- ranked[ranked$kind == kind, ]
+    if (!nrow(rows)) return(NULL)
+    cells <- data.frame(
+      rows$part, trimws(column_figures(rows$highest_kN * per)),
+      trimws(column_figures(rows$mean_kN * per))
+    )
+    head <- c("Part", highest)
+    if (with_strength) {
+      cells <- cbind(cells, ifelse(is.na(rows$strength_kN), "not known",
+        trimws(column_figures(rows$strength_kN))), margin[ranked$kind == kind])
+      head <- c(head, "Breaking load (kN)", "Margin")
+    }
+    html_table(caption, head, text_rows(cells))
+  }
+  shiny::tagList(
+    table("rope", "Ropes, by their largest tension", 1, c("Largest (kN)", "Mean (kN)"), TRUE),
+    shiny::tags$p(class = "note", "Margin: breaking load over the largest tension, for new rope
+      without knots or splices."),
+    table("netting", "Netting, by the tension of one twine", 1000,
+      c("1 % of twine above (N)", "Mean (N)"), FALSE)
+  )
+}
+
+drag_html <- function(state) {
+  drag <- drag_table(state)
+  totals <- drag_totals(drag)
+  total <- totals$drag_kN[nrow(totals)]
+  share <- function(x) if (total == 0) "" else formatC(100 * x / total, format = "f", digits = 1)
+  cells <- function(name, drag, side, lift) {
+    data.frame(name, trimws(column_figures(drag)), share(drag), trimws(column_figures(side)),
+      trimws(column_figures(lift)))
+  }
+  last <- nrow(totals)
+  of_groups <- text_rows(cells(totals$group, totals$drag_kN, totals$side_kN, totals$lift_kN))
+  groups <- by_role(drag)
+  sums <- function(column) vapply(groups, function(group) sum(group[[column]]), 0)
+  order <- order(-sums("drag_kN"))
+  of_parts <- text_rows(cells(names(groups), sums("drag_kN"), sums("side_kN"),
+    sums("lift_kN"))[order, ])
+  head <- c("Drag (kN)", "Share (%)", "To starboard (kN)", "Lift (kN)")
+  shiny::tagList(
+    html_table("Drag by group", c("Group", head), of_groups[-last], foot = of_groups[[last]]),
+    html_table("Drag by part", c("Part", head), of_parts)
+  )
+}
+
+# Fields in which two plans differ: data frame of field, one and other, as text ("" where a plan has
+# none).
+plan_differences <- function(one, other) {
+  found <- list()
+  walk <- function(a, b, path) {
+    if (identical(a, b)) return(invisible())
+    if (is_map(a) && is_map(b) && length(a) && length(b)) {
+      for (name in union(names(a), names(b))) walk(a[[name]], b[[name]], join(path, name))
+    } else {
+      found[[length(found) + 1L]] <<- list(path = path, one = a, other = b)
+    }
+  }
+  walk(one, other, "")
+  found
+}
+
+differences_html <- function(pinned, now) {
+  found <- plan_differences(pinned$plan, now$plan)
+  if (!length(found)) {
+    return(shiny::tags$p("The design on screen is the pinned one."))
+  }
+  shown <- function(value) if (is.null(value)) "none" else show_value(value)
+  listed <- utils::head(found, 60L)
+  shiny::tagList(
+    html_table(
+      "Fields of the plan that differ", c("Field", "Pinned", "Now"),
+      lapply(listed, function(d) list(d$path, shown(d$one), shown(d$other))), numbers = integer()
+    ),
+    if (length(found) > length(listed)) {
+      shiny::tags$p(sprintf("And %d more.", length(found) - length(listed)))
+    }
+  )
+}

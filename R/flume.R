@@ -1,0 +1,84 @@
+#' The live flume tank
+#'
+#' A page in the browser with a settled gear in it, to try a design on: sliders and number fields
+#' change the towing speed, the warp out, the boards, hammers, canvas and floats, and the net moves
+#' to its new shape as they do. Every shape is settled from the one before.
+#'
+#' \if{html}{\figure{flume.png}{options: width="100\%" alt="The flume tank: sliders on the left, the
+#' net in three dimensions coloured by tension in the middle, the table of measures with their
+#' changes on the right, the three planes below."}}
+#'
+#' @details
+#' The page shows
+#'
+#' - the controls, with their units: those of these that the gear has, and the fields of the plan
+#'   that are marked by `fields` or on the page;
+#' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
+#'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
+#'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
+#' - the measures, each with its change from a pinned design. The gear is pinned as it was opened;
+#'   *Pin this design* pins another. The two are drawn one over the other or side by side;
+#' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag
+#'   by part, what differs from the pinned design, the plan and the R code of what is on screen.
+#'
+#' A plan file dropped on the page, or chosen there, takes the gear's place. A wrong one is answered
+#' as [read_gear()] answers, and a wrong value beside its control; a design that does not settle
+#' leaves the last shape on screen and says where the imbalance is. Nothing that is typed or loaded
+#' is run as code.
+#'
+#' What is on screen can be saved: a report ([report()]), the plan ([write_gear()]), the tables as
+#' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same page from a shell.
+#'
+#' The page asks nothing of the network but the R process that serves it. That process settles for
+#' one browser at a time; each browser has a gear of its own and waits for its own last answer
+#' before it asks again, with the latest values.
+#'
+#' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
+#' @param fields Further fields of the plan to have a control each: paths as in
+#'   [update.codend_gear()], such as `"otter_boards.lift_coefficient"`. In a list, an item of
+#'   several paths is one control that changes them together; names are labels. A field is a number,
+#'   one of several words, or yes and no.
+#' @param nodes About how many nodes the lattice should have; see [settle()].
+#' @return A Shiny app, which runs when printed. A wrong argument is an error of class
+#'   `codend_error_argument`, a wrong plan one of class `codend_error_plan`, a gear that does not
+#'   settle one of class `codend_error_not_converged`, and a missing shiny or bslib one of class
+#'   `codend_error_package`.
+#' @examplesIf interactive()
+#' flume()
+#' flume("towed_cable", fields = c("ropes.cable.length", "pieces.sphere.mass"))
+#' flume(fields = list("Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")))
+#' @export
+flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
+  check_flume_packages()
+  if (is.character(gear)) gear <- read_gear(gear)
+  check_settle_arguments(gear, nodes, NULL)
+  marked <- check_marked(first_of(fields, character()), gear$plan)
+  start <- c(list(gear = gear), settle_noted(gear, nodes, NULL))
+  shiny::addResourcePath("codend-flume", system.file("app", package = "codend", mustWork = TRUE))
+  shiny::shinyApp(
+    ui = flume_page(), server = flume_server(start, marked, nodes),
+    onStart = function() {
+      kept <- options(shiny.maxRequestSize = plan_bytes_limit)
+      shiny::onStop(function() options(kept))
+    }
+  )
+}
+
+check_flume_packages <- function() {
+  needed <- c("shiny", "bslib")
+  absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
+  if (!length(absent)) return(invisible())
+  cli::cli_abort(
+    c(
+      "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
+      "i" = "{.fun install.packages} has {?it/them}; on Debian and Ubuntu so has apt, as
+      {.val {paste0('r-cran-', absent)}}."
+    ),
+    class = c("codend_error_package", "codend_error"), call = NULL
+  )
+}
+
+abort_flume <- function(message, values = list()) {
+  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
+    .envir = list2env(values, parent = environment()))
+}

@@ -1,0 +1,406 @@
+# The bottom trawl's short form and the assembly that it stands for.
+#
+# From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper
+# wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each side,
+# with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end from
+# the head line's end to the footrope's.
+
+bottom_trawl_rings <- list(
+  `2` = c("back", "belly"), `4` = c("back", "side_starboard", "belly", "side_port")
+)
+
+# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
+expand_bottom_trawl <- function(fields, plan) {
+  check_bottom_trawl(fields)
+  net <- bottom_trawl_net(fields, plan)
+  rig <- bottom_trawl_rig(fields, plan)
+  out <- shared_fields(plan)
+  out$points <- c(rig$points, net$points)
+  out$ropes <- c(rig$ropes, net$ropes)
+  out$panels <- net$panels
+  out$seams <- net$seams
+  out$pieces <- c(rig$pieces, trawl_fittings(plan))
+  out$otter_boards <- rig$otter_boards
+  out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
+  out
+}
+
+check_bottom_trawl <- function(fields) {
+  if (is.null(fields$towing_points)) {
+    for (part in c("warps", "otter_boards")) {
+      if (is.null(fields[[part]])) {
+        abort_field(part, NULL, "given where there are no `towing_points`", "is missing")
+      }
+    }
+    check_boards(fields)
+    free <- fields$otter_boards$attitude == "free"
+    if (free && is.null(fields$backstrops)) {
+      abort_field("backstrops", NULL, "given where the otter boards are free", "is missing")
+    }
+  } else {
+    for (part in c("warps", "otter_boards", "backstrops")) {
+      if (!is.null(fields[[part]])) {
+        abort_field(part, "given", "left out where the net is towed from `towing_points`")
+      }
+    }
+    free <- FALSE
+    if (fields$towing_points$height >= fields$seabed$depth) {
+      abort_field("towing_points.height", fields$towing_points$height,
+        paste("less than the depth of the sea bed,", format_si(fields$seabed$depth, "length")))
+    }
+  }
+  if (!free && !is.null(fields$backstrops)) {
+    abort_field("backstrops", "given", "left out where no otter board is free")
+  }
+  check_section_names(fields)
+  check_wing_ends(fields)
+}
+
+# Depth (m, stretched) of netting along the upper and the lower seam ahead of the first section.
+front_depth <- function(fields) {
+  deep <- function(panel) {
+    if (is.null(panel)) return(0)
+    panel$mesh_size * (panel$meshes$deep - first_of(panel$flying, 0))
+  }
+  c(
+    upper = deep(fields$wings$upper) + deep(fields$square), lower = deep(fields$wings$lower),
+    side = deep(fields$wings$side)
+  )
+}
+
+check_wing_ends <- function(fields) {
+  wings <- fields$wings
+  sides <- fields$panels == 4
+  if (sides && is.null(wings$side)) {
+    abort_field("wings.side", NULL, "given in a trawl of 4 panels", "is missing")
+  }
+  for (part in c("side", "jib")) {
+    if (!sides && !is.null(wings[[part]])) {
+      abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
+    }
+  }
+  for (level in c("upper", "lower")) {
+    wing <- wings[[level]]
+    if (wing$flying >= wing$meshes$deep) {
+      abort_field(paste0("wings.", level, ".flying"), wing$flying,
+        paste("less than the wing's", format(wing$meshes$deep), "meshes deep"))
+    }
+  }
+  height <- wings$upper$meshes$tip + wings$lower$meshes$tip + wings$upper$flying +
+    wings$lower$flying
+  if (!sides && height == 0) {
+    abort_field("wings.lower.meshes.tip", 0,
+      "greater than 0 where no wing flies or has a blunt tip, or the wing ends have no height")
+  }
+  depth <- front_depth(fields)
+  long <- function(x) format_si(x, "length")
+  alike <- function(a, b) abs(a - b) <= 0.05 * max(a, b)
+  lower <- if (sides) depth[["side"]] else depth[["upper"]]
+  if (!alike(depth[["lower"]], lower)) {
+    abort_field("wings.lower.meshes.deep", fields$wings$lower$meshes$deep, sprintf(
+      paste(
+        "such that the lower wings are as deep as %s, %s, within 5 %%; stretched they are %s"
+      ),
+      if (sides) "the side wings" else "upper wings and square together",
+      long(lower), long(depth[["lower"]])
+    ))
+  }
+  if (sides) {
+    ahead <- depth[["upper"]] - depth[["side"]]
+    if (is.null(wings$jib) && !alike(depth[["upper"]], depth[["side"]])) {
+      abort_field("wings.side.meshes.deep", wings$side$meshes$deep, sprintf(
+        paste(
+          "such that the side wings are as deep as upper wings and square together, %s, within",
+          "5 %% (a jib may reach further); stretched they are %s"
+        ),
+        long(depth[["upper"]]), long(depth[["side"]])
+      ))
+    }
+    if (!is.null(wings$jib)) {
+      reach <- wings$jib$deep * wings$side$mesh_size
+      if (ahead < -0.05 * depth[["side"]] || ahead >= reach) {
+        abort_field("wings.jib.deep", wings$jib$deep, sprintf(
+          paste(
+            "more than the %s by which upper wings and square together are deeper than the side",
+            "wings, which must not be negative; stretched the jib is %s"
+          ),
+          long(ahead), long(reach)
+        ))
+      }
+    }
+  }
+  if (!is.null(fields$bridles$middle) && is.null(wings$jib)) {
+    abort_field("bridles.middle", "given", "left out where there is no `wings.jib` for it to pull")
+  }
+}
+
+bottom_trawl_net <- function(fields, plan) {
+  around <- bottom_trawl_rings[[as.character(fields$panels)]]
+  net <- trawl_sections(plan, around)
+  first <- names(plan$sections)[1L]
+  behind <- c(back = section_panel_name("back", first), belly = section_panel_name("belly", first))
+  across <- c(
+    back = section_panel(fields$sections[[first]], "back")$meshes$upper,
+    belly = section_panel(fields$sections[[first]], "belly")$meshes$upper
+  )
+  panels <- seams <- list()
+  if (!is.null(plan$square)) {
+    panels$back_square <- c(plan$square, list(part = "square"))
+    seams$back_square <- list(edges = c("back_square.lower", paste0(behind[["back"]], ".upper")))
+    behind[["back"]] <- "back_square"
+    across[["back"]] <- fields$square$meshes$upper
+  }
+  levels <- c(back = "upper", belly = "lower")
+  pairs <- Map(function(panel, level) {
+    given <- plan$wings[[level]]
+    wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
+      fields$wings[[level]]$meshes, paste0("wings.", level, ".meshes"))
+  }, stats::setNames(nm = names(levels)), levels)
+  sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
+  square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
+
+  # The edges along the seams ahead of the first section, from the front, by panel.
+  outer <- function(panel, side) {
+    part <- flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
+  }
+  left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
+  right <- c(list(back = outer("back", "right"), belly = outer("belly", "right")), sides$right)
+  after <- panel_after(around)
+  for (k in seq_along(around)) {
+    seams[[paste("wings", around[k], after[k], sep = "_")]] <-
+      list(edges = list(right[[around[k]]], left[[after[k]]]))
+  }
+
+  net$panels <- c(pairs$back$panels, pairs$belly$panels, sides$panels, panels, net$panels)
+  net$seams <- c(pairs$back$seams, pairs$belly$seams, sides$seams, seams, net$seams)
+  net$points <- c(
+    list(
+      upper_port = list(at = paste0(pairs$back$left, ".upper_right")),
+      upper_starboard = list(at = paste0(pairs$back$right, ".upper_left")),
+      lower_port = list(at = paste0(pairs$belly$right, ".upper_left")),
+      lower_starboard = list(at = paste0(pairs$belly$left, ".upper_right"))
+    ),
+    if (!is.null(fields$wings$jib)) {
+      list(
+        middle_port = list(at = "side_port_jib.upper_left"),
+        middle_starboard = list(at = "side_starboard_jib.upper_left")
+      )
+    },
+    net$points
+  )
+  # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
+  # below.
+  end <- function(panel, side) {
+    level <- levels[[panel]]
+    wing <- fields$wings[[level]]
+    free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
+    tip <- if (wing$meshes$tip > 0) paste0(pairs[[panel]][[side]], ".upper")
+    if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
+  }
+  mouth <- list(
+    head_line = pairs$back$inner,
+    side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
+    footrope = pairs$belly$inner,
+    side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
+  )
+  # Head line and footrope by what runs along the bosom and along the wings.
+  for (line in c("head_line", "footrope")) {
+    plan[[line]] <- hung_line(fields, plan, line, length(mouth[[line]]))
+  }
+  net$ropes <- trawl_lines(plan, around, mouth, left)
+  if (!is.null(plan$ground_gear)) {
+    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
+  }
+  net
+}
+
+# A line of the mouth with its length along each of its edges, where the plan gives its bosom.
+hung_line <- function(fields, plan, line, edges) {
+  given <- plan[[line]]
+  bosom <- fields[[line]]$bosom
+  if (is.null(bosom)) return(given)
+  whole <- fields[[line]]$length
+  path <- paste0(line, ".bosom")
+  if (bosom >= whole) {
+    abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
+  }
+  if (edges != 3L) {
+    abort_field(path, given$bosom, "left out where the wings meet in the middle of the front edge")
+  }
+  c(
+    given[setdiff(names(given), c("length", "bosom"))],
+    list(lengths = c((whole - bosom) / 2, bosom, (whole - bosom) / 2))
+  )
+}
+
+# A wing's outer edge: list(free = its part that flies, or NULL; joined = the rest).
+flying_edge <- function(wing, name, side) {
+  edge <- paste0(name, ".", side)
+  if (wing$flying == 0) return(list(free = NULL, joined = edge))
+  split <- format(wing$flying, digits = 15)
+  list(
+    free = paste0(edge, "[0:", split, "]"),
+    joined = paste0(edge, "[", split, ":", format(wing$meshes$deep, digits = 15), "]")
+  )
+}
+
+# The side wings of a net of four panels, each as wide as the side panel behind it, and their jibs:
+# pointed, with one straight edge in line with the upper seam.
+# Returns list(panels, seams, left, right = edges along the seams by panel, end = edges of the wing
+# end by side).
+side_wings <- function(fields, plan, first) {
+  out <- list(panels = list(), seams = list(), left = list(), right = list(), end = list())
+  wing <- fields$wings$side
+  given <- plan$wings$side
+  depth <- front_depth(fields)
+  # Meshes of the jib along the upper seam, behind the head line's end.
+  seamed <- max(depth[["upper"]] - depth[["side"]], 0) / wing$mesh_size
+  for (side in trawl_sides) {
+    panel <- paste0("side_", side)
+    name <- paste0(panel, "_wing")
+    out$panels[[name]] <- c(given, list(part = "wings"))
+    out$seams[[name]] <- list(edges = c(
+      paste0(name, ".lower"), paste0(section_panel_name(panel, first), ".upper")
+    ))
+    edges <- list(left = paste0(name, ".left"), right = paste0(name, ".right"))
+    end <- paste0(name, ".upper")
+    if (!is.null(fields$wings$jib)) {
+      jib <- paste0(panel, "_jib")
+      deep <- fields$wings$jib$deep
+      straight <- if (side == "starboard") "left" else "right"
+      slanted <- setdiff(c("left", "right"), straight)
+      own <- given[setdiff(names(given), "meshes")]
+      out$panels[[jib]] <- c(own, list(
+        meshes = list(upper = 0, lower = wing$meshes$upper, deep = deep), tapered = slanted,
+        part = "wings"
+      ))
+      out$seams[[jib]] <- list(edges = c(paste0(jib, ".lower"), paste0(name, ".upper")))
+      free <- format(deep - seamed, digits = 15)
+      if (seamed > 0) {
+        edges[[straight]] <- c(
+          paste0(jib, ".", straight, "[", free, ":", format(deep), "]"), edges[[straight]]
+        )
+      }
+      upper <- paste0(jib, ".", straight, if (seamed > 0) paste0("[0:", free, "]"))
+      end <- if (side == "starboard") {
+        c(paste0("-", upper), paste0(jib, ".right"))
+      } else {
+        c(paste0("-", jib, ".left"), upper)
+      }
+    }
+    out$left[[panel]] <- edges$left
+    out$right[[panel]] <- edges$right
+    out$end[[side]] <- end
+  }
+  out
+}
+
+# Mass in air over mass in water of steel, for ground gear of which only the latter is given.
+steel_in_air <- 7850 / (7850 - 1025)
+
+# The ground gear as a rope along the footrope, by its mass in water: what it displaces is the rest.
+# lengths: the footrope's along each edge, which it is hung in proportion to, or NULL.
+ground_gear_rope <- function(fields, plan, along, lengths) {
+  gear <- fields$ground_gear
+  density <- fields$water$density
+  in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
+  if (in_air < gear$mass_in_water) {
+    abort_field("ground_gear.mass_per_length", in_air,
+      paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
+  }
+  own <- plan$ground_gear[setdiff(names(plan$ground_gear), c("mass_in_water", "mass_per_length"))]
+  if (!is.null(lengths) && !is.null(gear$length)) {
+    own$length <- NULL
+    own$lengths <- lengths * gear$length / sum(lengths)
+  }
+  c(list(along = along), own, list(
+    mass_per_length = in_air,
+    volume_per_length = if (density > 0) (in_air - gear$mass_in_water) / density else 0,
+    role = "ground_gear"
+  ))
+}
+
+bottom_trawl_rig <- function(fields, plan) {
+  if (!is.null(plan$towing_points)) {
+    tow <- fields$towing_points
+    points <- towing_points(paste0("board_", trawl_sides), tow$spread,
+      fields$seabed$depth - tow$height)
+    return(trawl_legs(plan, list(points = points), paste0("board_", trawl_sides)))
+  }
+  free <- fields$otter_boards$attitude == "free"
+  boards <- trawl_boards(plan, free)
+  start <- paste0("board_", trawl_sides)
+  rig <- list(
+    points = c(towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points),
+    ropes = trawl_warps(plan), pieces = boards$pieces, otter_boards = boards$otter_boards
+  )
+  if (free) {
+    start <- paste0("backstrop_end_", trawl_sides)
+    rig$points[start] <- list(nothing)
+    for (side in trawl_sides) {
+      for (level in c("upper", "lower")) {
+        name <- paste("backstrop", level, side, sep = "_")
+        rig$ropes[[name]] <- c(
+          list(from = name, to = paste0("backstrop_end_", side)), plan$backstrops,
+          list(role = "backstrop")
+        )
+      }
+    }
+  }
+  trawl_legs(plan, rig, start)
+}
+
+# joint: what the points where warp and sweep or bridles meet are named after, and measure: what
+# their spread is called.
+bottom_trawl_measures <- function(fields, free_boards, joint = "board",
+                                  measure = "door_spread") {
+  pair <- function(level) paste0(level, c("_port", "_starboard"))
+  lower <- if (is.null(fields$footrope_extensions)) "lower" else "extension"
+  first <- if (is.null(fields$sweeps)) "bridle_lower" else "sweep"
+  angle <- function(rope, kind) {
+    list(angle = stats::setNames(list(kind), paste0(rope, "_port.start")))
+  }
+  out <- list(
+    list(spread = pair(joint)),
+    wing_end_spread = list(spread = list(pair("upper"), pair(lower))),
+    upper_wing_spread = list(spread = pair("upper")),
+    lower_wing_spread = list(spread = pair(lower)),
+    net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
+    headline_depth = list(depth = "head_line.middle"),
+    wing_end_height = list(height = paste0(c("upper", lower), "_port")),
+    mouth_area = list(
+      area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
+    ),
+    bridle_angle = angle(first, "divergence")
+  )
+  names(out)[1L] <- measure
+  if (!is.null(fields$seabed)) {
+    out <- append(out, after = match("net_mouth_height", names(out)), list(
+      headline_height = list(clearance = "head_line.middle"),
+      footrope_height = list(clearance = "footrope.middle")
+    ))
+  }
+  if (!is.null(fields$bridles$middle)) {
+    out <- append(out, after = match("lower_wing_spread", names(out)),
+      list(middle_wing_spread = list(spread = pair("middle"))))
+  }
+  out <- c(out, board_measures(free_boards))
+  if (is.null(fields$towing_points)) {
+    out <- c(out, list(
+      list(depth = paste0(joint, "_port")),
+      warp_tension_port = list(tension = "warp_port.start"),
+      warp_tension_starboard = list(tension = "warp_starboard.start"),
+      warp_declination = angle("warp", "declination"),
+      warp_divergence = angle("warp", "divergence")
+    ))
+    names(out)[names(out) == ""] <- sub("spread", "depth", measure, fixed = TRUE)
+  }
+  if (!is.null(fields$sweeps)) out$sweep_tension <- list(tension = "sweep_port.start")
+  for (level in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {
+    out[[paste0("bridle_", level, "_tension")]] <-
+      list(tension = paste0("bridle_", level, "_port.end"))
+  }
+  out$net_length <- list(length = c("upper_port", "codline"))
+  out
+}

@@ -1,0 +1,56 @@
+# Cutting rates of netting edges, after ISO 1532: N a point (the cut runs down the netting by one
+# mesh), T a mesh (across it by one mesh), B a bar (half a mesh down and half a mesh across).
+
+# Longest cycle of points and bars that is still cut as one.
+longest_cycle <- 7L
+
+# The cutting rate of an edge that loses (or gains) `lost` meshes across in `deep` meshes down, as
+# net makers write it: "AN", "AB", "1N2B", "3T2B". Where no short cycle fits, the two cycles that in
+# turn make up the edge, each with how often it is cut: "9(1N2B)+1(1N3B)"; for an edge of no whole
+# number of meshes the nearest short cycle: "~1N2B". "" where there is no rule: hexagonal netting,
+# and square netting that tapers.
+#
+# Down d meshes and across l, the edge takes 2 l bars and d - l points where l < d, and 2 d bars and
+# l - d meshes across where l > d.
+cutting_rate <- function(lost, deep, orientation = "diamond") {
+  lost <- abs(lost)
+  if (deep == 0 || startsWith(orientation, "hexagonal")) return("")
+  if (orientation == "square") return(if (lost == 0) "AB" else "")
+  # In turned netting points and meshes change places.
+  letters <- if (orientation == "turned") c("T", "N") else c("N", "T")
+  if (lost == 0) return(paste0("A", letters[1]))
+  if (lost == deep) return("AB")
+  steps <- abs(deep - lost)
+  bars <- 2 * min(lost, deep)
+  letter <- letters[1L + (lost > deep)]
+  # Half meshes, or thirds: as many edges as give whole numbers.
+  edges <- Find(function(k) all(abs(k * c(steps, bars) - round(k * c(steps, bars))) < 1e-6), 1:12)
+  if (is.null(edges)) return(paste0("~", nearest_cycle(bars / steps, letter)))
+  cycle <- round(edges * c(steps, bars))
+  cycle <- cycle / greatest_divisor(cycle[1], cycle[2])
+  one <- function(n, b) paste0(n, letter, b, "B")
+  if (max(cycle) <= longest_cycle) return(one(cycle[1], cycle[2]))
+  more <- max(cycle)
+  fewer <- min(cycle)
+  each <- more %/% fewer
+  longer <- more - each * fewer
+  pair <- function(k) if (cycle[1] >= cycle[2]) one(k, 1) else one(1, k)
+  if (longer == 0) return(pair(each))
+  paste0(fewer - longer, "(", pair(each), ")+", longer, "(", pair(each + 1), ")")
+}
+
+# The cycle whose bars over points (or meshes) are nearest to a ratio.
+nearest_cycle <- function(ratio, letter) {
+  cycles <- expand.grid(n = seq_len(longest_cycle), b = seq_len(longest_cycle))
+  best <- cycles[which.min(abs(log(cycles$b / cycles$n / ratio))), ]
+  paste0(best$n, letter, best$b, "B")
+}
+
+greatest_divisor <- function(a, b) if (b == 0) a else greatest_divisor(b, a %% b)
+
+# Cutting rates of a panel's left and right edges, and whether they are alike.
+panel_rates <- function(panel) {
+  loss <- panel$upper - panel$lower
+  rate <- function(share) cutting_rate(loss * share, panel$deep, panel$orientation)
+  c(left = rate(panel$taper_left), right = rate(panel$taper_right))
+}

@@ -1,0 +1,83 @@
+# The bottom-set gillnet's short form and the assembly that it stands for: one wall of netting along
+# y, which stands on its lead line between two anchors.
+
+# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
+expand_gillnet <- function(fields, plan) {
+  check_gillnet(fields)
+  half <- fields$length / 2
+  wall <- fields$wall
+  ratio <- fields$length / (wall$mesh_size * wall$meshes$across)
+  tall <- wall$mesh_size * wall$meshes$deep * sqrt(1 - ratio^2)
+  bed <- -fields$seabed$depth
+  own <- plan$wall[setdiff(names(plan$wall), "meshes")]
+  across <- wall$meshes$across
+  corner <- function(name, y, z) list(at = paste0("wall.", name), near = list(0, y, z))
+
+  out <- shared_fields(plan)
+  out$panels <- list(wall = c(own, list(
+    meshes = list(upper = across, lower = across, deep = wall$meshes$deep), part = "wall"
+  )))
+  out$points <- list(
+    float_line_port = corner("upper_left", -half, bed + tall),
+    float_line_starboard = corner("upper_right", half, bed + tall),
+    lead_line_port = corner("lower_left", -half, bed),
+    lead_line_starboard = corner("lower_right", half, bed)
+  )
+  line <- function(edge, given, length, role) {
+    c(list(along = paste0("wall.", edge), length = length), given, list(role = role))
+  }
+  out$ropes <- list(
+    float_line = line("upper", plan$float_line, fields$length, "float_line"),
+    lead_line = line("lower", plan$lead_line, fields$length, "lead_line")
+  )
+  for (side in c("port", "starboard")) {
+    outward <- if (side == "port") -1 else 1
+    if (!is.null(plan$end_lines)) {
+      out$ropes[[paste0("end_line_", side)]] <- c(
+        list(along = if (side == "port") "wall.left" else "wall.right"), plan$end_lines,
+        list(role = "end_line")
+      )
+    }
+    anchor <- paste0("anchor_", side)
+    out$points[[anchor]] <- list(
+      position = list(0, outward * fields$anchors$apart / 2, bed), held = "fixed"
+    )
+    out$ropes[[paste0("anchor_line_", side)]] <- c(
+      list(from = paste0("lead_line_", side), to = anchor),
+      plan$anchors[setdiff(names(plan$anchors), "apart")], list(role = "anchor_line")
+    )
+  }
+  if (!is.null(plan$floats)) {
+    out$pieces$floats <- c(list(along = "float_line"), plan$floats, list(role = "float"))
+  }
+  if (!is.null(plan$weights)) {
+    out$pieces$weights <- c(list(along = "lead_line"), plan$weights, list(role = "weight"))
+  }
+  out$measures <- list(
+    net_height = list(height = c("float_line.middle", "lead_line.middle")),
+    end_height = list(height = c("float_line_port", "lead_line_port")),
+    net_width = list(spread = c("lead_line_port", "lead_line_starboard")),
+    float_line_depth = list(depth = "float_line.middle"),
+    net_drag = list(drag = "wall"),
+    anchor_tension_port = list(tension = "anchor_line_port.end"),
+    anchor_tension_starboard = list(tension = "anchor_line_starboard.end")
+  )
+  out
+}
+
+check_gillnet <- function(fields) {
+  wall <- fields$wall
+  stretched <- wall$mesh_size * wall$meshes$across
+  if (fields$length >= stretched) {
+    abort_field("length", format_si(fields$length, "length"), paste(
+      "less than the stretched length of its meshes,", format_si(stretched, "length")
+    ))
+  }
+  reach <- fields$length + 2 * fields$anchors$length
+  if (fields$anchors$apart > reach || fields$anchors$apart <= fields$length / 2) {
+    abort_field("anchors.apart", format_si(fields$anchors$apart, "length"), paste(
+      "more than half the length of the net and at most that of the net and both anchor lines,",
+      format_si(reach, "length")
+    ))
+  }
+}

@@ -1,0 +1,103 @@
+# The pelagic longline's short form and the assembly that it stands for.
+#
+# Along x: a float line hangs from every float, the main line runs from the foot of one to that of
+# the next (a basket), and branch lines hang from it at equal distances, as many stretches of main
+# line as branch lines and one more.
+
+# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
+expand_longline <- function(fields, plan) {
+  check_longline(fields)
+  baskets <- fields$baskets
+  number <- fields$branch_lines$number
+  apart <- fields$shortening_ratio * fields$main_line$length
+  drift <- fields$floats$held == "ends"
+  points <- ropes <- pieces <- list()
+  rope <- function(from, to, given, role, ...) {
+    c(list(from = from, to = to), given, list(...), list(role = role))
+  }
+
+  main <- plan$main_line[setdiff(names(plan$main_line), "length")]
+  stretch <- fields$main_line$length / (number + 1)
+  branch <- plan$branch_lines[setdiff(names(plan$branch_lines), "number")]
+  float <- plan$floats[setdiff(names(plan$floats), "held")]
+  for (k in seq_len(baskets + 1)) {
+    surface <- paste0("surface_", k)
+    join <- paste0("join_", k)
+    position <- list((k - 1) * apart, 0, 0)
+    ends <- k %in% c(1, baskets + 1)
+    mooring <- drift && ends && !is.null(plan$end_lines)
+    held <- !drift || (ends && !mooring)
+    points[[surface]] <- if (held) list(position = position, held = "fixed") else nothing
+    points[[join]] <- nothing
+    ropes[[paste0("float_line_", k)]] <- rope(surface, join, plan$float_lines, "float_line")
+    if (drift) {
+      pieces[[paste0("float_", k)]] <- c(list(at = surface), float, list(role = "float"))
+    }
+    if (mooring) {
+      side <- if (k == 1) -1 else 1
+      end <- if (k == 1) "first" else "last"
+      points[[paste0("end_", end)]] <- list(
+        position = list(position[[1]] + side * fields$end_lines$length, 0, 0), held = "fixed"
+      )
+      ropes[[paste0("end_line_", end)]] <-
+        rope(paste0("end_", end), surface, plan$end_lines, "end_line")
+    }
+  }
+  for (k in seq_len(baskets)) {
+    on_main <- paste0("branch_", k, "_", seq_len(number))
+    along <- c(paste0("join_", k), on_main, paste0("join_", k + 1))
+    for (j in seq_len(number + 1)) {
+      ropes[[paste0("main_line_", k, "_", j)]] <-
+        rope(along[j], along[j + 1], main, "main_line", length = stretch)
+    }
+    for (j in seq_len(number)) {
+      name <- paste0("branch_line_", k, "_", j)
+      tip <- paste0("tip_", k, "_", j)
+      points[[on_main[j]]] <- points[[tip]] <- nothing
+      ropes[[name]] <- rope(on_main[j], tip, branch, "branch_line")
+      if (!is.null(plan$hooks)) {
+        pieces[[paste0("hook_", k, "_", j)]] <- c(list(at = tip), plan$hooks, list(role = "hook"))
+      }
+    }
+  }
+
+  out <- plan[intersect(
+    c("codend", "name", "notes", "sources", "water", "coefficients", "materials", "tow"),
+    names(plan)
+  )]
+  if (drift) out$water$free_surface <- TRUE
+  out$points <- points
+  out$ropes <- ropes
+  out$pieces <- pieces
+  out$measures <- longline_measures(baskets, number, drift)
+  out
+}
+
+check_longline <- function(fields) {
+  if (fields$floats$held == "ends") {
+    float <- fields$floats[setdiff(names(fields$floats), c("held", "added_mass"))]
+    if (!length(float)) {
+      abort_field("floats.buoyancy", NULL, "given where floats are held at the ends alone",
+        "is missing")
+    }
+  } else if (!is.null(fields$end_lines)) {
+    abort_field("end_lines", "given", "left out where `floats.held` is all")
+  }
+}
+
+# Of the middle basket, which the ends disturb least.
+longline_measures <- function(baskets, number, drift) {
+  k <- (baskets + 1) %/% 2
+  hooks <- seq_len(number)
+  out <- stats::setNames(
+    lapply(hooks, function(j) list(depth = paste0("branch_line_", k, "_", j, ".end"))),
+    paste0("hook_", hooks, "_depth")
+  )
+  lowest <- paste0("main_line_", k, "_", number %/% 2 + 1, if (number %% 2) ".end" else ".middle")
+  c(out, list(
+    main_line_depth = list(depth = lowest),
+    main_line_tension = list(tension = paste0("main_line_", k, "_1.start")),
+    float_line_tension = list(tension = paste0("float_line_", k, ".start")),
+    float_distance = list(length = paste0("surface_", c(k, k + 1)))
+  ))
+}

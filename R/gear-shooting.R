@@ -1,0 +1,9 @@
+# How a gear is shot, in SI.
+
+si_shooting <- function(shooting, path, known) {
+  find_rope(shooting$rope, paste0(path, ".rope"), known)
+  list(
+    rope = shooting$rope, speed = shooting$speed, arc = shooting$arc,
+    from = first_of(shooting$from, c(0, 0))
+  )
+}

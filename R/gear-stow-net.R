@@ -1,0 +1,84 @@
+# The stow net's short form and the assembly that it stands for: a bag of four panels that a tidal
+# current keeps open, between an upper beam with floats and a lower beam, on bridles from an
+# anchor.
+
+# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
+expand_stow_net <- function(fields, plan) {
+  check_stow_net(fields)
+  around <- trawl_rings$`4`$panels
+  net <- trawl_sections(plan, around)
+  first <- names(plan$sections)[1L]
+  edge <- function(panel) paste0(section_panel_name(panel, first), ".upper")
+  width <- fields$mouth$width
+  # Where the gear lies before it settles: downstream of its anchor, at its full opening.
+  aft <- sqrt(fields$bridles$length^2 - (width / 2)^2) + fields$anchor_line$length * 0.9
+  top <- -0.3 * fields$anchor_depth
+  corner <- function(panel, side, y, level) {
+    list(at = paste0(section_panel_name(panel, first), ".upper_", side),
+      near = list(aft, y, top - level * fields$mouth$height))
+  }
+  out <- shared_fields(plan)
+  out$water$free_surface <- TRUE
+  out$panels <- net$panels
+  out$seams <- net$seams
+  out$points <- c(net$points, list(
+    anchor = list(position = list(0, 0, -fields$anchor_depth), held = "fixed"),
+    bridle_end = nothing,
+    upper_port = corner("back", "left", -width / 2, 0),
+    upper_starboard = corner("back", "right", width / 2, 0),
+    lower_starboard = corner("belly", "left", width / 2, 1),
+    lower_port = corner("belly", "right", -width / 2, 1)
+  ))
+  rope <- function(along, length, given, role) {
+    c(list(along = along, length = length), given, list(role = role))
+  }
+  out$ropes <- list(
+    anchor_line = c(
+      list(from = "anchor", to = "bridle_end"), plan$anchor_line, list(role = "anchor_line")
+    ),
+    upper_beam = rope(edge("back"), width, plan$upper_beam, "beam"),
+    lower_beam = rope(edge("belly"), width, plan$lower_beam, "beam")
+  )
+  for (side in c("port", "starboard")) {
+    out$ropes[[paste0("side_line_", side)]] <- rope(
+      edge(paste0("side_", side)), fields$mouth$height, plan$side_lines, "side_line"
+    )
+    for (level in c("upper", "lower")) {
+      out$ropes[[paste("bridle", level, side, sep = "_")]] <- c(
+        list(from = "bridle_end", to = paste(level, side, sep = "_")), plan$bridles,
+        list(role = "bridle")
+      )
+    }
+  }
+  if (!is.null(plan$floats)) {
+    out$pieces$floats <- c(list(along = "upper_beam"), plan$floats, list(role = "float"))
+  }
+  if (!is.null(plan$weights)) {
+    out$pieces$weights <- c(list(along = "lower_beam"), plan$weights, list(role = "weight"))
+  }
+  out$measures <- list(
+    mouth_height = list(height = c("upper_beam.middle", "lower_beam.middle")),
+    mouth_width = list(spread = c("upper_port", "upper_starboard")),
+    mouth_area = list(
+      area = c("upper_beam", "side_line_starboard", "lower_beam", "side_line_port")
+    ),
+    upper_beam_depth = list(depth = "upper_beam.middle"),
+    net_drag = list(drag = names(net$panels)),
+    anchor_tension = list(tension = "anchor_line.start"),
+    codline_depth = list(depth = "codline")
+  )
+  out
+}
+
+check_stow_net <- function(fields) {
+  for (beam in c("upper_beam", "lower_beam")) {
+    if (fields[[beam]]$bending_stiffness == 0) {
+      abort_field(paste0(beam, ".bending_stiffness"), 0, "greater than 0")
+    }
+  }
+  half <- fields$mouth$width / 2
+  if (fields$bridles$length <= half) {
+    abort_field("bridles.length", format_si(fields$bridles$length, "length"),
+      paste("more than half the width of the mouth,", format_si(half, "length")))
+  }
+}

@@ -1,0 +1,155 @@
+# Parts that the short forms of trawls share: the net behind its mouth, wings, and the ropes along
+# them.
+#
+# Panels around a net follow each other clockwise as seen from the vessel's deck looking aft: back,
+# starboard sides from top to bottom, belly, port sides from bottom to top. Seen from outside with
+# its front edge up, each panel's left edge meets the panel before it.
+
+nothing <- stats::setNames(list(), character())
+
+# Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
+# units.
+shared_fields <- function(plan) {
+  plan[intersect(
+    c(
+      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
+      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
+    ),
+    names(plan)
+  )]
+}
+
+# The panel after each one around the net.
+panel_after <- function(around) c(around[-1L], around[1L])
+
+section_panel_name <- function(panel, section) paste0(panel, "_", section)
+
+# A panel of a section as given, with what its side says otherwise.
+section_panel <- function(section, panel) {
+  side <- if (panel %in% c("back", "belly")) panel else "side"
+  own <- section[setdiff(names(section), c("back", "belly", "side"))]
+  other <- section[[side]]
+  own[names(other)] <- other
+  own
+}
+
+# Panels of all sections, joined around the net and end to end, gathered at the point `codline`.
+# Returns list(panels, seams, points).
+trawl_sections <- function(plan, around) {
+  panels <- seams <- list()
+  n <- length(around)
+  after <- panel_after(around)
+  sections <- names(plan$sections)
+  id <- section_panel_name
+  for (section in sections) {
+    for (panel in around) {
+      panels[[id(panel, section)]] <- c(
+        section_panel(plan$sections[[section]], panel), list(part = section)
+      )
+    }
+    for (k in seq_len(n)) {
+      seams[[paste(section, around[k], after[k], sep = "_")]] <- list(edges = c(
+        paste0(id(around[k], section), ".right"), paste0(id(after[k], section), ".left")
+      ))
+    }
+  }
+  for (k in seq_along(sections)[-1L]) {
+    for (panel in around) {
+      seams[[paste(panel, sections[k - 1L], sections[k], sep = "_")]] <- list(edges = c(
+        paste0(id(panel, sections[k - 1L]), ".lower"), paste0(id(panel, sections[k]), ".upper")
+      ))
+    }
+  }
+  last <- sections[length(sections)]
+  seams$codline_gathered <- list(
+    edges = paste0(vapply(around, id, "", section = last), ".lower"), gathered_at = "codline"
+  )
+  list(panels = panels, seams = seams, points = list(codline = nothing))
+}
+
+# Two wings ahead of the front edge of a panel, one at each end.
+#
+# panel: what they are named after; behind: the panel that they are joined to, across: meshes of its
+# front edge; given: the wings' fields as in the plan, meshes: their counts (tip, base, deep);
+# path: of the wings' meshes in the plan.
+# Returns list(panels, seams, inner = chain of the front from the left to the right wing's tip,
+# left, right = names of the wings).
+wing_pair <- function(panel, behind, across, given, meshes, path) {
+  if (2 * meshes$base > across) {
+    abort_field(paste0(path, ".base"), meshes$base,
+      paste("at most half the", format(across), "meshes of the front edge behind"))
+  }
+  wing <- paste0(panel, "_wing_", c(left = "left", right = "right"))
+  own <- given[setdiff(names(given), "meshes")]
+  counts <- list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
+  panels <- lapply(c(left = "right", right = "left"), function(inner) {
+    c(own, list(meshes = counts, tapered = inner, part = "wings"))
+  })
+  names(panels) <- wing
+  edge <- paste0(behind, ".upper")
+  base <- format(meshes$base)
+  from <- format(across - meshes$base)
+  seams <- list(
+    list(edges = c(paste0(wing[1L], ".lower"), paste0(edge, "[0:", base, "]"))),
+    list(edges = c(
+      paste0(wing[2L], ".lower"), paste0(edge, "[", from, ":", format(across), "]")
+    ))
+  )
+  names(seams) <- wing
+  list(
+    panels = panels, seams = seams, left = wing[1L], right = wing[2L],
+    inner = c(
+      paste0(wing[1L], ".right"),
+      if (2 * meshes$base < across) paste0(edge, "[", base, ":", from, "]"),
+      paste0("-", wing[2L], ".left")
+    )
+  )
+}
+
+# Ropes along the mouth, along the seams between panels and around the net.
+#
+# mouth: chain of edges by line of the mouth; outer: by panel, the edges ahead of its first section
+# along its left seam.
+trawl_lines <- function(plan, around, mouth, outer) {
+  sections <- names(plan$sections)
+  id <- section_panel_name
+  after <- panel_after(around)
+  ropes <- list()
+  line <- function(given, role, along) c(list(along = along), given, list(role = role))
+  for (name in names(mouth)) {
+    role <- sub("_(port|starboard)$", "", name)
+    given <- if (role == "side_line") plan$side_lines else plan[[name]]
+    ropes[[name]] <- line(given, role, unlist(mouth[[name]], use.names = FALSE))
+  }
+  if (!is.null(plan$belly_lines)) {
+    until <- first_of(plan$belly_lines$until, sections[length(sections)])
+    covered <- sections[seq_len(match(until, sections))]
+    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
+    for (k in seq_along(around)) {
+      panel <- after[k]
+      along <- c(outer[[panel]], paste0(vapply(covered, id, "", panel = panel), ".left"))
+      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
+        line(given, "belly_line", unname(along))
+    }
+  }
+  for (name in names(plan$cross_ropes)) {
+    given <- plan$cross_ropes[[name]]
+    along <- paste0(vapply(around, id, "", section = given$behind), ".lower")
+    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope", along)
+  }
+  ropes
+}
+
+# Stops where belly lines or cross ropes name a section that is not there.
+check_section_names <- function(fields) {
+  check_section <- function(name, path) {
+    sections <- names(fields$sections)
+    if (!is.null(name) && !name %in% sections) {
+      abort_reference(name, name, sections, "section", path)
+    }
+  }
+  check_section(fields$belly_lines$until, "belly_lines.until")
+  for (name in names(fields$cross_ropes)) {
+    check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
+  }
+}

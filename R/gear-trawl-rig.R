@@ -1,0 +1,139 @@
+# Parts that the short forms of trawls share: what tows a net and what is fastened to it.
+
+trawl_sides <- c("port", "starboard")
+
+# A towing block's point on each side, half the spacing (m) from the middle at a depth (m).
+towing_points <- function(names, spacing, depth = 0) {
+  aside <- c(-1, 1) * spacing / 2
+  stats::setNames(
+    lapply(aside, function(y) list(position = list(0, y, -depth), held = "moved")), names
+  )
+}
+
+# The warps, from the points `block_*` to the points `board_*` or as named.
+trawl_warps <- function(plan, to = "board") {
+  given <- plan$warps[setdiff(names(plan$warps), "spacing")]
+  stats::setNames(
+    lapply(trawl_sides, function(side) {
+      c(
+        list(from = paste0("block_", side), to = paste(to, side, sep = "_")), given,
+        list(role = "warp")
+      )
+    }),
+    paste0("warp_", trawl_sides)
+  )
+}
+
+# The otter boards at the points `board_*`: list(points, pieces, otter_boards). A free one has the
+# points `backstrop_upper_*` and `backstrop_lower_*` of its backstrops too.
+trawl_boards <- function(plan, free) {
+  points <- pieces <- otter_boards <- list()
+  for (side in trawl_sides) {
+    board <- paste0("board_", side)
+    points[[board]] <- nothing
+    name <- paste0("otter_board_", side)
+    if (free) {
+      otter_boards[[name]] <- free_board(plan, side)
+      points[paste0(c("backstrop_upper_", "backstrop_lower_"), side)] <- list(nothing)
+    } else {
+      pieces[[name]] <- c(
+        list(at = board), plan$otter_boards[setdiff(names(plan$otter_boards), "attitude")],
+        list(lift_direction = side, role = "otter_board")
+      )
+    }
+  }
+  list(points = points, pieces = pieces, otter_boards = otter_boards)
+}
+
+# A free board and the points of its backstrops.
+free_board <- function(plan, side) {
+  given <- plan$otter_boards
+  points <- paste0(c("board_", "backstrop_upper_", "backstrop_lower_"), side)
+  attachments <- given[c("warp_at", "upper_backstrop_at", "lower_backstrop_at")]
+  c(
+    list(pushes = side),
+    given[setdiff(names(given), c("attitude", names(attachments)))],
+    list(attachments = stats::setNames(attachments, points))
+  )
+}
+
+# What a trawl's boards need by their attitude, and what they cannot take.
+check_boards <- function(fields) {
+  boards <- fields$otter_boards
+  fixed <- c("lift_coefficient", "drag_coefficient", "diameter")
+  free <- c("chord", "span", "polar", "warp_at", "upper_backstrop_at", "lower_backstrop_at",
+    "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area")
+  is_free <- boards$attitude == "free"
+  due <- if (is_free) c("mass", free[1:6]) else c("area", fixed[1:2])
+  missing <- setdiff(due, names(boards))
+  if (length(missing)) {
+    abort_field(paste0("otter_boards.", missing[1]), NULL,
+      sprintf("given where the attitude is %s", boards$attitude), "is missing")
+  }
+  excess <- intersect(if (is_free) fixed else free, names(boards))
+  if (length(excess)) {
+    abort_field(paste0("otter_boards.", excess[1]), boards[[excess[1]]],
+      sprintf("left out where the attitude is %s", boards$attitude))
+  }
+}
+
+# Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
+# points: sweep, bridles to the wing ends, and extensions of the footrope.
+trawl_legs <- function(plan, rig, from) {
+  levels <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
+  extended <- !is.null(plan$footrope_extensions)
+  for (k in 1:2) {
+    side <- trawl_sides[k]
+    named <- function(...) paste(..., side, sep = "_")
+    start <- from[k]
+    if (!is.null(plan$sweeps)) {
+      rig$points[[named("sweep_end")]] <- nothing
+      rig$ropes[[named("sweep")]] <- c(
+        list(from = start, to = named("sweep_end")), plan$sweeps, list(role = "sweep")
+      )
+      start <- named("sweep_end")
+    }
+    for (level in levels) {
+      end <- if (level == "lower" && extended) "extension" else level
+      rig$ropes[[named("bridle", level)]] <- c(
+        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
+      )
+    }
+    if (extended) {
+      rig$points[[named("extension")]] <- nothing
+      rig$ropes[[named("footrope_extension")]] <- c(
+        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
+        list(role = "footrope_extension")
+      )
+    }
+  }
+  rig
+}
+
+# Floats along the head line, and a catch as a piece at the codline.
+trawl_fittings <- function(plan) {
+  pieces <- list()
+  if (!is.null(plan$floats)) {
+    pieces$floats <- c(list(along = "head_line"), plan$floats, list(role = "float"))
+  }
+  if (!is.null(plan$canvas)) {
+    pieces$canvas <- c(
+      list(along = "head_line"), plan$canvas, list(lift_direction = "up", role = "canvas")
+    )
+  }
+  if (!is.null(plan$catch)) {
+    pieces$catch <- c(list(at = "codline"), plan$catch, list(role = "catch"))
+  }
+  pieces
+}
+
+# Measures of attack and heel of the free boards.
+board_measures <- function(free_boards) {
+  angles <- lapply(stats::setNames(nm = free_boards), function(board) {
+    stats::setNames(
+      lapply(c("attack", "heel"), function(a) list(attitude = stats::setNames(list(a), board))),
+      paste0(c("attack", "heel"), sub("otter_board", "", board, fixed = TRUE))
+    )
+  })
+  unlist(unname(angles), recursive = FALSE)
+}

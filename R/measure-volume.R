@@ -1,0 +1,79 @@
+# The volume that panels enclose.
+
+# Volume (m3) within panels that follow each other around openings, each closed by a lid from its
+# rim to the rim's middle, or its share (percent) of the volume that the measure names. Panels must
+# all be seen from the same side, from within or from without, with their upper edge up.
+measure_volume <- function(state, measure) {
+  facets <- panel_facets(state, measure$panels)
+  lids <- panel_lids(state, measure$panels)
+  corners <- lapply(1:3, function(k) {
+    cbind(facets$x[, facets$node[k, ], drop = FALSE], lids[[k]])
+  })
+  middle <- rowMeans(facets$x)
+  volume <- abs(sum(do.call(triple_product, lapply(corners, `-`, middle))) / 6)
+  if (is.null(measure$of)) volume else 100 * volume / measure$of
+}
+
+# The surface of panels as facets between their rows of places: list(x = 3 x places, node = 3 x
+# facets, numbers of places, all facets seen from the same side).
+panel_facets <- function(state, names) {
+  rows <- panel_rows(panel_table(state$si$panels), state$lattice, state_points(state))
+  kept <- which(rows$panel[rows$row] %in% match(names, names(state$si$panels)))
+  row <- rows$row[kept]
+  s <- rows$s[kept]
+  # The places of two neighbouring rows in the order of s: each makes a facet with the last ones
+  # met of its own and of the other row.
+  strip <- function(upper, lower) {
+    all <- c(upper, lower)
+    order <- order(s[all])
+    is_upper <- (seq_along(all) <= length(upper))[order]
+    all <- all[order]
+    last_upper <- cummax(is_upper * seq_along(all))
+    last_lower <- cummax((!is_upper) * seq_along(all))
+    k <- seq_along(all)[-1L]
+    own <- ifelse(is_upper[k], last_upper[k - 1L], last_lower[k - 1L])
+    other <- ifelse(is_upper[k], last_lower[k - 1L], last_upper[k - 1L])
+    some <- own > 0L & other > 0L
+    first <- ifelse(is_upper[k], own, other)[some]
+    second <- ifelse(is_upper[k], other, own)[some]
+    rbind(all[first], all[second], all[k[some]])
+  }
+  groups <- split(seq_along(row), row)
+  of <- rows$panel[as.integer(names(groups))]
+  upper <- which(of[-1L] == of[-length(of)])
+  list(
+    x = rows$x[, kept, drop = FALSE],
+    node = do.call(cbind, Map(strip, groups[upper], groups[upper + 1L]))
+  )
+}
+
+# Lids over the openings that panels leave, as facets seen from the same side as theirs: three
+# matrices of their corners (3 x facets). Openings are bounded by edges that no seam joins to
+# another of these panels or gathers.
+panel_lids <- function(state, names) {
+  joined <- unlist(lapply(state$si$seams, function(seam) {
+    edges <- unlist(seam$edges, recursive = FALSE)
+    edges <- Filter(function(edge) edge$panel %in% names, edges)
+    if (length(edges) < 2L && is.null(seam$gathered_at)) return(NULL)
+    vapply(edges, function(edge) edge_number(state$si$panels, edge$panel, edge$edge), 0L)
+  }))
+  all <- 4L * (rep(match(names, names(state$si$panels)), each = 4L) - 1L) + 1:4
+  open <- setdiff(all, joined)
+  division <- state$lattice$division
+  before <- division$before[open]
+  count <- division$count[open]
+  first <- division$edge_node[sequence(count - 1L, before + 1L)]
+  second <- division$edge_node[sequence(count - 1L, before + 2L)]
+  # A lid's facets meet each edge of a panel against that panel's facets.
+  turned <- rep((open - 1L) %% 4L %in% c(1L, 2L), count - 1L)
+  from <- ifelse(turned, second, first)
+  to <- ifelse(turned, first, second)
+  opening <- joined_labels(state$lattice$nodes, from, to)[from]
+  x <- state$position
+  middles <- vapply(split(seq_along(from), opening), function(k) {
+    rowMeans(x[, from[k], drop = FALSE])
+  }, numeric(3))
+  list(
+    middles[, as.character(opening), drop = FALSE], x[, from, drop = FALSE], x[, to, drop = FALSE]
+  )
+}

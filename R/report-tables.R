@@ -1,0 +1,187 @@
+# The tables of a report: columns of text by heading. Headings of words begin with a space.
+
+# A force in tonnes-force, of kN.
+tonnes_force <- function(kilonewtons) kilonewtons / 9.80665
+
+# A column of numbers with as many decimals as its largest needs for four figures.
+column_numbers <- function(x) trimws(column_figures(x))
+
+# Single numbers to four figures, their thousands apart.
+single_numbers <- function(x) {
+  text <- figures(x)
+  large <- !is.na(x) & abs(x) >= 1e4
+  text[large] <- big_number(as.double(text[large]))
+  text
+}
+
+big_number <- function(x) format(x, big.mark = ",", trim = TRUE, scientific = FALSE)
+
+one_decimal <- function(x) ifelse(is.finite(x), formatC(x, format = "f", digits = 1), "")
+
+# Parts of one role together, in the order of the plan.
+groups_in_order <- function(table) {
+  groups <- by_role(table)
+  groups[order(vapply(groups, function(g) match(g$part[1L], table$part), 0L))]
+}
+
+measures_columns <- function(measures) {
+  said <- measure_words(names(measures))
+  force <- ifelse(said$unit == "kN", figures(tonnes_force(measures)), "")
+  columns <- list(` measure` = said$words, value = single_numbers(measures), ` unit` = said$unit,
+    tonnes = force)
+  if (any(nzchar(force))) columns else columns[1:3]
+}
+
+trajectory_columns <- function(table) {
+  at <- function(value, time) paste0(figures(value), " at ", vapply(time, time_words, "",
+    last = max(table$greatest_at_s, table$least_at_s)))
+  list(
+    ` measure` = measure_words(table$measure)$words, ` unit` = table$unit,
+    start = figures(table$start), end = figures(table$end),
+    least = at(table$least, table$least_at_s), greatest = at(table$greatest, table$greatest_at_s)
+  )
+}
+
+# Ropes of one role together, by the one that bears most.
+rope_columns <- function(ropes) {
+  groups <- by_role(ropes)
+  highest <- do.call(rbind, lapply(groups, function(g) g[which.max(g$max_kN), ]))
+  order <- order(-highest$max_kN)
+  highest <- highest[order, ]
+  margin <- highest$strength_kN / highest$max_kN
+  list(
+    ` rope` = names(groups)[order], ` highest in` = gsub("_", " ", highest$part),
+    `largest kN` = column_numbers(highest$max_kN),
+    `largest tonnes` = column_numbers(tonnes_force(highest$max_kN)),
+    `mean kN` = column_numbers(highest$mean_kN),
+    `breaking load kN` = column_numbers(highest$strength_kN),
+    `used %` = one_decimal(highest$strength_percent),
+    `safety factor` = one_decimal(margin)
+  )
+}
+
+netting_columns <- function(netting, slack) {
+  groups <- groups_in_order(netting)
+  slack <- slack[match(netting$part, slack$part), ]
+  share <- vapply(groups, function(g) {
+    mine <- match(g$part, netting$part)
+    stats::weighted.mean(slack$slack_percent[mine], slack$twine_m[mine])
+  }, 0)
+  list(
+    ` part` = names(groups),
+    `mean N` = figures(vapply(groups, function(g) 1000 * mean(g$mean_kN), 0)),
+    `1 % above N` = single_numbers(
+      vapply(groups, function(g) 1000 * max(g$exceeded_by_1_percent_kN), 0)
+    ),
+    `slack %` = one_decimal(share)
+  )
+}
+
+drag_columns <- function(totals, names) {
+  share <- 100 * totals$drag_kN / totals$drag_kN[nrow(totals)]
+  list(
+    ` group` = names, `drag kN` = column_numbers(totals$drag_kN),
+    `share %` = one_decimal(share),
+    `side kN` = column_numbers(totals$side_kN), `lift kN` = column_numbers(totals$lift_kN),
+    `weight in water kN` = column_numbers(totals$weight_in_water_kN)
+  )
+}
+
+# Groups of parts that a report lists by their drag.
+reported_parts <- 15L
+
+drag_part_columns <- function(drag, totals) {
+  groups <- by_role(drag)
+  forces <- c("drag_kN", "side_kN", "lift_kN", "weight_in_water_kN")
+  sums <- do.call(rbind, lapply(groups, function(g) colSums(g[forces])))
+  first <- utils::head(order(-sums[, "drag_kN"]), reported_parts)
+  first <- first[sums[first, "drag_kN"] > 0]
+  if (length(first) < 2L) return(list(character()))
+  rows <- rbind(as.data.frame(sums[first, , drop = FALSE]), totals[nrow(totals), forces])
+  columns <- drag_columns(rows, c(gsub("_", " ", names(groups)[first]), "total of all parts"))
+  names(columns)[1L] <- " part"
+  columns
+}
+
+board_columns <- function(boards) {
+  list(
+    ` board` = gsub("_", " ", boards$board), `attack deg` = column_numbers(boards$attack_deg),
+    `largest lift at deg` = column_numbers(boards$stall_deg),
+    `heel deg` = column_numbers(boards$heel_deg),
+    `trim deg` = column_numbers(boards$trim_deg), `lift kN` = column_numbers(boards$lift_kN),
+    `drag kN` = column_numbers(boards$drag_kN),
+    `load on the sea bed kN` = column_numbers(boards$ground_load_kN),
+    ` condition` = boards$condition
+  )
+}
+
+axis_columns <- function(table, name) {
+  list(
+    ` ` = gsub("_", " ", table[[name]]), `x (aft) kN` = column_numbers(table$x_kN),
+    `y (starboard) kN` = column_numbers(table$y_kN), `z (up) kN` = column_numbers(table$z_kN)
+  )
+}
+
+# What remains is tiny beside the forces: in powers of ten.
+balance_columns <- function(balance) {
+  columns <- axis_columns(balance, "force")
+  names(columns)[1L] <- " force"
+  last <- balance$force == "remainder"
+  for (k in 1:3) {
+    columns[[k + 1L]][last] <- formatC(balance[[k + 1L]][last], format = "e", digits = 1)
+  }
+  columns
+}
+
+reaction_columns <- function(reactions) {
+  columns <- axis_columns(reactions, "point")
+  names(columns)[1L] <- " support"
+  columns
+}
+
+# ---- conditions ----------------------------------------------------------------------------------
+
+conditions_section <- function(state) {
+  fields <- assembly_fields(state$gear$plan)
+  si <- state$si
+  knots <- si$towing$speed / plan_units$speed[["knot"]]
+  law <- function(x) {
+    if (is.list(x)) sprintf("the plan's own, %s across the axis", x$normal) else gsub("_", " ", x)
+  }
+  ground <- fields$seabed
+  terms <- list(
+    "Towing speed" = if (si$towing$speed > 0) {
+      sprintf("%s knot (%s m/s)", short_number(knots), short_number(si$towing$speed))
+    } else {
+      "none: the gear is held"
+    },
+    "Water" = if (si$water$density > 0) {
+      paste0(short_number(si$water$density), " kg/m3",
+        if (si$water$free_surface) ", with a free surface")
+    } else {
+      "none"
+    },
+    "Sea bed" = if (!is.null(ground)) {
+      sprintf("at a depth of %s m, coefficient of friction %s", short_number(ground$depth),
+        short_number(ground$friction))
+    },
+    "Drag coefficients" = law(fields$coefficients),
+    "Drag of netting" = gsub("_", " ", fields$netting_drag),
+    "Shielding behind netting" = fields$shielding
+  )
+  terms <- Filter(Negate(is.null), terms)
+  rows <- lapply(names(terms), function(name) list(tag$dt(name), tag$dd(terms[[name]])))
+  report_section("Conditions", tag$dl(rows), current_table(si))
+}
+
+current_table <- function(si) {
+  current <- si$water$current
+  speed <- sqrt(current$x^2 + current$y^2)
+  if (all(speed == 0)) return(NULL)
+  toward <- (atan2(current$y, current$x) * 180 / pi) %% 360
+  report_table(
+    list(`depth m` = column_numbers(current$depth), `speed m/s` = column_numbers(speed),
+      `toward deg` = column_numbers(toward)),
+    "Current by depth, flowing toward 0 deg aft and 90 deg to starboard."
+  )
+}

@@ -1,0 +1,242 @@
+# A state or a trajectory as one page to read, print and pass on.
+
+#' Write a report
+#'
+#' One HTML page for a skipper or an appendix: the plan of the gear drawn flat
+#' ([plot.codend_gear()]), the conditions, the measures, the gear from above, from the side and from
+#' astern and in three dimensions, the tensions by rope with what is left to the breaking load, the
+#' drag by component, slack netting, how well the forces balance and how the solver ended, the
+#' versions of the programs, and the exact plan to copy. That of a trajectory has the measures
+#' against time and the motion in three dimensions in place of the shapes and forces.
+#'
+#' The file holds all that it needs and asks nothing of the network. It prints to paper or PDF from
+#' the browser, the plan drawing on a page of its own on its side. The same state gives the same
+#' file in every new session. Numbers are rounded to four figures; forces are also given in
+#' tonnes-force (9.80665 kN).
+#'
+#' @param state A state, from [settle()], or a trajectory, from [tow()].
+#' @param file The HTML file to write. It is written whole or not at all.
+#' @return `file`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @seealso [view()] for the three dimensions alone, [summary()][summary.codend_state] for the
+#'   numbers.
+#' @examples
+#' file <- tempfile(fileext = ".html")
+#' report(settle("towed_cable"), file)
+#' @export
+report <- function(state, file) {
+  moves <- inherits(state, "codend_trajectory")
+  if (!moves) check_is_state(state)
+  picture_extension(file, "html")
+  body <- if (moves) trajectory_report(state) else state_report(state)
+  write_whole(file, function(path) {
+    write_single_page(path, paste("Report:", state$gear$plan$name), body,
+      style = view_file("report.css"), script = view_file("report.js"))
+  })
+  invisible(file)
+}
+
+tag <- htmltools::tags
+
+state_report <- function(state) {
+  said <- summary(state)
+  tag$main(
+    report_header(state, paste0(said$conditions, ".")),
+    if (!state$report$converged) {
+      tag$p(class = "warning", "The solver did not settle this gear: the numbers are those of its
+        last step, not of an equilibrium.")
+    },
+    report_section("Measures", report_table(measures_columns(said$measures),
+      "What was measured; forces also in tonnes-force.")),
+    conditions_section(state),
+    plan_section(state$gear),
+    shape_section(state),
+    tension_section(said),
+    drag_section(said),
+    board_section(said$boards),
+    balance_section(said),
+    version_section(),
+    exact_plan_section(state$gear)
+  )
+}
+
+trajectory_report <- function(trajectory) {
+  start <- state_at(trajectory, trajectory$time[1L])
+  last <- max(trajectory$time)
+  words <- sprintf("Towed for %s, %d states kept%s.", time_words(last, last),
+    length(trajectory$time),
+    if (trajectory$end == "interrupted") "; interrupted by the user" else "")
+  tag$main(
+    report_header(trajectory, words),
+    report_section("Measures against time",
+      report_figure(trajectory_picture(trajectory), paste(
+        "Curves of the schedule and of every measure of the gear against time; the table below",
+        "gives their ends and extremes."
+      )),
+      report_table(trajectory_columns(summary(trajectory)), "Measures at the start and the end of the
+        tow, and their extremes with the times of these.")
+    ),
+    report_section("The gear in motion", report_scene(motion_page(trajectory, "gear"), paste(
+      "The gear in three dimensions, as seen from the vessel; a button plays the tow and a slider",
+      "steps through it."
+    ))),
+    conditions_section(start),
+    plan_section(trajectory$gear),
+    version_section(),
+    exact_plan_section(trajectory$gear)
+  )
+}
+
+# ---- parts of the page ---------------------------------------------------------------------------
+
+report_header <- function(of, words) {
+  notes <- unlist(of$gear$plan$notes)
+  tag$header(
+    tag$h1(of$gear$plan$name), tag$p(class = "conditions", words),
+    lapply(notes, function(note) tag$p(class = "note", note))
+  )
+}
+
+report_section <- function(title, ..., class = NULL) {
+  id <- gsub("[^a-z]+", "-", tolower(title))
+  tag$section(class = class, `aria-labelledby` = id, tag$h2(id = id, title), ...)
+}
+
+# columns: a named list of texts; those whose names begin with a space hold words, the others
+# numbers.
+report_table <- function(columns, caption) {
+  if (!length(columns[[1L]])) return(NULL)
+  caption <- gsub("\\s+", " ", caption)
+  heads <- names(columns)
+  words <- startsWith(heads, " ")
+  heads <- trimws(heads)
+  rows <- lapply(seq_along(columns[[1L]]), function(k) {
+    cells <- lapply(seq_along(columns), function(c) {
+      text <- columns[[c]][k]
+      class <- if (!words[c]) "number"
+      if (c == 1L) tag$th(scope = "row", class = class, text) else tag$td(class = class, text)
+    })
+    do.call(tag$tr, cells)
+  })
+  head <- lapply(seq_along(heads), function(c) {
+    tag$th(scope = "col", class = if (!words[c]) "number", heads[c])
+  })
+  # A wide table scrolls sideways, also by keyboard.
+  tag$div(class = "table", tabindex = "0", role = "region", `aria-label` = caption,
+    tag$table(tag$caption(caption), tag$thead(do.call(tag$tr, head)), do.call(tag$tbody, rows)))
+}
+
+# A picture (its address) with what it shows in words.
+report_figure <- function(address, words, class = NULL) {
+  tag$figure(class = class, tag$div(class = "picture", tag$img(src = address, alt = words)))
+}
+
+# A scene to turn, with a still picture of it for paper.
+report_scene <- function(widget, words) {
+  widget$width <- "100%"
+  widget$height <- "100%"
+  tag$figure(
+    class = "scene",
+    tag$div(class = "canvas", role = "img", `aria-label` = words, htmltools::as.tags(widget)),
+    tag$figcaption("Turn it with the left mouse button or one finger; click it first to zoom with the
+      wheel.")
+  )
+}
+
+plan_section <- function(gear) {
+  file <- tempfile(fileext = ".png")
+  on.exit(unlink(file))
+  plot(gear, file = file)
+  report_section("Plan of the gear", class = "plan", report_figure(
+    data_address(file, "image/png"),
+    paste("Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
+      "rigging, and lists of ropes and pieces. All of it stands as text in the exact plan below.")
+  ))
+}
+
+shape_section <- function(state) {
+  file <- tempfile(fileext = ".png")
+  on.exit(unlink(file))
+  plot(state, file = file)
+  report_section("Shape",
+    report_figure(data_address(file, "image/png"), paste(
+      "The gear from above, from the port side and from astern, to scale, coloured by tension.",
+      "Its main dimensions stand among the measures."
+    )),
+    report_scene(gear_page(state, "gear"), "The gear in three dimensions, coloured by tension.")
+  )
+}
+
+trajectory_picture <- function(trajectory) {
+  file <- tempfile(fileext = ".png")
+  on.exit(unlink(file))
+  plot(trajectory, file = file)
+  data_address(file, "image/png")
+}
+
+tension_section <- function(said) {
+  ropes <- said$tensions[said$tensions$kind == "rope", ]
+  netting <- said$tensions[said$tensions$kind == "netting", ]
+  if (!nrow(said$tensions)) return(NULL)
+  report_section("Tensions",
+    if (nrow(ropes)) report_table(rope_columns(ropes), "Ropes, the highest tension first: largest
+      tension (in kilonewtons and tonnes-force), mean tension, the breaking load of the material or
+      plan, and how many times the largest tension goes into it."),
+    if (nrow(netting)) report_table(netting_columns(netting, said$slack), "Netting by part: mean
+      tension of one twine (of both where the twine is double), that which 1 % of the twine exceeds,
+      and the share of the twine that hangs slack.")
+  )
+}
+
+drag_section <- function(said) {
+  tangential <- said$tangential
+  report_section("Drag",
+    report_table(drag_columns(said$drag_totals, said$drag_totals$group), "Forces of the water by
+      group: drag along the flow with its share, side force to starboard, lift upwards; and weight in
+      water."),
+    report_table(drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."),
+    if (!is.null(tangential)) tag$p(sprintf(
+      "With all coefficients along twines and ropes halved the total drag would be %s kN at this
+      shape, and doubled %s kN: they are known worst.",
+      figures(tangential$halved), figures(tangential$doubled)
+    ))
+  )
+}
+
+board_section <- function(boards) {
+  if (!nrow(boards)) return(NULL)
+  report_section("Otter boards", report_table(board_columns(boards), "How the free otter boards
+    stand: angle of attack and that of their largest lift, heel (positive outward) and trim."))
+}
+
+balance_section <- function(said) {
+  report <- said$report
+  report_section("Solution and force balance",
+    tag$p(sprintf(
+      "%s nodes, %s bars and %s netting triangles. %s in %d steps; the largest net force left on a
+      node is %s of the largest tension.",
+      big_number(report$nodes), big_number(report$bars), big_number(report$triangles),
+      if (report$converged) "Settled" else "Not settled", report$iterations,
+      format(report$residual, digits = 2)
+    )),
+    report_table(balance_columns(said$balance), "Sums of all forces on the gear; what remains is the
+      solver's error."),
+    report_table(reaction_columns(said$reactions), "Force of every support on the gear.")
+  )
+}
+
+version_section <- function() {
+  version <- function(package) paste(package, utils::packageVersion(package))
+  report_section("Versions", tag$p(paste0(paste(c(
+    version("codend"), paste("R", getRversion()), version("rgl"), version("htmlwidgets")
+  ), collapse = ", "), ".")))
+}
+
+exact_plan_section <- function(gear) {
+  report_section("Exact plan", class = "exact",
+    tag$p("Everything above follows from this plan. Save it as a file ending in .yaml, which
+      read_gear() and codend settle read."),
+    tag$button(type = "button", class = "copy", `data-copies` = "plan-text", "Copy the plan"),
+    tag$span(class = "copied", role = "status", `aria-live` = "polite"),
+    tag$pre(id = "plan-text", tabindex = "0", `aria-label` = "The plan as YAML", format(gear))
+  )
+}

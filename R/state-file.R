@@ -1,0 +1,171 @@
+# A state on disk: NetCDF in the classic format, with the names and units of a trajectory's file.
+
+#' States in files
+#'
+#' A state as a NetCDF file with names and units of the CF conventions, which most languages and
+#' tools read. [read_state()] gives the same state back, to the last bit: to look at it later, or to
+#' settle another design from it.
+#'
+#' @details
+#' Dimensions are `node`, `bar`, `triangle` and `part`. Per node there are `x`, `y`, `z` (m; x aft,
+#' y to starboard, z up from the water surface), `x_force`, `y_force`, `z_force` (N, the net force:
+#' on a held node the opposite of its support's), `held` and, of a state from a tow, velocities; per
+#' bar `bar_tension` (N, of one line); per triangle of netting `u_tension` and `v_tension` (N, of
+#' one twine). `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part`
+#' and `triangle_part` which of the parts in `part_name` they belong to. Numbers above that of the
+#' last node are points that hang between two nodes. Per part there are `part_drag`, `part_side` and
+#' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
+#' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
+#'
+#' `r_objects` serves [read_state()] alone: it holds objects of R, so read only files that you
+#' trust.
+#'
+#' Both take the package RNetCDF.
+#'
+#' @param state A state, from [settle()] or [state_at()].
+#' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
+#' @return `write_state()` gives `file`, invisibly; `read_state()` a state as [settle()] returns. A
+#'   file that cannot be read or written is an error of class `codend_error_input`; a missing
+#'   RNetCDF one of class `codend_error_package`.
+#' @seealso [write_trajectory()] for tows, [write_vtk()] and [write_gltf()] for other programs.
+#' @export
+#' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
+#' file <- tempfile(fileext = ".nc")
+#' write_state(settle("towed_cable"), file)
+#' faster <- update(read_gear("towed_cable"), towing.speed = "5 knot")
+#' settle(faster, from = read_state(file))
+write_state <- function(state, file) {
+  check_is_state(state)
+  check_netcdf()
+  check_export_path(file, ".nc")
+  export_whole(file, function(path) {
+    nc <- RNetCDF::create.nc(path, format = "offset64")
+    on.exit(RNetCDF::close.nc(nc))
+    numbers <- c(state_numbers(state), measure_numbers(state))
+    numbers <- Filter(function(number) length(number$value) > 0L, numbers)
+    sizes <- c(
+      node = state$lattice$engine$nodes, bar = length(state$lattice$bar_part),
+      triangle = length(state$lattice$triangle_part), part = nrow(state$lattice$parts),
+      bar_end = 2L, corner = 3L, letter = max(nchar(enc2utf8(state$lattice$parts$name), "bytes")),
+      byte = length(numbers$r_objects$value)
+    )
+    for (name in names(sizes)) {
+      if (sizes[[name]] > 0L) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
+    }
+    for (name in names(numbers)) define_state_number(nc, name, numbers[[name]])
+    text <- function(variable, name, value) {
+      RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
+    }
+    text("z", "positive", "up")
+    text("NC_GLOBAL", "Conventions", "CF-1.10")
+    text("NC_GLOBAL", "title", paste0(state$gear$plan$name, ", ", state_conditions(state)))
+    text("NC_GLOBAL", "source", paste("codend", utils::packageVersion("codend")))
+    text("NC_GLOBAL", "plan", enc2utf8(format(state$gear)))
+    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_state", "NC_INT", state_file_version)
+    for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
+  })
+}
+
+#' @rdname write_state
+#' @export
+read_state <- function(file) {
+  check_netcdf()
+  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
+  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
+    abort_trajectory_file(file, "is no NetCDF file.")
+  })
+  on.exit(RNetCDF::close.nc(nc))
+  version <- tryCatch(
+    RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_state"),
+    error = function(e) abort_trajectory_file(file, "holds no state of codend.")
+  )
+  if (version != state_file_version) {
+    abort_trajectory_file(file, sprintf(
+      "is of version %s; this codend reads version %d.", version, state_file_version
+    ))
+  }
+  get <- file_getter(nc)
+  what <- unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
+  places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
+  names <- rownames(node_variables)
+  velocity <- places(names[4:6])
+  state <- new_state(what$gear, what$si, what$lattice, as.vector(places(names[1:3])), what$report,
+    if (length(velocity)) as.vector(velocity) else numeric(3L * what$lattice$engine$nodes))
+  state$time <- what$time
+  state
+}
+
+state_file_version <- 1L
+
+define_state_number <- function(nc, name, number) {
+  RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)
+  if (!is.null(number$unit)) RNetCDF::att.put.nc(nc, name, "units", "NC_CHAR", number$unit)
+  RNetCDF::att.put.nc(nc, name, "long_name", "NC_CHAR", number$words)
+}
+
+# The variables of a state's file: lists of value, type, across (names of dimensions), words and
+# unit.
+state_numbers <- function(state) {
+  lattice <- state$lattice
+  engine <- lattice$engine
+  real <- function(value, across, unit, words) {
+    list(value = value, type = "NC_DOUBLE", across = across, words = words, unit = unit)
+  }
+  whole <- function(value, across, words) {
+    list(value = value, type = "NC_INT", across = across, words = words)
+  }
+  text <- function(value, across, words) {
+    list(value = value, type = "NC_CHAR", across = across, words = words)
+  }
+  axis <- c("x", "y", "z")
+  place <- c("place aft", "place to starboard", "height above the water surface")
+  way <- c("aft", "to starboard", "upward")
+  vectors <- lapply(1:3, function(k) {
+    found <- list(
+      real(state$position[k, ], "node", "m", place[k]),
+      real(state$force[k, ], "node", "N", paste("net force", way[k])),
+      real(if (!is.null(state$time)) state$velocity[k, ], "node", "m s-1",
+        paste("velocity", way[k], "relative to the vessel"))
+    )
+    setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
+  })
+  drag <- drag_table(state)
+  kept <- state[c("gear", "si", "lattice", "report", "time")]
+  c(
+    do.call(c, vectors),
+    list(
+      held = whole(as.integer(engine$held), "node", "1 where a node is held"),
+      bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
+      u_tension = real(state$u_tension, "triangle", "N", "tension of one twine along u"),
+      v_tension = real(state$v_tension, "triangle", "N", "tension of one twine along v"),
+      part_drag = real(drag$drag_kN, "part", "kN", "hydrodynamic force along the flow"),
+      part_side = real(drag$side_kN, "part", "kN",
+        "hydrodynamic force to starboard of the flow"),
+      part_lift = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward"),
+      bar_node = whole(matrix(engine$bars$node, 2L), c("bar_end", "bar"),
+        "nodes that a bar joins, from 1"),
+      bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
+      triangle_node = whole(matrix(engine$triangles$node, 3L), c("corner", "triangle"),
+        "nodes at a triangle's corners, from 1"),
+      triangle_part = whole(lattice$triangle_part, "triangle",
+        "part that a triangle belongs to, from 1"),
+      part_name = text(enc2utf8(lattice$parts$name), c("letter", "part"),
+        "name of a part in the plan"),
+      r_objects = text(memCompress(serialize(kept, NULL), "gzip"), "byte",
+        "objects of the state, serialized by R and gzip")
+    )
+  )
+}
+
+measure_numbers <- function(state) {
+  found <- measures(state)
+  said <- measure_words(names(found))
+  units <- c("%" = "percent", deg = "degree", meshes = "1", "km2/h" = "km2 h-1", "m3/h" = "m3 h-1")
+  lapply(setNames(seq_along(found), names(found)), function(k) {
+    unit <- said$unit[k]
+    list(
+      value = found[[k]], type = "NC_DOUBLE", across = character(), words = said$words[k],
+      unit = if (unit %in% names(units)) units[[unit]] else unit
+    )
+  })
+}

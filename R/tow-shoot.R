@@ -1,0 +1,63 @@
+# A tow that starts with the gear lying bunched at the surface along the vessel's way, and lets every
+# node go when the vessel passes its place.
+
+# Over this depth below the surface the whole of a gear lies bunched before it sinks, m.
+bunched_depth <- 0.5
+
+shot_trajectory <- function(gear, si, given, until, nodes, netting) {
+  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
+  position <- shot_position(si, what$lattice)
+  add_start(what, position, c(0, 0, 0))
+}
+
+# The gear hung, in water at rest, from the rope that it is shot along, drawn out straight along x from
+# 0: positions (3 x nodes, m). Every node's x then says when it is shot.
+hang_out <- function(si, lattice, panels, chains) {
+  si$towing$speed <- 0
+  si$water$current[c("x", "y")] <- 0
+  rope <- si$shooting$rope
+  from_rope <- function(skeleton) {
+    run <- skeleton$ropes[[rope]]
+    held <- logical(skeleton$nodes)
+    position <- load <- matrix(0, 3L, skeleton$nodes)
+    held[run$node] <- TRUE
+    position[1, run$node] <- run$at * si$ropes[[rope]]$length
+    list(held = held, position = position, load = load)
+  }
+  lattice$start <- lay_out(si, lattice, panels, chains, supports = from_rope, open = 1)
+  place_inner_nodes(lattice)
+}
+
+# How far along the rope every node lies, m.
+shot_reach <- function(si, lattice) {
+  pmin(pmax(lattice$hung[1, ], 0), si$ropes[[si$shooting$rope]]$length)
+}
+
+# Positions (3 x nodes, m) of the gear as it is laid.
+shot_position <- function(si, lattice) {
+  hung <- lattice$hung
+  # What floats lies with the rest.
+  depth <- abs(hung[3, ])
+  on_way <- vessel_way(si$shooting, si$ropes[[si$shooting$rope]]$length, shot_reach(si, lattice))
+  position <- rbind(on_way, -depth * min(1, bunched_depth / max(depth)))
+  held <- lattice$engine$held
+  position[, held] <- lattice$start[, held]
+  position
+}
+
+# Places (2 x n, m) at distances (m) along the way that a rope of this length is laid.
+vessel_way <- function(shooting, length, reach) {
+  turn <- shooting$arc / length
+  if (turn == 0) return(rbind(shooting$from[1] - reach, shooting$from[2] + 0 * reach))
+  rbind(
+    shooting$from[1] - sin(turn * reach) / turn,
+    shooting$from[2] + (1 - cos(turn * reach)) / turn
+  )
+}
+
+# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not.
+shooting_times <- function(si, lattice) {
+  if (is.null(lattice$hung)) return(list(node = integer(), time = numeric()))
+  free <- which(!lattice$engine$held)
+  list(node = free, time = shot_reach(si, lattice)[free] / si$shooting$speed)
+}

@@ -1,0 +1,195 @@
+#' Pictures as ggplot objects
+#'
+#' The pictures of `plot()` for those who use \pkg{ggplot2}: add themes, scales and labels, or take
+#' the data out of them. Colours are those of `plot()`.
+#'
+#' @details
+#' Of a state: one plane. Ropes are coloured by tension; netting by twine tension, on the scale of
+#' `fill`; slack or pushing lines are grey. Of a trajectory: measures against time. Of variations
+#' ([vary()]): measures against the field that changes first, with a line for each combination of
+#' the others; what did not settle is left out. Of [tensions_along()]: a facet for every role.
+#' Facets have free scales; unlike in `plot()`, depths in facets grow upwards.
+#'
+#' @param object What `plot()` takes.
+#' @param plane `"xy"` (from above), `"xz"` (from the port side) or `"yz"` (from astern).
+#' @param measures Names of measures, as [measures()] has them; all when `NULL`.
+#' @param ... Not used.
+#' @return A ggplot.
+#' @name codend_autoplot
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' ggplot2::autoplot(settle("towed_cable"), plane = "xz")
+NULL
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), ...) {
+  plane <- match.arg(plane)
+  figure <- plane_figure(object, plane)
+  axes <- plane_axes[[plane]]
+  flat <- function(lines, scale) {
+    up <- if (axes[2L] == 3L) -1 else 1
+    data.frame(
+      x = lines$from[axes[1L], ], y = up * lines$from[axes[2L], ], xend = lines$to[axes[1L], ],
+      yend = up * lines$to[axes[2L], ],
+      tension = if (is.null(scale)) lines$tension else lines$tension / scale$per_unit,
+      slack = lines$tension <= 0
+    )
+  }
+  scales <- figure$scales
+  ropes <- flat(figure$drawing$ropes, scales$rope)
+  netting <- flat(figure$drawing$netting, scales$netting)
+  taut <- netting[!netting$slack, ]
+  segments <- function(data, ..., mapping = gg_line()) {
+    ggplot2::geom_segment(mapping, data, ..., lineend = "round")
+  }
+  layers <- list(
+    segments(netting[netting$slack, ], colour = slack_colour, linewidth = 0.25),
+    # one scale of colours serves ropes: netting has its own colours, and `fill` to tell them
+    if (nrow(taut)) {
+      list(
+        segments(taut, linewidth = 0.25,
+          colour = tension_colours(scales$netting, taut$tension * scales$netting$per_unit)),
+        ggplot2::geom_point(gg_fill(), taut, shape = 21, alpha = 0, stroke = 0),
+        gg_tension(ggplot2::scale_fill_gradientn, scales$netting, "netting")
+      )
+    },
+    segments(ropes[ropes$slack, ], colour = slack_colour, linewidth = 0.8),
+    if (any(!ropes$slack)) {
+      list(
+        segments(ropes[!ropes$slack, ], mapping = gg_line(tension = TRUE), linewidth = 0.8),
+        gg_tension(ggplot2::scale_colour_gradientn, scales$rope, "rope")
+      )
+    }
+  )
+  ggplot2::ggplot() + unlist_layers(layers) + ggplot2::coord_fixed() +
+    (if (axes[2L] == 3L) ggplot2::scale_y_reverse()) +
+    ggplot2::labs(
+      title = figure$title, x = plane_labels[axes[1L]], y = plane_labels[axes[2L]],
+      subtitle = paste0(plane_words[[plane]], ", ", figure$conditions)
+    ) + gg_theme()
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
+  series <- trajectory_series(object, measures)
+  minutes <- max(object$time) > 180
+  data <- do.call(rbind, lapply(series, function(one) {
+    data.frame(
+      time = one$time / if (minutes) 60 else 1, value = one$value,
+      measure = words_and_unit(one$words, one$unit)
+    )
+  }))
+  data$measure <- factor(data$measure, unique(data$measure))
+  ggplot2::ggplot(data, ggplot2::aes(.data[["time"]], .data[["value"]])) +
+    ggplot2::geom_line(colour = water_colour) +
+    ggplot2::facet_wrap("measure", scales = "free_y") +
+    ggplot2::labs(
+      title = paste("Tow of", object$gear$plan$name), y = NULL,
+      x = if (minutes) "time (min)" else "time (s)"
+    ) + gg_theme()
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_variations <- function(object, measures = NULL, ...) {
+  study <- variations_study(object, measures)
+  n <- length(study$group_labels)
+  at <- if (is.null(study$ticks)) study$at else factor(study$ticks[study$at], study$ticks)
+  data <- do.call(rbind, lapply(study$measures, function(name) {
+    said <- measure_words(name)
+    data.frame(
+      at = at, value = object[[name]], measure = words_and_unit(said$words, said$unit),
+      group = factor(study$group_labels[study$group], study$group_labels)
+    )
+  }))
+  data$measure <- factor(data$measure, unique(data$measure))
+  data <- data[!is.na(data$value), ]
+  mapping <- ggplot2::aes(
+    .data[["at"]], .data[["value"]], colour = .data[["group"]], shape = .data[["group"]],
+    group = .data[["group"]]
+  )
+  ggplot2::ggplot(data, mapping) + ggplot2::geom_line() + ggplot2::geom_point() +
+    ggplot2::facet_wrap("measure", scales = "free_y") +
+    ggplot2::scale_colour_manual(values = series_colours(n)) +
+    ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
+    ggplot2::labs(
+      title = variations_title(object), y = NULL, colour = study$groups_title,
+      shape = study$groups_title,
+      x = do.call(words_and_unit, field_words(study$field))
+    ) + gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_rope_tensions <- function(object, ...) {
+  drawn <- rope_series(object)
+  drawn$heading <- factor(drawn$heading, unique(drawn$heading))
+  n <- length(unique(drawn$line))
+  drawn$name <- gsub("_", " ", drawn$line)
+  drawn$name <- factor(drawn$name, unique(drawn$name[order(drawn$heading, drawn$group)]))
+  # the colours and dashes that each rope has in its own figure
+  first <- match(levels(drawn$name), drawn$name)
+  alone <- stats::ave(drawn$group, drawn$heading, FUN = max)[first] == 1L
+  colours <- rep_len(rope_colours, max(drawn$group))[drawn$group[first]]
+  colours[alone] <- tension_palette("rope")[100L]
+  mapping <- ggplot2::aes(
+    .data[["along_m"]], .data[["tension_kN"]], colour = .data[["name"]],
+    linetype = .data[["name"]]
+  )
+  ggplot2::ggplot(drawn, mapping) + ggplot2::geom_line() +
+    ggplot2::facet_wrap("heading", scales = "free") +
+    ggplot2::scale_colour_manual(values = colours) +
+    ggplot2::scale_linetype_manual(
+      values = ifelse(drawn$group[first] %% 2L == 0L, "33", "solid")) +
+    ggplot2::labs(
+      title = "Tension along ropes", x = "distance along the rope (m)", y = "tension (kN)",
+      colour = NULL, linetype = NULL,
+      subtitle = paste(c(attr(object, "gear_name"), attr(object, "conditions")), collapse = ", ")
+    ) +
+    gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+}
+
+# ---- what they share ----------------------------------------------------------------------------
+
+# ggplot2's word for the data in aes().
+utils::globalVariables(".data")
+
+gg_line <- function(tension = FALSE) {
+  ends <- ggplot2::aes(.data[["x"]], .data[["y"]], xend = .data[["xend"]], yend = .data[["yend"]])
+  if (tension) ends$colour <- ggplot2::aes(colour = .data[["tension"]])$colour
+  ends
+}
+
+gg_fill <- function() {
+  ggplot2::aes(.data[["x"]], .data[["y"]], fill = .data[["tension"]])
+}
+
+# A scale of tension as the other pictures have it.
+gg_tension <- function(make, scale, kind) {
+  make(
+    scale_heading(scale, kind), colours = scale$colours, limits = scale$limits / scale$per_unit,
+    trans = if (scale$log) "log10" else "identity", breaks = scale$ticks,
+    labels = tick_labels(scale), oob = gg_squish,
+    guide = if (kind == "rope") ggplot2::guide_colourbar(order = 1) else "colourbar"
+  )
+}
+
+# Values outside a scale get the colour of its end.
+gg_squish <- function(x, range = c(0, 1), ...) pmin(pmax(x, range[1L]), range[2L])
+
+unlist_layers <- function(layers) {
+  is_group <- function(x) is.list(x) && !inherits(x, c("ggproto", "Scale"))
+  do.call(c, lapply(layers, function(x) {
+    if (is.null(x)) list() else if (is_group(x)) unlist_layers(x) else list(x)
+  }))
+}
+
+gg_theme <- function() {
+  ggplot2::theme_minimal() +
+    ggplot2::theme(
+      panel.background = ggplot2::element_rect(fill = "#F6F9FB", colour = "grey40"),
+      panel.grid.minor = ggplot2::element_blank(),
+      plot.background = ggplot2::element_rect(fill = "white", colour = NA)
+    )
+}

@@ -1,0 +1,455 @@
+# The netting of a gear laid flat: where each panel's trapezium lies. Lengths in metres, x to the
+# right, y down from the front.
+#
+# As in the FAO Catalogue of Fishing Gear Designs panels are as deep as their netting is stretched,
+# and half as wide as it is stretched (a hanging ratio of 0.5); what hangs between two ropes of known
+# hanging ratio is as wide as these. Square netting has its own width.
+
+# Panels flat: a data frame with a row per panel: name, upper and lower (widths), depth, shift (of
+# the lower left corner from the upper left).
+flat_panels <- function(si, joints) {
+  hung <- hung_widths(si, joints)
+  rows <- lapply(names(si$panels), function(name) {
+    panel <- si$panels[[name]]
+    width <- hung[, name]
+    if (anyNA(width)) {
+      width <- vapply(c("upper", "lower"), edge_length, 0, panel = panel)
+      if (panel$orientation != "square") width <- width / 2
+    }
+    data.frame(
+      name = name, upper = width[[1L]], lower = width[[2L]], depth = panel_depth(panel),
+      shift = (width[[1L]] - width[[2L]]) * panel$taper_left
+    )
+  })
+  do.call(rbind, rows)
+}
+
+# Widths of upper and lower edges (2 x panels, m) of what hangs between two ropes: a tapered panel
+# from each of its ropes, panels without taper, one below the other, all from the upper rope. NA for
+# all others.
+hung_widths <- function(si, joints) {
+  ratio <- hanging_ratios(si)
+  width <- ratio * NA
+  below <- joints[joints$edge == "lower" & joints$other_edge == "upper" &
+    abs(joints$to - joints$from) == 1 & abs(joints$other_to - joints$other_from) == 1, ]
+  straight <- vapply(si$panels, function(panel) panel$upper == panel$lower, NA)
+  hung <- function(edge, name) ratio[edge, name] * edge_length(si$panels[[name]], edge)
+  for (name in names(si$panels)[!is.na(ratio["upper", ])]) {
+    if (!straight[[name]]) {
+      width[, name] <- c(hung("upper", name), hung("lower", name))
+      next
+    }
+    hanging <- name
+    last <- name
+    while (is.na(ratio["lower", last])) {
+      last <- below$other[match(last, below$panel)]
+      if (is.na(last) || !straight[[last]] || last %in% hanging) break
+      hanging <- c(hanging, last)
+    }
+    if (!is.na(last) && !is.na(ratio["lower", last])) width[, hanging] <- hung("upper", name)
+  }
+  width
+}
+
+# Stretched depth of a panel: that of an edge without taper.
+panel_depth <- function(panel) {
+  panel$lower <- panel$upper
+  edge_length(panel, "left")
+}
+
+# Hanging ratios of the panels' upper and lower edges (2 x panels), NA where no rope runs along the
+# whole edge.
+hanging_ratios <- function(si) {
+  found <- matrix(NA_real_, 2L, length(si$panels),
+    dimnames = list(c("upper", "lower"), names(si$panels)))
+  for (rope in si$ropes) {
+    for (edge in rope$along) {
+      whole <- edge$edge %in% rownames(found) && edge$to - edge$from == 1
+      if (whole) found[edge$edge, edge$panel] <- rope_hanging_ratio(rope, si$panels)
+    }
+  }
+  found
+}
+
+rope_hanging_ratio <- function(rope, panels) rope$length / chain_length(rope$along, panels)
+
+# Where seams join edges of two panels, seen from either: a data frame with panel, edge, from, to
+# and other, other_edge, other_from, other_to (fractions; those of reversed edges fall).
+flat_joints <- function(si) {
+  joints <- list(data.frame(panel = character(), edge = character(), from = numeric(),
+    to = numeric(), other = character(), other_edge = character(), other_from = numeric(),
+    other_to = numeric()))
+  for (seam in si$seams) {
+    if (!is.null(seam$gathered_at) || length(seam$edges) < 2L) next
+    first <- chain_spans(seam$edges[[1]], si$panels)
+    for (chain in seam$edges[-1L]) {
+      joints <- c(joints, list(span_pairs(first, chain_spans(chain, si$panels))))
+    }
+  }
+  joints <- do.call(rbind, joints)
+  turned <- joints[c(5:8, 1:4)]
+  names(turned) <- names(joints)
+  rbind(joints, turned)
+}
+
+# The edges of a chain with where on the chain each begins and ends (0..1).
+chain_spans <- function(chain, panels) {
+  long <- vapply(chain, function(edge) {
+    (edge$to - edge$from) * edge_length(panels[[edge$panel]], edge$edge)
+  }, 0)
+  if (sum(long) == 0) long[] <- 1
+  end <- cumsum(long) / sum(long)
+  pick <- function(field, type) vapply(chain, `[[`, type, field)
+  reversed <- pick("reversed", NA)
+  data.frame(
+    panel = pick("panel", ""), edge = pick("edge", ""), start = c(0, end[-length(end)]), end = end,
+    from = ifelse(reversed, pick("to", 0), pick("from", 0)),
+    to = ifelse(reversed, pick("from", 0), pick("to", 0))
+  )
+}
+
+span_pairs <- function(a, b) {
+  pairs <- expand.grid(a = seq_len(nrow(a)), b = seq_len(nrow(b)))
+  low <- pmax(a$start[pairs$a], b$start[pairs$b])
+  high <- pmin(a$end[pairs$a], b$end[pairs$b])
+  met <- high - low > 1e-6
+  pairs <- pairs[met, ]
+  at <- function(spans, k, s) {
+    spans <- spans[k, ]
+    spans$from + (s - spans$start) / (spans$end - spans$start) * (spans$to - spans$from)
+  }
+  data.frame(
+    panel = a$panel[pairs$a], edge = a$edge[pairs$a],
+    from = at(a, pairs$a, low[met]), to = at(a, pairs$a, high[met]),
+    other = b$panel[pairs$b], other_edge = b$edge[pairs$b],
+    other_from = at(b, pairs$b, low[met]), other_to = at(b, pairs$b, high[met])
+  )
+}
+
+# The place of a fraction of an edge of a flat panel (a row that has x and y): c(x, y).
+edge_point <- function(panel, edge, fraction) {
+  switch(edge,
+    upper = c(panel$x + fraction * panel$upper, panel$y),
+    lower = c(panel$x + panel$shift + fraction * panel$lower, panel$y + panel$depth),
+    left = c(panel$x + fraction * panel$shift, panel$y + fraction * panel$depth),
+    right = c(
+      panel$x + panel$upper + fraction * (panel$shift + panel$lower - panel$upper),
+      panel$y + fraction * panel$depth
+    )
+  )
+}
+
+# Whether two flat panels cover common netting, by the widths they span at five depths.
+panels_overlap <- function(a, b) {
+  top <- max(a$y, b$y)
+  bottom <- min(a$y + a$depth, b$y + b$depth)
+  room <- 1e-6 * max(a$depth, b$depth, a$upper, b$upper)
+  if (bottom - top <= room) return(FALSE)
+  any(vapply(top + (bottom - top) * c(0.1, 0.3, 0.5, 0.7, 0.9), function(y) {
+    span <- function(p) {
+      f <- (y - p$y) / p$depth
+      c(edge_point(p, "left", f)[1], edge_point(p, "right", f)[1])
+    }
+    sa <- span(a)
+    sb <- span(b)
+    min(sa[2], sb[2]) - max(sa[1], sb[1]) > room
+  }, NA))
+}
+
+# Lays panels out in columns: those that follow each other lower edge to upper edge, in one column;
+# columns that fit side by side (walls of straight panels) in one.
+#
+# Returns list(panels (flat_panels() with x, y and column), columns (data frame: heading, alike =
+# which they are, count, symmetric), laced (laced_edges()), joints (flat_joints())).
+flat_layout <- function(si) {
+  joints <- flat_joints(si)
+  panels <- flat_panels(si, joints)
+  panels$x <- panels$y <- 0
+  laced <- laced_edges(si, joints)
+  panels$column <- 0L
+  column <- 0L
+  while (any(panels$column == 0L)) {
+    column <- column + 1L
+    panels <- lay_column(panels, joints, column)
+  }
+  order_columns(panels, joints, si, laced)
+}
+
+# Places, from the first panel that has no column yet, all that hang together along upper and lower
+# edges.
+lay_column <- function(panels, joints, column) {
+  waiting <- which(panels$column == 0L)[1L]
+  panels$column[waiting] <- column
+  while (length(waiting)) {
+    here <- panels[waiting[1L], ]
+    waiting <- waiting[-1L]
+    across <- joints[joints$panel == here$name, , drop = FALSE]
+    for (k in seq_len(nrow(across))) {
+      joint <- across[k, ]
+      if (!setequal(c(joint$edge, joint$other_edge), c("upper", "lower"))) next
+      other <- match(joint$other, panels$name)
+      if (panels$column[other] != 0L) next
+      put <- panels[other, ]
+      away <- edge_point(here, joint$edge, (joint$from + joint$to) / 2) -
+        edge_point(put, joint$other_edge, (joint$other_from + joint$other_to) / 2)
+      put$x <- put$x + away[1]
+      put$y <- put$y + away[2]
+      mine <- which(panels$column == column)
+      if (any(vapply(mine, function(m) panels_overlap(panels[m, ], put), NA))) next
+      panels[other, c("x", "y")] <- put[c("x", "y")]
+      panels$column[other] <- column
+      waiting <- c(waiting, other)
+    }
+  }
+  panels
+}
+
+# Side by side: joints of a right with a left edge, whole and alike.
+side_joints <- function(panels, joints) {
+  joints <- joints[joints$edge == "right" & joints$other_edge == "left", , drop = FALSE]
+  column <- panels$column[match(joints$panel, panels$name)]
+  other <- panels$column[match(joints$other, panels$name)]
+  joints[column != other, , drop = FALSE]
+}
+
+# Columns in the order of their side seams, levelled along them, joined where they fit, and those
+# that are alike drawn once.
+order_columns <- function(panels, joints, si, laced) {
+  beside <- side_joints(panels, joints)
+  beside$column <- panels$column[match(beside$panel, panels$name)]
+  beside$other_column <- panels$column[match(beside$other, panels$name)]
+  order <- integer()
+  for (column in unique(panels$column)) {
+    while (!is.na(column) && !column %in% order) {
+      order <- c(order, column)
+      onward <- beside[beside$column == column & !beside$other_column %in% order, , drop = FALSE]
+      if (!nrow(onward)) break
+      joint <- onward[1L, ]
+      panels <- level_column(panels, joint)
+      column <- joint$other_column
+    }
+  }
+  panels$column <- match(panels$column, order)
+  beside$column <- match(beside$column, order)
+  beside$other_column <- match(beside$other_column, order)
+  panels <- rest_on_top(panels)
+  kind <- column_kinds(panels, si, laced)
+  closed <- any(beside$column == max(panels$column) & beside$other_column == 1L)
+  # A ring of equal columns is drawn as one of them, not unrolled.
+  if (!(closed && all(kind == kind[1L]))) {
+    panels <- join_columns(panels, beside)
+    kind <- column_kinds(panels, si, laced)
+  }
+  columns <- lapply(unique(kind), function(k) {
+    alike <- which(kind == k)
+    list(
+      column = alike[1L], count = length(alike),
+      words = column_words(lapply(alike, function(c) panels$name[panels$column == c]))
+    )
+  })
+  first <- vapply(columns, `[[`, 0L, "column")
+  panels <- panels[panels$column %in% first, ]
+  panels$column <- match(panels$column, first)
+  list(
+    panels = panels, laced = laced, joints = joints,
+    columns = data.frame(
+      heading = vapply(columns, function(c) c$words[["heading"]], ""),
+      alike = vapply(columns, function(c) c$words[["alike"]], ""),
+      count = vapply(columns, `[[`, 0L, "count"),
+      symmetric = vapply(seq_along(columns), function(c) {
+        is_symmetric(panels[panels$column == c, ], si, laced)
+      }, NA)
+    )
+  )
+}
+
+# Moves the other column up or down so that the joint is level.
+level_column <- function(panels, joint) {
+  here <- panels[match(joint$panel, panels$name), ]
+  other <- panels[match(joint$other, panels$name), ]
+  away <- edge_point(here, joint$edge, (joint$from + joint$to) / 2)[2] -
+    edge_point(other, joint$other_edge, (joint$other_from + joint$other_to) / 2)[2]
+  mine <- panels$column == joint$other_column
+  panels$y[mine] <- panels$y[mine] + away
+  panels
+}
+
+# Columns that no seam levels start with the others at the top; x starts at 0 in each.
+rest_on_top <- function(panels) {
+  panels$y <- panels$y - min(panels$y)
+  for (column in unique(panels$column)) {
+    mine <- panels$column == column
+    panels$x[mine] <- panels$x[mine] - min(panels$x[mine], (panels$x + panels$shift)[mine])
+  }
+  panels
+}
+
+# Joins columns whose side edges meet wherever a seam joins them.
+join_columns <- function(panels, beside) {
+  repeat {
+    column <- panels$column[match(beside$panel, panels$name)]
+    other <- panels$column[match(beside$other, panels$name)]
+    pairs <- unique(data.frame(column, other)[column != other, ])
+    joined <- FALSE
+    for (k in seq_len(nrow(pairs))) {
+      mine <- which(column == pairs$column[k] & other == pairs$other[k])
+      away <- fitting_shift(panels, beside[mine, ])
+      if (is.na(away)) next
+      moved <- panels[panels$column == pairs$other[k], ]
+      moved$x <- moved$x + away
+      still <- panels[panels$column == pairs$column[k], ]
+      if (any_overlap(still, moved)) next
+      panels[panels$column == pairs$other[k], c("x", "column")] <-
+        list(moved$x, pairs$column[k])
+      joined <- TRUE
+      break
+    }
+    if (!joined) break
+  }
+  panels$column <- match(panels$column, sort(unique(panels$column)))
+  rest_on_top(panels)
+}
+
+# How far to move the other column of these joints so that all of them meet, NA where they cannot.
+fitting_shift <- function(panels, joints) {
+  ends <- do.call(rbind, lapply(seq_len(nrow(joints)), function(k) {
+    joint <- joints[k, ]
+    here <- panels[match(joint$panel, panels$name), ]
+    other <- panels[match(joint$other, panels$name), ]
+    rbind(
+      edge_point(here, "right", joint$from) - edge_point(other, "left", joint$other_from),
+      edge_point(here, "right", joint$to) - edge_point(other, "left", joint$other_to)
+    )
+  }))
+  room <- 1e-6 * max(panels$depth, panels$upper)
+  if (max(abs(ends[, 2L])) > room || diff(range(ends[, 1L])) > room) NA else ends[1L, 1L]
+}
+
+any_overlap <- function(a, b) {
+  any(vapply(seq_len(nrow(a)), function(i) {
+    any(vapply(seq_len(nrow(b)), function(j) panels_overlap(a[i, ], b[j, ]), NA))
+  }, NA))
+}
+
+# What tells columns apart: their panels, where these lie, and the ropes along them; a column and
+# its mirror image are alike. One text per column.
+column_kinds <- function(panels, si, laced) {
+  vapply(sort(unique(panels$column)), function(column) {
+    mine <- panels[panels$column == column, ]
+    min(column_text(mine, si, laced), column_text(mirrored(mine), si, laced, mirror = TRUE))
+  }, "")
+}
+
+# A column turned over about its own upright middle.
+mirrored <- function(panels) {
+  right <- max(panels$x + panels$upper, panels$x + panels$shift + panels$lower)
+  panels$x <- right - (panels$x + panels$upper)
+  panels$shift <- panels$upper - panels$lower - panels$shift
+  panels
+}
+
+is_symmetric <- function(panels, si, laced) {
+  identical(column_text(panels, si, laced), column_text(mirrored(panels), si, laced, mirror = TRUE))
+}
+
+column_text <- function(panels, si, laced, mirror = FALSE) {
+  rows <- vapply(seq_len(nrow(panels)), function(k) {
+    flat <- panels[k, ]
+    panel <- si$panels[[flat$name]]
+    paste(
+      c(
+        format_places(c(flat$x, flat$y, flat$upper, flat$lower, flat$depth, flat$shift)),
+        panel$upper, panel$lower, panel$deep, panel_netting(panel),
+        ropes_along_panel(flat$name, laced, mirror)
+      ),
+      collapse = " "
+    )
+  }, "")
+  paste(sort(rows), collapse = "\n")
+}
+
+# Kinds and edges of the ropes along a panel.
+ropes_along_panel <- function(name, laced, mirror) {
+  mine <- laced[laced$panel == name, ]
+  if (mirror) {
+    level <- mine$edge %in% c("upper", "lower")
+    mine[level, c("from", "to")] <- 1 - mine[level, c("to", "from")]
+    side <- match(mine$edge, c("left", "right"))
+    mine$edge[!is.na(side)] <- c("right", "left")[side[!is.na(side)]]
+  }
+  sort(paste(mine$kind, mine$edge, format_places(mine$from), format_places(mine$to)))
+}
+
+# Numbers as text that does not tell rounding errors apart; adding 0 turns -0 into 0.
+format_places <- function(x) sprintf("%.4f", round(x, 4) + 0)
+
+# Which ropes run along which edges, on both sides of seams: a data frame with rope, kind, panel,
+# edge, from and to (from <= to).
+laced_edges <- function(si, joints) {
+  own <- do.call(rbind, lapply(names(si$ropes), function(rope) {
+    along <- si$ropes[[rope]]$along
+    if (is.null(along)) return(NULL)
+    pick <- function(field, type) vapply(along, `[[`, type, field)
+    data.frame(
+      rope = rope, kind = rope_kind(rope, si), panel = pick("panel", ""), edge = pick("edge", ""),
+      from = pick("from", 0), to = pick("to", 0)
+    )
+  }))
+  if (is.null(own)) {
+    return(data.frame(rope = character(), kind = character(), panel = character(),
+      edge = character(), from = numeric(), to = numeric()))
+  }
+  opposite <- lapply(seq_len(nrow(own)), function(k) {
+    row <- own[k, ]
+    met <- joints[joints$panel == row$panel & joints$edge == row$edge, , drop = FALSE]
+    if (!nrow(met)) return(NULL)
+    low <- pmax(pmin(met$from, met$to), row$from)
+    high <- pmin(pmax(met$from, met$to), row$to)
+    across <- function(f) {
+      met$other_from + (f - met$from) / (met$to - met$from) * (met$other_to - met$other_from)
+    }
+    data.frame(
+      rope = row$rope, kind = row$kind, panel = met$other, edge = met$other_edge,
+      from = pmin(across(low), across(high)), to = pmax(across(low), across(high))
+    )[high - low > 1e-6, ]
+  })
+  merge_ranges(rbind(own, do.call(rbind, opposite)))
+}
+
+# Ranges of one rope on one edge that follow each other as one.
+merge_ranges <- function(laced) {
+  laced <- laced[order(laced$panel, laced$edge, laced$rope, laced$from), ]
+  key <- paste(laced$panel, laced$edge, laced$rope)
+  n <- nrow(laced)
+  begins <- c(TRUE, key[-1L] != key[-n] | laced$from[-1L] > laced$to[-n] + 1e-6)
+  run <- cumsum(begins)
+  merged <- laced[begins, ]
+  merged$to <- as.vector(tapply(laced$to, run, max))
+  merged
+}
+
+# What alike columns are called, by the names of their panels: the words common to all as heading,
+# or what the panels of the first are called where these have none; and which they are, "starboard,
+# port" or "16 alike".
+column_words <- function(names) {
+  n <- length(names)
+  numbered <- if (n > 1L) paste(n, "alike") else ""
+  own <- lapply(names, function(n) grep("^[0-9]+$", shared_words(n), invert = TRUE, value = TRUE))
+  common <- Reduce(function(a, b) a[a %in% b], own)
+  if (!length(common)) {
+    said <- unique(vapply(names[[1L]], general_name, ""))
+    said <- if (length(said) > 3L) "netting" else paste(said, collapse = ", ")
+    return(c(heading = said, alike = numbered))
+  }
+  apart <- vapply(own, function(words) paste(setdiff(words, common), collapse = " "), "")
+  told <- n == 2L && all(nzchar(apart)) && apart[1L] != apart[2L]
+  c(
+    heading = paste(common, collapse = " "),
+    alike = if (told) paste(apart, collapse = ", ") else numbered
+  )
+}
+
+# Words that all names have.
+shared_words <- function(names) {
+  Reduce(function(a, b) a[a %in% b], strsplit(names, "_", fixed = TRUE))
+}

@@ -1,0 +1,148 @@
+# The lists of a plan drawing: ropes, netting and pieces as words, those alike together.
+
+# Names of materials as net makers write them: abbreviations where there are such.
+material_words <- function(material) {
+  short <- names(material_abbreviations)[match(material, material_abbreviations)]
+  ifelse(is.na(short), gsub("_", " ", material), short)
+}
+
+# A number without needless zeros.
+short_number <- function(x, digits = 4) {
+  vapply(x, function(one) format(signif(one, digits), trim = TRUE, drop0trailing = TRUE), "")
+}
+
+# Meshes, to tenths: a plan may divide a round net into parts of a mesh.
+mesh_number <- function(meshes) short_number(round(meshes, 1), 7)
+
+# "2 x 4 PE", the twine of a panel by its diameter in millimetres and its material.
+twine_words <- function(panel, unit = "") {
+  paste0(
+    if (panel$twine_count > 1) paste0(panel$twine_count, " x "),
+    short_number(1000 * panel$twine_diameter), unit,
+    if (!is.na(panel$material)) paste0(" ", material_words(panel$material))
+  )
+}
+
+orientation_words <- c(
+  diamond = "", square = "square", turned = "T90", hexagonal = "hexagonal",
+  hexagonal_turned = "hexagonal T90"
+)
+
+# What is special about a panel's meshes: "knotless", "square", "T90, knotless" or "".
+mesh_words <- function(panel) {
+  words <- c(orientation_words[[panel$orientation]], if (panel$knot_diameter == 0) "knotless")
+  paste(words[nzchar(words)], collapse = ", ")
+}
+
+# The netting of a panel as one text.
+panel_netting <- function(panel) {
+  paste(short_number(1000 * panel$mesh_size), twine_words(panel), mesh_words(panel))
+}
+
+# A name without the words that tell its side or number.
+general_name <- function(name) {
+  words <- strsplit(name, "_", fixed = TRUE)[[1L]]
+  kept <- words[!words %in% c("port", "starboard") & !grepl("^[0-9]+$", words)]
+  paste(if (length(kept)) kept else words, collapse = " ")
+}
+
+# What ropes have in common that are one item of the list: name and make.
+rope_kind <- function(name, si) {
+  rope <- si$ropes[[name]]
+  words <- if (is.na(rope$role)) general_name(name) else rope_words(name, rope$role)
+  make <- sprintf("%.6g", c(rope$length, rope$diameter, rope$axial_stiffness, rope$mass_per_length))
+  paste(c(words, make), collapse = "|")
+}
+
+# A role, with "upper" or "lower" where the name has it: hand ropes differ by it.
+rope_words <- function(name, role) {
+  level <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
+  paste(c(level[!level %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
+    collapse = " ")
+}
+
+# The ropes of a gear: a data frame with a row per item: item (number), name, count, length (m),
+# diameter (m), material (words), hanging (ratio, NA), strength (N, NA), laced (TRUE along netting),
+# kind (rope_kind()).
+rope_items <- function(si) {
+  kind <- vapply(names(si$ropes), rope_kind, "", si = si)
+  first <- which(!duplicated(kind))
+  # Ropes between points, from the held ones on, come before those along netting.
+  laced <- !vapply(si$ropes[first], function(rope) is.null(rope$along), NA)
+  first <- c(first[!laced], first[laced])
+  do.call(rbind, lapply(seq_along(first), function(k) {
+    name <- names(si$ropes)[first[k]]
+    rope <- si$ropes[[name]]
+    along <- !is.null(rope$along)
+    data.frame(
+      item = k, name = sub("[|].*", "", kind[[first[k]]]), count = sum(kind == kind[first[k]]),
+      length = rope$length, diameter = rope$diameter,
+      material = if (is.na(rope$material)) "" else material_words(rope$material),
+      hanging = if (along) rope_hanging_ratio(rope, si$panels) else NA_real_,
+      strength = rope$strength, laced = along, kind = kind[[first[k]]]
+    )
+  }))
+}
+
+rope_item_words <- function(item) {
+  c(
+    name = paste0(item$name, if (item$count > 1) paste0(", ", item$count, " off")),
+    length = paste(format(round(item$length, 2), nsmall = 2, trim = TRUE), "m"),
+    make = trimws(paste(short_number(1000 * item$diameter), "mm", item$material)),
+    hanging = if (is.na(item$hanging)) "" else sprintf("E = %.2f", item$hanging)
+  )
+}
+
+# Weights, floats, boards and other pieces: a data frame with a row per item: item (letter), name,
+# count, words (what each is), parts (names, in one text), role.
+piece_items <- function(si) {
+  each <- c(
+    lapply(names(si$pieces), function(name) {
+      piece <- si$pieces[[name]]
+      list(part = name, role = piece$role, count = piece$number, words = piece_words(piece, si))
+    }),
+    lapply(names(si$otter_boards), function(name) {
+      list(part = name, role = "otter_board", count = 1,
+        words = board_words(si$otter_boards[[name]]))
+    })
+  )
+  if (!length(each)) return(NULL)
+  pick <- function(field, type) vapply(each, `[[`, type, field)
+  role <- pick("role", "")
+  part <- pick("part", "")
+  name <- ifelse(is.na(role), vapply(part, general_name, ""), gsub("_", " ", role))
+  kind <- paste(name, pick("words", ""), sep = "|")
+  first <- which(!duplicated(kind))
+  data.frame(
+    item = item_letters(length(first)), name = name[first], words = pick("words", "")[first],
+    count = vapply(first, function(k) sum(as.double(pick("count", 0))[kind == kind[k]]), 0),
+    role = ifelse(role[first] %in% view_symbols$role, role[first], "other"),
+    parts = I(lapply(first, function(k) part[kind == kind[k]]))
+  )
+}
+
+item_letters <- function(n) {
+  k <- seq_len(n) - 1L
+  paste0(LETTERS[k %% 26L + 1L], ifelse(k < 26L, "", k %/% 26L + 1L))
+}
+
+# What one piece is: its weight or buoyancy in water, and what the water acts on.
+piece_words <- function(piece, si) {
+  float <- gear_gravity * (si$water$density * piece$volume - piece$mass)
+  kilograms <- function(force) paste(short_number(abs(force) / 9.80665, 3), "kgf")
+  said <- c(
+    if (piece$mass > 0) paste(short_number(piece$mass), "kg"),
+    if (float > 0.5) paste("buoyancy", kilograms(float)),
+    if (float < -0.5) paste("in water", kilograms(float)),
+    if (piece$lift_area > 0) paste("area", short_number(piece$area), "m2, lift area",
+      short_number(piece$lift_area), "m2"),
+    if (piece$lift_area == 0 && piece$mass == 0 && float == 0 && piece$drag_area > 0) {
+      paste("drag area", short_number(piece$drag_area), "m2")
+    }
+  )
+  paste(said, collapse = ", ")
+}
+
+board_words <- function(board) {
+  paste0(short_number(board$area), " m2, ", short_number(board$mass), " kg")
+}

@@ -1,0 +1,64 @@
+# An HTML page as one file that asks nothing of the network: scripts and styles of widgets are
+# written into it.
+
+# body: tags, with widgets; style, script: of the page's own (text).
+write_single_page <- function(file, title, body, style = NULL, script = NULL) {
+  rendered <- htmltools::renderTags(body)
+  parts <- htmltools::resolveDependencies(rendered$dependencies)
+  html <- c(
+    "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>",
+    # Browsers ask a server for an icon unless the page has one.
+    "<link rel=\"icon\" href=\"data:,\"/>",
+    paste0("<title>", escape_html(title), "</title>"),
+    vapply(parts, inline_dependency, ""), inline_style(style), inline_script(script),
+    as.character(rendered$head), "</head>", "<body>", as.character(rendered$html), "</body>",
+    "</html>", ""
+  )
+  html <- enc2utf8(paste(html, collapse = "\n"))
+  connection <- base::file(file, "wb")
+  on.exit(close(connection))
+  writeBin(charToRaw(html), connection)
+}
+
+# The scripts and styles of a part of a widget, written out.
+inline_dependency <- function(part) {
+  read <- function(files) {
+    vapply(files, function(name) {
+      path <- file.path(part$src$file, name)
+      text <- readChar(path, file.size(path), useBytes = TRUE)
+      Encoding(text) <- "UTF-8"
+      text
+    }, "", USE.NAMES = FALSE)
+  }
+  names_of <- function(field) as.character(unlist(part[[field]]))
+  head <- gsub("<!--/?html_preserve-->", "", paste(part$head, collapse = "\n"))
+  paste(c(
+    vapply(read(names_of("stylesheet")), inline_style, ""),
+    vapply(read(names_of("script")), inline_script, ""), head
+  ), collapse = "\n")
+}
+
+inline_style <- function(text) {
+  if (is.null(text)) return("")
+  paste0("<style>\n", paste(text, collapse = "\n"), "\n</style>")
+}
+
+# A script must not hold the mark that ends it.
+inline_script <- function(text) {
+  if (is.null(text)) return("")
+  text <- gsub("</script", "<\\/script", paste(text, collapse = "\n"), fixed = TRUE)
+  paste0("<script>\n", text, "\n</script>")
+}
+
+# One of the package's own files for pages, as text.
+view_file <- function(name) {
+  lines <- readLines(system.file("view", name, package = "codend"), encoding = "UTF-8")
+  paste(lines, collapse = "\n")
+}
+
+# A file as the address of its own contents.
+data_address <- function(file, type) {
+  paste0("data:", type, ";base64,",
+    gsub("[\r\n]", "", jsonlite::base64_enc(readBin(file, "raw", file.size(file)))))
+}

@@ -1,0 +1,104 @@
+#' Plot measures of many variations
+#'
+#' Small figures beside one another: every measure against the field that changes first. Where other
+#' fields change too there is a line for each of their combinations, told apart by colour, symbol
+#' and the key above. A cross at the foot of a figure stands where a gear did not settle. Depths
+#' grow downwards.
+#'
+#' @param x Variations, from [vary()].
+#' @param measures Names of measures, as [measures()] has them; all when `NULL`.
+#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
+#'   or `.svg`. It is written whole or not at all.
+#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
+#' @param ... Not used.
+#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @export
+#' @examples
+#' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"),
+#'   ropes.cable.length = c("400 m", "700 m"))
+#' plot(found, measures = c("total_drag_kN", "greatest_depth_m"))
+plot.codend_variations <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
+                                   ...) {
+  study <- variations_study(x, measures)
+  figures <- lapply(study$measures, function(name) variations_figure(x, study, name))
+  key <- list(
+    title = study$groups_title, labels = study$group_labels,
+    missing = if (!all(x$settled)) "did not settle"
+  )
+  plot_series(figures, variations_title(x), key, file, width, height)
+  invisible(x)
+}
+
+variations_title <- function(x) {
+  name <- attr(x, "gear_name")
+  if (is.null(name)) "Variations" else paste("Variations of", name)
+}
+
+# What is drawn of variations: list(field (column of the axis), ticks (labels, where its values are
+# texts), at = its places, measures, group of every row, group_labels, groups_title).
+variations_study <- function(x, wanted) {
+  columns <- names(x)
+  fields <- columns[seq_len(match("settled", columns) - 1L)]
+  known <- columns[-seq_len(match("warning", columns))]
+  if (!is.null(wanted) && !(is.character(wanted) && length(wanted) && all(wanted %in% known))) {
+    abort_view("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.",
+      list(wanted = wanted, known = known))
+  }
+  field <- fields[1L]
+  text <- !is.numeric(x[[field]])
+  ticks <- if (text) unique(x[[field]])
+  # Fields that follow the first, value by value, make no lines of their own.
+  apart <- Filter(function(other) {
+    pairs <- unique(x[c(field, other)])
+    nrow(pairs) > length(unique(x[[field]]))
+  }, fields[-1L])
+  shown <- lapply(apart, function(other) as_shown(x[[other]]))
+  label <- if (length(apart)) do.call(paste, c(shown, sep = ", ")) else rep("", nrow(x))
+  labels <- unique(label)
+  list(
+    field = field, ticks = ticks, at = if (text) match(x[[field]], ticks) else x[[field]],
+    measures = if (is.null(wanted)) known else wanted,
+    group = match(label, labels), group_labels = labels,
+    groups_title = if (length(apart)) {
+      paste(vapply(apart, function(other) do.call(words_and_unit, field_words(other)), ""),
+        collapse = ", ")
+    } else {
+      ""
+    }
+  )
+}
+
+as_shown <- function(values) {
+  if (!is.numeric(values)) return(as.character(values))
+  vapply(values, function(v) format(signif(v, 6)), "")
+}
+
+# Splits a column such as "towing.speed_knot" into words ("towing speed") and unit ("knot").
+field_words <- function(column) {
+  units <- unlist(lapply(plan_units, names), use.names = FALSE)
+  suffix <- gsub(" ", "_", sub("/", " per ", units, fixed = TRUE))
+  fits <- which(endsWith(column, paste0("_", suffix)))
+  fits <- fits[order(-nchar(suffix[fits]))][1L]
+  if (is.na(fits)) return(list(words = gsub("[._]", " ", column), unit = ""))
+  bare <- substring(column, 1L, nchar(column) - nchar(suffix[fits]) - 1L)
+  list(words = gsub("[._]", " ", bare), unit = units[fits])
+}
+
+variations_figure <- function(x, study, name) {
+  said <- measure_words(name)
+  rows <- split(seq_len(nrow(x)), study$group)
+  lines <- lapply(rows, function(row) {
+    row <- row[order(study$at[row])]
+    row <- row[!is.na(x[[name]][row])]
+    list(
+      x = study$at[row], y = x[[name]][row], group = study$group[row][1L], dashed = FALSE,
+      symbols = TRUE
+    )
+  })
+  list(
+    words = said$words, unit = said$unit,
+    across = do.call(words_and_unit, field_words(study$field)),
+    lines = Filter(function(line) length(line$x), lines),
+    missing = unique(study$at[!x$settled]), ticks = study$ticks
+  )
+}

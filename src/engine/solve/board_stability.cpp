@@ -1,0 +1,91 @@
+#include "board_stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codend {
+namespace {
+
+// Pseudo time steps (s): they tell apart motions that grow at 20 /s to 0.002 /s.
+constexpr double steps[] = {0.1, 1.0, 10.0};
+constexpr int least_iterations = 10, most_iterations = 100;
+// An eigenvector is found when one more iteration leaves it in its direction but for this.
+constexpr double tolerance = 0.005;
+// Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
+constexpr double clear_growth = 1.02;
+// Slack netting that drifts carries boards with it by less than this share of its own way.
+constexpr double least_board_share = 0.1;
+constexpr double solve_tolerance = 1e-6;
+
+}  // namespace
+
+GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu) {
+  const Model& model = assembly.model();
+  const std::vector<int>& free = assembly.free_nodes();
+  const std::size_t n = free.size();
+  std::vector<int> place(static_cast<std::size_t>(model.nodes), -1);
+  for (std::size_t i = 0; i < n; ++i) place[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
+  // A first motion that turns every board about all its axes.
+  std::vector<double> first(3 * n, 0.0);
+  std::vector<int> of_boards;
+  for (std::size_t k = 0; k < model.boards.node.size(); ++k) {
+    const int node = model.boards.node[k];
+    if (node >= model.nodes || place[static_cast<std::size_t>(node)] < 0) continue;
+    const int i = place[static_cast<std::size_t>(node)];
+    of_boards.push_back(i);
+    const double turn = static_cast<double>(k % 3);
+    at(first.data(), i) = Vector(std::cos(1.0 + turn), std::sin(2.0 + 2.0 * turn),
+                                 std::cos(3.0 - turn) + 0.1 * static_cast<double>(k / 3));
+  }
+  GrowingMotion out;
+  if (of_boards.empty()) return out;
+
+  std::vector<double> stiffness(9 * assembly.pattern().column.size()), values, damping(n),
+      right(3 * n), y, next(3 * n);
+  assembly.jacobian({1.0, 0.0}, stiffness.data());
+  assembly.pseudo_damping(damping.data());
+  for (const double h : steps) {
+    std::vector<double> per_step(damping);
+    for (double& d : per_step) d /= h;
+    values = stiffness;
+    assembly.add_diagonal(per_step.data(), values.data());
+    if (!lu.factorise(values.data())) continue;
+    y = first;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      double size = 0.0, along = 0.0, grown = 0.0;
+      for (std::size_t k = 0; k < 3 * n; ++k) size += y[k] * y[k];
+      if (!(size > 0.0)) break;
+      for (double& value : y) value /= std::sqrt(size);
+      for (std::size_t k = 0; k < 3 * n; ++k) right[k] = per_step[k / 3] * y[k];
+      lu.solve_refined(assembly.pattern(), values.data(), right.data(), solve_tolerance,
+                       next.data());
+      for (std::size_t k = 0; k < 3 * n; ++k) {
+        along += y[k] * next[k];
+        grown += next[k] * next[k];
+      }
+      const double off = std::sqrt(std::max(0.0, grown - along * along) / grown);
+      y = next;
+      if (iteration < least_iterations || off > tolerance) continue;
+      if (std::abs(along) > clear_growth) {
+        double most = 0.0, most_of_boards = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+          most = std::max(most, at(y.data(), static_cast<int>(i)).norm());
+        }
+        for (const int i : of_boards) {
+          most_of_boards = std::max(most_of_boards, at(y.data(), i).norm());
+        }
+        const double rate = (1.0 - 1.0 / along) / h;
+        if (most_of_boards > least_board_share * most && rate > out.rate) {
+          out.found = true;
+          out.rate = rate;
+          out.motion = y;
+          for (double& value : out.motion) value /= most_of_boards;
+        }
+      }
+      break;
+    }
+  }
+  return out;
+}
+
+}  // namespace codend

@@ -1,0 +1,29 @@
+// Whether an equilibrium with free otter boards or kites lasts: a board that a small push carries
+// further away stands in a balance that nobody will ever see.
+//
+// Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
+// forces (-dF/dx) and D the drag-like damping of pseudo time (Assembly::pseudo_damping). A motion
+// that grows at a rate r is an eigenvector with eigenvalue 1/(1 - h r) of (K + D/h)^-1 D/h, larger than
+// 1 in size while h r < 2; a motion that dies has one within 1. Power iteration at a few h finds the
+// largest. Where D is not the real damping the rate is not the real one either, but a motion that
+// neither grows nor dies does so with any: what is told is static stability, not flutter.
+#pragma once
+
+#include <vector>
+
+#include "../assembly.hpp"
+#include "block_lu.hpp"
+
+namespace codend {
+
+struct GrowingMotion {
+  bool found = false;
+  double rate = 0.0;           // 1/s of pseudo time
+  std::vector<double> motion;  // 3 per free node; its largest at a point of a board is 1 long
+};
+
+// The motion of boards that grows fastest, at the place that the assembly was last moved to. Changes
+// the factors of `lu`, which must have been analysed for the assembly's pattern.
+GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu);
+
+}  // namespace codend

@@ -1,0 +1,278 @@
+// The flume tank as its users meet it. Run by `make browser-test`.
+'use strict';
+const { test, before, after } = require('node:test');
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
+const { serve, launch, open, control, measure } = require('./tank');
+
+let tank, browser, folder;
+before(async () => {
+  folder = fs.mkdtempSync(path.join(os.tmpdir(), 'flume-'));
+  [tank, browser] = await Promise.all([serve(), launch()]);
+});
+after(async () => {
+  await browser?.close();
+  tank?.stop();
+  fs.rmSync(folder, { recursive: true, force: true });
+});
+
+const patience = { timeout: 30000 };
+const file = (name, content) => {
+  const where = path.join(folder, name);
+  fs.writeFileSync(where, content);
+  return where;
+};
+const number = (text) => Number(text.replace(/[^0-9.\u2212-]/g, '').replace('\u2212', '-'));
+const clean = (page) => {
+  assert.deepEqual(page.problems, []);
+  assert.deepEqual(page.strange, []);
+};
+// The picture's colours: how many pixels are not background.
+const painted = (page, id) => page.evaluate((id) => {
+  const canvas = document.getElementById(id);
+  const copy = new OffscreenCanvas(canvas.width, canvas.height)
+    .getContext('2d', { willReadFrequently: true });
+  copy.drawImage(canvas, 0, 0);
+  const data = copy.getImageData(0, 0, canvas.width, canvas.height).data;
+  let count = 0;
+  for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count++;
+  return count / (data.length / 4);
+}, id);
+const tab = (page, name) => page.getByRole('link', { name, exact: true }).click();
+const plane = (page) => page.evaluate(() => window.codendTank.point(0));
+const changed = (page, name, from) => page.waitForFunction(([name, from]) => {
+  const row = [...document.querySelectorAll('.measures tbody tr')]
+    .find((r) => r.cells[0].textContent.startsWith(name + ' ('));
+  return row && row.cells[1].textContent !== from;
+}, [name, from], patience);
+
+test('opens with the settled trawl, drawn, and asks nothing of the network', async () => {
+  const page = await open(browser, tank.url);
+  assert.match(await page.textContent('h1'), /Midwater trawl/);
+  const spread = number((await measure(page, 'door spread'))[0]);
+  assert.ok(spread > 140 && spread < 165, `door spread ${spread}`);
+  await page.waitForFunction(() => !window.codendTank.waits());
+  await page.waitForTimeout(300);
+  assert.ok(await painted(page, 'tank') > 0.02);
+  for (const plane of ['plane_xy', 'plane_xz', 'plane_yz']) {
+    assert.ok(await painted(page, plane) > 0.5, plane);
+  }
+  clean(page);
+  await page.close();
+});
+
+test('a slider moves the net, by mouse and by keyboard, and the change is told', async () => {
+  const page = await open(browser, tank.url);
+  const height = (await measure(page, 'net mouth height'))[0];
+  const slider = control(page, 'towing.speed').locator('[type=range]');
+  await slider.focus();
+  await page.keyboard.press('End');
+  await changed(page, 'net mouth height', height);
+  const [now, pinned, change] = (await measure(page, 'net mouth height')).map(number);
+  // a row's decimals follow its new value
+  assert.ok(Math.abs(pinned - number(height)) < 0.06);
+  // towed faster, a net closes
+  assert.ok(now < pinned - 5);
+  assert.ok(Math.abs(change - (now - pinned)) < 0.11);
+  await page.waitForFunction(() => /^Settled\. door spread/.test(
+    document.getElementById('said').textContent), null, patience);
+  // and back to where it was
+  await page.click('#reset');
+  await changed(page, 'net mouth height', (await measure(page, 'net mouth height'))[0]);
+  assert.equal((await measure(page, 'net mouth height'))[0], height);
+  assert.equal(await control(page, 'towing.speed').locator('[type=number]').inputValue(), '4.5');
+  clean(page);
+  await page.close();
+});
+
+test('another unit says the same, and a wrong value is told at its field', async () => {
+  const page = await open(browser, tank.url);
+  const warp = control(page, 'warps.length');
+  await warp.locator('.unit').focus();
+  await warp.locator('.unit').selectOption('fathom');
+  assert.ok(Math.abs(Number(await warp.locator('[type=number]').inputValue()) - 382.765) < 1e-3);
+  const depth = (await measure(page, 'door depth'))[0];
+  await warp.locator('[type=number]').fill('450');
+  await changed(page, 'door depth', depth);
+  assert.ok(number((await measure(page, 'door depth'))[0]) > number(depth));
+  const before = await plane(page);
+  await warp.locator('[type=number]').fill('-5');
+  const error = warp.locator('.field-error');
+  await error.waitFor({ state: 'visible', ...patience });
+  assert.match(await error.textContent(), /warps\.length.*is -5 fathom; it must be/);
+  assert.equal(await warp.locator('[type=number]').getAttribute('aria-invalid'), 'true');
+  assert.deepEqual(await plane(page), before);
+  await warp.locator('[type=number]').fill('450');
+  await error.waitFor({ state: 'hidden', ...patience });
+  clean(page);
+  await page.close();
+});
+
+test('a wrong file, garbage and a file of 50 MB are refused and the gear stays', async () => {
+  const page = await open(browser, tank.url);
+  const error = page.locator('#plan_file_error');
+  const refuses = async (name, content, words) => {
+    await page.setInputFiles('#plan_file', file(name, content));
+    await page.waitForFunction((source) => new RegExp(source).test(
+      document.getElementById('plan_file_error').textContent), words.source, patience);
+    assert.ok(await error.isVisible());
+    assert.match(await page.textContent('h1'), /Midwater trawl/);
+  };
+  await refuses('wrong.yaml', 'codend: 1\nname: Wrong\ntowing: {sped: 4 knot}\n',
+    /towing\.sped.*did you mean `speed`/);
+  await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not text/);
+  await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /holds no code/);
+  await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
+  // nor does the server take what the page would not send
+  const answer = await page.evaluate(() => new Promise((resolve) => {
+    window.Shiny.shinyapp.makeRequest('uploadInit', [[{ name: 'a', size: 5e7, type: '' }]],
+      () => resolve('taken'), resolve);
+  }));
+  assert.match(answer, /size exceeded/);
+  clean(page);
+  await page.close();
+});
+
+test('a dropped plan takes the place of the gear, with its own controls', async () => {
+  const page = await open(browser, tank.url);
+  const gears = path.join(__dirname, '..', '..', 'inst', 'gears');
+  const plan = fs.readFileSync(path.join(gears, 'towed_cable.yaml'), 'utf8')
+    .replace(/^name: .*$/m, 'name: "Towed cable <img src=x onerror=\'window.ran = 1\'>"');
+  const data = await page.evaluateHandle((text) => {
+    const data = new DataTransfer();
+    data.items.add(new File([text], 'cable.yaml'));
+    return data;
+  }, plan);
+  await page.dispatchEvent('main', 'drop', { dataTransfer: data });
+  await page.waitForFunction(() => /Towed cable/.test(document.querySelector('h1').textContent),
+    null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('[data-control]').length === 1, null,
+    patience);
+  assert.equal(await page.evaluate(() => window.ran), undefined);
+  // any field of the plan can have a control
+  await page.click('summary');
+  await page.fill('#mark_path', 'ropes.cable.length');
+  await page.click('#mark');
+  const length = control(page, 'ropes.cable.length').locator('[type=number]');
+  await length.waitFor(patience);
+  const depth = (await measure(page, 'body depth'))[0];
+  await length.fill('800');
+  await changed(page, 'body depth', depth);
+  assert.ok(number((await measure(page, 'body depth'))[0]) < number(depth));
+  // the code on screen holds the plan, which is no file of this machine
+  await tab(page, 'R code');
+  await page.waitForFunction(() => /Towed cable/.test(document.getElementById('code').textContent),
+    null, patience);
+  clean(page);
+  await page.close();
+});
+
+test('a plan typed on the page is settled, a wrong line is found', async () => {
+  const page = await open(browser, tank.url);
+  await tab(page, 'Plan');
+  await page.waitForFunction(() => document.getElementById('plan_text').value.length > 100, null,
+    patience);
+  const text = await page.inputValue('#plan_text');
+  await page.fill('#plan_text', text.replace('mass: 3300 kg', 'mass: 3300 knot'));
+  await page.click('#plan_text_settle');
+  await page.waitForFunction(() => /hammers\.mass/.test(
+    document.getElementById('plan_text_error').textContent), null, patience);
+  const marked = await page.evaluate(() => {
+    const area = document.getElementById('plan_text');
+    return area.value.slice(area.selectionStart, area.selectionEnd);
+  });
+  assert.match(marked, /mass: 3300 knot/);
+  await page.fill('#plan_text', text.replace('mass: 3300 kg', 'mass: 4000 kg'));
+  await page.click('#plan_text_settle');
+  await page.waitForFunction(() => document.querySelector(
+    '.control[data-paths="hammers.mass"] [type=number]').value === '4000', null, patience);
+  clean(page);
+  await page.close();
+});
+
+test('what is on screen can be saved', async () => {
+  const page = await open(browser, tank.url);
+  const drag = (await measure(page, 'total drag'))[0];
+  await control(page, 'towing.speed').locator('[type=number]').fill('5');
+  await changed(page, 'total drag', drag);
+  await tab(page, 'Save');
+  const save = async (id) => {
+    await page.waitForSelector(`#${id}[href*="download"]`, { state: 'visible' });
+    const [download] = await Promise.all([
+      page.waitForEvent('download', { timeout: 120000 }), page.click(`#${id}`)
+    ]);
+    return [download.suggestedFilename(), fs.readFileSync(await download.path(), 'utf8')];
+  };
+  const [, report] = await save('save_report');
+  assert.match(report, /^<!DOCTYPE html>[^]*Midwater trawl[^]*<\/html>\s*$/i);
+  const [name, plan] = await save('save_plan');
+  assert.equal(name, 'midwater-trawl-1536-m-around-the-mouth.yaml');
+  assert.match(plan, /^codend: 1\n[^]*speed: 5 knot/);
+  const [, measures] = await save('save_measures');
+  assert.match(measures, /^"measure","unit","now","pinned","change","change_percent"\n"door s/);
+  assert.match((await save('save_tensions'))[1], /^"part","kind","role","element"/);
+  assert.match((await save('save_drag'))[1], /^"part","kind","role","drag_kN"/);
+  await tab(page, 'R code');
+  assert.match((await save('save_code'))[1],
+    /gear <- update\(read_gear\("midwater_trawl"\),\n {2}towing\.speed = "5 knot"\n\)/);
+  clean(page);
+  await page.close();
+});
+
+test('the pinned design is drawn over the other and beside it', async () => {
+  const page = await open(browser, tank.url);
+  const spread = (await measure(page, 'door spread'))[0];
+  await control(page, 'otter_boards.area').locator('[type=number]').fill('16');
+  await changed(page, 'door spread', spread);
+  const alone = await painted(page, 'tank');
+  await page.click('button:has-text("Over")');
+  await page.waitForTimeout(300);
+  assert.ok(await painted(page, 'tank') > alone);
+  await page.click('button:has-text("Side by side")');
+  assert.equal(await page.getAttribute('button:has-text("Side by side")', 'aria-pressed'), 'true');
+  await tab(page, 'Changes');
+  await page.waitForFunction(() => /otter_boards\.area/.test(
+    document.getElementById('differences').textContent), null, patience);
+  await page.click('#pin');
+  await page.waitForFunction(() => /is the pinned one/.test(
+    document.getElementById('differences').textContent), null, patience);
+  clean(page);
+  await page.close();
+});
+
+test('at phone width nothing is wider than the screen, and every field has a name', async () => {
+  const page = await open(browser, tank.url, { width: 390, height: 844 });
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  assert.ok(wide <= 0, `${wide} pixels too wide`);
+  const nameless = await page.evaluate(() => [...document.querySelectorAll(
+    'input:not([type=hidden]), select, textarea, button, a[href], canvas')].filter((e) =>
+    !(e.labels && e.labels.length) && !e.getAttribute('aria-label') && !e.textContent.trim() &&
+    e.offsetParent).map((e) => e.outerHTML.slice(0, 120)));
+  assert.deepEqual(nameless, []);
+  // the picture stays in sight beside the controls
+  await control(page, 'canvas.area').locator('[type=range]').scrollIntoViewIfNeeded();
+  assert.ok((await page.locator('#tank').boundingBox()).y > -1);
+  clean(page);
+  await page.close();
+});
+
+test('two browsers have a gear each, and one that leaves in mid-solve harms nobody', async () => {
+  const [one, other] = await Promise.all([open(browser, tank.url), open(browser, tank.url)]);
+  const drag = (await measure(one, 'total drag'))[0];
+  const leaver = await open(browser, tank.url);
+  await control(leaver, 'towing.speed').locator('[type=number]').fill('6');
+  await leaver.close();
+  await control(one, 'towing.speed').locator('[type=number]').fill('4');
+  await changed(one, 'total drag', drag);
+  assert.equal((await measure(other, 'total drag'))[0], drag);
+  await control(other, 'towing.speed').locator('[type=number]').fill('5');
+  await changed(other, 'total drag', drag);
+  assert.ok(number((await measure(one, 'total drag'))[0]) < number(drag));
+  assert.ok(number((await measure(other, 'total drag'))[0]) > number(drag));
+  clean(one);
+  clean(other);
+  await Promise.all([one.close(), other.close()]);
+  assert.doesNotMatch(tank.log, /[Ee]rror/);
+});

@@ -1,0 +1,83 @@
+// Motions of boards that grow, against the eigenvalues of the whole dense matrix.
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "random_model.hpp"
+#include "solve/board_stability.hpp"
+
+using namespace codend;
+
+TEST_CASE("a growing motion of boards is an eigenvector, and none is missed that stands out") {
+  Random random(20260501);
+  int found = 0, expected = 0;
+  for (int repeat = 0; repeat < 60; ++repeat) {
+    Ingredients wanted;
+    wanted.bars = 25;
+    wanted.boards = 2;
+    wanted.struts = true;
+    wanted.axial_stiffness = 200.0;
+    Specimen s(random, wanted);
+    s.model.boards.ground.present = false;
+    s.model.connect();
+    Assembly assembly(s.model);
+    assembly.move_to(s.x.data(), s.v.data());
+    const BlockPattern& pattern = assembly.pattern();
+    const std::size_t n = static_cast<std::size_t>(pattern.n);
+    std::vector<double> values(9 * pattern.column.size()), damping(n), places;
+    assembly.jacobian({1.0, 0.0}, values.data());
+    assembly.pseudo_damping(damping.data());
+    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(3 * pattern.n, 3 * pattern.n);
+    for (int row = 0; row < pattern.n; ++row) {
+      for (int64_t b = pattern.row_start[row]; b < pattern.row_start[row + 1]; ++b) {
+        k.block<3, 3>(3 * row, 3 * pattern.column[static_cast<std::size_t>(b)]) =
+            Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(b)]);
+      }
+    }
+    Eigen::MatrixXd rates = -k;
+    for (int row = 0; row < 3 * pattern.n; ++row) {
+      rates.row(row) /= damping[static_cast<std::size_t>(row / 3)];
+    }
+    const Eigen::VectorXcd all = rates.eigenvalues();
+    // The real rate that grows fastest, and whether no other comes near it.
+    double fastest = -1e300, next = -1e300;
+    bool real = false;
+    for (int i = 0; i < all.size(); ++i) {
+      if (all[i].real() > fastest) {
+        next = fastest;
+        fastest = all[i].real();
+        real = std::abs(all[i].imag()) < 1e-9;
+      } else {
+        next = std::max(next, all[i].real());
+      }
+    }
+    for (const int node : assembly.free_nodes()) {
+      for (int c = 0; c < 3; ++c) places.push_back(s.x[3 * static_cast<std::size_t>(node) + c]);
+    }
+    BlockLU lu(Precision::single_precision);
+    lu.analyse(pattern, places.data());
+    const GrowingMotion growing = growing_board_motion(assembly, lu);
+    if (growing.found) {
+      ++found;
+      const Eigen::Map<const Eigen::VectorXd> motion(growing.motion.data(), 3 * pattern.n);
+      // Its direction is known to 0.005, its rate to that times how nearly eigenvectors coincide.
+      CHECK((rates * motion - growing.rate * motion).norm() <
+            0.1 * (1.0 + growing.rate) * motion.norm());
+      double nearest = 1e300;
+      for (int i = 0; i < all.size(); ++i) {
+        nearest = std::min(nearest, std::abs(all[i] - growing.rate));
+      }
+      CHECK(nearest < 0.05 * growing.rate);
+    } else {
+      // Rates that the steps of 0.1 to 10 s tell from the next ones.
+      const bool clear = real && fastest > 0.02 && fastest < 5.0 && next < 0.5 * fastest;
+      CHECK_FALSE(clear);
+    }
+    expected += fastest > 0.02;
+    if (fastest <= 0.0) CHECK_FALSE(growing.found);
+  }
+  CHECK(found > 0);
+  CHECK(found < 60);
+  CHECK(expected >= found);
+}

@@ -1,0 +1,177 @@
+// A rope that slides through points: derivatives, energy, and closed forms.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "march/march.hpp"
+#include "march/newton_step.hpp"
+#include "random_model.hpp"
+#include "solve/settle.hpp"
+
+namespace {
+
+using namespace codend;
+
+Ingredients ropes(int count) {
+  Ingredients wanted;
+  wanted.sliding = count;
+  wanted.axial_stiffness = 1e4;
+  wanted.density = 0.0;
+  return wanted;
+}
+
+// A weight that slides on a weightless rope of length `rest` between two held points `span` apart,
+// the second `drop` lower.
+struct Ellipse {
+  double span = 8.0, drop = 0.0, rest = 10.0, weight = 100.0;
+  Model model;
+  std::vector<double> x, v = std::vector<double>(9, 0.0);
+
+  Ellipse(double drop_by, double stiffness, double bend) : drop(drop_by) {
+    model.nodes = 3;
+    model.held = {1, 0, 1};
+    model.water.density = 0.0;
+    model.load = {0, 0, 0, 0, 0, -weight, 0, 0, 0};
+    model.mass = {0, weight / 9.81, 0};
+    TwineMaterial material;
+    material.diameter = 0.01;
+    model.materials = {material};
+    model.bars.node = {0, 1, 1, 2};
+    model.bars.rest = {0.5 * rest, 0.5 * rest};
+    model.bars.multiplicity = {1.0, 1.0};
+    model.bars.material = {0, 0};
+    SlidingRope rope;
+    rope.bar = {0, 1};
+    rope.axial_stiffness = stiffness;
+    rope.bend = bend;
+    model.sliding = {rope};
+    model.connect();
+    x = {0, 0, 0, 2.0, 0.5, -1.0, span, 0, -drop};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("forces of a sliding rope are the gradient of its energy and leave momentum alone") {
+  Random random(20260421);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    Specimen s(random, ropes(6));
+    Assembly assembly(s.model);
+    std::vector<double> force(s.x.size());
+    auto energy = [&] {
+      assembly.move_to(s.x.data(), s.v.data());
+      double total = 0.0;
+      for (const SlidingRope& rope : s.model.sliding) total += rope.energy(assembly.field());
+      return total;
+    };
+    energy();
+    assembly.residual(force.data());
+    double largest = 0.0;
+    for (const double f : force) largest = std::max(largest, std::abs(f));
+    REQUIRE(largest > 0.0);
+    // As in test_tension_energy.cpp: rounding of E at h = 1e-3 m and truncation over 0.3 m.
+    const double h = 1e-3;
+    for (std::size_t k = 0; k < s.x.size(); ++k) {
+      const double before = s.x[k];
+      auto moved = [&](double step) {
+        s.x[k] = before + step;
+        return energy();
+      };
+      const double slope =
+          (8.0 * (moved(h) - moved(-h)) - (moved(2.0 * h) - moved(-2.0 * h))) / (12.0 * h);
+      s.x[k] = before;
+      CHECK(std::abs(force[k] + slope) < 1e-9 * largest);
+    }
+    Vector sum = Vector::Zero(), moment = Vector::Zero();
+    for (int n = 0; n < s.model.nodes; ++n) {
+      sum += at(force.data(), n);
+      moment += at(s.x.data(), n).cross(at(force.data(), n));
+    }
+    // A dozen additions of 1.1e-16 each.
+    CHECK(sum.norm() < 1e-13 * largest);
+    CHECK(moment.norm() < 1e-13 * largest);
+  }
+}
+
+TEST_CASE("a weight on a sliding rope hangs where both parts are equally steep") {
+  for (const double drop : {0.0, 1.5}) {
+    CAPTURE(drop);
+    Ellipse e(drop, 1e9, 0.0);
+    Assembly assembly(e.model);
+    SettleControl control;
+    const SettleReport report = settle(assembly, control, e.v.data(), e.x.data());
+    REQUIRE(report.converged);
+    // Both parts make the angle a with the horizontal, cos a = span / rest, and T = W / (2 sin a).
+    const double cosine = e.span / e.rest, sine = std::sqrt(1.0 - cosine * cosine);
+    const double first = 0.5 * (e.rest + drop / sine);  // the longer part, to the higher point
+    // EA of 1e9 N stretches the rope by 8e-8 of 10 m; the weight follows with 1/sin a = 1.7 of it.
+    CHECK(e.x[3] == doctest::Approx(first * cosine).epsilon(1e-6));
+    CHECK(std::abs(e.x[4]) < 1e-6);
+    CHECK(e.x[5] == doctest::Approx(-first * sine).epsilon(1e-6));
+    assembly.move_to(e.x.data(), e.v.data());
+    const Evaluation found = evaluate(assembly, e.x.data(), e.v.data());
+    CHECK(found.bar_tension[0] == doctest::Approx(e.weight / (2.0 * sine)).epsilon(1e-6));
+    CHECK(found.bar_tension[0] == found.bar_tension[1]);
+    CHECK(assembly.bar_pull(1) == found.bar_tension[1]);
+  }
+}
+
+TEST_CASE("a weight slides along its rope without losing energy") {
+  // Swings on an ellipse, which the trapezoid follows but for its error of second order.
+  Ellipse e(0.0, 1e5, 0.02);
+  Assembly assembly(e.model);
+  auto total = [&](const Motion& m) {
+    assembly.move_to(m.x.data(), m.v.data());
+    return 0.5 * e.model.mass[1] * at(m.v.data(), 1).squaredNorm() + e.weight * m.x[5] +
+           e.model.sliding[0].energy(assembly.field());
+  };
+  Past past;
+  past.now.x = Eigen::Map<const Values>(e.x.data(), 9);
+  past.now.v = past.now.a = Values::Zero(9);
+  // Above the lowest place, a slack rope's 0.7 m off it.
+  past.now.x.segment<3>(3) << 1.5, 0.0, -2.0;
+  SteadyConditions conditions(e.model.held, past.now);
+  NewtonStep scheme(assembly, NewtonScheme::trapezoid, 1e-10);
+  MarchControl control;
+  control.step = 0.001;
+  March march(assembly, scheme, conditions, control, past);
+  const double before = total(past.now);
+  REQUIRE(march.to(2.0) == MarchReport::End::reached);
+  // 100 J are turned over in a fall of 1 m; where it snaps taut, at some 30 rad/s, a step of
+  // (0.03)^2 / 12 of that is lost: 1e-3 leaves room for ten snaps.
+  CHECK(std::abs(total(march.now()) - before) < 1e-3 * e.weight);
+}
+
+TEST_CASE("a sliding rope pulls nothing while slack or parted") {
+  Ellipse e(0.0, 1e5, 0.02);
+  Assembly assembly(e.model);
+  e.x[3] = 4.0;
+  e.x[4] = 0.0;
+  e.x[5] = -1.0;
+  assembly.move_to(e.x.data(), e.v.data());
+  CHECK(e.model.sliding[0].tension(assembly.field()) == 0.0);
+  e.x[5] = -4.0;
+  assembly.move_to(e.x.data(), e.v.data());
+  CHECK(e.model.sliding[0].tension(assembly.field()) > 0.0);
+  e.model.bars.multiplicity[1] = 0.0;
+  CHECK(e.model.sliding[0].tension(assembly.field()) == 0.0);
+}
+
+TEST_CASE("nodes that are kept stay and show no net force") {
+  Ellipse e(0.0, 1e5, 0.02);
+  Assembly assembly(e.model);
+  assembly.keep({0, 1, 0});
+  Past past;
+  past.now.x = Eigen::Map<const Values>(e.x.data(), 9);
+  past.now.v = past.now.a = Values::Zero(9);
+  SteadyConditions conditions(e.model.held, past.now);
+  NewtonStep scheme(assembly, NewtonScheme::bdf2, 1e-10);
+  MarchControl control;
+  control.step = 0.1;
+  March march(assembly, scheme, conditions, control, past);
+  REQUIRE(march.to(1.0) == MarchReport::End::reached);
+  for (int k = 0; k < 9; ++k) CHECK(march.now().x[k] == e.x[static_cast<std::size_t>(k)]);
+  assembly.keep({});
+  REQUIRE(march.to(1.2) == MarchReport::End::reached);
+  CHECK(march.now().x[5] < e.x[5]);
+}

@@ -1,0 +1,31 @@
+# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear.
+# sent() gives the messages of a type that the page has been sent since it was last asked.
+in_flume <- function(gear, test, fields = list(), nodes = 300) {
+  if (is.character(gear)) gear <- read_gear(gear)
+  start <- list(gear = gear, state = settle(gear, nodes = nodes))
+  session <- shiny::MockShinySession$new()
+  messages <- list()
+  # the mock has no page to send to
+  unlockBinding("sendCustomMessage", session)
+  session$sendCustomMessage <- function(type, message) {
+    messages[[length(messages) + 1L]] <<- c(list(type = type), message)
+  }
+  sent <- function(type) {
+    found <- Filter(function(message) message$type == type, messages)
+    messages <<- list()
+    found
+  }
+  shiny::testServer(
+    flume_server(start, as.list(fields), nodes),
+    {
+      session$flushReact()
+      test(session, sent, tank)
+    },
+    session = session
+  )
+}
+
+# What a control sends: the latest values of all that were moved.
+ask <- function(session, ..., number = 1) {
+  session$setInputs(design = list(number = number, values = list(...)))
+}

@@ -1,0 +1,46 @@
+# A pole of 4 m on two supports, in vacuum, with a load in its middle.
+pole <- function(..., load = -10) {
+  gear("A pole", water = list(density = 0),
+    left = point(position = c(0, 0, 0), held = "fixed"),
+    right = point(position = c(4, 0, 0), held = "fixed"),
+    middle = point(at = "pole.middle", load = c(0, 0, load)),
+    pole = rope("left", "right", diameter = "40 mm", axial_stiffness = "1 MN",
+      mass_per_length = 0, segments = 40, ...),
+    sag = measure(depth = "middle"))
+}
+
+test_that("a pole bends as a beam does", {
+  # P L^3 / (48 B), and with n = 40 straight bars between hinges (1 + 2 / n^2) times that. Its ends
+  # cannot move inward: stretch carries a share of about EA sag^2 / (32 B) = 1e-5.
+  state <- settle(pole(length = "4 m", bending_stiffness = "10000 N m2"))
+  expect_equal(measures(state)[["sag_m"]], 10 * 4^3 / (48 * 1e4) * (1 + 2 / 40^2),
+    tolerance = 1e-4)
+})
+
+test_that("a rope that pushes is a strut", {
+  tripod <- gear("A strut", water = list(density = 0),
+    foot = point(position = c(0, 0, 0), held = "fixed"),
+    stay_a = point(position = c(-1, 1, 0), held = "fixed"),
+    stay_b = point(position = c(-1, -1, 0), held = "fixed"),
+    top = point(load = c(50, 0, -100), near = c(0, 0, 2)),
+    strut = rope("foot", "top", length = "2 m", diameter = "50 mm", axial_stiffness = "10 MN",
+      mass_per_length = 0, pushes = TRUE, segments = 1),
+    a = rope("stay_a", "top", length = "2.449 m", diameter = "10 mm", axial_stiffness = "1 MN",
+      mass_per_length = 0, segments = 1),
+    b = rope("stay_b", "top", length = "2.449 m", diameter = "10 mm", axial_stiffness = "1 MN",
+      mass_per_length = 0, segments = 1))
+  tension <- as.data.frame(settle(tripod), what = "tensions")
+  # Two stays pull 25 N each along -x over a share of 1/sqrt(6); the strut carries 100 N and what
+  # they pull down.
+  expect_equal(tension$tension_kN[tension$part == "a"], 25 * sqrt(6) / 1000, tolerance = 2e-3)
+  expect_equal(tension$tension_kN[tension$part == "strut"], -(100 + 2 * 2 * 25) / 1000,
+    tolerance = 2e-3)
+})
+
+test_that("a point is near a place or held at one", {
+  expect_error(
+    gear("x", a = point(position = c(0, 0, 0), held = "fixed", near = c(0, 0, 1)), b = point(),
+      r = rope("a", "b", length = 1, diameter = 0.01, material = "PA")),
+    "points.a.near", class = "codend_error_plan"
+  )
+})

@@ -1,0 +1,117 @@
+# Read back by the format's specification (glTF 2.0, sections 3.6 and 4.4).
+
+gltf_node <- function(found, name) {
+  Filter(function(node) identical(node$name, name), found$tree$nodes)[[1]]
+}
+
+gltf_primitives <- function(found, name) {
+  found$tree$meshes[[gltf_node(found, name)$mesh + 1]]$primitives
+}
+
+# Colours as screens take them, from shares of light.
+on_screen <- function(light) {
+  share <- ifelse(light <= 0.0031308, 12.92 * light, 1.055 * light^(1 / 2.4) - 0.055)
+  grDevices::rgb(share[1, ], share[2, ], share[3, ])
+}
+
+test_that("ropes and twines are lines in metres, with their colours and names", {
+  folder <- test_folder()
+  for (netting in c("bars", "triangles")) {
+    state <- settled("panel_in_current", nodes = 200, netting = netting)
+    for (extension in c(".glb", ".gltf")) {
+      file <- file.path(folder, paste0("net", extension))
+      expect_identical(write_gltf(state, file), file)
+      found <- read_gltf_file(file)
+      expect_identical(found$tree$asset$version, "2.0")
+      engine <- state$lattice$engine
+      for (part in c("head_line", "net")) {
+        of_bars <- which(state$lattice$bar_part == match(part, state$lattice$parts$name))
+        if (!length(of_bars)) next
+        lines <- gltf_primitives(found, part)[[1]]
+        expect_identical(lines$mode, 1L)
+        ends <- state_points(state)[, matrix(engine$bars$node, 2L)[, of_bars]]
+        # single precision keeps 24 bits of metres
+        expect_equal(found$get(lines$attributes$POSITION), ends, tolerance = 2^-23)
+        colour <- on_screen(found$get(lines$attributes$COLOR_0))
+        scale <- tension_scale(
+          state$bar_tension[state$lattice$parts$kind[state$lattice$bar_part] ==
+            if (part == "net") "netting" else "rope"],
+          if (part == "net") "netting" else "rope"
+        )
+        expect_identical(colour,
+          rep(toupper(tension_colours(scale, state$bar_tension[of_bars])), each = 2L))
+      }
+      if (netting == "triangles") {
+        sheet <- gltf_primitives(found, "net")[[2]]
+        expect_identical(sheet$mode, 4L)
+        expect_equal(found$get(sheet$attributes$POSITION),
+          state_points(state)[, engine$triangles$node], tolerance = 2^-23)
+      }
+    }
+  }
+})
+
+test_that("every accessor lies in its buffer with the ends that it names", {
+  file <- file.path(test_folder(), "trawl.glb")
+  write_gltf(settled("midwater_trawl", nodes = 500), file, colours = "part")
+  found <- read_gltf_file(file)
+  expect_identical(found$tree$scenes[[1]]$extras$measures$door_spread_m,
+    # text with 15 digits
+    signif(measures(settled("midwater_trawl", nodes = 500))[["door_spread_m"]], 15))
+  at <- 0
+  for (view in found$tree$bufferViews) {
+    expect_identical(as.numeric(view$byteOffset), at)
+    at <- at + view$byteLength
+  }
+  for (number in seq_along(found$tree$accessors) - 1) {
+    accessor <- found$tree$accessors[[number + 1]]
+    values <- found$get(number)
+    expect_false(anyNA(values))
+    if (accessor$componentType != 5126L) next
+    expect_equal(apply(values, 1, min), unlist(accessor$min), tolerance = 1e-14)
+    expect_equal(apply(values, 1, max), unlist(accessor$max), tolerance = 1e-14)
+  }
+})
+
+test_that("the scene is turned so that up is y, and pieces are balls of their height", {
+  state <- unsettled(sheets_plan)
+  file <- file.path(test_folder(), "sheets.gltf")
+  write_gltf(state, file)
+  found <- read_gltf_file(file)
+  top <- found$tree$nodes[[found$tree$scenes[[1]]$nodes[[1]] + 1]]
+  expect_identical(top$name, "Sheets <& 'quotes'>")
+  q <- unlist(top$rotation)
+  turn <- function(v) {
+    # v + 2 w (u x v) + 2 u x (u x v) of a quaternion (u, w)
+    cross <- function(a, b) c(a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3],
+      a[1] * b[2] - a[2] * b[1])
+    v + 2 * q[4] * cross(q[1:3], v) + 2 * cross(q[1:3], cross(q[1:3], v))
+  }
+  expect_equal(turn(c(0, 0, 1)), c(0, 1, 0))
+  expect_equal(turn(c(1, 0, 0)), c(1, 0, 0))
+  floats <- gltf_node(found, "floats")
+  ball <- found$tree$nodes[[floats$children[[1]] + 1]]
+  expect_equal(unlist(ball$scale), rep(0.06, 3))
+  places <- found$get(found$tree$meshes[[ball$mesh + 1]]$primitives[[1]]$attributes$POSITION)
+  expect_equal(colSums(places^2), rep(1, ncol(places)), tolerance = 1e-6)
+  # its faces turn outward
+  corner <- array(places, c(3, 3, ncol(places) / 3))
+  outward <- apply(corner, 3, function(face) det(face))
+  expect_true(all(outward > 0))
+  expect_identical(gltf_node(found, "board")$extras$role, "otter_board")
+})
+
+test_that("a free otter board is a plate", {
+  state <- unsettled(test_path("plans", "towed_board.yaml"))
+  file <- file.path(test_folder(), "board.glb")
+  write_gltf(state, file)
+  found <- read_gltf_file(file)
+  plate <- found$get(gltf_primitives(found, "otter_board")[[1]]$attributes$POSITION)
+  expect_equal(unique(t(plate)), t(board_corners(state)), tolerance = 1e-6, ignore_attr = TRUE)
+})
+
+test_that("a wrong file or object is refused", {
+  expect_error(write_gltf(settled("crossing_cables"), "a.obj"), "must be one path that ends in",
+    class = "codend_error_input")
+  expect_error(write_gltf(1, "a.glb"), class = "codend_error_argument")
+})

@@ -1,0 +1,217 @@
+# VTK's own reader in Python, where it is installed (Debian: python3-vtk9). Without it the files are
+# read as the format's specification says.
+python <- "/usr/bin/python3"
+
+read_with_vtk <- function(file) {
+  script <- tempfile(fileext = ".py")
+  on.exit(unlink(script))
+  writeLines(c(
+    "import json, math, sys, vtk",
+    "reader = vtk.vtkXMLUnstructuredGridReader()",
+    "reader.SetFileName(sys.argv[1])",
+    "reader.Update()",
+    "grid = reader.GetOutput()",
+    "def values(a):",
+    "    if isinstance(a, vtk.vtkStringArray):",
+    "        return [a.GetValue(i) for i in range(a.GetNumberOfValues())]",
+    "    found = [a.GetValue(i) for i in range(a.GetNumberOfValues())]",
+    "    return [None if math.isnan(x) else x for x in found]",
+    "def arrays(d):",
+    "    every = [d.GetAbstractArray(i) for i in range(d.GetNumberOfArrays())]",
+    "    return {a.GetName(): values(a) for a in every}",
+    "def corners(c):",
+    "    return [c.GetPointId(k) for k in range(c.GetNumberOfPoints())]",
+    "count = range(grid.GetNumberOfCells())",
+    "print(json.dumps({'points': values(grid.GetPoints().GetData()),",
+    "    'types': [grid.GetCellType(i) for i in count],",
+    "    'corners': [p for i in count for p in corners(grid.GetCell(i))],",
+    "    'point': arrays(grid.GetPointData()), 'cell': arrays(grid.GetCellData()),",
+    "    'field': arrays(grid.GetFieldData())}))"
+  ), script)
+  out <- system2(python, shQuote(c(script, file)), stdout = TRUE)
+  jsonlite::fromJSON(out)
+}
+
+has_vtk <- function() {
+  file.exists(python) &&
+    system2(python, c("-c", shQuote("import vtk")), stdout = FALSE, stderr = FALSE) == 0L
+}
+
+test_that("VTK's own reader finds every number that was written", {
+  skip_if_not(has_vtk(), "VTK for Python is not installed")
+  folder <- test_folder()
+  for (netting in c("bars", "triangles")) {
+    state <- settled("panel_in_current", nodes = 200, netting = netting)
+    file <- file.path(folder, "panel.vtu")
+    expect_identical(write_vtk(state, file), file)
+    found <- read_with_vtk(file)
+    expect_identical(found$points, as.vector(state_points(state)))
+    engine <- state$lattice$engine
+    bars <- length(engine$bars$rest)
+    triangles <- length(engine$triangles$rest)
+    expect_identical(found$types[seq_len(bars + triangles)], rep(c(3L, 5L), c(bars, triangles)))
+    expect_true(all(found$types[-seq_len(bars + triangles)] == 1L))
+    mesh <- seq_along(c(engine$bars$node, engine$triangles$node))
+    expect_identical(found$corners[mesh] + 1L, c(engine$bars$node, engine$triangles$node))
+    expect_identical(
+      found$cell$part_name[seq_len(bars + triangles)],
+      state$lattice$parts$name[c(state$lattice$bar_part, state$lattice$triangle_part)]
+    )
+    expect_identical(found$cell$tension_N[seq_len(bars)], state$bar_tension)
+    if (triangles) {
+      expect_identical(found$cell$v_tension_N[bars + seq_len(triangles)], state$v_tension)
+    }
+    expect_identical(
+      matrix(found$point$force_N, 3L)[, seq_len(engine$nodes)], state$force
+    )
+    for (name in names(measures(state))) {
+      expect_identical(found$field[[name]], measures(state)[[name]])
+    }
+    plan <- file.path(folder, "plan.yaml")
+    writeLines(found$field$plan, plan)
+    expect_identical(read_gear(plan)$plan, state$gear$plan)
+  }
+})
+
+test_that("forces on cells and knots are all that the water does to the gear", {
+  file <- file.path(test_folder(), "net.vtu")
+  for (netting in c("bars", "triangles")) {
+    state <- settled("panel_in_current", nodes = 200, netting = netting)
+    write_vtk(state, file)
+    found <- read_raw_vtu(file)
+    drag <- as.data.frame(state, what = "drag")
+    # sums of the same numbers in another order
+    for (name in unique(found$CellData$part_name)) {
+      mine <- found$CellData$part_name == name
+      force <- rowSums(found$CellData$drag_N[, mine, drop = FALSE])
+      if (name == "net") force <- force + rowSums(found$PointData$knot_drag_N)
+      along <- sum(force * flow_axes(state$si)[, "flow"])
+      expect_equal(along, 1000 * drag$drag_kN[drag$part == name], tolerance = 1e-10)
+    }
+    expect_setequal(unique(found$CellData$part_name), drag$part)
+    expect_equal(found$PointData$depth_m, 0 - found$Points$points[3, ])
+    expect_equal(sum(found$PointData$held), 2)
+    expect_identical(found$FieldData$part_names, state$lattice$parts$name)
+  }
+})
+
+test_that("slack and tension in triangles tell both families of twine", {
+  file <- file.path(test_folder(), "net.vtu")
+  state <- settled("hung_panel")
+  write_vtk(state, file)
+  cells <- read_raw_vtu(file)$CellData
+  net <- cells$part_name == "net"
+  expect_identical(cells$tension_N[net], pmax(state$u_tension, state$v_tension))
+  # crosswise twines hang loose, lengthwise ones are taut
+  expect_true(all(cells$slack[net] == 0.5))
+})
+
+test_that("hexagonal meshes and a catch have their numbers", {
+  # a bag of four panels, its entrance held on a circle
+  names <- paste0("net_", 1:4)
+  ring <- lapply(1:4, function(k) {
+    angle <- pi / 2 * (k - 1)
+    list(position = 0.4 * c(0, cos(angle), sin(angle)), held = "moved",
+      at = paste0(names[k], ".upper_left"))
+  })
+  net <- list(
+    mesh_size = 0.144, meshes = list(upper = 5, lower = 5, deep = 20), orientation = "hexagonal",
+    straight_bar = 0.012, twine = list(diameter = 0.003, material = "PA")
+  )
+  sides <- lapply(1:4, function(k) {
+    list(edges = list(paste0(names[k], ".right"), paste0(names[k %% 4 + 1], ".left")))
+  })
+  plan <- list(
+    codend = 1, name = "Bag", towing = list(speed = 1.5),
+    points = c(setNames(ring, paste0("ring_", 1:4)), list(codline = list())),
+    panels = setNames(rep(list(net), 4), names),
+    seams = c(setNames(sides, paste0("side_", 1:4)),
+      list(codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline"))),
+    catch = list(panels = names, blocked_meshes = 8)
+  )
+  state <- unsettled(plan)
+  file <- file.path(test_folder(), "bag.vtu")
+  write_vtk(state, file)
+  found <- read_raw_vtu(file)
+  expect_identical(found$CellData$straight_tension_N[found$CellData$kind == 2],
+    state$straight_tension)
+  expect_equal(rowSums(found$CellData$catch_force_N), rowSums(state$catch_force))
+  expect_gt(sum(abs(state$catch_force)), 0)
+  # families without tension out of three
+  expect_true(all(round(3 * found$CellData$slack[found$CellData$kind == 2]) ==
+    (state$u_tension == 0) + (state$v_tension == 0) + (state$straight_tension == 0)))
+})
+
+test_that("a free otter board is a plate of its size, where its points are", {
+  state <- unsettled(test_path("plans", "towed_board.yaml"))
+  board <- state$si$otter_boards[[1]]
+  at <- state$lattice$points[board$points]
+  turn <- qr.Q(qr(matrix(c(2, 1, 0, -1, 3, 1, 1, 1, 4), 3L)))
+  if (det(turn) < 0) turn <- -turn
+  state$position[, at] <- turn %*% board$attachment + c(5, 6, -7)
+  corner <- rbind(c(0, 0, board$chord, board$chord), 0, c(-0.5, 0.5, 0.5, -0.5) * board$span)
+  expect_equal(board_corners(state), turn %*% corner + c(5, 6, -7))
+  file <- file.path(test_folder(), "board.vtu")
+  write_vtk(state, file)
+  found <- read_raw_vtu(file)
+  quad <- which(found$Cells$types == 9)
+  expect_identical(found$CellData$part_name[quad], "otter_board")
+  expect_equal(found$n_points, ncol(state_points(state)) + 4L)
+  expect_equal(found$CellData$drag_N[, quad], drop(state$boards$force))
+})
+
+test_that("a trajectory is a series of grids over the ground", {
+  folder <- test_folder()
+  file <- file.path(folder, "turn.pvd")
+  turn <- tow("towed_cable", until = 30, every = 15,
+    course = data.frame(time = c(0, 10, 30), value = c(0, 0, 1)))
+  expect_identical(write_vtk(turn, file), file)
+  expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), c("turn", "turn.pvd"))
+  lines <- grep("<DataSet", readLines(file), value = TRUE)
+  expect_equal(as.numeric(sub(".*timestep=\"([^\"]*)\".*", "\\1", lines)), turn$time)
+  files <- sub(".*file=\"([^\"]*)\".*", "\\1", lines)
+  for (k in seq_along(files)) {
+    found <- read_raw_vtu(file.path(folder, files[k]))
+    nodes <- seq_len(ncol(turn$position))
+    expect_identical(found$Points$points[, nodes], turn$position[, , k])
+    expect_identical(found$PointData$velocity_m_per_s[, nodes], turn$velocity[, , k])
+    expect_identical(found$FieldData$TimeValue, turn$time[k])
+    # the cable, in the axes over the ground, is pulled against its way through the water
+    drag <- rowSums(found$CellData$drag_N)
+    expect_lt(sum(drag * rowMeans(turn$velocity[, , k])), 0)
+  }
+  # written again it is replaced, but nothing else is
+  write_vtk(turn, file)
+  writeLines("mine", file.path(folder, "turn", "notes.txt"))
+  expect_error(write_vtk(turn, file), "holds other files", class = "codend_error_input")
+  expect_true(file.exists(file.path(folder, "turn", "notes.txt")))
+})
+
+test_that("the same state gives the same bytes", {
+  folder <- test_folder()
+  state <- settled("panel_in_current", nodes = 200)
+  files <- file.path(folder, c("a.vtu", "b.vtu"))
+  for (file in files) write_vtk(state, file)
+  expect_identical(unname(tools::md5sum(files[1])), unname(tools::md5sum(files[2])))
+})
+
+test_that("a wrong file is told before anything is written", {
+  state <- settled("crossing_cables")
+  expect_error(write_vtk(state, "state.vtk"), "must be one path that ends in",
+    class = "codend_error_input")
+  expect_error(write_vtk(state, file.path(tempfile(), "a.vtu")), "folder that exists",
+    class = "codend_error_input")
+  expect_error(write_vtk(1, "a.vtu"), "must be a state or trajectory",
+    class = "codend_error_argument")
+  folder <- test_folder()
+  dir.create(file.path(folder, "taken.vtu"))
+  expect_error(write_vtk(state, file.path(folder, "taken.vtu")), "cannot be written",
+    class = "codend_error_input")
+  expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "taken.vtu")
+})
+
+test_that("numbers beyond 32 bits keep their words", {
+  expect_identical(low_word_first(5), c(5L, 0L))
+  expect_identical(low_word_first(2^32 + 7), c(7L, 1L))
+  expect_identical(low_word_first(2^32 - 1), c(-1L, 0L))
+})

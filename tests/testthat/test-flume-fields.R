@@ -1,0 +1,56 @@
+test_that("a gear has controls of what it has, in its own units", {
+  controls <- plan_controls(read_gear("midwater_trawl")$plan)
+  labels <- vapply(controls, `[[`, "", "label", USE.NAMES = FALSE)
+  expect_identical(labels[1:5],
+    c("Towing speed", "Warp out", "Otter board area", "Hammer mass", "Canvas area"))
+  speed <- controls[[1]]
+  expect_identical(speed[c("value", "unit")], list(value = 4.5, unit = "knot"))
+  expect_equal(speed$units[["m/s"]] / speed$units[["knot"]], 3600 / 1852)
+  # a half to one and a half times 4.5 in steps of a round number
+  expect_equal(c(speed$low, speed$high, speed$step), c(2.2, 6.8, 0.1))
+})
+
+test_that("parts of one role in an assembly move together where they are alike", {
+  plan <- assembly(read_gear("midwater_trawl"))$plan
+  warps <- c("ropes.warp_port.length", "ropes.warp_starboard.length")
+  paths <- lapply(plan_controls(plan), `[[`, "paths")
+  expect_true(list(warps) %in% unname(paths))
+  plan$ropes$warp_port$length <- "710 m"
+  paths <- lapply(plan_controls(plan), `[[`, "paths")
+  expect_true(all(as.list(warps) %in% unname(paths)))
+})
+
+test_that("every field that can be marked gives a control, and its own value changes nothing", {
+  for (name in gears()$name) {
+    gear <- read_gear(name)
+    paths <- markable_fields(gear$plan)
+    expect_gt(length(paths), 3)
+    controls <- plan_controls(gear$plan, as.list(paths))
+    expect_true(all(paths %in% unlist(lapply(controls, `[[`, "paths"))))
+    values <- lapply(controls, function(control) list(value = control$value, unit = control$unit))
+    same <- apply_controls(gear, controls, values)
+    expect_equal(gear_si(same), gear_si(gear), tolerance = 1e-14)
+  }
+})
+
+test_that("choices and truth values are controls too", {
+  plan <- read_gear("midwater_trawl")$plan
+  controls <- plan_controls(plan, list("netting", "sections.section_1.knotted"))
+  found <- controls[vapply(controls, function(c) c$kind != "number", NA)]
+  expect_identical(found[[1]]$choices, c("triangles", "bars"))
+  expect_identical(found[[2]]$value, FALSE)
+  expect_error(control_value(found[[1]], list(value = "ropes")), "one of triangles, bars",
+    class = "codend_error_plan")
+  expect_error(control_value(found[[2]], list(value = 1)), "yes or no", class = "codend_error_plan")
+})
+
+test_that("a slider goes no further than its field may", {
+  range <- function(value, node, factor = 1) unlist(control_range(value, node, factor))
+  most <- range(0.9, list(shape = "number", maximum = 1))
+  expect_equal(most, c(low = 0.44, high = 1, step = 0.02))
+  # 2.5 to 7.5 in whole numbers
+  expect_equal(range(5, list(shape = "integer", minimum = 3)), c(low = 3, high = 8, step = 1))
+  # bounds are in SI, the slider in its unit
+  expect_equal(range(1, list(shape = "quantity", minimum = 700), 1000)[["low"]], 0.7)
+  expect_gt(range(1e-3, list(shape = "quantity", exclusiveMinimum = 0))[["low"]], 0)
+})

@@ -1,0 +1,40 @@
+test_that("changes are those of the measures, by name", {
+  table <- measure_changes(c(a_m = 3, b_kN = 2, c_m = 0), c(a_m = 2, c_m = 0, d_m = 5))
+  expect_identical(table$measure, c("a", "b", "c", "d"))
+  expect_identical(table$change, c(1, NA, 0, NA))
+  expect_identical(table$change_percent, c(50, NA, NA, NA))
+})
+
+test_that("changes show a sign and no more decimals than their values", {
+  expect_identical(signed(c(1.26, -0.04, 0.04, NA, -12345.6), c(1, 1, 2, 1, 0)),
+    c("+1.3", "0", "+0.04", "", "\u221212\u202f346"))
+})
+
+test_that("tables hold text as text", {
+  skip_if_not_installed("shiny")
+  html <- html_table("A <b>", c("x", "y"), list(list("<script>", "1 & 2")))
+  expect_match(html, "&lt;script&gt;", fixed = TRUE)
+  expect_match(html, "1 &amp; 2", fixed = TRUE)
+  expect_no_match(html, "<script>", fixed = TRUE)
+})
+
+test_that("ropes are ranked by tension with their margin to the breaking load", {
+  state <- settled("midwater_trawl", nodes = 500)
+  ranked <- ranked_tensions(state)
+  expect_false(is.unsorted(-ranked$highest_kN))
+  warp <- ranked[ranked$part == "warp, 2 ropes", ]
+  # 630 MPa on the square of 32 mm, from the table of materials
+  expect_equal(warp$strength_kN, 630e3 * 0.032^2)
+  expect_equal(warp$margin, warp$strength_kN / warp$highest_kN)
+  expect_equal(warp$highest_kN, max(state$bar_tension[unlist(lapply(
+    c("warp_port", "warp_starboard"), function(rope) rope_bars(state$lattice, rope)
+  ))]) / 1000)
+})
+
+test_that("differences of plans are found at their paths", {
+  one <- list(a = list(b = 1, c = "x"), d = c(1, 2))
+  other <- list(a = list(b = 2, c = "x"), d = c(1, 3), e = TRUE)
+  found <- plan_differences(one, other)
+  expect_identical(vapply(found, `[[`, "", "path"), c("a.b", "d", "e"))
+  expect_length(plan_differences(one, one), 0L)
+})

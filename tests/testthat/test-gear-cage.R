@@ -1,0 +1,116 @@
+model_at <- function(speed, ..., nodes = 600) {
+  cage <- update(read_gear("model_cage"), water.current.speed = speed, ...)
+  measures(settle(cage, nodes = nodes))
+}
+
+test_that("a cage in still water has the volume of its design", {
+  # The round collar of a flexible cage gives a little, and its pipes have straight bars.
+  expect_equal(model_at(0)[["volume_left_percent"]], 100, tolerance = 0.005)
+  round <- update(read_gear("cage"), water.current.speed = 0, tow = NULL)
+  expect_equal(measures(settle(round, nodes = 600))[["volume_left_percent"]], 100,
+    tolerance = 0.025)
+  open <- update(round, bottom = NULL, centre_weight = NULL)
+  expect_equal(measures(settle(open, nodes = 600))[["volume_left_percent"]], 100,
+    tolerance = 0.025)
+})
+
+test_that("slow water meets the drag of a stiff cylinder by the formulas of Loland", {
+  speed <- 0.02
+  si <- settle(update(read_gear("model_cage"), water.current.speed = speed), nodes = 2500)
+  found <- measures(si)[["net_drag_kN"]] * 1000
+  # C_D = 0.04 + (across - 0.04) cos(t) around half a cylinder, and its rear half in slower water;
+  # the netting counts its crossings twice, as 2 d / a: Sn 0.225 rather than 0.212.
+  drag <- function(sn) {
+    across <- 0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3
+    slowed <- 1 - 0.46 * across
+    0.5 * 1000 * speed^2 * 1.435 / 2 * 1.44 * (0.04 * pi + 2 * (across - 0.04)) * (1 + slowed^2)
+  }
+  # Sheets that stand along the flow slow nothing (up to 20 deg from it), and 16 flat panels are
+  # no circle: together under 3 %.
+  expect_gt(found, 0.97 * drag(0.212))
+  expect_lt(found, 1.03 * drag(0.225))
+  # Lader and Enerhaug measured a flow slower by 20 % in the middle of their model (as C. Bi, Y.
+  # Zhao and G. Dong report, Hydrodynamics: Concepts and Experiments, InTech, 2015).
+  expect_equal(min(si$lattice$engine$wake), 0.8, tolerance = 0.06)
+})
+
+test_that("drag grows slower than the speed's square, and light sinkers leave less volume", {
+  found <- lapply(c("400 g", "800 g"), function(mass) {
+    vapply(c(0.13, 0.26, 0.52), function(speed) {
+      model_at(speed, sinkers.mass = mass)[c("net_drag_kN", "volume_left_percent")]
+    }, c(0, 0))
+  })
+  light <- found[[1]]
+  heavy <- found[[2]]
+  slope <- function(x) diff(log2(x["net_drag_kN", ]))
+  expect_true(all(slope(light) < 2), all(slope(heavy) < 2))
+  expect_lt(slope(light)[2], slope(light)[1])
+  expect_true(all(slope(light) < slope(heavy)))
+  expect_true(all(diff(light["volume_left_percent", ]) < 0))
+  expect_true(all(light["volume_left_percent", ] < heavy["volume_left_percent", ]))
+  # What gives way is dragged less.
+  expect_true(all(light["net_drag_kN", ] < heavy["net_drag_kN", ]))
+})
+
+test_that("shielding takes up to a quarter of a cage's drag", {
+  # Up to 22 % in the simulations of ASME OMAE2013, V003T05A027.
+  share <- model_at(0.13)[["net_drag_kN"]] / model_at(0.13, shielding = "none")[["net_drag_kN"]]
+  expect_gt(share, 0.75)
+  expect_lt(share, 0.92)
+})
+
+test_that("a floating cage lies symmetrically in its moorings", {
+  state <- settle(read_gear("cage"), nodes = 600)
+  found <- measures(state)
+  for (m in 1:4) {
+    expect_equal(found[[sprintf("mooring_%d_tension_kN", m)]],
+      found[[sprintf("mooring_%d_tension_kN", 9 - m)]], tolerance = 1e-5)
+  }
+  expect_gt(found[["mooring_1_tension_kN"]], 10 * found[["mooring_4_tension_kN"]])
+  balance <- summary(state)$balance
+  expect_lt(max(abs(unlist(balance[balance$force == "remainder", -1]))), 1e-6)
+  collar <- state$position[, state$lattice$ropes$collar$node]
+  expect_lt(max(abs(collar[3, ])), 0.32)
+  # Bent over its moorings, and no longer than it is.
+  expect_equal(sum(sqrt(colSums(apply(collar, 1, diff)^2 |> t()))), 40 * pi, tolerance = 1e-3)
+})
+
+test_that("a square cage keeps its frame square", {
+  cage <- update(read_gear("cage"), shape = "square")
+  state <- settle(cage, nodes = 600)
+  corner <- state$position[, state$lattice$points[c("collar_1", "collar_5", "collar_9")]]
+  # The sides bow in a little under their moorings.
+  expect_equal(sqrt(colSums((corner[, 2:3] - corner[, 1:2])^2)), c(40, 40), tolerance = 0.01)
+  diagonal <- sqrt(sum((corner[, 3] - corner[, 1])^2))
+  # Braces are as stiff as the pipes, 54 MN, and carry less than the total drag of 60 kN twice.
+  expect_equal(diagonal, 40 * sqrt(2), tolerance = 0.12 / 54)
+  expect_gt(measures(state)[["volume_left_percent"]], 60)
+})
+
+test_that("a cage follows the tide", {
+  cage <- update(read_gear("cage"), tow = NULL)
+  turned <- tow(cage, until = 120, every = 60, nodes = 300, current = list(
+    speed = data.frame(time = c(0, 60), value = c(0.5, 0.2)), toward = 0
+  ))
+  drag <- as.data.frame(turned, what = "measures")
+  drag <- drag$value[drag$measure == "net_drag_kN"]
+  expect_lt(drag[3], 0.5 * drag[1])
+})
+
+test_that("what is wrong with a cage is told", {
+  cage <- read_gear("cage")
+  wrong <- function(gear, field, ...) {
+    expect_error(update(gear, ...), field, class = "codend_error_plan")
+  }
+  wrong(cage, "panels", panels = 3)
+  wrong(cage, "panels", shape = "square", panels = 18)
+  wrong(cage, "collar.diameter", collar = list(held = TRUE, diameter = "1 m"))
+  wrong(cage, "moorings", collar = list(held = TRUE))
+  wrong(cage, "moorings", moorings = NULL)
+  wrong(cage, "collar.bending_stiffness",
+    collar = list(diameter = "300 mm", mass_per_length = 50, axial_stiffness = "50 MN"))
+  wrong(cage, "moorings.length", moorings.length = "60 m")
+  wrong(cage, "moorings.number", moorings.number = 20)
+  wrong(cage, "centre_weight", bottom = NULL)
+  wrong(cage, "wall.orientation", wall.orientation = "hexagonal")
+})

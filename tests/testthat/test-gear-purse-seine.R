@@ -1,0 +1,90 @@
+# The purse seine: its assembly, its operation and its measures.
+
+test_that("the short form keeps the plan's lengths and weights", {
+  gear <- read_gear("purse_seine")
+  si <- codend:::gear_si(gear)
+  expect_equal(si$ropes$float_line$length, 300)
+  expect_equal(si$ropes$lead_line$length, 315)
+  # 315 kg of lead, 300 m of floats at 26 N/m
+  expect_equal(si$pieces$sinkers$number * si$pieces$sinkers$mass, 320)
+  lift <- codend:::gear_gravity * (1025 * si$pieces$floats$volume - si$pieces$floats$mass)
+  expect_equal(si$pieces$floats$number * lift, 7800, tolerance = 1e-9)
+  # the selvedges' meshes are as long, stretched, as those they are joined to
+  strip <- si$panels$selvedge_lower_body
+  expect_equal(strip$upper * strip$mesh_size, si$panels$body$lower * si$panels$body$mesh_size)
+  expect_length(si$ropes$purse_wire$through, 40)
+  # the vessel's length closes the circle
+  gap <- sqrt(sum((si$points$stern$position - si$points$bow$position)^2))
+  radius <- 300 / (345 * pi / 180)
+  expect_equal(gap, 2 * radius * sin(15 / 2 * pi / 180))
+})
+
+test_that("a wrong purse seine is told by its field", {
+  gear <- read_gear("purse_seine")
+  wrong <- function(path, value, says = path) {
+    expect_error(codend:::set_field(gear, path, value), says, fixed = TRUE,
+      class = "codend_error_plan")
+  }
+  wrong("rings", NULL)
+  wrong("rings.number", 0)
+  wrong("rings.bridles", NULL)
+  wrong("purse_wire.length", "0 m")
+  wrong("purse_wire", NULL)
+  wrong("pursing.until", "500 m", "pursing.until")
+  wrong("pursing.speed", "-1 m/s")
+  wrong("pursing.wait", "a while")
+  wrong("shooting.speed", NULL)
+  wrong("shooting.arc", "400 deg")
+  wrong("panels", list())
+  wrong("panels.bunt.mesh_size", "-3 mm")
+  wrong("selvedges.upper.deep", 0)
+  wrong("float_line.material", "silk")
+  wrong("floats.buoyancy", "50 N", "floats.buoyancy")
+})
+
+test_that("the enclosed volume is that of a prism", {
+  gear <- read_gear("purse_seine")
+  si <- codend:::gear_si(gear)
+  lattice <- codend:::build_lattice(si, 300)
+  hung <- lattice$hung
+  # all columns upright around a closed circle, the netting 30 m deep
+  angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
+  deep <- -hung[3, ] * 30 / max(-hung[3, lattice$ropes$lead_line$node])
+  lead <- lattice$ropes$lead_line$node
+  deep[lead] <- 30
+  state <- structure(list(
+    si = si, lattice = lattice, position = rbind(48 * cos(angle), 48 * sin(angle), -deep)
+  ), class = "codend_state")
+  at <- angle[lead]
+  area <- sum(48^2 * sin(diff(c(at, at[1] + 2 * pi))) / 2)
+  found <- codend:::measure_enclosed_volume(state, list(rope = "lead_line"))
+  # corners of the netting between lie up to half a column, some 1/40 of the circle, beside those of
+  # the lead line: polygons of 40 corners are 4e-3 smaller than the circle
+  expect_equal(found, area * 30, tolerance = 4e-3)
+})
+
+test_that("a seine sinks, and its wire closes it with one tension", {
+  gear <- update(
+    read_gear("purse_seine"), rings.number = 12, shooting.speed = "30 m/s", pursing.wait = "20 s",
+    pursing.speed = "10 m/s", pursing.until = "150 m"
+  )
+  seine <- tow(gear, every = 10, nodes = 150, accuracy = 0.3)
+  expect_equal(seine$end, "reached")
+  table <- as.data.frame(seine, what = "measures")
+  value <- function(measure) table$value[table$measure == measure]
+  expect_gt(min(diff(value("lead_line_depth_middle_m")[1:4])), 1)
+  # it is let go in turn: the end that is shot first is deepest
+  expect_gt(value("lead_line_depth_quarter_m")[2], value("lead_line_depth_three_quarters_m")[2])
+  last <- length(seine$time)
+  state <- state_at(seine, seine$time[last])
+  wire <- codend:::rope_bars(state$lattice, "purse_wire")
+  expect_true(all(state$bar_tension[wire] == state$bar_tension[wire[1]]))
+  expect_gt(state$bar_tension[wire[1]], 0)
+  # as long as the winch has left out, but for its stretch, and 0.02 m at every ring at most
+  stretched <- 150 * (1 + state$bar_tension[wire[1]] / state$si$ropes$purse_wire$axial_stiffness)
+  expect_lt(abs(sum(state$bar_length[wire]) - stretched), 12 * 0.02)
+  expect_lt(value("enclosed_volume_m3")[last], 0.7 * max(value("enclosed_volume_m3")))
+  # what the davits hold is the wire's pull
+  pull <- -state$force[, state$lattice$points[["davit_first"]]]
+  expect_equal(sqrt(sum(pull^2)), state$bar_tension[wire[1]], tolerance = 0.02)
+})

@@ -1,0 +1,98 @@
+# Gillnet, stow net and dip net.
+
+height_at <- function(speed, ...) {
+  net <- update(read_gear("gillnet"), water.current.speed = speed, ...)
+  measures(settle(net, nodes = 400))[["net_height_m"]]
+}
+
+test_that("a gillnet stands as high as it is hung in still water and lies down in a current", {
+  # 25 meshes of 150 mm hung at 50 / (667 x 0.15); its ends draw in, and the middle gains a little.
+  tall <- 25 * 0.15 * sqrt(1 - (50 / (667 * 0.15))^2)
+  expect_equal(height_at(0), tall, tolerance = 0.03)
+  # Headlines of bottom-set gillnets fall with the tidal flow (P. A. M. Stewart, Fisheries Research
+  # 6:181, 1988).
+  height <- vapply(c(0, 0.1, 0.2, 0.3), height_at, 0)
+  expect_true(all(diff(height) < 0))
+  expect_lt(height[4], 0.5 * height[1])
+  # more floats hold it up
+  floats <- list(number = 40, buoyancy = "2 N", diameter = "80 mm")
+  expect_gt(height_at(0.2, floats = floats), height[3])
+})
+
+test_that("nets whose floats lift four times as much stand the same in twice the flow", {
+  # With drag as the square of the speed and netting as heavy as water nothing but lift over drag
+  # counts. What differs is how the twine stretches, by T/EA = 1e-3 at most, and the lead line on
+  # the bed.
+  water <- 1025
+  neutral <- function(d) list(mass_per_length = water * pi / 4 * d^2, axial_stiffness = 2e5)
+  height <- vapply(1:2, function(fold) {
+    twine <- c(list(diameter = 6e-4), neutral(6e-4))
+    line <- c(list(diameter = 0.012), neutral(0.012))
+    height_at(0.1 * fold, coefficients = "wan", wall.twine = twine, float_line = line,
+      floats = list(number = 50, buoyancy = 0.8 * fold^2, drag_area = 0),
+      end_lines = NULL, lead_line.mass_per_length = 5)
+  }, 0)
+  expect_equal(height[2], height[1], tolerance = 0.01)
+})
+
+test_that("a gillnet follows the tide", {
+  net <- tow("gillnet", until = 120, every = 60, nodes = 300, current = list(
+    speed = data.frame(time = c(0, 60), value = c(0.15, 0.3)), toward = 0
+  ))
+  height <- as.data.frame(net, what = "measures")
+  height <- height$value[height$measure == "net_height_m"]
+  expect_lt(height[3], height[1])
+})
+
+test_that("a stow net hangs open between its beams, and its anchor holds all of its drag", {
+  state <- settle("stow_net", nodes = 500)
+  found <- measures(state)
+  expect_equal(found[["mouth_width_m"]], 8, tolerance = 0.01)
+  expect_equal(found[["mouth_height_m"]], 5, tolerance = 0.05)
+  expect_lt(abs(found[["upper_beam_depth_m"]]), 0.3)
+  angle <- asin((15 - 4.4) / 60)
+  # The line sags and stretches a little: 1 % of its pull.
+  expect_equal(found[["anchor_tension_kN"]] * cos(angle), found[["total_drag_kN"]],
+    tolerance = 0.01)
+  faster <- measures(settle(update(read_gear("stow_net"), water.current.speed = 1.6),
+    nodes = 500))
+  expect_lt(faster[["mouth_height_m"]], found[["mouth_height_m"]])
+  expect_lt(log2(faster[["total_drag_kN"]] / found[["total_drag_kN"]]), 2)
+  slack <- tow("stow_net", until = 60, every = 30, nodes = 300)
+  expect_identical(slack$end, "reached")
+})
+
+test_that("a dip net hangs upright in still water, is swept aside by a current, and lifts", {
+  net <- read_gear("dip_net")
+  still <- measures(settle(update(net, water.current.speed = 0), nodes = 400))
+  expect_equal(still[["lift_angle_deg"]], 90, tolerance = 1e-4)
+  # Diamond netting closes under the weight in its middle.
+  expect_gt(still[["volume_left_percent"]], 40)
+  expect_lt(still[["volume_left_percent"]], 102)
+  # The faster the water the nearer the surface it trails, its mouth against the flow.
+  swept <- vapply(c(0.12, 0.46), function(speed) {
+    measures(settle(update(net, water.current.speed = speed), nodes = 400))[["lift_angle_deg"]]
+  }, 0)
+  expect_true(all(diff(c(90, swept)) < 0))
+  lifted <- tow(net, until = 20, every = 10, nodes = 300)
+  depth <- as.data.frame(lifted, what = "measures")
+  depth <- depth$value[depth$measure == "frame_depth_m"]
+  expect_equal(depth[1] - depth[3], 6, tolerance = 0.25)
+})
+
+test_that("what is wrong with set nets is told", {
+  wrong <- function(plan, field, ...) {
+    expect_error(update(read_gear(plan), ...), field, class = "codend_error_plan")
+  }
+  wrong("gillnet", "length", length = "200 m")
+  wrong("gillnet", "anchors.apart", anchors.apart = "80 m")
+  wrong("gillnet", "seabed", seabed = NULL)
+  wrong("gillnet", "wall.meshes.across", wall.meshes.across = 0)
+  wrong("stow_net", "bridles.length", bridles.length = "3 m")
+  wrong("stow_net", "upper_beam.bending_stiffness", upper_beam.bending_stiffness = 0)
+  wrong("stow_net", "mouth.height", mouth = list(width = 8))
+  wrong("dip_net", "bridles.number", bridles.number = 3)
+  wrong("dip_net", "bridles.length", bridles.length = "1 m")
+  wrong("dip_net", "panels", shape = "square", panels = 10)
+  wrong("dip_net", "frame.bending_stiffness", frame.bending_stiffness = 0)
+})

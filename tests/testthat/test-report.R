@@ -1,0 +1,133 @@
+skip_if_not_installed("xml2")
+
+report_text <- function(state) {
+  file <- tempfile(fileext = ".html")
+  on.exit(unlink(file))
+  expect_identical(withVisible(report(state, file)), list(value = file, visible = FALSE))
+  paste(readLines(file, warn = FALSE, encoding = "UTF-8"), collapse = "\n")
+}
+
+# The body of a page, read strictly as XML with its scripts left out: an error where any tag is not
+# closed, nested wrongly or any text not escaped.
+report_body <- function(html) {
+  body <- sub("^.*<body>", "<body>", sub("</body>.*$", "</body>", html))
+  body <- gsub("<script[^>]*>.*?</script>", "", body, perl = TRUE)
+  xml2::read_xml(body)
+}
+
+# A table of the page by the words of its caption, as a matrix of texts.
+report_rows <- function(body, caption) {
+  table <- xml2::xml_find_first(body, sprintf("//table[contains(caption, '%s')]", caption))
+  rows <- xml2::xml_find_all(table, ".//tbody/tr")
+  do.call(rbind, lapply(rows, function(row) xml2::xml_text(xml2::xml_find_all(row, "th|td"))))
+}
+
+as_number <- function(text) as.double(gsub(",", "", text, fixed = TRUE))
+
+test_that("a report is well formed and can be read without seeing it", {
+  state <- settled("panel_in_current")
+  body <- report_body(report_text(state))
+  expect_length(xml2::xml_find_all(body, "//h1"), 1)
+  expect_gt(length(xml2::xml_find_all(body, "//h2")), 6)
+  ids <- xml2::xml_attr(xml2::xml_find_all(body, "//*[@id]"), "id")
+  expect_false(anyDuplicated(ids) > 0)
+  expect_true(all(nzchar(xml2::xml_attr(xml2::xml_find_all(body, "//img"), "alt"))))
+  heads <- xml2::xml_find_all(body, "//th")
+  expect_true(all(xml2::xml_attr(heads, "scope") %in% c("row", "col")))
+  for (table in xml2::xml_find_all(body, "//table")) {
+    columns <- length(xml2::xml_find_all(table, ".//thead//th"))
+    for (row in xml2::xml_find_all(table, ".//tbody/tr")) {
+      expect_length(xml2::xml_find_all(row, "th|td"), columns)
+    }
+  }
+})
+
+test_that("its numbers are those of the state", {
+  state <- settled("midwater_trawl", nodes = 500)
+  body <- report_body(report_text(state))
+  said <- report_rows(body, "measured")
+  found <- measures(state)
+  expect_identical(said[, 1], measure_words(names(found))$words)
+  # four figures at most four decimals: half a unit of the fourth figure, or of the fourth decimal
+  off <- abs(as_number(said[, 2]) - found)
+  expect_true(all(off <= pmax(5e-4 * abs(found), 5e-5) * (1 + 1e-9)))
+  kilonewtons <- said[, 3] == "kN"
+  expect_equal(as_number(said[kilonewtons, 4]), unname(found[kilonewtons]) / 9.80665,
+    tolerance = 6e-4)
+  ropes <- report_rows(body, "Ropes, the highest")
+  tensions <- summary(state)$tensions
+  warp <- tensions[tensions$part %in% "warp_port", ]
+  expect_equal(as_number(ropes[1, 3]), warp$max_kN, tolerance = 1e-3)
+  # steel wire of 32 mm: 630 MPa of its diameter squared
+  expect_equal(as_number(ropes[1, 6]), 630e6 * 0.032^2 / 1000, tolerance = 1e-3)
+  expect_equal(as_number(ropes[1, 8]), 645.1 / warp$max_kN, tolerance = 0.05)
+  drag <- report_rows(body, "Forces of the water")
+  expect_equal(as_number(drag[nrow(drag), 2]), found[["total_drag_kN"]], tolerance = 1e-3)
+})
+
+test_that("it holds the plan exactly, and text never as markup", {
+  sheets <- unsettled(sheets_plan)
+  expect_false(sheets$report$converged)
+  sheets$report[c("iterations", "residual", "cpu_seconds")] <- list(0L, 1, 0)
+  html <- report_text(sheets)
+  body <- report_body(html)
+  plan <- xml2::xml_text(xml2::xml_find_first(body, "//pre"))
+  expect_identical(trimws(plan), trimws(format(sheets$gear)))
+  expect_identical(xml2::xml_text(xml2::xml_find_first(body, "//h1")), sheets_plan$name)
+  expect_match(html, "did not settle", fixed = TRUE)
+})
+
+test_that("it asks nothing of the network and is the same each time", {
+  state <- settled("crossing_cables")
+  html <- report_text(state)
+  asking <- "(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*"
+  expect_equal(regmatches(html, gregexpr(asking, html))[[1]], character())
+  expect_false(grepl("(src|href)=[\"'](?!data:)", html, perl = TRUE))
+  # rgl numbers the objects of its scenes through a session
+  without_scene <- function(html) gsub("<script type=\"application/json\".*?</script>", "", html)
+  expect_identical(without_scene(report_text(state)), without_scene(html))
+})
+
+test_that("a tow's report has its measures against time", {
+  trajectory <- tow("towed_cable", until = 20, every = 5,
+    speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")))
+  body <- report_body(report_text(trajectory))
+  said <- report_rows(body, "start and the end")
+  of <- summary(trajectory)
+  expect_identical(said[, 1], measure_words(of$measure)$words)
+  expect_equal(as_number(said[, 4]), of$end, tolerance = 1e-3)
+})
+
+test_that("wrong arguments are one clear error and leave nothing", {
+  folder <- test_folder()
+  wrong <- function(...) expect_error(report(...), class = "codend_error_argument")
+  state <- settled("crossing_cables")
+  wrong(state, file.path(folder, "a.pdf"))
+  wrong(state, file.path(folder, "none", "a.html"))
+  wrong(list(), file.path(folder, "a.html"))
+  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+})
+
+test_that("a browser draws it without an error", {
+  browser <- Sys.which(c("chromium", "chromium-browser", "google-chrome"))
+  browser <- browser[nzchar(browser)]
+  skip_if_not(length(browser) > 0, "no Chromium is installed")
+  folder <- test_folder()
+  file <- file.path(folder, "report.html")
+  report(settled("midwater_trawl", nodes = 500), file)
+  said <- file.path(folder, "said")
+  page <- system2(browser[1], c(
+    "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync", "--enable-logging=stderr",
+    paste0("--user-data-dir=", shQuote(file.path(folder, "browser"))),
+    "--virtual-time-budget=10000", "--window-size=1200,900", "--dump-dom",
+    shQuote(paste0("file://", file))
+  ), stdout = TRUE, stderr = said, timeout = 120)
+  skip_if(!length(page), "Chromium does not run here")
+  page <- paste(page, collapse = "\n")
+  expect_length(grep("CONSOLE", readLines(said, warn = FALSE), value = TRUE), 0)
+  still <- regmatches(page, regexpr("class=\"still\"[^>]*", page))
+  # An empty scene of this size packs into about 4 kB.
+  expect_gt(nchar(still), 2e4)
+})

@@ -1,0 +1,66 @@
+# Gear that is shot: how it lies, when it is let go, how it sinks.
+
+# A rope of 200 m that is shot along a half circle to port, between fixed points at its ends.
+shot_chain <- function() {
+  gear(
+    "Rope along a half circle",
+    first = point(position = c(0, 0, 0), held = "fixed"),
+    last = point(position = c(0, -400 / pi, 0), held = "fixed"),
+    chain = rope("first", "last", length = 200, diameter = "20 mm", axial_stiffness = 1e6,
+      mass_per_length = 1, volume_per_length = 0.0003, segments = 40,
+      coefficients = list(normal = 1.2, tangential = 0, skin = 0)),
+    water = list(free_surface = TRUE), depth = measure(depth = "chain[0.5]"),
+    speed = measure(sinking_speed = "chain[0.5]"),
+    shooting = list(rope = "chain", speed = 5, arc = "-180 deg")
+  )
+}
+
+test_that("a rope that is shot sinks as fast as its drag lets it", {
+  chain <- update(shot_chain(), shooting.speed = 100)
+  sunk <- tow(chain, until = 12, every = 12, accuracy = 0.001)
+  weight <- 9.81 * (1 - 1025 * 0.0003)
+  terminal <- sqrt(weight / (0.5 * 1025 * 1.2 * 0.02))
+  # Far from its ends it is level and free, but for their pull inward along the arc, which makes the
+  # rope move across too: drag along z is 1/2 rho C d |v| v_z.
+  state <- state_at(sunk, 12)
+  v <- state$velocity[, state$lattice$place("chain[0.5]")]
+  # ripples of 0.001 m over steps of 0.1 s or so are 1 % of the speed
+  expect_equal(sqrt(sqrt(sum(v^2)) * -v[3]), terminal, tolerance = 0.01)
+  expect_equal(measures(state)[["speed_m_per_s"]], -v[3])
+})
+
+test_that("a gear lies along its arc and every place is let go when the vessel passes it", {
+  chain <- tow(shot_chain(), until = 30, every = 5)
+  lattice <- chain$lattice
+  node <- lattice$ropes$chain$node
+  at <- lattice$ropes$chain$at
+  inner <- -c(1L, length(node))
+  start <- chain$position[, node, 1]
+  # on a half circle to port, of 200 m, from the origin towards -x
+  turn <- pi * at
+  radius <- 200 / pi
+  expect_equal(start[1, inner], -radius * sin(turn)[inner], tolerance = 1e-9)
+  expect_equal(start[2, inner], -radius * (1 - cos(turn))[inner], tolerance = 1e-9)
+  for (k in seq_along(chain$time)) {
+    # what is kept moves by the rounding of zero
+    moved <- abs(chain$position[, node, k] - start) > 1e-12
+    waits <- at * 200 / 5 > chain$time[k] + 0.5
+    expect_false(any(moved[, waits & seq_along(at) %in% seq_along(at)[inner]]))
+  }
+  gone <- at * 200 / 5 < 29
+  expect_true(all(chain$position[3, node[gone][-1], 7] < start[3, gone][-1] - 0.01))
+})
+
+test_that("a tow that is shot goes on to the same bytes", {
+  whole <- tow(shot_chain(), until = 30, every = 10)
+  begun <- tow(shot_chain(), until = 20, every = 10)
+  expect_identical(tow(begun, until = 30)$position, whole$position)
+})
+
+test_that("what is shot must be a rope, at a speed", {
+  chain <- shot_chain()
+  expect_error(update(chain, shooting.rope = "chin"), "shooting.rope", class = "codend_error_plan")
+  expect_error(update(chain, shooting.speed = 0), "shooting.speed", class = "codend_error_plan")
+  expect_error(update(chain, shooting.arc = "400 deg"), "shooting.arc",
+    class = "codend_error_plan")
+})

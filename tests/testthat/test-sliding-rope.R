@@ -1,0 +1,67 @@
+# Ropes that slide through places, and places at a share of a rope's length.
+
+hanging_weight <- function(...) {
+  gear(
+    "A weight on a rope over a ring",
+    a = point(position = c(0, 0, -1), held = "fixed"),
+    b = point(position = c(8, 0, -1), held = "fixed"), ring = point(),
+    wire = rope("a", "b", through = list("ring"), length = 10, diameter = "10 mm",
+      axial_stiffness = 1e8, mass_per_length = 0, volume_per_length = 0),
+    weight = piece(at = "ring", mass = "500 kg", volume = 0),
+    depth = measure(depth = "ring"), pull = measure(tension = "wire.max"), ...
+  )
+}
+
+test_that("a weight on a sliding rope hangs in the middle, its tension the same on both sides", {
+  state <- settle(hanging_weight())
+  # both parts at the angle whose cosine is 8/10; EA of 1e8 N stretches 4 kN's worth, 4e-5
+  expect_equal(measures(state)[["depth_m"]], 1 + 3, tolerance = 1e-4)
+  expect_equal(measures(state)[["pull_kN"]], 0.5 * 9.81 / (2 * 0.6), tolerance = 1e-4)
+  expect_identical(state$bar_tension[1], state$bar_tension[2])
+  balance <- codend:::balance_table(state)
+  expect_lt(max(abs(balance[balance$force == "remainder", -1])), 1e-7)
+})
+
+test_that("a rope that slides needs its two ends, a length and another place each time", {
+  expect_error(
+    gear("g", a = point(position = c(0, 0, 0), held = "fixed"),
+      w = rope(through = list("a"), length = 1, diameter = 0.01, material = "PE")),
+    "from", class = "codend_error_plan"
+  )
+  bad <- hanging_weight()
+  expect_error(update(bad, ropes.wire.through = list("rin")), "ropes.wire.through",
+    class = "codend_error_plan")
+  expect_error(update(bad, ropes.wire.through = list("ring", "ring")), "the same place",
+    class = "codend_error_plan")
+  expect_error(update(bad, measures.depth.depth = "wire[1.5]"), "measures.depth.depth",
+    class = "codend_error_plan")
+})
+
+test_that("a place at a share of a laced rope has a node of its own", {
+  wall <- gear(
+    "Netting on two piles",
+    west = point(position = c(0, -5, -1), held = "fixed"),
+    east = point(position = c(0, 5, -1), held = "fixed"),
+    wall = panel(mesh_size = "100 mm", meshes = list(upper = 140, lower = 140, deep = 10),
+      twine = list(diameter = "2 mm", material = "PA")),
+    head_line = rope(along = "wall.upper", hanging_ratio = 0.7, diameter = "12 mm",
+      material = "PE"),
+    foot = rope(along = "-wall.lower", hanging_ratio = 0.7, diameter = "12 mm", material = "PE"),
+    west_tie = rope("west", "wall.upper_left", length = 0.5, diameter = "12 mm", material = "PE"),
+    east_tie = rope("east", "wall.upper_right", length = 0.5, diameter = "12 mm",
+      material = "PE"),
+    ring = point(at = "foot[0.17]"),
+    weight = piece(at = "ring", mass = "10 kg", density = "7850 kg/m3"),
+    depth = measure(depth = "foot[0.17]")
+  )
+  lattice <- codend:::build_lattice(codend:::gear_si(wall), 100)
+  foot <- lattice$ropes$foot
+  node <- lattice$place("foot[0.17]")
+  # breaks are kept to 1e-7 of an edge
+  expect_equal(foot$at[match(node, foot$node)], 0.17, tolerance = 1e-6)
+  expect_equal(lattice$points[["ring"]], node)
+  # of the edge that runs the other way 0.83
+  panel <- lattice$division
+  on_lower <- panel$before[2] + seq_len(panel$count[2])
+  expect_equal(panel$fraction[on_lower][panel$edge_node[on_lower] == node], 0.83, tolerance = 1e-6)
+})

@@ -1,0 +1,71 @@
+skip_if_not_installed("RNetCDF")
+
+# A state without the lattice's function `place`, which is never identical to another.
+plain <- function(state) {
+  state$lattice$place <- NULL
+  state
+}
+
+test_that("a state that is read is the one that was written", {
+  folder <- test_folder()
+  file <- file.path(folder, "state.nc")
+  states <- list(
+    settled("panel_in_current", nodes = 200, netting = "triangles"),
+    settled("panel_in_current", nodes = 200, netting = "bars"),
+    state_at(tow("towed_cable", until = 10, every = 5), 5)
+  )
+  for (state in states) {
+    expect_identical(write_state(state, file), file)
+    found <- read_state(file)
+    expect_identical(plain(found), plain(state))
+    expect_identical(measures(found), measures(state))
+  }
+  expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "state.nc")
+  expect_identical(settle(states[[1]]$gear, nodes = 200, from = {
+    write_state(states[[1]], file)
+    read_state(file)
+  })$position, settle(states[[1]]$gear, nodes = 200, from = states[[1]])$position)
+})
+
+test_that("a file says in plain NetCDF what the state holds", {
+  file <- file.path(test_folder(), "state.nc")
+  state <- settled("midwater_trawl", nodes = 500)
+  write_state(state, file)
+  nc <- RNetCDF::open.nc(file)
+  on.exit(RNetCDF::close.nc(nc))
+  get <- function(name) as.vector(RNetCDF::var.get.nc(nc, name))
+  expect_identical(get("z"), state$position[3, ])
+  expect_identical(get("x_force"), state$force[1, ])
+  expect_identical(get("bar_tension"), state$bar_tension)
+  for (name in names(measures(state))) expect_identical(get(name), measures(state)[[name]])
+  unit <- function(name) RNetCDF::att.get.nc(nc, name, "units")
+  expect_identical(unit("door_spread_m"), "m")
+  expect_identical(unit("swept_area_km2_per_h"), "km2 h-1")
+  expect_identical(unit("slack_netting_percent"), "percent")
+  # every unit is one that the UDUNITS library knows, as the conventions ask
+  info <- RNetCDF::file.inq.nc(nc)
+  for (id in seq_len(info$nvars) - 1L) {
+    known <- RNetCDF::var.inq.nc(nc, id)
+    has_unit <- "units" %in% vapply(seq_len(known$natts) - 1L, function(k) {
+      RNetCDF::att.inq.nc(nc, id, k)$name
+    }, "")
+    if (has_unit && unit(known$name) != "1") {
+      expect_match(unit(known$name), "^(m|m2|m3|N|kN|kW|degree|percent|km2 h-1|m3 h-1)$")
+    }
+  }
+  expect_identical(get("part_drag"), as.data.frame(state, what = "drag")$drag_kN)
+  expect_identical(get("part_name"), state$lattice$parts$name)
+})
+
+test_that("other files are refused with their reason", {
+  folder <- test_folder()
+  file <- file.path(folder, "tow.nc")
+  expect_error(read_state(file), "does not exist", class = "codend_error_input")
+  write_trajectory(tow("towed_cable", until = 10, every = 5), file)
+  expect_error(read_state(file), "no state", class = "codend_error_input")
+  writeLines("text", file)
+  expect_error(read_state(file), "no NetCDF", class = "codend_error_input")
+  expect_error(write_state(settled("towed_cable"), file.path(folder, "a.csv")),
+    class = "codend_error_input")
+  expect_error(write_state(1, file), class = "codend_error_argument")
+})

@@ -1,0 +1,76 @@
+test_that("every variation is what settling it alone gives", {
+  found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot"),
+    ropes.cable.length = c(300, 500, 700))
+  expect_s3_class(found, "codend_variations")
+  expect_equal(found[["towing.speed_knot"]], rep(c(3, 4), 3))
+  expect_equal(found[["ropes.cable.length_m"]], rep(c(300, 500, 700), each = 2))
+  expect_true(all(found$settled))
+  for (row in c(2, 5)) {
+    gear <- update(read_gear("towed_cable"),
+      towing.speed = paste(found[["towing.speed_knot"]][row], "knot"),
+      ropes.cable.length = found[["ropes.cable.length_m"]][row])
+    alone <- measures(settle(gear))
+    # both are settled to 1e-8 of the largest tension, from different starts
+    expect_equal(unlist(found[row, names(alone)]), alone, tolerance = 1e-6)
+  }
+  expect_identical(
+    vary("towed_cable", towing.speed = 2:3, ropes.cable.length = c(300, 500)),
+    vary("towed_cable", towing.speed = 2:3, ropes.cable.length = c(300, 500))
+  )
+})
+
+test_that("fields of a data frame change together, and units are told", {
+  found <- vary("crossing_cables", data.frame(
+    ropes.south_1.length = c("4.1 m", "410 cm"), ropes.south_2.length = c("4.1 m", "4.2 m")
+  ), ropes.west_1.material = "PA")
+  expect_equal(nrow(found), 2L)
+  # mixed units become SI
+  expect_equal(found[["ropes.south_1.length_m"]], c(4.1, 4.1))
+  expect_equal(found[["ropes.south_2.length_m"]], c(4.1, 4.2))
+  expect_identical(found[["ropes.west_1.material"]], c("PA", "PA"))
+  expect_named(vary("towed_cable", towing.speed = 2)[1], "towing.speed_m_per_s")
+  expect_identical(field_words("towing.speed_m_per_s"), list(words = "towing speed", unit = "m/s"))
+  expect_identical(field_words("pieces.floats.number"),
+    list(words = "pieces floats number", unit = ""))
+})
+
+test_that("what does not settle is told in its row, and the others go on", {
+  gears <- lapply(1:3, function(speed) update(read_gear("towed_cable"), towing.speed = speed))
+  broken <- gears[[2]]
+  attr(broken, "fails") <- TRUE
+  failing <- function(gear, ...) {
+    if (isTRUE(attr(gear, "fails"))) {
+      cli::cli_abort("The gear did not settle: {.field test}.",
+        class = c("codend_error_not_converged", "codend_error"), call = NULL)
+    }
+    cli::cli_warn("A board is {.field stalled}.", class = "codend_warning")
+    settle(gear, ...)
+  }
+  one_by_one <- vary_settle
+  package <- environment(vary_settle)
+  single <- settle_one
+  environment(single) <- list2env(list(settle = failing), parent = package)
+  environment(one_by_one) <- list2env(list(settle_one = single), parent = package)
+  found <- one_by_one(list(gears[[1]], broken, gears[[3]]), matrix(1:3), 1500, NULL)
+  expect_null(found[[1]]$problem)
+  expect_identical(found[[1]]$warning, "A board is stalled.")
+  expect_identical(found[[2]]$problem, "The gear did not settle: test.")
+  expect_null(found[[2]]$measures)
+  expect_equal(found[[3]]$measures, measures(settle(gears[[3]])), tolerance = 1e-6)
+})
+
+test_that("wrong fields and values are told before anything is computed", {
+  expect_error(vary("towed_cable"), class = "codend_error_argument")
+  expect_error(vary("towed_cable", 1:3), class = "codend_error_argument")
+  expect_error(vary("towed_cable", towing.speed = list(1, 2)), class = "codend_error_argument")
+  expect_error(vary("towed_cable", towing.speed = c(1, NA)), class = "codend_error_argument")
+  expect_error(vary("towed_cable", towing.speed = 1, towing.speed = 2), "twice",
+    class = "codend_error_argument")
+  expect_error(vary("towed_cable", a = data.frame(towing.speed = 1)), "has no name",
+    class = "codend_error_argument")
+  error <- expect_error(vary("towed_cable", towing.sped = 1:2), class = "codend_error_plan")
+  expect_match(conditionMessage(error), "speed")
+  expect_error(vary("towed_cable", towing.speed = c("2 knot", "3 kg")),
+    class = "codend_error_plan")
+  expect_error(vary("towed_cable", towing.speed = 2, nodes = 0), class = "codend_error_argument")
+})

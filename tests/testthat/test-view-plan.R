@@ -1,0 +1,154 @@
+layout_of <- function(plan) {
+  flat_layout(gear_si(if (is.character(plan)) read_gear(plan) else as_gear(plan)))
+}
+
+test_that("a trawl's panels stand in columns, like ones once", {
+  layout <- layout_of("midwater_trawl")
+  expect_identical(layout$columns$heading, c("back", "side", "belly"))
+  expect_identical(layout$columns$alike, c("", "starboard, port", ""))
+  expect_identical(layout$columns$count, c(1L, 2L, 1L))
+  expect_true(all(layout$columns$symmetric))
+  back <- layout$panels[layout$panels$column == 1, ]
+  at <- function(name) back[back$name == paste0("back_", name), ]
+  # 12 meshes of 32 m, half of their stretched width; one of them deep
+  expect_equal(at("section_1")$upper, 12 * 32 / 2)
+  expect_equal(at("section_1")$depth, 32)
+  # the wings stand before the first section, the sections behind each other
+  expect_equal(at("wing_left")$y, 0)
+  expect_equal(at("section_1")$y, 32)
+  expect_equal(at("section_2")$y, 32 + 1 * 32)
+  expect_equal(at("codend")$y + at("codend")$depth, sum(back$depth) - 32)
+  # each wing over its end of the first section's front edge
+  expect_equal(at("wing_left")$x + at("wing_left")$shift, at("section_1")$x)
+  expect_equal(
+    with(at("wing_right"), x + shift + lower), with(at("section_1"), x + upper)
+  )
+})
+
+test_that("panels between two ropes are as wide as these, square ones as their bars", {
+  panel <- layout_of("flat_panel")$panels
+  # 200 meshes of 100 mm; only the lower edge has a rope of known hanging ratio
+  expect_equal(c(panel$upper, panel$lower, panel$depth), c(10, 10, 11.5))
+  hung <- panel_in_current_plan
+  expect_equal(layout_of(hung)$panels$upper, 2.2)
+  expect_equal(layout_of(hung_panel_plan)$panels$upper, 40 * 0.05)
+  expect_equal(layout_of(hung_panel_plan)$panels$depth, 60 * 0.05)
+})
+
+wall_plan <- function(names, closed = FALSE, deep = 100) {
+  panel <- list(mesh_size = 0.02, meshes = list(upper = 50, lower = 50, deep = deep),
+    twine = list(diameter = 0.001, material = "PA"))
+  onward <- seq_along(names) %% length(names) + 1L
+  pairs <- seq_len(length(names) - !closed)
+  seams <- lapply(pairs, function(k) {
+    list(edges = list(paste0(names[k], ".right"), paste0(names[onward[k]], ".left")))
+  })
+  list(
+    codend = 1, name = "Wall", points = list(),
+    panels = setNames(rep(list(panel), length(names)), names),
+    seams = c(
+      setNames(seams, paste0("seam_", pairs)),
+      list(hung = list(edges = list(paste0(names[1], ".upper")), gathered_at = "nail"))
+    )
+  )
+}
+
+test_that("straight panels joined side by side are one wall, a ring of equal ones is one panel", {
+  add_nail <- function(plan) {
+    plan$points <- list(nail = list(position = c(0, 0, 0), held = "fixed"))
+    plan
+  }
+  wall <- layout_of(add_nail(wall_plan(c("wing", "body", "bunt"))))
+  expect_identical(nrow(wall$columns), 1L)
+  expect_identical(wall$panels$name[order(wall$panels$x)], c("wing", "body", "bunt"))
+  expect_equal(sort(wall$panels$x), c(0, 0.5, 1))
+  ring <- layout_of(add_nail(wall_plan(paste0("side_", 1:4), closed = TRUE)))
+  expect_identical(ring$columns$heading, "side")
+  expect_identical(ring$columns$alike, "4 alike")
+  expect_identical(ring$columns$count, 4L)
+})
+
+test_that("no two panels of a column cover each other", {
+  for (name in gears()$name) {
+    si <- gear_si(read_gear(name))
+    if (!length(si$panels)) next
+    panels <- flat_layout(si)$panels
+    for (column in unique(panels$column)) {
+      mine <- panels[panels$column == column, ]
+      for (k in seq_len(nrow(mine) - 1L)) {
+        expect_false(any_overlap(mine[k, ], mine[seq(k + 1L, nrow(mine)), ]))
+      }
+    }
+  }
+})
+
+test_that("the lists hold every rope and piece once, those alike together", {
+  si <- gear_si(read_gear("midwater_trawl"))
+  ropes <- rope_items(si)
+  expect_equal(sum(ropes$count), length(si$ropes))
+  warp <- ropes[ropes$name == "warp", ]
+  expect_equal(c(warp$count, warp$length, warp$diameter), c(2, 700, 0.032))
+  expect_identical(warp$material, "steel wire")
+  head_line <- ropes[ropes$name == "head line", ]
+  # along two wings' inner edges, 5 meshes of 32 m each: the 12 meshes of the front are all taken
+  expect_equal(head_line$hanging, 170 / (2 * 5 * 32))
+  pieces <- piece_items(si)
+  expect_setequal(unlist(pieces$parts), names(si$pieces))
+  expect_equal(pieces$count[pieces$name == "hammer"], 2)
+  # 3300 kg of steel less the water that it displaces
+  expect_match(pieces$words[pieces$name == "hammer"], "3300 kg, in water 2870 kgf", fixed = TRUE)
+  expect_equal(3300 * (1 - 1025 / 7850), 2870, tolerance = 1e-3)
+})
+
+test_that("the rigging runs from the towing points to the netting, both sides as one", {
+  figure <- plan_figure(read_gear("midwater_trawl"))
+  nodes <- figure$rigging$nodes
+  ropes <- figure$rigging$ropes
+  named <- figure$ropes$name[ropes$item]
+  expect_setequal(named, c("warp", "upper hand rope", "lower hand rope"))
+  layers <- cbind(nodes$layer[ropes$from], nodes$layer[ropes$to])
+  expect_equal(sort(layers[named == "warp", ]), c(0, 1))
+  expect_equal(sort(layers[named == "upper hand rope", ]), c(1, 2))
+  expect_equal(ropes$length[named == "warp"], 700)
+  letter <- function(name) figure$pieces$item[figure$pieces$name == name]
+  expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
+})
+
+test_that("labels keep their distance and stay near their places", {
+  y <- c(5, 4.99, 4.98, 1)
+  spread <- spread_labels(y, 0.1, 0, 10)
+  expect_true(all(-diff(spread) > 0.1 - 1e-6))
+  expect_equal(spread[4], 1)
+  expect_equal(mean(spread[1:3]), mean(y[1:3]), tolerance = 1e-6)
+})
+
+test_that("every shipped plan is drawn, and the device is left as it was", {
+  grDevices::pdf(NULL, 11.69, 8.27)
+  device <- grDevices::dev.cur()
+  on.exit(grDevices::dev.off(device))
+  before <- graphics::par("mai", "cex")
+  for (name in gears()$name) {
+    gear <- read_gear(name)
+    expect_identical(withVisible(plot(gear)), list(value = gear, visible = FALSE))
+  }
+  expect_equal(grDevices::dev.cur(), device)
+  expect_equal(graphics::par("mai", "cex"), before)
+})
+
+test_that("the same plan gives the same picture", {
+  folder <- test_folder()
+  files <- file.path(folder, c("a.png", "b.png"))
+  for (file in files) plot(read_gear("flat_panel"), file = file)
+  expect_identical(unname(tools::md5sum(files[1])), unname(tools::md5sum(files[2])))
+})
+
+test_that("wrong arguments are one clear error and leave nothing", {
+  gear <- read_gear("flat_panel")
+  folder <- test_folder()
+  wrong <- function(...) expect_error(plot(gear, ...), class = "codend_error_argument")
+  wrong(file = file.path(folder, "a.jpg"))
+  wrong(file = file.path(folder, "none", "a.png"))
+  wrong(width = NA_real_)
+  wrong(file = file.path(folder, "a.png"), width = 4, height = 3)
+  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+})
