@@ -69,23 +69,10 @@ write_state <- function(state, file) {
 #' @rdname write_state
 #' @export
 read_state <- function(file) {
-  check_netcdf()
-  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
-  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
-    abort_trajectory_file(file, "is no NetCDF file.")
-  })
+  nc <- open_kept(file, "state", state_file_version)
   on.exit(RNetCDF::close.nc(nc))
-  version <- tryCatch(
-    RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_state"),
-    error = function(e) abort_trajectory_file(file, "holds no state of codend.")
-  )
-  if (version != state_file_version) {
-    abort_trajectory_file(file, sprintf(
-      "is of version %s; this codend reads version %d.", version, state_file_version
-    ))
-  }
   get <- file_getter(nc)
-  what <- unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
+  what <- kept_objects(get)
   places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
   names <- rownames(node_variables)
   velocity <- places(names[4:6])

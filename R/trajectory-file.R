@@ -51,23 +51,10 @@ write_trajectory <- function(trajectory, file) {
 #' @rdname write_trajectory
 #' @export
 read_trajectory <- function(file) {
-  check_netcdf()
-  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
-  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
-    abort_trajectory_file(file, "is no NetCDF file.")
-  })
+  nc <- open_kept(file, "trajectory", trajectory_file_version)
   on.exit(RNetCDF::close.nc(nc))
-  version <- tryCatch(
-    RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_trajectory"),
-    error = function(e) abort_trajectory_file(file, "holds no trajectory of codend.")
-  )
-  if (version != trajectory_file_version) {
-    abort_trajectory_file(file, sprintf(
-      "is of version %s; this codend reads version %d.", version, trajectory_file_version
-    ))
-  }
   get <- file_getter(nc)
-  what <- unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
+  what <- kept_objects(get)
   n <- complete_records(get)
   if (n == 0L) abort_trajectory_file(file, "holds no complete record.")
   end <- file_ends[1L + get("end")]
@@ -75,6 +62,28 @@ read_trajectory <- function(file) {
 }
 
 trajectory_file_version <- 2L
+
+# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
+open_kept <- function(file, what, known) {
+  check_netcdf()
+  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
+  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
+    abort_trajectory_file(file, "is no NetCDF file.")
+  })
+  refuse <- function(...) {
+    RNetCDF::close.nc(nc)
+    abort_trajectory_file(file, sprintf(...))
+  }
+  version <- tryCatch(
+    RNetCDF::att.get.nc(nc, "NC_GLOBAL", paste0("codend_", what)),
+    error = function(e) refuse("holds no %s of codend.", what)
+  )
+  if (version != known) refuse("is of version %s; this codend reads version %d.", version, known)
+  nc
+}
+
+# The R objects that a file holds beside its numbers.
+kept_objects <- function(get) unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck")
