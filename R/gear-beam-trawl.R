@@ -1,7 +1,7 @@
-# The beam trawl's short form and the assembly that it stands for: a net of two panels behind a frame
-# of a stiff beam on two shoes. The outer legs of the bridle pull at the shoes' toes, from where the
-# tickler chains hang too, a middle leg at the middle of the beam. The head line runs from end to end
-# of the beam, the footrope from heel to heel of the shoes.
+# The beam trawl's short form and the assembly that it stands for: a net of two panels behind a
+# frame of a stiff beam on two shoes. The outer legs of the bridle pull at the shoes' toes, from where
+# the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from end to
+# end of the beam, the footrope from heel to heel of the shoes.
 
 # What makes the frame one stiff body: struts without mass, too thin to meet any water.
 frame_strut <- list(
@@ -64,7 +64,7 @@ check_beam_trawl <- function(fields) {
   more_than("bridles.outer.length", fields$bridles$outer$length, width / 2,
     "half the length of the beam")
   more_than("shoes.height", fields$shoes$height, shoe_middle(fields),
-    "the middle of a shoe lies above the sea bed")
+    "the height of a shoe's middle above the sea bed")
   for (name in names(fields$ticklers)) {
     more_than(paste0("ticklers.", name, ".length"), fields$ticklers[[name]]$length, width,
       "the length of the beam")
@@ -98,9 +98,9 @@ shoe_middle <- function(fields) {
   piece_height(shoe, piece_body(shoe, "shoes", fields)$volume) / 2
 }
 
-# Where frame and bridle are before the gear settles: the frame upright on the sea bed, the bridle in
-# line with the warp, as far behind the vessel as it reaches. The frame's shape is taken from here;
-# laid down or upside down it would be in balance too, so that it must not start so.
+# Where frame and bridle are before the gear settles: the frame upright on the sea bed, the bridle
+# in line with the warp, as far behind the vessel as it reaches. The frame's shape is taken from
+# here; laid down or upside down it would be in balance too, so that it must not start so.
 # Returns list(bridle_end, upper_port, ...), each x, y, z (m).
 beam_trawl_start <- function(fields) {
   seabed <- fields$seabed
@@ -127,8 +127,8 @@ beam_trawl_start <- function(fields) {
 }
 
 # Struts between beam and shoes: around each shoe, from heel to heel and toe to toe and across
-# between them, and from the heels to the middle of the beam. With the beam these are as many bars as
-# make six corners rigid.
+# between them, and from the heels to the middle of the beam. With the beam these make six corners
+# rigid.
 frame_struts <- function(start) {
   strut <- function(from, to) {
     between <- sqrt(sum((start[[from]] - start[[to]])^2))

@@ -2,8 +2,8 @@
 #
 # From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper
 # wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each
-# side, with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end from
-# the head line's end to the footrope's.
+# side, with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end
+# from the head line's end to the footrope's.
 
 bottom_trawl_rings <- list(
   `2` = c("back", "belly"), `4` = c("back", "side_starboard", "belly", "side_port")
@@ -112,8 +112,8 @@ check_wing_ends <- function(fields) {
     if (is.null(wings$jib) && !alike(depth[["upper"]], depth[["side"]])) {
       abort_field("wings.side.meshes.deep", wings$side$meshes$deep, sprintf(
         paste(
-          "such that the side wings are as deep as upper wings and square together, %s, within 5 %%",
-          "(a jib may reach further); stretched they are %s"
+          "such that the side wings are as deep as upper wings and square together, %s, within",
+          "5 %% (a jib may reach further); stretched they are %s"
         ),
         long(depth[["upper"]]), long(depth[["side"]])
       ))
@@ -369,8 +369,8 @@ bottom_trawl_rig <- function(fields, plan) {
   trawl_legs(plan, rig, start)
 }
 
-# joint: what the points where warp and sweep or bridles meet are named after, and measure: what their
-# spread is called.
+# joint: what the points where warp and sweep or bridles meet are named after, and measure: what
+# their spread is called.
 bottom_trawl_measures <- function(fields, free_boards, joint = "board",
                                   measure = "door_spread") {
   pair <- function(level) paste0(level, c("_port", "_starboard"))
