@@ -26,9 +26,9 @@ Schedule::Schedule(Model& model, Assembly& assembly, Plan plan, const Motion& st
       start_(start),
       mass_(model.mass),
       load_(model.load),
+      shaded_at_(start.time),
       factor_(plan_.parts.size(), 1.0),
-      rate_(plan_.parts.size(), 0.0),
-      shaded_at_(start.time) {
+      rate_(plan_.parts.size(), 0.0) {
   for (const GrowingPart& part : plan_.parts) {
     for (std::size_t k = 0; k < part.points.size(); ++k) {
       mass_[part.points[k]] -= part.mass[k];
