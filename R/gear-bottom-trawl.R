@@ -1,9 +1,9 @@
 # The bottom trawl's short form and the assembly that it stands for.
 #
 # From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper
-# wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each side,
-# with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end from
-# the head line's end to the footrope's.
+# wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each
+# side, with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end
+# from the head line's end to the footrope's.
 
 bottom_trawl_rings <- list(
   `2` = c("back", "belly"), `4` = c("back", "side_starboard", "belly", "side_port")
@@ -54,6 +54,7 @@ check_bottom_trawl <- function(fields) {
   }
   check_section_names(fields)
   check_wing_ends(fields)
+  check_middle_bridle(fields)
 }
 
 # Depth (m, stretched) of netting along the upper and the lower seam ahead of the first section.
@@ -79,15 +80,16 @@ check_wing_ends <- function(fields) {
       abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
     }
   }
-  for (level in c("upper", "lower")) {
+  for (level in names(wings)[names(wings) %in% c("upper", "lower")]) {
     wing <- wings[[level]]
     if (wing$flying >= wing$meshes$deep) {
       abort_field(paste0("wings.", level, ".flying"), wing$flying,
         paste("less than the wing's", format(wing$meshes$deep), "meshes deep"))
     }
   }
-  height <- wings$upper$meshes$tip + wings$lower$meshes$tip + wings$upper$flying +
-    wings$lower$flying
+  height <- sum(unlist(lapply(wings[c("upper", "lower")], function(wing) {
+    wing$meshes$tip + wing$flying
+  })))
   if (!sides && height == 0) {
     abort_field("wings.lower.meshes.tip", 0,
       "greater than 0 where no wing flies or has a blunt tip, or the wing ends have no height")
@@ -129,7 +131,10 @@ check_wing_ends <- function(fields) {
       }
     }
   }
-  if (!is.null(fields$bridles$middle) && is.null(wings$jib)) {
+}
+
+check_middle_bridle <- function(fields) {
+  if (!is.null(fields$bridles$middle) && is.null(fields$wings$jib)) {
     abort_field("bridles.middle", "given", "left out where there is no `wings.jib` for it to pull")
   }
 }
@@ -150,7 +155,9 @@ bottom_trawl_net <- function(fields, plan) {
     behind[["back"]] <- "back_square"
     across[["back"]] <- fields$square$meshes$upper
   }
+  # Without upper wings the head line runs along the whole front of the back.
   levels <- c(back = "upper", belly = "lower")
+  levels <- levels[levels %in% names(plan$wings)]
   pairs <- Map(function(panel, level) {
     given <- plan$wings[[level]]
     wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
@@ -161,7 +168,9 @@ bottom_trawl_net <- function(fields, plan) {
 
   # The edges along the seams ahead of the first section, from the front, by panel.
   outer <- function(panel, side) {
-    part <- flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    part <- if (panel %in% names(levels)) {
+      flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    }
     c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
   }
   left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
@@ -176,10 +185,12 @@ bottom_trawl_net <- function(fields, plan) {
   net$seams <- c(pairs$back$seams, pairs$belly$seams, sides$seams, seams, net$seams)
   net$points <- c(
     list(
-      upper_port = list(at = paste0(pairs$back$left, ".upper_right")),
-      upper_starboard = list(at = paste0(pairs$back$right, ".upper_left")),
-      lower_port = list(at = paste0(pairs$belly$right, ".upper_left")),
-      lower_starboard = list(at = paste0(pairs$belly$left, ".upper_right"))
+      upper_port = list(at = first_of(tip_corner(pairs$back, "left"),
+        paste0(behind[["back"]], ".upper_left"))),
+      upper_starboard = list(at = first_of(tip_corner(pairs$back, "right"),
+        paste0(behind[["back"]], ".upper_right"))),
+      lower_port = list(at = tip_corner(pairs$belly, "right")),
+      lower_starboard = list(at = tip_corner(pairs$belly, "left"))
     ),
     if (!is.null(fields$wings$jib)) {
       list(
@@ -192,6 +203,7 @@ bottom_trawl_net <- function(fields, plan) {
   # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
   # below.
   end <- function(panel, side) {
+    if (!panel %in% names(levels)) return(NULL)
     level <- levels[[panel]]
     wing <- fields$wings[[level]]
     free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
@@ -199,7 +211,7 @@ bottom_trawl_net <- function(fields, plan) {
     if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
   }
   mouth <- list(
-    head_line = pairs$back$inner,
+    head_line = first_of(pairs$back$inner, paste0(behind[["back"]], ".upper")),
     side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
     footrope = pairs$belly$inner,
     side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
@@ -213,6 +225,12 @@ bottom_trawl_net <- function(fields, plan) {
     net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
   }
   net
+}
+
+# The corner of a wing's tip where the line of the mouth ends, or NULL without wings.
+tip_corner <- function(pair, side) {
+  if (is.null(pair)) return(NULL)
+  paste0(pair[[side]], if (side == "left") ".upper_right" else ".upper_left")
 }
 
 # A line of the mouth with its length along each of its edges, where the plan gives its bosom.

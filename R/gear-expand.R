@@ -1,6 +1,7 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
 # Each takes the checked fields in SI and the plan as given, and returns the tree of an assembly.
 gear_expanders <- list(
+  beam_trawl = function(fields, plan) expand_beam_trawl(fields, plan),
   bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
   cage = function(fields, plan) expand_cage(fields, plan),
   dip_net = function(fields, plan) expand_dip_net(fields, plan),

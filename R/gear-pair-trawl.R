@@ -5,6 +5,7 @@
 expand_pair_trawl <- function(fields, plan) {
   check_section_names(fields)
   check_wing_ends(fields)
+  check_middle_bridle(fields)
   net <- bottom_trawl_net(fields, plan)
   ends <- paste0("warp_end_", trawl_sides)
   rig <- list(

@@ -47,7 +47,10 @@ ground_forces <- function(state) {
   total <- rowSums(state$contact_force) + rowSums(state$boards$ground_force)
   touching <- unique(lattice$engine$contacts$node[colSums(state$contact_force^2) > 0])
   bars <- lattice$engine$bars
-  of_ropes <- lattice$parts$kind[lattice$bar_part] == "rope"
+  # poles are no ropes
+  struts <- vapply(state$si$ropes, `[[`, NA, "strut")
+  of_ropes <- lattice$parts$kind[lattice$bar_part] == "rope" &
+    !lattice$parts$name[lattice$bar_part] %in% names(struts)[struts]
   ends <- matrix(bars$node %in% touching, 2L)
   list(
     total = total, normal = sum(ground$normal * total),

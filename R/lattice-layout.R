@@ -15,8 +15,12 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL,
                     open = nominal_hanging_ratio) {
   no_bars <- logical(length(si$panels))
   if (is.null(frame)) frame <- division_frame(chains, linked = !no_bars)
-  own <- vapply(si$ropes, function(rope) is.null(rope$along), NA)
-  skeleton <- divide(si, frame, rep.int(1L, length(frame$pieces$edge)), as.integer(own), no_bars)
+  # What is fastened to the middle of a pole must not start at its end.
+  segments <- vapply(si$ropes, function(rope) {
+    if (!is.null(rope$along)) return(0L)
+    if (rope$strut) as.integer(first_of(rope$segments, 1L)) else 1L
+  }, 0L)
+  skeleton <- divide(si, frame, rep.int(1L, length(frame$pieces$edge)), segments, no_bars)
   place <- skeleton_positions(si, skeleton, panels, supports(skeleton), open)
   old <- list(
     nodes = skeleton$nodes, division = skeleton, ropes = skeleton$ropes, points = skeleton$points,

@@ -49,10 +49,11 @@ fixed_nodes <- function(si) {
   sum(ropes, panels)
 }
 
-# A gear whose plan says nothing of how finely it is divided.
+# A gear whose plan says nothing of how finely it is divided. Poles keep their segments: divided
+# otherwise a strut would kink.
 undivided <- function(si) {
   si$ropes <- lapply(si$ropes, function(rope) {
-    rope$segments <- NULL
+    if (!rope$strut) rope$segments <- NULL
     rope
   })
   si$panels <- lapply(si$panels, function(panel) {

@@ -1,0 +1,96 @@
+test_that("a beam trawl is as wide and high as its frame, at every division and speed", {
+  trawl <- read_gear("beam_trawl")
+  found <- lapply(c(200, 400, 1500), function(nodes) settle(trawl, nodes = nodes))
+  found <- c(found, lapply(c("2 knot", "5 knot"), function(speed) {
+    settle(update(trawl, towing.speed = speed), nodes = 400)
+  }))
+  frame <- found[[1]]$si$ropes
+  for (state in found) {
+    # 10 kN on a strut of 100 MN and 4 m stretch it by less than 1 mm
+    expect_equal(measures(state)[["wing_end_spread_m"]], 4, tolerance = 1e-3 / 4)
+    corner <- function(name) state$position[, state$lattice$points[[name]]]
+    for (rope in names(frame)[vapply(frame, `[[`, "", "role") %in% "frame"]) {
+      ends <- vapply(frame[[rope]][c("from", "to")], corner, numeric(3))
+      expect_equal(sqrt(sum((ends[, 1] - ends[, 2])^2)), frame[[rope]]$length, tolerance = 1e-3,
+        label = rope)
+    }
+    # no more than one end of the shoes is lifted; upside down the beam would be below them
+    beam <- corner("beam_middle")[3]
+    expect_gt(beam - max(corner("toe_port")[3], corner("lower_port")[3]), 0.2)
+    expect_equal(corner("upper_port")[3], corner("upper_starboard")[3], tolerance = 1e-6)
+  }
+  found <- measures(found[[4]])
+  # at 2 knot nothing lifts the shoes off the sea bed, into which they sink by less than 20 mm
+  expect_lt(found[["beam_height_m"]], 0.6)
+  expect_gt(found[["beam_height_m"]], 0.58)
+  # the net hangs from the beam's ends: the head line sags a little between them
+  expect_equal(found[["headline_height_m"]], found[["beam_height_m"]], tolerance = 0.05)
+})
+
+test_that("what a beam trawl presses on the sea bed is its weight in water less the warp's lift", {
+  trawl <- update(read_gear("beam_trawl"), towing.speed = "3 knot")
+  found <- lapply(c("300 kg", "250 kg"), function(mass) {
+    measures(settle(update(trawl, shoes.mass = mass), nodes = 400))
+  })
+  for (m in found) {
+    # Coulomb: all that lies on the bed slides over it; the law is smooth near standstill alone
+    friction <- m[["ground_friction_percent"]] / 100 * m[["total_drag_kN"]]
+    expect_equal(friction, 0.5 * m[["ground_load_kN"]], tolerance = 1e-3)
+  }
+  # By hand: what the lighter shoes, of a steel of 7850 kg/m3, weigh less in water either presses
+  # less or lets the warp lift less.
+  weight <- 9.81e-3 * 100 * (1 - 1025 / 7850)
+  pressed_or_lifted <- vapply(found, function(m) {
+    m[["ground_load_kN"]] + m[["warp_tension_kN"]] * sin(m[["warp_declination_deg"]] * pi / 180)
+  }, 0)
+  # drag lifts the net and the warp a little less or more as they turn
+  expect_equal(pressed_or_lifted[1] - pressed_or_lifted[2], weight, tolerance = 0.01)
+})
+
+test_that("ticklers and the middle leg are as the plan has them, and both shoes stand on a slope", {
+  trawl <- read_gear("beam_trawl")
+  bare <- settle(update(trawl, ticklers = NULL, bridles.middle = NULL), nodes = 400)
+  expect_false(any(c("tickler_1_tension_kN", "bridle_middle_tension_kN") %in%
+    names(measures(bare))))
+  ropes <- assembly(trawl)$plan$ropes
+  expect_identical(ropes$tickler_3[c("from", "to")], list(from = "toe_port", to = "toe_starboard"))
+  expect_identical(ropes$head_line$along, "back_square.upper")
+  expect_identical(settle(assembly(trawl), nodes = 400)$position,
+    settle(trawl, nodes = 400)$position)
+  on_slope <- settle(update(trawl, seabed.slope = list(angle = "5 deg", toward = "90 deg")),
+    nodes = 400)
+  heel <- vapply(c("lower_port", "lower_starboard"), function(point) {
+    on_slope$position[3, on_slope$lattice$points[[point]]]
+  }, 0)
+  # 4 m across the slope, on which both shoes stand
+  expect_equal(unname(heel[1] - heel[2]), 4 * sin(5 * pi / 180), tolerance = 0.02)
+})
+
+test_that("a beam trawl that slows down ends as it settles at that speed", {
+  trawl <- read_gear("beam_trawl")
+  slowed <- tow(settle(trawl, nodes = 400), until = 60, every = 60,
+    speed = data.frame(time = c(0, 10), value = c(2.058, 1.5)))
+  found <- measures(state_at(slowed, 60))
+  expected <- measures(settle(update(trawl, towing.speed = 1.5), nodes = 400))
+  same <- c("beam_height_m", "wing_end_spread_m", "warp_tension_kN", "ground_load_kN")
+  # steps are accurate to about 1 mm of position, and a minute leaves little of the change
+  expect_equal(found[same], expected[same], tolerance = 0.01)
+})
+
+test_that("what a beam trawl cannot have is told", {
+  trawl <- read_gear("beam_trawl")
+  refused <- function(pattern, ...) {
+    expect_error(update(trawl, ...), pattern, class = "codend_error_plan")
+  }
+  refused("warp.length.*more than the depth of the sea bed, 30 m", warp.length = "25 m")
+  refused("bridles.outer.length.*half the length of the beam", bridles.outer.length = "1.5 m")
+  refused("bridles.upper", bridles.upper = "3 m")
+  refused("shoes.height.*height of a shoe's middle", shoes.height = "0.1 m")
+  refused("shoes.mass` is missing", shoes.mass = NULL)
+  refused("ticklers.tickler_1.length.*length of the beam, 4 m", ticklers.tickler_1.length = "3 m")
+  refused("beam.segments.*even", beam.segments = 5)
+  refused("beam.bending_stiffness", beam.bending_stiffness = 0)
+  refused("wings.upper", wings.upper = list(mesh_size = "100 mm"))
+  refused("wings.lower.meshes.deep.*within 5 %", wings.lower.meshes.deep = 30)
+  refused("seabed` is missing", seabed = NULL)
+})
