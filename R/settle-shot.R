@@ -1,9 +1,9 @@
-# A gear that is shot hangs slack nearly everywhere: only coarsely divided does it settle from a crude
-# layout, in hundreds of steps, and its shape is carried from there from level to level.
+# A gear that is shot hangs slack nearly everywhere: only coarsely divided does it settle from
+# a crude layout, in hundreds of steps, and its shape is carried from there from level to level.
 #
-# Where that does not lead to balance it settles from the shape in which it sinks, coarsely divided too:
-# fine slack netting flutters, which costs a march thousands of steps and leaves nothing behind in a
-# shape at rest.
+# Where that does not lead to balance it settles from the shape in which it sinks, coarsely divided
+# too: fine slack netting flutters, which costs a march thousands of steps and leaves nothing behind
+# in a shape at rest.
 
 # It sinks for so long (s) at a time, at most so often; steps may err by this (m).
 sinking_time <- 900

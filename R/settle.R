@@ -19,9 +19,10 @@
 #' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
 #' report).
 #'
-#' A gear whose plan has a section `shooting` that does not settle from a crude layout is shot, sinks for
-#' a quarter of an hour or two, coarsely divided, as in [tow()], and is settled from there. What is hauled
-#' during its operation stays out.
+#' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
+#' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
+#' settled from there. What is hauled during its operation stays out. In still water nothing holds
+#' such a net open: it ends as a bundle below its floats.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
