@@ -1,36 +1,43 @@
-# A gear that is shot settles from the shape in which it sinks: none that it is laid out in leads
-# there, since its lines and netting are slack nearly everywhere.
+# A gear that is shot hangs slack nearly everywhere: only coarsely divided does it settle from
+# a crude layout, in hundreds of steps, and its shape is carried from there from level to level.
 #
-# It sinks coarsely, and the shape that it sank in is carried from level to level like any other: slack
-# netting flutters, the finer the faster, which costs hundreds of steps and leaves nothing behind in a
-# shape at rest.
+# Where that does not lead to balance it settles from the shape in which it sinks, coarsely divided
+# too: fine slack netting flutters, which costs a march thousands of steps and leaves nothing behind
+# in a shape at rest.
 
-# It sinks for so long (s) at a time, at most so often, and then settles; steps may err by this (m).
+# It sinks for so long (s) at a time, at most so often; steps may err by this (m).
 sinking_time <- 900
-most_sinkings <- 4L
+most_sinkings <- 2L
 sinking_accuracy <- 0.5
 
-# As settle_level(); NULL where no shape that it sank in led to balance.
-settle_shot <- function(gear, si, nodes, netting, progress) {
+# As settle_level(), of the last of its trials. steps: of the coarsest level, at most.
+settle_shot <- function(gear, si, nodes, netting, steps, progress) {
+  free <- undivided(si)
+  coarse <- min(nodes, coarsest_nodes)
+  settle_from <- function(shape) {
+    found <- settle_level(free, coarse, "triangles", shape, steps, progress)
+    if (!found$report$converged) return(found)
+    shape <- list(lattice = found$lattice, position = lattice_points(found$lattice, found$position))
+    settle_level(
+      si, nodes, netting, coarse_shape(si, nodes, netting, progress, shape), near_steps, progress
+    )
+  }
+  found <- settle_from(NULL)
+  if (found$report$converged) return(found)
   shot <- si$ropes[[si$shooting$rope]]$length / si$shooting$speed
   until <- shot + seq_len(most_sinkings) * sinking_time
   # without a schedule: what is hauled in its plan's operation stays out
-  sinking <- shot_trajectory(gear, undivided(si), list(), until[most_sinkings],
-    min(nodes, coarsest_nodes), "triangles")
-  method <- tow_method("bdf2", sinking_accuracy, NULL)
+  sinking <- shot_trajectory(gear, free, list(), until[most_sinkings], coarse, "triangles")
   for (time in until) {
     sinking <- tryCatch(
-      march_trajectory(sinking, time, time, method),
+      march_trajectory(sinking, time, time, tow_method("bdf2", sinking_accuracy, NULL)),
       codend_error_not_converged = function(e) NULL
     )
-    if (is.null(sinking)) return(NULL)
-    found <- settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress, last_shape(sinking)),
-      near_steps, progress
-    )
+    if (is.null(sinking)) return(found)
+    found <- settle_from(last_shape(sinking))
     if (found$report$converged) return(found)
   }
-  NULL
+  found
 }
 
 # The shape of a trajectory's last moment, to carry over; its strains are those of a motion.

@@ -19,9 +19,10 @@
 #' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
 #' report).
 #'
-#' A gear whose plan has a section `shooting` begins as it is shot and sinks for a quarter of an hour or
-#' more, coarsely divided, as in [tow()]; it is settled from there, coarse to fine. What is hauled during
-#' its operation stays out.
+#' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
+#' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
+#' settled from there. What is hauled during its operation stays out. In still water nothing holds
+#' such a net open: it ends as a bundle below its floats.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
@@ -59,13 +60,14 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   if (!is.null(from)) {
     found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
   }
-  if (is.null(found) && !is.null(si$shooting)) {
-    found <- settle_shot(gear, si, nodes, netting, progress)
-  }
   if (!isTRUE(found$report$converged)) {
-    found <- settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress), steps, progress
-    )
+    found <- if (is.null(si$shooting)) {
+      settle_level(
+        si, nodes, netting, coarse_shape(si, nodes, netting, progress), steps, progress
+      )
+    } else {
+      settle_shot(gear, si, nodes, netting, steps, progress)
+    }
   }
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started

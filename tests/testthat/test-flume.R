@@ -101,6 +101,11 @@ test_that("files that are no plans are refused by their own name", {
     expect_identical(wrong$path, "ropes.warp.lenght")
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
 
+    # a gear that is shot settles while the page waits
+    seine <- update(read_gear("purse_seine"), rings.number = 12, shooting.speed = "30 m/s")
+    expect_length(upload(format(seine)), 0L)
+    expect_identical(tank$gear$plan$kind, "purse_seine")
+
     expect_length(upload(format(settled_gear("panel_in_current"))), 0L)
     expect_identical(tank$gear$plan$name, "Panel in a current")
     expect_identical(tank$pinned$gear, tank$gear)

@@ -65,8 +65,8 @@ test_that("the enclosed volume is that of a prism", {
 
 test_that("a seine that is left alone hangs down straight below its floats", {
   state <- settle("purse_seine")
-  # From where it sank it takes one solve; from a crude layout it takes hundreds of steps.
-  expect_lt(state$report$iterations, near_steps)
+  # Carried from the coarsest level: a crude layout as fine as this takes over a hundred steps.
+  expect_lt(state$report$iterations, 100)
   lattice <- state$lattice
   float <- state$position[3, lattice$place("float_line.middle")]
   # Slack across, netting hangs as deep as it is stretched: 2000 meshes of 25.4 mm and selvedges of 60
@@ -80,6 +80,29 @@ test_that("a seine that is left alone hangs down straight below its floats", {
   moved <- pursed$position[, , 2] - pursed$position[, , 1]
   wire <- state$lattice$ropes$purse_wire$node
   expect_true(all(colSums(moved[, setdiff(wire, which(lattice$engine$held))]^2) > 0))
+})
+
+test_that("a seine settles where it would if it had sunk, and ends where it finds no balance", {
+  gear <- update(
+    read_gear("purse_seine"), rings.number = 12, shooting.speed = "30 m/s",
+    water = list(current = list(speed = "0.2 m/s", toward = "0 deg"))
+  )
+  state <- settle(gear, nodes = 300)
+  si <- codend:::gear_si(gear)
+  # a quarter of an hour in the current, then settled: never from a crude layout
+  start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "triangles")
+  method <- codend:::tow_method("bdf2", 0.5, NULL)
+  sunk <- codend:::last_shape(codend:::march_trajectory(start, 900, 900, method))
+  found <- codend:::settle_level(si, 300, NULL, sunk, 800L, function(...) NULL)
+  expect_true(found$report$converged)
+  sunk <- codend:::new_state(gear, si, found$lattice, found$position, found$report)
+  tight <- c("lead_line_depth_middle_m", "enclosed_volume_m3", "end_rope_first_tension_kN")
+  # settled to 1e-8 of the largest tension; slack netting has little to hold it in place
+  expect_equal(measures(sunk)[tight], measures(state)[tight], tolerance = 1e-4)
+
+  # both ways are tried, with too few steps for either
+  expect_error(codend:::settle_gear(gear, 150, NULL, NULL, 3L), "did not settle: after 3 steps",
+    class = "codend_error_not_converged")
 })
 
 test_that("a seine sinks, and its wire closes it with one tension", {
