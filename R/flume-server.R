@@ -130,10 +130,6 @@ new_tank <- function(start, marked, nodes) {
     lay_out()
   }
   tank$open <- function(gear) {
-    if (!is.null(gear_si(gear)$shooting)) {
-      abort_flume("A gear that is shot takes minutes to settle, and every browser would wait; open
-        it from R, with {.code flume()} of its plan.")
-    }
     put(gear, NULL)
     tank$loaded <- gear
     lay_out()

@@ -14,7 +14,7 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
 # fraction of its
 # length, points = node of each point, place = function from a parsed place to a node,
-# catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see hang_out(),
+# catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see hang_out(); let_go = TRUE once it is,
 # division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).

@@ -8,9 +8,9 @@ coarsest_nodes <- 250
 near_steps <- 200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of every
-# line or NULL), or NULL where coarser ones are of no use: ropes alone settle in a few steps.
-coarse_shape <- function(si, nodes, netting, progress) {
-  found <- NULL
+# line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use: ropes
+# alone settle in a few steps.
+coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
   if (!length(si$panels)) return(found)
   free <- undivided(si)
   for (level in coarse_levels(min(nodes, fixed_nodes(si)))) {

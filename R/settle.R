@@ -20,7 +20,8 @@
 #' report).
 #'
 #' A gear whose plan has a section `shooting` begins as it is shot and sinks for a quarter of an hour or
-#' more ([tow()]), then settles from there. What is hauled during its operation stays out.
+#' more, coarsely divided, as in [tow()]; it is settled from there, coarse to fine. What is hauled during
+#' its operation stays out.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.

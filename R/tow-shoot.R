@@ -55,9 +55,10 @@ vessel_way <- function(shooting, length, reach) {
   )
 }
 
-# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not.
+# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not, or where
+# a tow starts with all of it in the water.
 shooting_times <- function(si, lattice) {
-  if (is.null(lattice$hung)) return(list(node = integer(), time = numeric()))
+  if (is.null(lattice$hung) || isTRUE(lattice$let_go)) return(list(node = integer(), time = numeric()))
   free <- which(!lattice$engine$held)
   list(node = free, time = shot_reach(si, lattice)[free] / si$shooting$speed)
 }

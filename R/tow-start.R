@@ -38,6 +38,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
 }
 
 started_trajectory <- function(state, given, until) {
+  state$lattice$let_go <- TRUE
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
   if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
     abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")

@@ -14,8 +14,9 @@
 #' make a jump) or a function of time in s that gives SI (taken every 0.1 s and smooth between). A
 #' gear that is not yet a state settles first, in the conditions of time 0, and what is not given here
 #' is taken from its plan's section `tow`, which has fields of the same names and lists of `time` and
-#' `value` for tables. A state goes on as it is but for what is given here: of its plan's section
-#' `tow`, which may begin elsewhere, only `scheme` and `accuracy` count.
+#' `value` for tables. A state that is towed to no given time goes on in its plan's section `tow`
+#' too, if that begins where the state is. Towed `until` a time it goes on as it is but for what is
+#' given here: then only `scheme` and `accuracy` of that section count.
 #' `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots the shipped trawl's
 #' warps, tows it, turns by 90 degrees and hauls it back.
 #'
@@ -39,7 +40,8 @@
 #' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
 #'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own
 #'   schedule.
-#' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`.
+#' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`, and
+#'   with a state then its whole section `tow`.
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
 #' @param speed Towing speed, m/s; the plan's when `NULL`.
 #' @param course Course to starboard of that at the start, rad; it starts at 0.
@@ -91,7 +93,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   planned <- if (going_on) {
     c(gear["every"], scheme = gear$method$scheme, accuracy = positive_or_null(gear$method$accuracy))
   } else if (inherits(gear, "codend_state")) {
-    plan_tow(gear$gear)[c("scheme", "accuracy")]
+    plan_tow(gear$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
   } else {
     plan_tow(checked_gear(gear))
   }

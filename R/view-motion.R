@@ -63,7 +63,19 @@ line_box <- function(lines) {
 }
 
 motion_words <- function(trajectory) {
-  sprintf("towed for %s", time_words(max(trajectory$time), max(trajectory$time)))
+  last <- max(trajectory$time)
+  paste(if (is_towed(trajectory)) "towed for" else "after", time_words(last, last))
+}
+
+is_towed <- function(trajectory) any(trajectory$conditions$speed > 0)
+
+# What the page says beside its slider, at every time.
+motion_labels <- function(trajectory) {
+  time <- vapply(trajectory$time, time_words, "", last = max(trajectory$time))
+  if (!is_towed(trajectory)) return(paste("after", time))
+  conditions <- trajectory$conditions
+  sprintf("%s, %.1f knot, course %.0f\u00b0", time, conditions$speed / 0.514444,
+    conditions$course * 180 / pi)
 }
 
 # A time (s) in the unit that suits the last of its times.
@@ -84,12 +96,9 @@ motion_data <- function(motion, scales, drawn, trajectory) {
   seen <- Filter(function(l) !is.null(l$id), list(
     lines("netting", scales$netting), lines("ropes", scales$rope)
   ))
-  conditions <- trajectory$conditions
   list(
     time = I(trajectory$time),
-    label = I(sprintf("%s, %.1f knot, course %.0f\u00b0",
-      vapply(trajectory$time, time_words, "", last = max(trajectory$time)),
-      conditions$speed / 0.514444, conditions$course * 180 / pi)),
+    label = I(motion_labels(trajectory)),
     points = packed(as.double(motion$points), 4L), lines = seen,
     marks = packed(as.double(motion$marks), 4L), plates = drawn$plates, balls = drawn$balls
   )

@@ -101,9 +101,6 @@ test_that("files that are no plans are refused by their own name", {
     expect_identical(wrong$path, "ropes.warp.lenght")
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
 
-    shot <- upload(format(read_gear("purse_seine")))[[1]]
-    expect_match(shot$message, "takes minutes to settle")
-
     expect_length(upload(format(settled_gear("panel_in_current"))), 0L)
     expect_identical(tank$gear$plan$name, "Panel in a current")
     expect_identical(tank$pinned$gear, tank$gear)

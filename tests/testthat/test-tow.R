@@ -170,7 +170,20 @@ test_that("a state goes on as it is, whatever schedule its plan has for the gear
   found <- tow(settle(gear), until = 10, every = 10)
   expect_equal(found$conditions$speed, c(2, 2))
   expect_equal(measures(state_at(found, 10)), measures(settle(gear)), tolerance = 1e-6)
-  expect_error(tow(settle(gear)), "`until`", class = "codend_error_argument")
+  expect_error(tow(settle(gear)), "`gear` is a state whose cable", class = "codend_error_argument")
+  expect_error(tow(settle(short_cable())), "`until`", class = "codend_error_argument")
+})
+
+test_that("a state goes on in its plan's schedule where that begins with it", {
+  gear <- short_cable(until = 4, every = 2, speed = list(
+    list(time = 0, value = 2), list(time = 4, value = 2.5)
+  ))
+  found <- tow(settle(gear))
+  whole <- tow(gear)
+  expect_equal(found$conditions$speed, c(2, 2.25, 2.5))
+  expect_identical(found$position, whole$position)
+  # what is given goes before the plan
+  expect_equal(tow(settle(gear), speed = 2)$conditions$speed, c(2, 2, 2))
 })
 
 test_that("wrong arguments are named", {

@@ -49,6 +49,13 @@ test_that("the page of a trajectory moves every line to where the state has it",
   expect_match(motion$label[4], "25.0 s, 4.5 knot, course 30\u00b0", fixed = TRUE)
 })
 
+test_that("the page of a gear that is moored tells the time alone", {
+  moored <- tow("dip_net", until = 2, every = 1, nodes = 100)
+  expect_identical(as.character(motion_labels(moored)), paste("after", c("0.0", "1.0", "2.0"), "s"))
+  expect_identical(motion_words(moored), "after 2.0 s")
+  expect_identical(motion_words(turning_trawl()), "towed for 25.0 s")
+})
+
 test_that("colours have one scale for the whole tow, which is the legend's", {
   trajectory <- turning_trawl()
   motion <- page_motion(view(trajectory))$lines[[2]]
