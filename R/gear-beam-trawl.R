@@ -3,10 +3,10 @@
 # the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from end to
 # end of the beam, the footrope from heel to heel of the shoes.
 
-# What makes the frame one stiff body: struts without mass, too thin to meet any water.
+# What makes the frame one stiff body: struts that weigh nothing and that the water does not feel.
 frame_strut <- list(
   pushes = TRUE, segments = 1L, diameter = 0.001, axial_stiffness = 1e8, mass_per_length = 0,
-  volume_per_length = 0, role = "frame"
+  volume_per_length = 0, coefficients = list(normal = 0), role = "frame"
 )
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
