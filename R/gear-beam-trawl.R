@@ -88,7 +88,7 @@ shoe_pieces <- function(fields) {
     shoe_toe_port = "toe_port", shoe_heel_port = "lower_port",
     shoe_toe_starboard = "toe_starboard", shoe_heel_starboard = "lower_starboard"
   )
-  lapply(ends, function(end) c(list(at = end), half_shoe(fields), list(role = "shoe")))
+  lapply(ends, function(end) c(list(at = end), half_shoe(fields), list(role = "shoe_end")))
 }
 
 # Height (m) above the sea bed of the middle of a shoe that stands on it, which is what the frame is
