@@ -3,10 +3,10 @@
 # the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from end to
 # end of the beam, the footrope from heel to heel of the shoes.
 
-# What makes the frame one stiff body: struts without mass, too thin to meet any water.
+# What makes the frame one stiff body: struts that weigh nothing and that the water does not feel.
 frame_strut <- list(
   pushes = TRUE, segments = 1L, diameter = 0.001, axial_stiffness = 1e8, mass_per_length = 0,
-  volume_per_length = 0, role = "frame"
+  volume_per_length = 0, coefficients = list(normal = 0), role = "frame"
 )
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
@@ -88,7 +88,7 @@ shoe_pieces <- function(fields) {
     shoe_toe_port = "toe_port", shoe_heel_port = "lower_port",
     shoe_toe_starboard = "toe_starboard", shoe_heel_starboard = "lower_starboard"
   )
-  lapply(ends, function(end) c(list(at = end), half_shoe(fields), list(role = "shoe")))
+  lapply(ends, function(end) c(list(at = end), half_shoe(fields), list(role = "shoe_end")))
 }
 
 # Height (m) above the sea bed of the middle of a shoe that stands on it, which is what the frame is

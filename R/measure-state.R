@@ -52,8 +52,9 @@
 #'   the netting's length of twine exceeds. The very largest, where a rope pulls at the tip of a
 #'   wing, depends on how finely the netting is divided.
 #' - `slack_netting_percent`: share of the netting's length of twine that carries no tension.
-#' - with a sea bed: `rope_on_ground_m` (length of rope that lies on it), `ground_load_kN` (what
-#'   the gear presses on it with) and `ground_friction_percent` (share of friction in the total drag).
+#' - with a sea bed: `rope_on_ground_m` (length of rope, not of poles, that lies on it),
+#'   `ground_load_kN` (what the gear presses on it with) and `ground_friction_percent` (share of
+#'   friction in the total drag).
 #' - `least_depth_m` and `greatest_depth_m`: depth of the highest and the lowest node of the gear.
 #'
 #' @param state A state, from [settle()].

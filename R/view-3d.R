@@ -74,6 +74,7 @@ gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(stat
   # To be seen from near and from far.
   marks <- scene_marks(drawing$marks, (longest_side(focus)^2 * longest_side(whole))^(1 / 3))
   if (state$si$water$density > 0) scene_surface(whole)
+  scene_bed(drawn_bed(state), whole)
   # Axes lie around the box that the scene turns in.
   rgl::par3d(ignoreExtent = TRUE)
   whole_axes <- scene_axes(whole, flow)

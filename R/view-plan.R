@@ -50,6 +50,8 @@ plot.codend_gear <- function(x, file = NULL, width = plan_page[1], height = plan
 # ropes, pieces (items, or NULL), rigging (NULL for none)).
 plan_figure <- function(gear) {
   si <- gear_si(gear)
+  # Struts that weigh nothing stand for stiff corners: nobody makes them.
+  si$ropes <- Filter(function(rope) !(rope$strut && rope$mass_per_length == 0), si$ropes)
   ropes <- if (length(si$ropes)) rope_items(si)
   pieces <- piece_items(si)
   list(

@@ -49,7 +49,7 @@ check_inches <- function(name, value) {
 }
 
 # What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
-# and netting, flow (m/s, x and y), in_water, planes).
+# and netting, flow (m/s, x and y), in_water, bed (see drawn_bed()), planes).
 plane_figure <- function(state, planes) {
   drawing <- state_drawing(state)
   list(
@@ -62,6 +62,7 @@ plane_figure <- function(state, planes) {
     ),
     flow = flow_past(state),
     in_water = state$si$water$density > 0,
+    bed = drawn_bed(state),
     planes = planes
   )
 }
@@ -145,6 +146,7 @@ draw_plane <- function(figure, view, frame, page) {
     graphics::text(usr[2], 0, "water surface ", adj = c(1, if (above) -0.35 else 1.35),
       col = water_colour, cex = 0.75)
   }
+  draw_bed(figure$bed, axes, usr, pin[2])
   thin <- zoom * if (view$region == "whole" && view$enlarged) 0.35 else 0.6
   draw_lines(figure$drawing$netting, figure$scales$netting, axes, thin)
   draw_lines(figure$drawing$ropes, figure$scales$rope, axes,

@@ -55,6 +55,8 @@ test_that("ticklers and the middle leg are as the plan has them, and both shoes 
   ropes <- assembly(trawl)$plan$ropes
   expect_identical(ropes$tickler_3[c("from", "to")], list(from = "toe_port", to = "toe_starboard"))
   expect_identical(ropes$head_line$along, "back_square.upper")
+  # the struts are no part of what a net maker reads
+  expect_false("frame" %in% plan_figure(trawl)$ropes$name)
   expect_identical(settle(assembly(trawl), nodes = 400)$position,
     settle(trawl, nodes = 400)$position)
   on_slope <- settle(update(trawl, seabed.slope = list(angle = "5 deg", toward = "90 deg")),

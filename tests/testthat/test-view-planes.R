@@ -117,3 +117,20 @@ test_that("a net far behind its ship is drawn again, enlarged, where the page al
   expect_setequal(regions(far, c(10, 20)), c(whole, "xy net", "xz net"))
   expect_equal(regions(far, c(10, 4)), whole)
 })
+
+test_that("the sea bed is drawn where the gear lies on it, and none where there is none", {
+  expect_null(drawn_bed(unsettled("midwater_trawl", nodes = 300)))
+  expect_equal(bed_heights(list(normal = c(0, 0, 1), height = -30), cbind(c(5, 7), c(0, 0))),
+    c(-30, -30))
+  # falling by 1 in 10 aft: 2 m deeper 20 m behind
+  normal <- c(1, 0, 10) / sqrt(101)
+  bed <- list(normal = normal, height = -30 * normal[3])
+  expect_equal(bed_heights(bed, cbind(c(0, 9), c(20, -4))), c(-30, -32))
+  trawl <- update(read_gear("beam_trawl"), seabed.slope = list(angle = "5 deg", toward = "0 deg"))
+  state <- settle(trawl, nodes = 200)
+  bed <- drawn_bed(state)
+  heel <- state$position[, state$lattice$points[["lower_port"]]]
+  # the heel is a few metres ahead of or behind the middle of what lies on the bed
+  expect_lt(abs(bed$middle[1] - heel[1]), 5)
+  expect_equal(bed_heights(bed, cbind(heel[1:2])), -30 - heel[1] * tan(5 * pi / 180))
+})
