@@ -73,7 +73,9 @@ contact_points <- function(masses) {
 # height).
 immersed_volumes <- function(masses, density) {
   some <- which(masses$volume > 0 & masses$surface > 0)
-  key <- paste(masses$node[some], masses$surface[some])
+  # heights that only rounding keeps apart are one
+  height <- signif(masses$surface[some], 12)
+  key <- masses$node[some] + (max(0, masses$node) + 1) * match(height, unique(height))
   first <- some[!duplicated(key)]
   list(
     node = masses$node[first], height = masses$surface[first],
