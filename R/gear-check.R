@@ -217,7 +217,7 @@ check_places <- function(si) {
     link(paste0(name, ".middle"))
     for (place in rope$through) link(place)
   }
-  for (place in share_places(si)) link(place)
+  for (place in si$share_places) link(place)
   links <- c(links, as.list(paste0(rep(names(si$panels), each = 4L), ".", corners)))
   for (name in names(si$seams)) {
     seam <- si$seams[[name]]

@@ -5,11 +5,11 @@ gear_gravity <- 9.81
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, measures). Places stay texts that `parse_place()`
-# takes apart; a chain is a list of
-# list(panel, edge, from, to, reversed) with from and to as fractions of the edge. What a plan may
-# leave out and has no default is NULL (position, at, near, from, to, along, shares, held_between, segments,
-# columns, rows, opening_stiffness, catch) or, of single numbers and texts, NA.
+# seams, pieces, otter_boards, ground, shooting, measures, share_places). Places stay texts that
+# `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from and
+# to as fractions of the edge. What a plan may leave out and has no default is NULL (position, at,
+# near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness, catch) or,
+# of single numbers and texts, NA.
 gear_si <- function(gear) {
   # a gear just read is asked for again by the lattice
   if (identical(plan_cache$plan, gear$plan)) return(plan_cache$si)
@@ -42,6 +42,7 @@ gear_si <- function(gear) {
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
+  si$share_places <- share_places(si)
   check_gear(si)
   plan_cache$plan <- gear$plan
   plan_cache$si <- si

@@ -43,7 +43,7 @@ gear_chains <- function(si) {
 }
 
 chain_marks <- function(si, chains, laced) {
-  places <- lapply(share_places(si), parse_place)
+  places <- lapply(si$share_places, parse_place)
   places <- Filter(function(place) place$name %in% names(laced), places)
   row <- vapply(places, function(place) {
     chain <- laced[[place$name]]

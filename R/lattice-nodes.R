@@ -200,7 +200,7 @@ name_places <- function(si, ends, ropes) {
   named <- function(names, places) {
     if (length(names)) paste0(rep(names, each = length(places)), ".", places)
   }
-  shares <- share_places(si)
+  shares <- si$share_places
   at_shares <- vapply(lapply(shares, parse_place), function(place) {
     rope <- ropes[[place$name]]
     rope$node[which.min(abs(rope$at - place$place))]

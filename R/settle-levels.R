@@ -121,8 +121,9 @@ shape_for <- function(si, from) {
   }, si$ropes, from$si$ropes)
   chains <- gear_chains(si)
   panels <- panel_table(si$panels)
-  moved <- lay_out(si, shape$lattice, panels, chains) -
-    lay_out(before, shape$lattice, panels, chains)
+  frame <- division_frame(chains, linked = rep(TRUE, length(si$panels)))
+  moved <- lay_out(si, shape$lattice, panels, chains, frame) -
+    lay_out(before, shape$lattice, panels, chains, frame)
   shape$position <- shape$position + lattice_points(shape$lattice, moved)
   shape
 }
