@@ -45,7 +45,7 @@ read_expressions <- function(file) {
   })
 }
 
-# Sizes of the sets of nodes that reach each other, largest first; edges: two columns of names.
+# The sets of nodes that reach each other and themselves, largest first; edges: two columns of names.
 cycles <- function(nodes, edges) {
   reach <- matrix(FALSE, length(nodes), length(nodes), dimnames = list(nodes, nodes))
   reach[cbind(edges[[1]], edges[[2]])] <- TRUE
