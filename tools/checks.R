@@ -4,7 +4,9 @@
 
 checks <- c(
   "style of R (.lintr)" = "Rscript tools/check-style.R",
+  "order of R's rooms" = "Rscript tools/check-layers.R",
   "format of C++ (.clang-format)" = "tools/check-format",
+  "objects in src/Makevars" = "tools/makevars.sh --check",
   "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
 )
 
