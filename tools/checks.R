@@ -7,6 +7,7 @@ checks <- c(
   "order of R's rooms" = "Rscript tools/check-layers.R",
   "format of C++ (.clang-format)" = "tools/check-format",
   "objects in src/Makevars" = "tools/makevars.sh --check",
+  "schema of plans and its parts" = "make -s schema-check",
   "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
 )
 
