@@ -51,7 +51,8 @@ vtk_array_head <- function(name, value, offset, in_field) {
   )
   components <- if (is.matrix(value)) nrow(value) else 1L
   sprintf(
-    "<DataArray type=\"%s\" Name=\"%s\"%s%s format=\"appended\" offset=\"%.0f\"/>", type, name,
+    "<DataArray type=\"%s\" Name=\"%s\"%s%s format=\"appended\" offset=\"%.0f\"/>", type,
+    escape_markup(name),
     if (components > 1L) sprintf(" NumberOfComponents=\"%d\"", components) else "",
     if (in_field) sprintf(" NumberOfTuples=\"%d\"", length(value) / components) else "", offset
   )

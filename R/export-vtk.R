@@ -73,7 +73,7 @@ series_lines <- function(time, files) {
   c(
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
     "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">", "<Collection>",
-    sprintf("<DataSet timestep=\"%.15g\" part=\"0\" file=\"%s\"/>", time, escape_html(files)),
+    sprintf("<DataSet timestep=\"%.15g\" part=\"0\" file=\"%s\"/>", time, escape_markup(files)),
     "</Collection>", "</VTKFile>"
   )
 }

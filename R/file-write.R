@@ -24,14 +24,18 @@ check_file_path <- function(file, extensions = character()) {
 write_file <- function(file, write) {
   path <- tempfile(".codend-", tmpdir = dirname(file))
   on.exit(unlink(path, recursive = TRUE))
+  check_all <- function() {
+    written <- if (dir.exists(path)) list.files(path, full.names = TRUE) else path
+    for (each in written) check_written(file, file_sync(each))
+  }
   tryCatch(write(path), error = function(e) {
     if (inherits(e, "codend_error")) stop(e)
+    # the system says better than a writer why it failed
+    if (file.exists(path)) check_all()
     abort_unwritten(file, conditionMessage(e))
   })
-  is_folder <- dir.exists(path)
-  written <- if (is_folder) list.files(path, full.names = TRUE) else path
-  for (each in written) check_written(file, file_sync(each))
-  if (is_folder && dir.exists(file)) {
+  check_all()
+  if (dir.exists(path) && dir.exists(file)) {
     # no folder can be renamed onto one that holds files
     old <- tempfile(".codend-", tmpdir = dirname(file))
     check_written(file, file_replace(file, old))
@@ -65,7 +69,7 @@ abort_unwritten <- function(file, why, trajectory = NULL) {
 # what: the rest of the sentence, for cli with the values in `...`, which the condition has as fields.
 abort_file <- function(file, what, ...) {
   values <- list(...)
-  cli::cli_abort(paste("{.arg file} is {show_value(file)}; it", what),
+  cli::cli_abort(paste("{.arg file} is {.val {file}}; it", what),
     class = c("codend_error_file", "codend_error"), call = NULL, file = file, !!!values,
     .envir = list2env(c(list(file = file), values), parent = environment(abort_file)))
 }

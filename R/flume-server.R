@@ -189,12 +189,6 @@ flume_problem <- function(expression) {
   )
 }
 
-# A condition's message on one line, without the marks of cli's list items.
-plain_message <- function(condition) {
-  text <- gsub("\n[^[:alnum:][:space:]] ", " ", cli::ansi_strip(conditionMessage(condition)))
-  trimws(gsub("[[:space:]]+", " ", text))
-}
-
 # The gear of an uploaded file, whose messages name the file as its owner does.
 read_upload <- function(upload) {
   file <- upload$datapath[1]

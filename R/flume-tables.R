@@ -6,12 +6,12 @@ html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot 
   line <- function(cells) {
     last <- c("</th>", rep("</td>", length(cells) - 1L))
     open <- c("<th scope='row'>", paste0("<td", class[-1], ">"))
-    paste0("<tr>", paste0(open, escape_html(as.character(cells)), last, collapse = ""), "</tr>")
+    paste0("<tr>", paste0(open, escape_markup(as.character(cells)), last, collapse = ""), "</tr>")
   }
   shiny::HTML(paste0(
-    "<div class='table-scroll' tabindex='0' role='region' aria-label='", escape_html(caption), "'>",
-    "<table class='table table-sm flume-table'><caption>", escape_html(caption), "</caption>",
-    "<thead><tr>", paste0("<th scope='col'", class, ">", escape_html(head), "</th>", collapse = ""),
+    "<div class='table-scroll' tabindex='0' role='region' aria-label='", escape_markup(caption), "'>",
+    "<table class='table table-sm flume-table'><caption>", escape_markup(caption), "</caption>",
+    "<thead><tr>", paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = ""),
     "</tr></thead><tbody>", paste(vapply(rows, line, ""), collapse = ""), "</tbody>",
     if (!is.null(foot)) paste0("<tfoot>", line(foot), "</tfoot>"), "</table></div>"
   ))

@@ -153,10 +153,13 @@ check_list <- function(value, node, path) {
   }
   checked <- vector("list", n)
   for (i in seq_len(n)) {
-    checked[[i]] <- check_field(value[[i]], node$items, paste0(path, "[", i, "]"))
+    checked[i] <- list(check_field(value[[i]], node$items, paste0(path, "[", i, "]")))
   }
-  if (node$items$shape %in% c("quantity", "number", "integer",
-    "string")) unlist(checked) else checked
+  switch(node$items$shape,
+    quantity = , number = , integer = vapply(checked, identity, 0),
+    string = vapply(checked, identity, ""),
+    checked
+  )
 }
 
 # Whether texts are all that a node of texts asks for.
@@ -181,14 +184,15 @@ check_map <- function(value, node, path) {
       if (is.null(property)) property <- open_property(name, value, node, path)
       # the sides of a trawl follow each other and are alike
       if (i > 1 && identical(value[[i]], value[[i - 1]])) {
-        checked[[i]] <- checked[[i - 1]]
+        checked[i] <- checked[i - 1]
         next
       }
     }
     check <- function() check_field(value[[i]], property, join(path, name))
-    checked[[i]] <- if (nzchar(path)) check() else {
+    # in single brackets: a place assigned NULL would go, and later fields move to wrong names
+    checked[i] <- list(if (nzchar(path)) check() else {
       remembered(paste0("field ", name), list(value[[i]], property), check)
-    }
+    })
   }
   for (name in node$required) {
     if (!name %in% given) {

@@ -128,11 +128,6 @@ settle_one <- function(gear, nodes, netting, from) {
   )
 }
 
-# A condition's message on one line, without marks for a terminal.
-plain_message <- function(condition) {
-  gsub("[[:space:]]+", " ", cli::ansi_strip(conditionMessage(condition)))
-}
-
 # A function(done) that shows a bar once a study has run for two seconds.
 vary_progress <- function(total) {
   if (!cli::is_dynamic_tty() || total < 2L) return(function(done) NULL)

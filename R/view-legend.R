@@ -6,8 +6,8 @@ page_legend <- function(state, drawing, scales, conditions = state_conditions(st
   text <- "font: 12px/1.35 system-ui, sans-serif; color: #202428; pointer-events: none;"
   paste0(
     "<div class='view-title' style='position: absolute; left: 14px; top: 10px; ", text, "'>",
-    "<div style='font-size: 17px; font-weight: 600'>", escape_html(state$gear$plan$name), "</div>",
-    "<div>", escape_html(conditions), "</div></div>",
+    "<div style='font-size: 17px; font-weight: 600'>", escape_markup(state$gear$plan$name), "</div>",
+    "<div>", escape_markup(conditions), "</div></div>",
     "<div class='view-legend' style='position: absolute; left: 14px; bottom: ", bottom, "px; ",
     text,
     " display: flex; flex-wrap: wrap; gap: 26px; align-items: flex-start'>",
@@ -57,11 +57,4 @@ html_key <- function(marks) {
     ),
     "</div>"
   )
-}
-
-escape_html <- function(text) {
-  for (pair in list(c("&", "&amp;"), c("<", "&lt;"), c(">", "&gt;"), c("'", "&#39;"))) {
-    text <- gsub(pair[1], pair[2], text, fixed = TRUE)
-  }
-  text
 }

@@ -187,6 +187,17 @@ test_that("a trajectory is a series of grids over the ground", {
   expect_true(file.exists(file.path(folder, "turn", "notes.txt")))
 })
 
+test_that("a series may have any name that a file can have", {
+  skip_if_not_installed("xml2")
+  name <- "a \"tow\" of <Tom's> & Co"
+  file <- file.path(test_folder(), paste0(name, ".pvd"))
+  tow <- tow("towed_cable", until = 1)
+  write_vtk(tow, file)
+  text <- paste(readLines(file), collapse = "\n")
+  listed <- xml2::xml_attr(xml2::xml_find_all(xml2::read_xml(charToRaw(text)), "//DataSet"), "file")
+  expect_identical(listed, sprintf("%s/%04d.vtu", name, seq_along(tow$time)))
+})
+
 test_that("the same state gives the same bytes", {
   folder <- test_folder()
   state <- settled("panel_in_current", nodes = 200)

@@ -113,3 +113,42 @@ test_that("pieces from end to end are two or more along something", {
     "is missing; it must be given with `end_to_end`")
   e("along: warp, mass: 5, number: 2, end_to_end: 2", "pieces.p.end_to_end", "must be yes or no")
 })
+
+# Paths of the lists that a plan may leave empty, without a number for an item.
+lists_that_may_be_empty <- function(node, path = character()) {
+  found <- if (node$shape == "array" && is.null(node$minItems)) list(path)
+  inner <- unlist(lapply(names(node$properties), function(name) {
+    lists_that_may_be_empty(node$properties[[name]], c(path, name))
+  }), recursive = FALSE)
+  choices <- unlist(lapply(node$choices, lists_that_may_be_empty, path), recursive = FALSE)
+  unique(c(found, inner, choices))
+}
+
+test_that("an empty list, wherever it stands in a shipped plan, leaves every field its place", {
+  for (name in names(shipped_plans())) {
+    plan <- read_gear(name)$plan
+    lists <- lists_that_may_be_empty(plan_schema$kinds[[first_of(plan$kind, "assembly")]])
+    expect_true(list("notes") %in% lists)
+    for (path in lists) {
+      field <- path[1]
+      empty <- if (length(path) == 1) list() else stats::setNames(list(list()), path[2])
+      others <- plan[names(plan) != field]
+      expected <- check_plan(others)
+      for (at in 0:length(others)) {
+        checked <- check_plan(append(others, stats::setNames(list(empty), field), after = at))
+        expect_length(checked[[path]], 0)
+        expect_identical(
+          checked[setdiff(names(expected), field)], expected[names(expected) != field],
+          label = sprintf("%s with %s empty at %d", name, paste(path, collapse = "."), at)
+        )
+      }
+    }
+  }
+})
+
+test_that("a towed cable keeps its sphere where its notes are empty", {
+  cable <- read_gear("towed_cable")
+  plan <- cable$plan
+  noted <- c(list(notes = list()), plan[names(plan) != "notes"])
+  expect_identical(gear_si(as_gear(noted)), gear_si(cable))
+})

@@ -210,7 +210,6 @@ define_trajectory <- function(nc, what, frame) {
   text("NC_GLOBAL", "plan", enc2utf8(format(what$gear)))
   RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_trajectory", "NC_INT", trajectory_file_version)
 
-  RNetCDF::sync.nc(nc)
   put(nc, "end", 0L)
   put(nc, "bar_node", matrix(engine$bars$node, 2L))
   put(nc, "bar_part", lattice$bar_part)

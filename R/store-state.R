@@ -60,7 +60,6 @@ write_state <- function(state, file) {
     text("NC_GLOBAL", "source", paste("codend", utils::packageVersion("codend")))
     text("NC_GLOBAL", "plan", enc2utf8(format(state$gear)))
     RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_state", "NC_INT", state_file_version)
-    RNetCDF::sync.nc(nc)
     for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
   })
 }

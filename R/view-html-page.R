@@ -10,7 +10,7 @@ write_single_page <- function(file, title, body, style = NULL, script = NULL) {
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>",
     # Browsers ask a server for an icon unless the page has one.
     "<link rel=\"icon\" href=\"data:,\"/>",
-    paste0("<title>", escape_html(title), "</title>"),
+    paste0("<title>", escape_markup(title), "</title>"),
     vapply(parts, inline_dependency, ""), inline_style(style), inline_script(script),
     as.character(rendered$head), "</head>", "<body>", as.character(rendered$html), "</body>",
     "</html>", ""

@@ -8,8 +8,7 @@ check_netcdf <- function() {
   )
 }
 
-# A file in the classic format with 64-bit offsets; fill: a function(nc) that defines all, calls
-# RNetCDF::sync.nc(), which tells why where that fails, and puts all.
+# A file in the classic format with 64-bit offsets; fill: a function(nc) that defines and puts all.
 write_netcdf <- function(file, fill) {
   write_file(file, function(path) {
     nc <- RNetCDF::create.nc(path, format = "offset64")
