@@ -380,11 +380,3 @@ read_resume <- function(get, n) {
     caution = as.integer(one("caution")), step = one("step"), done = done, report = report
   )
 }
-
-# ---- checks -------------------------------------------------------------------------------------
-
-check_is_trajectory <- function(trajectory) {
-  if (!inherits(trajectory, "codend_trajectory")) {
-    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
-  }
-}
