@@ -1,7 +1,5 @@
 # The gear as SI numbers: what the lattice is made from.
 
-gear_gravity <- 9.81
-
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,

@@ -11,15 +11,6 @@ as_gear <- function(tree, file = NULL) {
   gear
 }
 
-check_is_gear <- function(gear) {
-  if (!inherits(gear, "codend_gear")) {
-    cli::cli_abort(
-      "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
-    )
-  }
-}
-
 #' Read the plan of a gear
 #'
 #' Reads a plan file (YAML) and checks it in full before anything is computed: every field, unit and

@@ -73,15 +73,6 @@ measures <- function(state) {
   c(own, general[setdiff(names(general), names(own))])
 }
 
-check_is_state <- function(state) {
-  if (!inherits(state, "codend_state")) {
-    cli::cli_abort(
-      "{.arg state} must be a state, as {.fn settle} returns, not {.cls {class(state)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
-    )
-  }
-}
-
 plan_measures <- function(state) {
   asked <- state$si$measures
   values <- vapply(asked, function(measure) {

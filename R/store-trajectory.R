@@ -395,12 +395,6 @@ read_resume <- function(get, n) {
 
 # ---- checks -------------------------------------------------------------------------------------
 
-check_is_trajectory <- function(trajectory) {
-  if (!inherits(trajectory, "codend_trajectory")) {
-    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
-  }
-}
-
 check_trajectory_path <- function(file) {
   check_netcdf()
   if (!is_text(file) || !grepl("[.]nc$", file)) {

@@ -40,14 +40,6 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   invisible(x)
 }
 
-check_inches <- function(name, value) {
-  one <- is.numeric(value) && length(value) == 1L && is.finite(value)
-  if (!(one && value >= 3 && value <= 100)) {
-    abort_view("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.",
-      list(name = name, value = value))
-  }
-}
-
 # What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
 # and netting, flow (m/s, x and y), in_water, bed (see drawn_bed()), planes).
 plane_figure <- function(state, planes) {
@@ -65,14 +57,6 @@ plane_figure <- function(state, planes) {
     bed = drawn_bed(state),
     planes = planes
   )
-}
-
-state_conditions <- function(state) {
-  knots <- state$si$towing$speed / 0.514444
-  flow <- flow_past(state)
-  if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
-  if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
-  if (state$si$water$density > 0) "in still water" else "in air"
 }
 
 # page: inches. A narrow page is a wide one drawn smaller: text and margins shrink with it.
