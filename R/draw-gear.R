@@ -36,7 +36,7 @@ plot.codend_gear <- function(x, file = NULL, width = plan_page[1], height = plan
                              ...) {
   check_inches("width", width)
   check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   figure <- plan_figure(x)
   if (is.null(file)) {
     draw_plan(figure, grDevices::dev.size())

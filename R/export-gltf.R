@@ -23,7 +23,7 @@
 #'   it, a third larger). Written whole or not at all.
 #' @param colours `"tension"` or `"part"`.
 #' @return `file`, invisibly. A path that cannot be written is an error of class
-#'   `codend_error_input`.
+#'   `codend_error_file`.
 #' @seealso [write_vtk()] for all numbers, [view()] for a page of its own.
 #' @export
 #' @examples
@@ -32,8 +32,8 @@
 write_gltf <- function(state, file, colours = c("tension", "part")) {
   check_is_state(state)
   colours <- match.arg(colours)
-  extension <- check_export_path(file, c(".glb", ".gltf"))
-  export_whole(file, function(path) {
+  extension <- check_file_path(file, c(".glb", ".gltf"))
+  write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
     scene <- gltf_scene(state, colours, buffer)

@@ -32,7 +32,7 @@ gear <- function(name, ..., kind = "assembly") {
   if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
     cli::cli_abort(
       "Every argument of {.fn gear} after the first must be named.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   tree <- list(codend = 1, name = name, kind = kind)

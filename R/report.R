@@ -16,7 +16,7 @@
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file The HTML file to write. It is written whole or not at all.
-#' @return `file`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @return `file`, invisibly. See [codend-conditions] for errors.
 #' @seealso [view()] for the three dimensions alone, [summary()][summary.codend_state] for the
 #'   numbers.
 #' @examples
@@ -26,9 +26,9 @@
 report <- function(state, file) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
-  picture_extension(file, "html")
+  check_file_path(file, ".html")
   body <- if (moves) trajectory_report(state) else state_report(state)
-  write_whole(file, function(path) {
+  write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
   })

@@ -22,12 +22,12 @@
 view <- function(state, file = NULL) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
-  if (!is.null(file)) picture_extension(file, "html")
+  if (!is.null(file)) check_file_path(file, ".html")
   # In a file a fixed name, so that every new session writes the same page of the same state.
   element <- if (!is.null(file)) "gear"
   page <- if (moves) motion_page(state, element) else gear_page(state, element)
   if (is.null(file)) return(page)
-  write_whole(file, function(path) {
+  write_file(file, function(path) {
     write_single_page(path, state$gear$plan$name, htmltools::as.tags(page, standalone = TRUE),
       style = "body { margin: 0; background: white; }")
   })
