@@ -220,7 +220,7 @@ draw_plan_lists <- function(figure, frame) {
     y <- y - 0.5 * step
   }
   if (NROW(pieces)) {
-    heading("Boards, weights, floats (of each)")
+    heading("Boards, kites, weights, floats (of each)")
     for (k in seq_len(nrow(pieces))) {
       draw_balloon(frame[1] + 0.08, y, pieces$item[k], square = TRUE)
       name <- paste0(pieces$name[k], if (pieces$count[k] > 1) paste0(", ", pieces$count[k], " off"))

@@ -204,8 +204,9 @@ drag_section <- function(said) {
 
 board_section <- function(boards) {
   if (!nrow(boards)) return(NULL)
-  report_section("Otter boards", report_table(board_columns(boards), "How the free otter boards
-    stand: angle of attack and that of their largest lift, heel (positive outward) and trim."))
+  report_section("Otter boards and kites", report_table(board_columns(boards), "How free otter boards
+    and kites stand: angle of attack and that of their largest lift, heel (positive outward; of a kite
+    where its starboard end is high) and trim."))
 }
 
 balance_section <- function(said) {

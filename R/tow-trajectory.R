@@ -72,7 +72,7 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
     },
     interrupt = function(e) NULL,
     codend_error_file = function(e) {
-      abort_unwritten(file, e$why,
+      abort_unwritten(e$file, e$why,
         gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), "interrupted"))
     }
   )
