@@ -4,7 +4,7 @@ check_is_gear <- function(gear) {
   if (!inherits(gear, "codend_gear")) {
     cli::cli_abort(
       "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
 }

@@ -38,7 +38,7 @@ read_gear <- function(plan) {
   if (!is_text(plan)) {
     cli::cli_abort(
       "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   shipped <- shipped_plans()
@@ -108,7 +108,7 @@ update.codend_gear <- function(object, ...) {
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
     cli::cli_abort(
       "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   plan <- object$plan

@@ -87,7 +87,10 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
                 catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
-  if (!is.null(file)) check_trajectory_path(file)
+  if (!is.null(file)) {
+    check_netcdf()
+    check_file_path(file, ".nc")
+  }
   going_on <- inherits(gear, "codend_trajectory")
   if (is.character(gear)) gear <- read_gear(gear)
   planned <- if (going_on) {

@@ -5,13 +5,16 @@
 drawn_lines <- 20000L
 
 # Returns list(ropes, netting = lines (see new_lines), marks = data.frame(x, y, z, role, part, size,
-# direction)). Every end of a line is a point of the state.
+# direction, board = its number among the free boards or 0), boards = their corners (see
+# board_corners())). Every end of a line is a point of the state.
 state_drawing <- function(state, limit = drawn_lines) {
   points <- state_points(state)
+  marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
+  marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   list(
     ropes = rope_lines(state, points, limit),
     netting = netting_lines(state, points, limit),
-    marks = rbind(piece_marks(state, points), board_marks(state), support_marks(state))
+    marks = marks, boards = board_corners(state)
   )
 }
 

@@ -70,7 +70,11 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
         tow_progress(past$now$time, until))
       end <- report$end
     },
-    interrupt = function(e) NULL
+    interrupt = function(e) NULL,
+    codend_error_file = function(e) {
+      abort_unwritten(e$file, e$why,
+        gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), "interrupted"))
+    }
   )
   out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
   if (end == "stuck") abort_stuck(report, out)

@@ -29,7 +29,7 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   }
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   figure <- plane_figure(x, intersect(known, planes))
   if (is.null(file)) {
     draw_figure(figure, grDevices::dev.size())
