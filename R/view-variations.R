@@ -84,8 +84,14 @@ field_words <- function(column) {
   list(words = gsub("[._]", " ", bare), unit = units[fits])
 }
 
+# The unit of a measure among variations, "" where a part of the table is drawn that lost it.
+measure_unit_of <- function(x, name) {
+  unit <- attr(x, "measure_unit")[name]
+  if (is.null(unit) || is.na(unit)) "" else unname(unit)
+}
+
 variations_figure <- function(x, study, name) {
-  said <- measure_words(name)
+  unit <- measure_unit_of(x, name)
   rows <- split(seq_len(nrow(x)), study$group)
   lines <- lapply(rows, function(row) {
     row <- row[order(study$at[row])]
@@ -96,7 +102,7 @@ variations_figure <- function(x, study, name) {
     )
   })
   list(
-    words = said$words, unit = said$unit,
+    words = words_of(name, unit), unit = unit,
     across = do.call(words_and_unit, field_words(study$field)),
     lines = Filter(function(line) length(line$x), lines),
     missing = unique(study$at[!x$settled]), ticks = study$ticks
