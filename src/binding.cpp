@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "engine/assembly.hpp"
-#include "engine/evaluate.hpp"
+#include "engine/model/assembly.hpp"
+#include "engine/model/evaluate.hpp"
 #include "engine/march/explicit_step.hpp"
 #include "engine/march/march.hpp"
 #include "engine/march/newton_step.hpp"
@@ -14,7 +14,7 @@
 #include "engine/march/substitution.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
-#include "engine/wake.hpp"
+#include "engine/model/wake.hpp"
 
 using namespace cpp11;
 namespace writable = cpp11::writable;

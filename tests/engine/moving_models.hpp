@@ -1,7 +1,7 @@
 // Two models whose motion has a closed form, by which every time scheme is measured.
 #pragma once
 
-#include "model.hpp"
+#include "model/model.hpp"
 
 namespace codend {
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "assembly.hpp"
-#include "evaluate.hpp"
+#include "model/assembly.hpp"
+#include "model/evaluate.hpp"
 
 namespace codend {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "allocation_count.hpp"
-#include "assembly.hpp"
+#include "model/assembly.hpp"
 #include "solve/settle.hpp"
 
 namespace {

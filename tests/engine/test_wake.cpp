@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "wake.hpp"
+#include "model/wake.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 // alike: it may carry the normal forces as unknowns (CarriedTension), behind those of the lines.
 #pragma once
 
-#include "../ground.hpp"
+#include "../base/ground.hpp"
 #include "kind.hpp"
 
 namespace codend {

@@ -1,6 +1,6 @@
 #include "immersed_volume.hpp"
 
-#include "../immersion.hpp"
+#include "../base/immersion.hpp"
 
 namespace codend {
 

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-#include "../block_sink.hpp"
-#include "../geometry.hpp"
-#include "../immersion.hpp"
-#include "../water.hpp"
+#include "../base/block_sink.hpp"
+#include "../base/geometry.hpp"
+#include "../base/immersion.hpp"
+#include "../base/water.hpp"
 
 namespace codend {
 

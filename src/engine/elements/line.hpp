@@ -2,7 +2,7 @@
 // e = sum_k a_k x_k over N points; of bars and triangles drag is shared equally over them.
 #pragma once
 
-#include "../geometry.hpp"
+#include "../base/geometry.hpp"
 #include "line_kernels.hpp"
 #include "twine.hpp"
 

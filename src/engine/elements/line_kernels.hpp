@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "../block_sink.hpp"
+#include "../base/block_sink.hpp"
 #include "twine.hpp"
 
 namespace codend {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "../immersion.hpp"
+#include "../base/immersion.hpp"
 
 namespace codend {
 namespace {

@@ -18,7 +18,7 @@
 // is that of a plate across its face (DNV-RP-C205), spread over the three points.
 #pragma once
 
-#include "../ground.hpp"
+#include "../base/ground.hpp"
 #include "kind.hpp"
 #include "polar.hpp"
 

@@ -2,8 +2,8 @@
 // elements that weigh it. Lines themselves are computed many at a time (line_kernels.hpp).
 #pragma once
 
-#include "../geometry.hpp"
-#include "../water.hpp"
+#include "../base/geometry.hpp"
+#include "../base/water.hpp"
 #include "twine.hpp"
 
 namespace codend {

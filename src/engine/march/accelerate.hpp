@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 #include "motion.hpp"
 
 namespace codend {

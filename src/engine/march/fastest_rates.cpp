@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 
 namespace codend {
 namespace {

@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 #include "conditions.hpp"
 
 namespace codend {

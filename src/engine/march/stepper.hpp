@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 #include "conditions.hpp"
 #include "fastest_rates.hpp"
 

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 #include "block_lu.hpp"
 
 namespace codend {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "block_pattern.hpp"
+#include "../base/block_pattern.hpp"
 #include "ordering.hpp"
 
 namespace codend {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assembly_tree.hpp"
-#include "block_pattern.hpp"
+#include "../base/block_pattern.hpp"
 #include "front_kernels.hpp"
 #include "second_thread.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../geometry.hpp"
+#include "../base/geometry.hpp"
 #include "block_lu.hpp"
 
 namespace codend {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "block_pattern.hpp"
+#include "../base/block_pattern.hpp"
 
 namespace codend {
 

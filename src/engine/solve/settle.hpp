@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 
 namespace codend {
 

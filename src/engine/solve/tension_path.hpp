@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "../assembly.hpp"
+#include "../model/assembly.hpp"
 
 namespace codend {
 

@@ -15,7 +15,7 @@
 
 #include <vector>
 
-#include "geometry.hpp"
+#include "../base/geometry.hpp"
 
 namespace codend {
 

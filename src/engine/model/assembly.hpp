@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "../elements/lines.hpp"
 #include "block_places.hpp"
-#include "elements/lines.hpp"
 #include "model.hpp"
 
 namespace codend {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "block_sink.hpp"
+#include "../base/block_pattern.hpp"
+#include "../base/block_sink.hpp"
 #include "model.hpp"
-#include "solve/block_pattern.hpp"
 
 namespace codend {
 
