@@ -42,7 +42,7 @@ new_measures <- function(values, units) {
     class = c("codend_measures", "numeric"))
 }
 
-# Some of the measures, or all of them as plain numbers or as a list.
+# Some of the measures with their units, or all of them as plain numbers.
 
 #' @export
 `[.codend_measures` <- function(x, i) {
@@ -54,6 +54,15 @@ plain_measures <- function(x) setNames(as.double(x), names(x))
 
 #' @export
 as.list.codend_measures <- function(x, ...) as.list(plain_measures(x))
+
+#' @export
+as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE, ...) {
+  as.data.frame(plain_measures(x), row.names, optional, ..., nm = "value")
+}
+
+# Under other names, or none, they are numbers alone.
+#' @export
+`names<-.codend_measures` <- function(x, value) setNames(as.double(x), value)
 
 #' @export
 print.codend_measures <- function(x, ...) {
