@@ -3,10 +3,12 @@
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
+# make schema  the schema of plans, inst/schema, from its parts in tools/schema
+# make schema-check  fails where it is not what the parts give
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 # All install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test browser-test bench bench-tow robust
+.PHONY: schema schema-check trawl test browser-test bench bench-tow robust
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -31,3 +33,9 @@ bench-tow:
 robust:
 	@tools/setup --tests
 	@Rscript bench/robust.R
+
+schema:
+	@Rscript tools/schema.R
+
+schema-check:
+	@Rscript tools/schema.R --check

@@ -23,3 +23,11 @@ engine_tow <- function(lattice, plan, past, control, stops, keep, steer, refill,
 engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
 }
+
+file_sync <- function(path) {
+  .Call(`_codend_file_sync`, path)
+}
+
+file_replace <- function(from, to) {
+  .Call(`_codend_file_replace`, from, to)
+}

@@ -301,3 +301,23 @@ joined_groups <- function(names, links) {
   first <- rep(of[cumsum(sizes) - sizes + 1], sizes)
   joined_labels(length(names), first, of)
 }
+
+# Labels 1..n joined by pairs (a, b): the smallest label of each connected group.
+joined_labels <- function(n, a, b) {
+  label <- seq_len(n)
+  repeat {
+    la <- label[a]
+    lb <- label[b]
+    apart <- la != lb
+    if (!any(apart)) return(label)
+    high <- pmax(la, lb)[apart]
+    low <- pmin(la, lb)[apart]
+    order <- order(high, -low)
+    label[high[order]] <- low[order]
+    repeat {
+      further <- label[label]
+      if (identical(further, label)) break
+      label <- further
+    }
+  }
+}

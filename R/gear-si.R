@@ -1,7 +1,5 @@
 # The gear as SI numbers: what the lattice is made from.
 
-gear_gravity <- 9.81
-
 # Checks a gear's plan in full and returns it as SI numbers with every default filled in.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
@@ -106,6 +104,10 @@ si_added_mass <- function(added_mass) {
   c(normal = added_mass$normal, tangential = added_mass$tangential)
 }
 
+# Diameter of a knot, in twine diameters, where a plan gives none: a knot of two turns is 2 to 3 of them
+# across, and models of netting by its spheres take 2.
+usual_knot <- 2
+
 si_panel <- function(panel, path, fields, law) {
   meshes <- panel$meshes
   if (meshes$upper == 0 && meshes$lower == 0) {
@@ -130,7 +132,7 @@ si_panel <- function(panel, path, fields, law) {
       paste0(path, ".knot_diameter"), panel$knot_diameter
     )
   }
-  knot <- if (panel$knotted) first_of(panel$knot_diameter, 2 * twine$diameter) else 0
+  knot <- if (panel$knotted) first_of(panel$knot_diameter, usual_knot * twine$diameter) else 0
   hexagons <- si_hexagons(panel, path, fields$netting_drag)
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(

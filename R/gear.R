@@ -11,15 +11,6 @@ as_gear <- function(tree, file = NULL) {
   gear
 }
 
-check_is_gear <- function(gear) {
-  if (!inherits(gear, "codend_gear")) {
-    cli::cli_abort(
-      "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
-    )
-  }
-}
-
 #' Read the plan of a gear
 #'
 #' Reads a plan file (YAML) and checks it in full before anything is computed: every field, unit and
@@ -37,7 +28,7 @@ read_gear <- function(plan) {
   if (!is_text(plan)) {
     cli::cli_abort(
       "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   shipped <- shipped_plans()
@@ -107,7 +98,7 @@ update.codend_gear <- function(object, ...) {
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
     cli::cli_abort(
       "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   plan <- object$plan

@@ -9,7 +9,7 @@ measure_tension <- function(state, measure) {
   bar <- if (measure$place == "max") {
     rope_bars(state$lattice, measure$rope)
   } else {
-    rope_bar(state, measure$rope, measure$place)
+    rope_bar(state$lattice, measure$rope, measure$place)
   }
   max(state$bar_tension[bar])
 }

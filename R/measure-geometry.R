@@ -112,30 +112,11 @@ define_measure("angle", "deg",
 )
 
 measure_angle <- function(state, measure) {
-  bar <- rope_bar(state, measure$rope, measure$place)
+  bar <- rope_bar(state$lattice, measure$rope, measure$place)
   ends <- state$lattice$engine$bars$node[2L * bar + c(-1L, 0L)]
   d <- state$position[, ends[2]] - state$position[, ends[1]]
   switch(measure$angle,
     declination = atan2(-d[3], sqrt(d[1]^2 + d[2]^2)),
     divergence = atan2(abs(d[2]), d[1])
   )
-}
-
-# The bar of a rope at its start, middle or end.
-rope_bar <- function(state, rope, place) {
-  lattice <- state$lattice
-  bars <- rope_bars(lattice, rope)
-  switch(place,
-    start = bars[1],
-    end = bars[length(bars)],
-    middle = {
-      rest <- lattice$engine$bars$rest[bars]
-      bars[which(cumsum(rest) >= sum(rest) / 2)[1]]
-    }
-  )
-}
-
-# Bars of a rope in order from its start.
-rope_bars <- function(lattice, rope) {
-  which(lattice$bar_part == which(lattice$parts$kind == "rope" & lattice$parts$name == rope))
 }

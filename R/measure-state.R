@@ -115,15 +115,6 @@ measure_words <- function(measures) {
   list(words = words_of(names(measures), unit), unit = unit)
 }
 
-check_is_state <- function(state) {
-  if (!inherits(state, "codend_state")) {
-    cli::cli_abort(
-      "{.arg state} must be a state, as {.fn settle} returns, not {.cls {class(state)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
-    )
-  }
-}
-
 # What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
 # the measures by name.
 state_record <- function(state) {

@@ -292,10 +292,4 @@ in_bounds <- function(value, node) {
     (is.null(node$maximum) || value <= node$maximum)
 }
 
-is_text <- function(value) is.character(value) && length(value) == 1 && !is.na(value)
-
-is_map <- function(value) {
-  is.list(value) && (!is.null(names(value)) || length(value) == 0)
-}
-
 join <- function(path, name) if (nzchar(path)) paste0(path, ".", name) else name

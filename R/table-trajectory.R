@@ -69,9 +69,6 @@ condition_units <- function(conditions) {
   setNames(out, c(known, parts))
 }
 
-# Which triangles of a lattice are of hexagonal meshes.
-has_straight_bars <- function(lattice) lattice$engine$triangles$straight > 0
-
 # Largest and mean tension of every rope and panel at one of the kept times.
 part_tensions <- function(trajectory, k) {
   lattice <- trajectory$lattice

@@ -76,7 +76,7 @@ as_shown <- function(values) {
 # Splits a column such as "towing.speed_knot" into words ("towing speed") and unit ("knot").
 field_words <- function(column) {
   units <- unlist(lapply(plan_units, names), use.names = FALSE)
-  suffix <- gsub(" ", "_", sub("/", " per ", units, fixed = TRUE))
+  suffix <- unit_suffix(units)
   fits <- which(endsWith(column, paste0("_", suffix)))
   fits <- fits[order(-nchar(suffix[fits]))][1L]
   if (is.na(fits)) return(list(words = gsub("[._]", " ", column), unit = ""))

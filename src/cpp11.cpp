@@ -47,6 +47,20 @@ extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP
     return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
+// file_sync.cpp
+std::string file_sync(cpp11::strings path);
+extern "C" SEXP _codend_file_sync(SEXP path) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_sync(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(path)));
+  END_CPP11
+}
+// file_sync.cpp
+std::string file_replace(cpp11::strings from, cpp11::strings to);
+extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
@@ -56,6 +70,8 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
+    {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
+    {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
     {NULL, NULL, 0}
 };
 }

@@ -112,6 +112,6 @@ test_that("a free otter board is a plate", {
 
 test_that("a wrong file or object is refused", {
   expect_error(write_gltf(settled("crossing_cables"), "a.obj"), "must be one path that ends in",
-    class = "codend_error_input")
+    class = "codend_error_file")
   expect_error(write_gltf(1, "a.glb"), class = "codend_error_argument")
 })

@@ -183,7 +183,7 @@ test_that("a trajectory is a series of grids over the ground", {
   # written again it is replaced, but nothing else is
   write_vtk(turn, file)
   writeLines("mine", file.path(folder, "turn", "notes.txt"))
-  expect_error(write_vtk(turn, file), "holds other files", class = "codend_error_input")
+  expect_error(write_vtk(turn, file), "holds other files", class = "codend_error_file")
   expect_true(file.exists(file.path(folder, "turn", "notes.txt")))
 })
 
@@ -209,15 +209,15 @@ test_that("the same state gives the same bytes", {
 test_that("a wrong file is told before anything is written", {
   state <- settled("crossing_cables")
   expect_error(write_vtk(state, "state.vtk"), "must be one path that ends in",
-    class = "codend_error_input")
+    class = "codend_error_file")
   expect_error(write_vtk(state, file.path(tempfile(), "a.vtu")), "folder that exists",
-    class = "codend_error_input")
+    class = "codend_error_file")
   expect_error(write_vtk(1, "a.vtu"), "must be a state or trajectory",
     class = "codend_error_argument")
   folder <- test_folder()
   dir.create(file.path(folder, "taken.vtu"))
-  expect_error(write_vtk(state, file.path(folder, "taken.vtu")), "cannot be written",
-    class = "codend_error_input")
+  expect_error(write_vtk(state, file.path(folder, "taken.vtu")), "could not be written",
+    class = "codend_error_file")
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "taken.vtu")
 })
 

@@ -57,7 +57,7 @@ test_that("update changes, adds and takes out fields by path, and checks again",
   expect_error(update(gear, ropes.cable.length = -1), "greater than 0", class = "codend_error_plan")
   expect_error(update(gear, towing.speed.x = 1), class = "codend_error_plan")
   expect_error(update(gear, water.current.1.speed = 1), class = "codend_error_plan")
-  expect_error(update(gear, 5), class = "codend_error_input")
+  expect_error(update(gear, 5), class = "codend_error_argument")
 })
 
 test_that("printing takes few lines and says what there is", {
@@ -70,7 +70,7 @@ test_that("printing takes few lines and says what there is", {
 test_that("an assembly stands for itself", {
   gear <- read_gear("towed_cable")
   expect_identical(assembly(gear), gear)
-  expect_error(assembly(list()), class = "codend_error_input")
+  expect_error(assembly(list()), class = "codend_error_argument")
 })
 
 test_that("shipped plans are listed", {

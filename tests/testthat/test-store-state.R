@@ -60,12 +60,12 @@ test_that("a file says in plain NetCDF what the state holds", {
 test_that("other files are refused with their reason", {
   folder <- test_folder()
   file <- file.path(folder, "tow.nc")
-  expect_error(read_state(file), "does not exist", class = "codend_error_input")
+  expect_error(read_state(file), "does not exist", class = "codend_error_file")
   write_trajectory(tow("towed_cable", until = 10, every = 5), file)
-  expect_error(read_state(file), "no state", class = "codend_error_input")
+  expect_error(read_state(file), "no state", class = "codend_error_file")
   writeLines("text", file)
-  expect_error(read_state(file), "no NetCDF", class = "codend_error_input")
+  expect_error(read_state(file), "no NetCDF", class = "codend_error_file")
   expect_error(write_state(settled("towed_cable"), file.path(folder, "a.csv")),
-    class = "codend_error_input")
+    class = "codend_error_file")
   expect_error(write_state(1, file), class = "codend_error_argument")
 })

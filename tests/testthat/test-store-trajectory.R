@@ -165,7 +165,7 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
 test_that("files that cannot be read or written are clear errors that leave nothing", {
   folder <- test_folder()
   trajectory <- hauled(until = 5)
-  wrong <- function(code) expect_error(code, class = "codend_error_input")
+  wrong <- function(code) expect_error(code, class = "codend_error_file")
   wrong(write_trajectory(trajectory, file.path(folder, "tow.csv")))
   wrong(write_trajectory(trajectory, file.path(folder, "no", "tow.nc")))
   wrong(tow(trajectory, until = 10, file = 3))
