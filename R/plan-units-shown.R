@@ -33,5 +33,5 @@ words_of <- function(name, unit) {
 # Units as the CF conventions spell them in NetCDF files.
 cf_unit <- function(unit) {
   other <- c("%" = "percent", deg = "degree", meshes = "1")
-  ifelse(unit %in% names(other), other[unit], sub("^(.+)/(.+)$", "\\1 \\2-1", unit))
+  unname(ifelse(unit %in% names(other), other[unit], sub("^(.+)/(.+)$", "\\1 \\2-1", unit)))
 }

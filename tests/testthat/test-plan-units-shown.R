@@ -21,7 +21,7 @@ test_that("names end in units and lose them again", {
 
 test_that("units in files are those of the CF conventions", {
   expect_identical(
-    unname(cf_unit(c("m/s", "%", "deg", "km2/h", "meshes", "kN"))),
+    cf_unit(c("m/s", "%", "deg", "km2/h", "meshes", "kN")),
     c("m s-1", "percent", "degree", "km2 h-1", "1", "kN")
   )
 })
