@@ -83,7 +83,7 @@ rope_outline <- function(state, ropes) {
     to_others <- vapply(ends(outline), function(e) {
       min(vapply(left, function(x) min(gap(e, x[, 1]), gap(e, x[, ncol(x)])), 0))
     }, 0)
-    if (to_others[1] < to_others[2]) outline <- outline[, ncol(outline):1]
+    if (to_others[1] < to_others[2]) outline <- outline[, rev(seq_len(ncol(outline)))]
   }
   while (length(left)) {
     reached <- outline[, ncol(outline)]
@@ -91,7 +91,7 @@ rope_outline <- function(state, ropes) {
     nearest <- which.min(gaps)
     k <- (nearest - 1L) %/% 2L + 1L
     next_rope <- left[[k]]
-    if (nearest %% 2L == 0L) next_rope <- next_rope[, ncol(next_rope):1]
+    if (nearest %% 2L == 0L) next_rope <- next_rope[, rev(seq_len(ncol(next_rope)))]
     outline <- cbind(outline, next_rope)
     left <- left[-k]
   }
