@@ -73,3 +73,7 @@ abort_file <- function(file, what, ...) {
     class = c("codend_error_file", "codend_error"), call = NULL, file = file, !!!values,
     .envir = list2env(c(list(file = file), values), parent = environment(abort_file)))
 }
+
+write_csv <- function(table, file) {
+  write_file(file, function(path) utils::write.csv(table, path, row.names = FALSE, na = ""))
+}

@@ -17,7 +17,7 @@ tangential_sensitivity <- function(state) {
       c(found$bar_drag, found$triangle_drag, found$blended_force), 3L
     ))) / 1000
   }
-  now <- towing_measures(state, NULL)[["total_drag_kN"]]
+  now <- in_unit(total_drag(state), "kN")
   as_settled <- along(1)
   list(
     halved = now + along(0.5) - as_settled, settled = now, doubled = now + along(2) - as_settled

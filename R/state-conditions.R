@@ -12,7 +12,7 @@ flow_past <- function(state) {
 
 # Such as "towed at 3 knot".
 state_conditions <- function(state) {
-  knots <- state$si$towing$speed / 0.514444
+  knots <- state$si$towing$speed / plan_units$speed[["knot"]]
   flow <- flow_past(state)
   if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
   if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))

@@ -144,13 +144,11 @@ state_numbers <- function(state) {
 
 measure_numbers <- function(state) {
   found <- measures(state)
-  said <- measure_words(names(found))
-  units <- c("%" = "percent", deg = "degree", meshes = "1", "km2/h" = "km2 h-1", "m3/h" = "m3 h-1")
+  said <- measure_words(found)
   lapply(setNames(seq_along(found), names(found)), function(k) {
-    unit <- said$unit[k]
     list(
       value = found[[k]], type = "NC_DOUBLE", across = character(), words = said$words[k],
-      unit = if (unit %in% names(units)) units[[unit]] else unit
+      unit = cf_unit(said$unit[k])
     )
   })
 }

@@ -26,8 +26,8 @@ size_text <- function(state) {
 }
 
 measure_text <- function(measures) {
-  said <- measure_words(names(measures))
-  paste(said$words, figures(measures), said$unit)
+  said <- measure_words(measures)
+  paste(said$words, figures(plain_measures(measures)), said$unit)
 }
 
 #' @export

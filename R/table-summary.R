@@ -77,8 +77,8 @@ format.codend_summary <- function(x, ...) {
 listed_parts <- 6L
 
 measure_lines <- function(measures) {
-  said <- measure_words(names(measures))
-  align_columns(list(said$words, align_points(figures(measures)), said$unit), left = c(1L, 3L))
+  said <- measure_words(measures)
+  align_columns(list(said$words, align_points(figures(plain_measures(measures))), said$unit), left = c(1L, 3L))
 }
 
 drag_lines <- function(totals) {

@@ -131,10 +131,9 @@ summary.codend_trajectory <- function(object, ...) {
 
 #' @export
 print.codend_trajectory_summary <- function(x, ...) {
-  said <- measure_words(x$measure)
-  number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
+    number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
   columns <- c(
-    list(c("", said$words)), list(c("", said$unit)),
+    list(c("", words_of(x$measure, x$unit))), list(c("", x$unit)),
     lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(x[[name]])))
   )
   cat(align_columns(columns, left = 1:2), sep = "\n")
