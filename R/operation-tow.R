@@ -129,18 +129,15 @@ checked_gear <- function(gear) {
 
 positive_or_null <- function(x) if (!is.null(x) && x > 0) x
 
-tow_schemes <- c(
-  "bdf2", "trapezoid", "backward_euler", "substitution", "symplectic_euler", "rk4"
-)
-
 # How to march: list(scheme, accuracy (m, 0 for steps of one length), step, tolerance, least_step,
 # most_step).
 tow_method <- function(scheme, accuracy, step) {
-  if (!is_text(scheme) || !scheme %in% tow_schemes) {
-    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {tow_schemes}}.",
+  known <- engine_schemes()
+  if (!is_text(scheme) || !scheme %in% known$name) {
+    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.",
       class = c("codend_error_argument", "codend_error"), call = NULL)
   }
-  implicit <- scheme %in% tow_schemes[1:3]
+  implicit <- known$adaptive[known$name == scheme]
   accuracy <- tow_quantity(accuracy, "accuracy", "length")
   adaptive <- implicit && is.null(step)
   list(
