@@ -1,12 +1,24 @@
 # make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
+#
 # make test    every test of the engine and of the package
+# make fast    the engine's tests and the quick ones of the package, in under two minutes
+# make lint    style, format, layers and generated files
+# make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
+# make sanitize-threads  the engine's tests under the thread sanitizer
+# make check   R CMD check of the package as it would be published; any note is a failure
+# make ci      what continuous integration runs: lint, then test
+# make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
+#
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
-# make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
-# All install whatever is missing first (tools/setup) and nothing when nothing is.
+#
+# make schema  the schema of plans, inst/schema, from its parts in tools/schema
+# make schema-check  fails where it is not what the parts give
+# All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test browser-test bench bench-tow robust
+.PHONY: trawl test fast lint sanitize sanitize-threads check ci browser-test bench bench-tow robust \
+  schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -14,6 +26,26 @@ trawl:
 test:
 	@tools/setup --tests
 	@Rscript tools/test.R
+
+fast:
+	@tools/setup --tests
+	@Rscript tools/test.R fast
+
+lint:
+	@tools/setup --checks
+	@Rscript tools/checks.R
+
+ci:
+	@tools/setup --checks
+	@Rscript tools/test.R ci
+
+sanitize sanitize-threads:
+	@tools/setup --tests
+	@$(MAKE) -C tests/engine $@
+
+check:
+	@tools/setup --tests
+	@tools/check-package
 
 browser-test:
 	@tools/setup --tests
@@ -31,3 +63,9 @@ bench-tow:
 robust:
 	@tools/setup --tests
 	@Rscript bench/robust.R
+
+schema:
+	@Rscript tools/schema.R
+
+schema-check:
+	@Rscript tools/schema.R --check

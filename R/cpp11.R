@@ -39,3 +39,11 @@ engine_evaluate <- function(lattice, position, velocity) {
 engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
 }
+
+file_sync <- function(path) {
+  .Call(`_codend_file_sync`, path)
+}
+
+file_replace <- function(from, to) {
+  .Call(`_codend_file_replace`, from, to)
+}

@@ -102,8 +102,8 @@ piece_items <- function(si) {
       list(part = name, role = piece$role, count = piece$number, words = piece_words(piece, si))
     }),
     lapply(names(si$otter_boards), function(name) {
-      list(part = name, role = "otter_board", count = 1,
-        words = board_words(si$otter_boards[[name]]))
+      board <- si$otter_boards[[name]]
+      list(part = name, role = board$role, count = 1, words = board_words(board))
     })
   )
   if (!length(each)) return(NULL)

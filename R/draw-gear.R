@@ -36,7 +36,7 @@ plot.codend_gear <- function(x, file = NULL, width = plan_page[1], height = plan
                              ...) {
   check_inches("width", width)
   check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   figure <- plan_figure(x)
   if (is.null(file)) {
     draw_plan(figure, grDevices::dev.size())
@@ -220,7 +220,7 @@ draw_plan_lists <- function(figure, frame) {
     y <- y - 0.5 * step
   }
   if (NROW(pieces)) {
-    heading("Boards, weights, floats (of each)")
+    heading("Boards, kites, weights, floats (of each)")
     for (k in seq_len(nrow(pieces))) {
       draw_balloon(frame[1] + 0.08, y, pieces$item[k], square = TRUE)
       name <- paste0(pieces$name[k], if (pieces$count[k] > 1) paste0(", ", pieces$count[k], " off"))

@@ -23,7 +23,7 @@
 #'   it, a third larger). Written whole or not at all.
 #' @param colours `"tension"` or `"part"`.
 #' @return `file`, invisibly. A path that cannot be written is an error of class
-#'   `codend_error_input`.
+#'   `codend_error_file`.
 #' @seealso [write_vtk()] for all numbers, [view()] for a page of its own.
 #' @export
 #' @examples
@@ -32,8 +32,8 @@
 write_gltf <- function(state, file, colours = c("tension", "part")) {
   check_is_state(state)
   colours <- match.arg(colours)
-  extension <- check_export_path(file, c(".glb", ".gltf"))
-  export_whole(file, function(path) {
+  extension <- check_file_path(file, c(".glb", ".gltf"))
+  write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
     scene <- gltf_scene(state, colours, buffer)
@@ -97,7 +97,7 @@ gltf_scene <- function(state, colours, buffer) {
         extras = extras))
     } else if (name %in% names(state$si$otter_boards)) {
       at <- 4L * (match(name, names(state$si$otter_boards)) - 1L) + 1:4
-      plate <- list(plate_primitive(corners[, at], buffer))
+      plate <- list(plate_primitive(corners[, at], symbol_of(parts$role[part])$fill, buffer))
       children <- c(children, add_node(name = name, mesh = add_mesh(name, plate), extras = extras))
     } else {
       mine <- balls[balls$part == name, ]
@@ -192,11 +192,11 @@ sheet_primitive <- function(state, triangles, colour, buffer) {
   )
 }
 
-plate_primitive <- function(corners, buffer) {
+plate_primitive <- function(corners, colour, buffer) {
   list(
     attributes = list(
       POSITION = buffer$add_places(as.vector(corners[, c(1L, 2L, 3L, 1L, 3L, 4L)])),
-      COLOR_0 = buffer$add_colours(rep(symbol_of("otter_board")$fill, 6L))
+      COLOR_0 = buffer$add_colours(rep(colour, 6L))
     ),
     mode = gltf_triangles, material = gltf_unlit
   )

@@ -36,7 +36,7 @@
 #'   whole or not at all, and older ones of the same names replaced; a folder that holds anything
 #'   else is left alone.
 #' @return `file`, invisibly. A path that cannot be written is an error of class
-#'   `codend_error_input`.
+#'   `codend_error_file`.
 #' @seealso [write_gltf()] for the web and CAD, [write_trajectory()] for NetCDF.
 #' @export
 #' @examples
@@ -45,22 +45,18 @@
 write_vtk <- function(x, file) {
   check_exported(x, c("state", "trajectory"))
   if (inherits(x, "codend_state")) {
-    check_export_path(file, ".vtu")
-    return(export_whole(file, function(path) write_state_vtu(x, path)))
+    check_file_path(file, ".vtu")
+    return(write_file(file, function(path) write_state_vtu(x, path)))
   }
-  check_export_path(file, ".pvd")
+  check_file_path(file, ".pvd")
   folder <- sub("[.][^.]*$", "", file)
   check_series_folder(folder, file)
   names <- sprintf("%04d.vtu", seq_along(x$time))
-  beside <- tempfile(".export-", tmpdir = dirname(file))
-  dir.create(beside)
-  on.exit(unlink(beside, recursive = TRUE))
-  for (k in seq_along(x$time)) write_state_vtu(ground_state(x, k), file.path(beside, names[k]))
-  unlink(folder, recursive = TRUE)
-  if (!suppressWarnings(file.rename(beside, folder))) abort_export(file, "cannot be written.")
-  export_whole(file, function(path) {
-    writeLines(series_lines(x$time, file.path(basename(folder), names)), path)
+  write_file(folder, function(path) {
+    dir.create(path)
+    for (k in seq_along(x$time)) write_state_vtu(ground_state(x, k), file.path(path, names[k]))
   })
+  write_text(c(series_lines(x$time, file.path(basename(folder), names)), ""), file)
 }
 
 # A folder is replaced only if it holds a series and nothing else.
@@ -68,8 +64,8 @@ check_series_folder <- function(folder, file) {
   if (!file.exists(folder)) return(invisible())
   inside <- list.files(folder, all.files = TRUE, no.. = TRUE)
   if (!dir.exists(folder) || !all(grepl("^[0-9]+[.]vtu$", inside))) {
-    abort_export(file, "needs the folder {.file {folder}} for its grids, which holds other files.",
-      list(folder = folder))
+    abort_file(file, "needs the folder {.file {folder}} for its grids, which holds other files.",
+      folder = folder)
   }
 }
 
@@ -202,4 +198,13 @@ vtk_pieces <- function(state) {
   at <- match(paste(lattice$lift_part, lattice$engine$lifts$node), paste(part, node))
   force[, at] <- force[, at] + state$lift_force
   list(part = part, node = node, force = force)
+}
+
+# What a state or a trajectory is asked to be; allowed: their names without `codend_`.
+check_exported <- function(x, allowed) {
+  if (inherits(x, paste0("codend_", allowed))) return(invisible())
+  cli::cli_abort(
+    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}.",
+    class = c("codend_error_argument", "codend_error"), call = NULL
+  )
 }

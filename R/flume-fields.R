@@ -217,7 +217,7 @@ apply_controls <- function(gear, controls, values) {
     value <- control_value(controls[[id]], as.list(values[[id]]))
     for (path in controls[[id]]$paths) plan <- set_plan_field(plan, path, value)
   }
-  as_gear(plan, file = gear$file)
+  as_gear(plan, file = gear$file, like = gear)
 }
 
 # The id of the control that a plan's wrong field belongs to, or NULL.

@@ -147,8 +147,12 @@ flume_downloads <- function() {
     save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
     save("save_measures", "Measures (CSV)", "with the pinned design's and the change"),
-    save("save_tensions", "Tensions (CSV)", "of every line of the lattice"),
-    save("save_drag", "Drag (CSV)", "by rope, panel and piece")
+    save("save_drag", "Drag (CSV)", "by rope, panel and piece"),
+    lapply(formats_of("state"), function(format) {
+      if (!is.null(format$package) && !requireNamespace(format$package, quietly = TRUE)) return(NULL)
+      save(paste0("save_", format$name), sprintf("%s (%s)", format$title, format$extension),
+        paste("for", format$opens))
+    })
   )
 }
 

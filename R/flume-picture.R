@@ -9,8 +9,6 @@ flume_drawing <- function(state) {
   # Of a fine net only some of the points are ends of lines.
   drawing$drawn <- unique(c(drawing$ropes$ends, drawing$netting$ends))
   drawing$points <- state_points(state)[, drawing$drawn, drop = FALSE]
-  drawing$boards <- board_corners(state)
-  drawing$marks$board <- match(drawing$marks$part, names(state$si$otter_boards), 0L)
   drawing
 }
 
@@ -44,7 +42,7 @@ fixed_numbers <- function(drawing) {
     netting = ends(drawing$netting), ropes = ends(drawing$ropes),
     marks = list(
       role = I(as.character(marks$role)), label = I(as.character(symbol$label)),
-      fill = I(as.character(symbol$fill)),
+      fill = I(as.character(symbol$fill)), plate = I(symbol$plate),
       size = I(ifelse(is.na(marks$size), 0, marks$size)), symbol = I(as.double(symbol$size)),
       direction = I(ifelse(is.na(marks$direction), "", marks$direction)),
       board = I(marks$board - 1L)

@@ -199,7 +199,8 @@ read_upload <- function(upload) {
     }
   )
   # It is nowhere that R code could read it from.
-  new_gear(gear$plan)
+  gear["file"] <- list(NULL)
+  gear
 }
 
 # The gear of a plan typed on the page; like: the gear whose plan it was.
@@ -209,7 +210,8 @@ read_typed <- function(text, like) {
   on.exit(unlink(file))
   writeBin(charToRaw(enc2utf8(text)), file)
   gear <- read_upload(list(datapath = file, name = "on this page"))
-  new_gear(gear$plan, file = like$file)
+  gear["file"] <- list(like$file)
+  gear
 }
 
 # The first measures of a gear as a sentence, for those who listen.
@@ -226,20 +228,21 @@ flume_saves <- function(output, tank) {
       content = write
     )
   }
-  table <- function(make) {
-    function(file) utils::write.csv(make(), file, row.names = FALSE, na = "")
-  }
+  table <- function(make) function(file) write_csv(make(), file)
   output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
   output$save_measures <- save("-measures", "csv", table(function() {
     measure_changes(tank$measures, tank$pinned$measures)
   }))
-  output$save_tensions <- save("-tensions", "csv", table(function() {
-    as.data.frame(tank$state, what = "tensions")
-  }))
+  lapply(formats_of("state"), function(format) {
+    output[[paste0("save_", format$name)]] <- save(
+      paste0("-", format$name), sub(".", "", format$extension, fixed = TRUE),
+      function(file) format$write(tank$state, file)
+    )
+  })
   output$save_drag <- save("-drag", "csv", table(function() {
     as.data.frame(tank$state, what = "drag")
   }))
-  output$save_code <- save("", "R", function(file) writeLines(tank$code(), file, useBytes = TRUE))
+  output$save_code <- save("", "R", function(file) write_text(c(tank$code(), ""), file))
   output$save_report <- save("", "html", function(file) report(tank$state, file))
 }
 

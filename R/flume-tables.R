@@ -26,12 +26,12 @@ text_rows <- function(table) {
 # change_percent (NA where only one of them has the measure, or the pinned one is zero).
 measure_changes <- function(now, pinned) {
   names <- union(names(now), names(pinned))
-  said <- measure_words(names)
-  now <- unname(now[names])
-  pinned <- unname(pinned[names])
+  unit <- unname(c(attr(now, "unit"), attr(pinned, "unit"))[names])
+  now <- unname(plain_measures(now)[names])
+  pinned <- unname(plain_measures(pinned)[names])
   change <- now - pinned
   data.frame(
-    measure = said$words, unit = said$unit, now = now, pinned = pinned, change = change,
+    measure = words_of(names, unit), unit = unit, now = now, pinned = pinned, change = change,
     change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned))
   )
 }

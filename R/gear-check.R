@@ -1,8 +1,10 @@
 # What no single field can tell: whether the parts of a gear hang together. Takes SI numbers.
-
-check_gear <- function(si) {
+# last: SI numbers of a gear that has been checked, or NULL.
+check_gear <- function(si, last = NULL) {
   check_points(si)
-  remembered("check_seams", si[c("points", "panels", "seams")], function() check_seams(si))
+  joined <- c("points", "ropes", "panels", "seams", "otter_boards", "share_places")
+  if (!is.null(last) && identical(si[joined], last[joined])) return(invisible())
+  check_seams(si)
   check_places(si)
   check_joined(si)
 }
@@ -300,4 +302,24 @@ joined_groups <- function(names, links) {
   sizes <- lengths(links)
   first <- rep(of[cumsum(sizes) - sizes + 1], sizes)
   joined_labels(length(names), first, of)
+}
+
+# Labels 1..n joined by pairs (a, b): the smallest label of each connected group.
+joined_labels <- function(n, a, b) {
+  label <- seq_len(n)
+  repeat {
+    la <- label[a]
+    lb <- label[b]
+    apart <- la != lb
+    if (!any(apart)) return(label)
+    high <- pmax(la, lb)[apart]
+    low <- pmin(la, lb)[apart]
+    order <- order(high, -low)
+    label[high[order]] <- low[order]
+    repeat {
+      further <- label[label]
+      if (identical(further, label)) break
+      label <- further
+    }
+  }
 }

@@ -32,7 +32,7 @@ gear <- function(name, ..., kind = "assembly") {
   if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
     cli::cli_abort(
       "Every argument of {.fn gear} after the first must be named.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   tree <- list(codend = 1, name = name, kind = kind)
@@ -116,7 +116,7 @@ rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = 
 #' @param tapered Which side edge takes the difference of upper and lower: `"both"`, `"left"` or
 #'   `"right"`.
 #' @param knotted Whether the netting has knots.
-#' @param knot_diameter Diameter of a knot; 2.5 twine diameters by default.
+#' @param knot_diameter Diameter of a knot; twice the twine diameter by default.
 #' @param netting `"triangles"` or `"bars"`, instead of the plan's.
 #' @param netting_drag `"twines"`, `"blended"`, `"loland"`, `"aarsnes"` or
 #'   `"kristiansen_faltinsen"`, instead of the plan's; see [netting].

@@ -1,45 +1,80 @@
-# Measures as the plan asks for them, taken apart.
+# Measures as the plan asks for them: what each kind is, and how a plan's question is checked.
 
-measure_units <- c(
-  spread = "m", height = "m", length = "m", depth = "m", clearance = "m", tension = "kN",
-  area = "m2", angle = "deg", attitude = "deg", volume = "m3", volume_share = "percent",
-  drag = "kN", lift = "kN", sinking_speed = "m_per_s", enclosed_volume = "m3"
-)
+# Every kind of measure that a plan may ask for: lists as define_measure() makes them, by kind. The
+# files of measures fill it while the package is built, so that the gear knows what to check and
+# need not know how it is computed.
+measure_kinds <- new.env(parent = emptyenv())
 
-# Returns list(kind, column, unit) and, by kind: pairs (list of two places each) for spread, height
-# and length; place for depth, clearance and sinking_speed; rope for enclosed_volume; rope and place
-# (start, middle, end or max) for tension; ropes for area; panels, and of (m3) for volume_share;
-# parts for drag and lift; rope, place and angle (declination or divergence) for angle; board and
-# angle (attack, heel
-# or trim) for attitude.
-si_measure <- function(measure, path, known) {
-  kind <- names(measure)
-  asked <- measure[[1]]
-  path <- paste0(path, ".", kind)
-  name <- sub("^measures[.](.+)[.][^.]+$", "\\1", path)
-  unit <- measure_units[[kind]]
-  place <- function(text) find_place(text, path, known)
-  pair <- function(texts) lapply(as.list(texts), place)
-  asks <- switch(kind,
-    spread = list(pairs = lapply(spread_pairs(asked, path), pair)),
-    height = , length = list(pairs = list(pair(asked))),
-    depth = , sinking_speed = list(place = place(asked)),
-    enclosed_volume = list(rope = find_rope(asked, path, known)),
-    clearance = list(place = place_over_ground(place(asked), path, known)),
-    tension = parse_place(place(asked))[c("name", "place")],
-    area = list(ropes = vapply(asked, find_rope, "", path = path, known = known,
-      USE.NAMES = FALSE)),
-    volume = list(panels = find_panels(asked, path, known)),
-    volume_share = list(
-      panels = find_panels(asked$panels, paste0(path, ".panels"), known), of = asked$of
-    ),
-    drag = , lift = list(parts = find_parts(asked, path, known)),
-    attitude = list(board = find_board(names(asked), path, known), angle = asked[[1]]),
-    angle = c(parse_place(place(names(asked)))[c("name", "place")], angle = asked[[1]])
+# kind: as in the plan; unit: in which it is shown, in_unit() knows it; definition: what it is, in the
+# field's words; asks(asked, path, known): what the plan asks for, checked and taken apart, as a
+# named list (an unknown place, rope, panel or piece is an error of class `codend_error_plan`);
+# value(state, measure): the measure, SI, where `measure` holds that list.
+define_measure <- function(kind, unit, definition, asks, value) {
+  measure_kinds[[kind]] <- list(
+    kind = kind, unit = unit, definition = one_line(definition), asks = asks, value = value
   )
-  names(asks)[names(asks) == "name"] <- "rope"
-  c(list(kind = kind, column = paste0(name, "_", unit), unit = unit), asks)
 }
+
+# A measure of a plan: list(kind, column (its name among the measures of a state)) and what its kind
+# asks for.
+si_measure <- function(measure, path, known) {
+  kind <- measure_kinds[[names(measure)]]
+  name <- sub("^measures[.]", "", path)
+  asked <- kind$asks(measure[[1]], paste0(path, ".", kind$kind), known)
+  c(list(kind = kind$kind, column = with_unit(name, kind$unit)), asked)
+}
+
+# ---- what kinds of measures ask for --------------------------------------------------------------
+
+asks_place <- function(asked, path, known) list(place = find_place(asked, path, known))
+
+# Two places.
+asks_pair <- function(asked, path, known) {
+  list(pairs = list(lapply(as.list(asked), find_place, path, known)))
+}
+
+# Two places, or a list of pairs of places.
+asks_pairs <- function(asked, path, known) {
+  pairs <- lapply(spread_pairs(asked, path), function(pair) {
+    asks_pair(pair, path, known)$pairs[[1]]
+  })
+  list(pairs = pairs)
+}
+
+asks_place_over_ground <- function(asked, path, known) {
+  place <- find_place(asked, path, known)
+  if (!known$ground) abort_field(path, place, "asked for where the plan has a `seabed`")
+  list(place = place)
+}
+
+asks_rope <- function(asked, path, known) list(rope = find_rope(asked, path, known))
+
+asks_ropes <- function(asked, path, known) {
+  list(ropes = vapply(asked, find_rope, "", path = path, known = known, USE.NAMES = FALSE))
+}
+
+# A rope's start, middle or end: list(rope, place). Of a tension also `max`.
+asks_rope_place <- function(asked, path, known) {
+  at <- parse_place(find_place(asked, path, known))
+  list(rope = at$name, place = at$place)
+}
+
+asks_rope_angle <- function(asked, path, known) {
+  c(asks_rope_place(names(asked), path, known), angle = asked[[1]])
+}
+
+asks_board_angle <- function(asked, path, known) {
+  list(board = find_board(names(asked), path, known), angle = asked[[1]])
+}
+
+asks_panels <- function(asked, path, known) list(panels = find_panels(asked, path, known))
+
+# Panels, and the volume (m3) whose share is asked for.
+asks_share <- function(asked, path, known) {
+  list(panels = find_panels(asked$panels, paste0(path, ".panels"), known), of = asked$of)
+}
+
+asks_parts <- function(asked, path, known) list(parts = find_parts(asked, path, known))
 
 find_panels <- function(names, path, known) {
   for (name in names) {
@@ -58,11 +93,6 @@ find_parts <- function(names, path, known) {
   names
 }
 
-place_over_ground <- function(place, path, known) {
-  if (!known$ground) abort_field(path, place, "asked for where the plan has a `seabed`")
-  place
-}
-
 find_board <- function(name, path, known) {
   if (!name %in% known$otter_boards) {
     abort_reference(name, name, known$otter_boards, "free otter board", path)
@@ -76,3 +106,6 @@ spread_pairs <- function(asked, path) {
   if (any(single)) abort_field(path, asked, "two places, or a list of pairs of places")
   asked
 }
+
+# A text over several lines of code as one line.
+one_line <- function(text) gsub("[[:space:]]+", " ", text)

@@ -58,18 +58,6 @@ find_rope <- function(name, path, known) {
   name
 }
 
-abort_reference <- function(text, name, names, kind, path) {
-  near <- nearest(name, names)
-  abort_plan(
-    paste0(
-      "Plan field `", path, "` is ", show_value(text), ", but there is no ", kind, " `", name, "`",
-      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
-      if (length(names)) paste0(" Known here: ", word_list(names), ".")
-    ),
-    path, text
-  )
-}
-
 # A chain of edges that exist: list(panel, edge, from, to, reversed), from and to as fractions.
 find_chain <- function(texts, path, known) {
   lapply(texts, find_edge, path = path, known = known)

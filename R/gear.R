@@ -1,24 +1,25 @@
-# The gear: a checked plan. Holds the tree as given, never numbers derived from it.
-
-new_gear <- function(plan, file = NULL) {
-  structure(list(plan = plan, file = file), class = "codend_gear")
-}
+# The gear: a plan as given, with what its check made of it (`checked`, of check_whole()).
 
 # A gear from a tree of lists: put into its plain form and checked in full.
-as_gear <- function(tree, file = NULL) {
-  gear <- new_gear(plain_tree(tree), file)
-  gear_si(gear)
-  gear
+# like: a gear, parts of which are checked already where this one is the same.
+as_gear <- function(tree, file = NULL, like = NULL) {
+  plan <- plain_tree(tree)
+  structure(
+    list(plan = plan, file = file, checked = check_whole(plan, like$checked)),
+    class = "codend_gear"
+  )
 }
 
-check_is_gear <- function(gear) {
-  if (!inherits(gear, "codend_gear")) {
-    cli::cli_abort(
-      "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
-    )
-  }
+# What the check made of a gear's plan; checked again where somebody changed the plan by hand.
+gear_checked <- function(gear) {
+  if (identical(gear$checked$plan, gear$plan)) gear$checked else check_whole(gear$plan, gear$checked)
 }
+
+# The checked fields, in SI, of the assembly that a gear is or stands for.
+gear_fields <- function(gear) gear_checked(gear)$assembly
+
+# The gear as SI numbers, of si_of().
+gear_si <- function(gear) gear_checked(gear)$si
 
 #' Read the plan of a gear
 #'
@@ -27,7 +28,7 @@ check_is_gear <- function(gear) {
 #'
 #' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
 #' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
-#'   named lists) and its path (`file`). A wrong plan is an error of class `codend_error_plan`, with
+#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of class `codend_error_plan`, with
 #'   the path and the value of the first wrong field as `path` and `value`.
 #' @seealso [gear()] for the same without a file, [write_gear()].
 #' @export
@@ -37,7 +38,7 @@ read_gear <- function(plan) {
   if (!is_text(plan)) {
     cli::cli_abort(
       "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   shipped <- shipped_plans()
@@ -82,9 +83,9 @@ gears <- function() {
 
 #' @export
 print.codend_gear <- function(x, ...) {
-  fields <- assembly_fields(x$plan)
+  fields <- gear_fields(x)
   groups <- c("panels", "seams", "ropes", "pieces", "points", "measures")
-  cat("Gear \"", x$plan$name, "\" (", check_plan(x$plan)$kind, ")\n", sep = "")
+  cat("Gear \"", x$plan$name, "\" (", gear_checked(x)$fields$kind, ")\n", sep = "")
   cat("  ", paste(groups, lengths(fields[groups]), collapse = ", "), "\n", sep = "")
   cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
   invisible(x)
@@ -107,17 +108,17 @@ update.codend_gear <- function(object, ...) {
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
     cli::cli_abort(
       "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
+      class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
-  as_gear(plan, file = object$file)
+  as_gear(plan, file = object$file, like = object)
 }
 
 # The gear with one field changed (NULL: taken out), checked in full again.
 set_field <- function(gear, path, value) {
-  as_gear(set_plan_field(gear$plan, path, value), file = gear$file)
+  as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear)
 }
 
 set_plan_field <- function(plan, path, value) {

@@ -79,26 +79,6 @@ edge_breaks <- function(chains, linked) {
 
 opposite_edge <- function(e) if (e %% 2L == 1L) e + 1L else e - 1L
 
-# Labels 1..n joined by pairs (a, b): the smallest label of each connected group.
-joined_labels <- function(n, a, b) {
-  label <- seq_len(n)
-  repeat {
-    la <- label[a]
-    lb <- label[b]
-    apart <- la != lb
-    if (!any(apart)) return(label)
-    high <- pmax(la, lb)[apart]
-    low <- pmin(la, lb)[apart]
-    order <- order(high, -low)
-    label[high[order]] <- low[order]
-    repeat {
-      further <- label[label]
-      if (identical(further, label)) break
-      label <- further
-    }
-  }
-}
-
 # Pieces of all edges between their breaks, grouped into classes that share one count.
 #
 # Returns list(edge, from, to, class = of every piece; first, count_of = of every edge, the number of

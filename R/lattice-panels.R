@@ -28,6 +28,9 @@ pick_panels <- function(panels, which, fields = names(panels)) {
   lapply(panels[fields], `[`, which)
 }
 
+# Width of a panel's twine across the flow, m: of all that run side by side.
+twine_width <- function(panel) panel$twine_diameter * panel$twine_count
+
 is_square <- function(panel) panel$orientation == "square"
 
 # Length of one mesh, in square netting of one bar, m.

@@ -42,7 +42,7 @@ add_knots <- function(build, panels, parts, panel, node, count) {
 # Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of the
 # element that it is of.
 add_twine <- function(build, panels, panel, node, length, extent) {
-  diameter <- (panels$twine_diameter * panels$twine_count)[panel]
+  diameter <- twine_width(panels)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
     volume = length * panels$volume_per_length[panel], height = diameter,
     surface = surface_height(diameter, extent), area = length * diameter)
@@ -66,12 +66,12 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   extent <- (found$rest + found$straight) * sqrt(2 * found$bars / found$multiplicity)
   build$add("triangles", node = node, twine = found$twine, rest = found$rest,
     straight = found$straight, inner = inner, multiplicity = found$multiplicity,
-    height = surface_height((panels$twine_diameter * panels$twine_count)[found$panel], extent),
+    height = surface_height(twine_width(panels)[found$panel], extent),
     material = part, part = part)
   shading <- which(panels$shielding[found$panel] != "none")
   build$add("screens", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
     twine_area = (found$bars * (2 * found$rest + found$straight) *
-      (panels$twine_diameter * panels$twine_count)[found$panel])[shading])
+      twine_width(panels)[found$panel])[shading])
   third <- rep(found$bars / 3, each = 3L)
   panel <- rep(found$panel, each = 3L)
   # Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
@@ -140,7 +140,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   build$add("bars", node = ends[rep(keep, each = 2L)], rest = bars$rest[keep],
     multiplicity = bars$multiplicity[keep],
     height = surface_height(
-      (panels$twine_diameter * panels$twine_count)[bars$panel[keep]], bars$rest[keep]
+      twine_width(panels)[bars$panel[keep]], bars$rest[keep]
     ), material = part, part = part)
   add_knots(build, panels, parts, points$panel, id, points$knots)
 
@@ -181,7 +181,7 @@ add_bar_screens <- function(build, panels, parts, bars, ends) {
   above <- pairs(to, from)
   node <- cbind(below$node, above$node)
   of <- c(below$panel, above$panel)
-  area <- 2 * panel_bars(panels) * panels$mesh_size / 2 * panels$twine_diameter * panels$twine_count
+  area <- 2 * panel_bars(panels) * panels$mesh_size / 2 * twine_width(panels)
   build$add("screens", node = as.vector(node), part = parts[of],
     twine_area = (area / tabulate(of, length(area)))[of])
 }

@@ -34,12 +34,13 @@ screen_elements <- function(si, lattice) {
   of <- si$panels[panel[some]]
   number <- function(field) vapply(of, `[[`, 0, field, USE.NAMES = FALSE)
   cells <- triangle_bars(triangles, some)
-  twine <- cells * (number("mesh_size") - number("straight_bar")) * number("twine_diameter") *
-    number("twine_count")
+  width <- vapply(of, twine_width, 0, USE.NAMES = FALSE)
+  twine <- cells * (number("mesh_size") - number("straight_bar")) * width
   knots <- cells * (1 + (number("straight_bar") > 0))
   list(
     triangle = some, node = triangles$node[corners_of(some)],
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
+    # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = triangles$height[some],
     multiplicity = triangles$multiplicity[some],
     law = unname(law[panel[some]])

@@ -221,13 +221,13 @@ twine_materials <- function(lines, alone = TRUE) {
   )
 }
 
-line_diameter <- function(line) first_of(line$diameter, line$twine_diameter * line$twine_count)
+line_diameter <- function(line) first_of(line$diameter, twine_width(line))
 
 # Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
 # a, and 2 d/a - (d/a)^2 for square.
 panel_solidity <- function(panel) {
   # hexagons: as diamonds of the same mesh size
-  ratio <- panel$twine_diameter * panel$twine_count / (panel$mesh_size / 2)
+  ratio <- twine_width(panel) / (panel$mesh_size / 2)
   if (panel$orientation == "square") return(2 * ratio - ratio^2)
   min(1, ratio / (nominal_hanging_ratio * nominal_depth_ratio))
 }

@@ -18,30 +18,34 @@ board_table <- function(state) {
   check_is_state(state)
   boards <- state$si$otter_boards
   found <- state$boards
-  degrees <- function(x) x * 180 / pi
   stall <- vapply(boards, stall_angle, 0, USE.NAMES = FALSE)
-  attack <- degrees(found$attack)
-  heel <- degrees(found$heel)
+  attack <- in_unit(found$attack, "deg")
+  heel <- in_unit(found$heel, "deg")
   condition <- rep("flying", length(boards))
   condition[attack > stall] <- "stalled"
   condition[attack < 0] <- "back-winded"
   condition[abs(heel) > fallen_heel] <- "fallen over"
   data.frame(
     board = as.character(names(boards)), attack_deg = attack, stall_deg = stall, heel_deg = heel,
-    trim_deg = degrees(found$trim), lift_kN = found$lift / 1000, drag_kN = found$drag / 1000,
+    trim_deg = in_unit(found$trim, "deg"), lift_kN = in_unit(found$lift, "kN"), drag_kN = in_unit(found$drag, "kN"),
     ground_load_kN = if (is.null(state$si$ground)) {
       rep(0, length(boards))
     } else {
-      drop(state$si$ground$normal %*% found$ground_force) / 1000
+      in_unit(drop(state$si$ground$normal %*% found$ground_force), "kN")
     },
     condition = condition
   )
 }
 
-# Angle of a free otter board, deg.
+define_measure("attitude", "deg",
+  "Of a free otter board, its angle of attack, heel (positive where its upper edge leans outward, so
+  that its lift points down) or trim (positive where its leading edge is high).",
+  asks_board_angle, function(state, measure) measure_attitude(state, measure)
+)
+
 measure_attitude <- function(state, measure) {
   k <- match(measure$board, names(state$si$otter_boards))
-  state$boards[[measure$angle]][k] * 180 / pi
+  state$boards[[measure$angle]][k]
 }
 
 # Warns of boards that do not fly, or not for long.
@@ -71,14 +75,4 @@ warn_of_boards <- function(state) {
       class = c(paste0("codend_warning_board_", kind), "codend_warning"), call = NULL
     )
   }
-}
-
-board_lines <- function(boards) {
-  if (!nrow(boards)) return(NULL)
-  align_columns(list(
-    c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
-    c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
-    c("lift kN", column_figures(boards$lift_kN)), c("drag kN", column_figures(boards$drag_kN)),
-    c("", boards$condition)
-  ), left = c(1L, 7L))
 }

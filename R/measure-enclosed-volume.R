@@ -1,4 +1,11 @@
-# Volume of water that a net hanging from the surface encloses, m3.
+# Volume of water that a net hanging from the surface encloses.
+
+define_measure("enclosed_volume", "m3",
+  "Of water that netting hanging from the surface encloses, down to a surface from a rope, such as the
+  lead line, to that rope's middle. A gap between the two ends of the net is closed by an upright
+  wall.",
+  asks_rope, function(state, measure) measure_enclosed_volume(state, measure)
+)
 
 # By Gauss's theorem, the integral of z n_z over what bounds the water: the netting, and under it a
 # surface from the lower rope to that rope's middle. What closes the rest, the surface of the water

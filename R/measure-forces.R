@@ -1,13 +1,17 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
-# Tension of a rope at its start, middle or end, or the largest along it (max), kN.
+define_measure("tension", "kN",
+  "Of a rope at a place, or the largest along it. At its start or end it is that of its outermost bar.",
+  asks_rope_place, function(state, measure) measure_tension(state, measure)
+)
+
 measure_tension <- function(state, measure) {
   bar <- if (measure$place == "max") {
     rope_bars(state$lattice, measure$rope)
   } else {
-    rope_bar(state, measure$rope, measure$place)
+    rope_bar(state$lattice, measure$rope, measure$place)
   }
-  max(state$bar_tension[bar]) / 1000
+  max(state$bar_tension[bar])
 }
 
 # Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
@@ -84,10 +88,20 @@ drag_table <- function(state) {
   )
 }
 
-# Hydrodynamic force on parts by name, along the flow (drag) or upwards (lift), kN.
-measure_part_force <- function(state, measure) {
-  drag <- drag_table(state)
-  sum(drag[[paste0(measure$kind, "_kN")]][drag$part %in% measure$parts])
+define_measure("drag", "kN",
+  "Hydrodynamic force on ropes, panels and pieces together, along the flow.",
+  asks_parts, function(state, measure) part_force(state, measure$parts, "flow")
+)
+
+define_measure("lift", "kN",
+  "Hydrodynamic force on ropes, panels and pieces together, upwards.",
+  asks_parts, function(state, measure) part_force(state, measure$parts, "up")
+)
+
+# Hydrodynamic force on parts by name along one of flow_axes(), N.
+part_force <- function(state, parts, axis) {
+  along <- drop(flow_axes(state$si)[, axis] %*% part_drag(state))
+  sum(along[state$lattice$parts$name %in% parts])
 }
 
 # Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
@@ -105,21 +119,28 @@ drag_totals <- function(drag) {
   data.frame(group = rownames(total), total, row.names = NULL)
 }
 
-# Force of every support on the gear: a row per held point, in kN along x (aft), y (starboard) and
-# z (up). The vessel's pull on a warp points forward, so its x is negative. What pulls at an edge
-# held between two points they share as the supports of a beam do.
-reaction_table <- function(state) {
-  held <- Filter(function(point) !is.na(point$held), state$si$points)
-  node <- vapply(names(held), function(name) state$lattice$points[[name]], 0L)
-  force <- -state$force[, node, drop = FALSE] / 1000
+# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points forward,
+# so its x is negative. What pulls at an edge held between two points they share as the supports of
+# a beam do.
+support_forces <- function(state) {
+  held <- names(Filter(function(point) !is.na(point$held), state$si$points))
+  node <- vapply(held, function(name) state$lattice$points[[name]], 0L)
+  force <- -state$force[, node, drop = FALSE]
   for (edge in state$lattice$held_edges) {
     inner <- -c(1L, length(edge$node))
-    on_edge <- -state$force[, edge$node[inner], drop = FALSE] / 1000
+    on_edge <- -state$force[, edge$node[inner], drop = FALSE]
     share <- rbind(1 - edge$at[inner], edge$at[inner])
-    at <- match(edge$between, names(held))
+    at <- match(edge$between, held)
     force[, at] <- force[, at] + on_edge %*% t(share)
   }
-  data.frame(point = names(held), x_kN = force[1, ], y_kN = force[2, ], z_kN = force[3, ],
+  colnames(force) <- held
+  force
+}
+
+# A row per held point: the force of its support, kN along x (aft), y (starboard) and z (up).
+reaction_table <- function(state) {
+  force <- in_unit(support_forces(state), "kN")
+  data.frame(point = colnames(force), x_kN = force[1, ], y_kN = force[2, ], z_kN = force[3, ],
     row.names = NULL)
 }
 

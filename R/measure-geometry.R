@@ -1,5 +1,4 @@
-# Measures of shape that a plan asks for. Each takes a state and the measure as si_measure() gives
-# it.
+# Measures of shape that a plan may ask for.
 
 # Position (x, y, z, m) of a place such as "point", "panel.upper_left" or "rope.middle".
 place_position <- function(state, place) state$position[, state$lattice$place(place)]
@@ -9,33 +8,59 @@ apart <- function(state, pair) {
   place_position(state, pair[[2]]) - place_position(state, pair[[1]])
 }
 
-# Spread: horizontal distance between two places, whichever way the gear lies; the mean over several
-# pairs. m.
+define_measure("spread", "m",
+  "Horizontal distance between two places, as an acoustic sensor tells it, or the mean over several
+  pairs. In a straight tow that is the distance across it; in a turn, where one door runs ahead of
+  the other, it stays that of the doors from each other.",
+  asks_pairs, function(state, measure) measure_spread(state, measure)
+)
+
 measure_spread <- function(state, measure) {
   mean(vapply(measure$pairs, function(pair) sqrt(sum(apart(state, pair)[1:2]^2)), 0))
 }
 
-# Height of the first place above the second, m; negative when it lies below. Net mouth height is
-# that of the head line's centre above the footrope's centre.
+define_measure("height", "m",
+  "Of the first place above the second, negative where it lies below. The height of a net's mouth is
+  that of the head line's centre above the footrope's.",
+  asks_pair, function(state, measure) measure_height(state, measure)
+)
+
 measure_height <- function(state, measure) -apart(state, measure$pairs[[1]])[3]
 
-# Straight distance between two places, m.
+define_measure("length", "m", "Straight distance between two places.",
+  asks_pair, function(state, measure) measure_length(state, measure)
+)
+
 measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[1]])^2))
 
-# Depth below the water surface, m.
+define_measure("depth", "m", "Of a place below the water surface.",
+  asks_place, function(state, measure) measure_depth(state, measure)
+)
+
 measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
 
-# Downward speed of a place, m/s.
+define_measure("sinking_speed", "m/s", "Downward speed of a place; 0 in a settled state.",
+  asks_place, function(state, measure) measure_sinking_speed(state, measure)
+)
+
 measure_sinking_speed <- function(state, measure) {
   -state$velocity[3, state$lattice$place(measure$place)] + 0
 }
 
-# Height above the sea bed, across it, m.
+define_measure("clearance", "m", "Height of a place above the sea bed, across it.",
+  asks_place_over_ground, function(state, measure) measure_clearance(state, measure)
+)
+
 measure_clearance <- function(state, measure) {
   height_above_ground(state$si$ground, cbind(place_position(state, measure$place)))
 }
 
-# Area that ropes, end to end, enclose as seen level and from right ahead of them, m2.
+define_measure("area", "m2",
+  "Enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight tow,
+  along the net's own heading in a turn. A gap between two ropes is closed by a straight line.",
+  asks_ropes, function(state, measure) measure_area(state, measure)
+)
+
 measure_area <- function(state, measure) {
   sqrt(sum(outline_area(rope_outline(state, measure$ropes))^2))
 }
@@ -58,7 +83,7 @@ rope_outline <- function(state, ropes) {
     to_others <- vapply(ends(outline), function(e) {
       min(vapply(left, function(x) min(gap(e, x[, 1]), gap(e, x[, ncol(x)])), 0))
     }, 0)
-    if (to_others[1] < to_others[2]) outline <- outline[, ncol(outline):1]
+    if (to_others[1] < to_others[2]) outline <- outline[, rev(seq_len(ncol(outline)))]
   }
   while (length(left)) {
     reached <- outline[, ncol(outline)]
@@ -66,7 +91,7 @@ rope_outline <- function(state, ropes) {
     nearest <- which.min(gaps)
     k <- (nearest - 1L) %/% 2L + 1L
     next_rope <- left[[k]]
-    if (nearest %% 2L == 0L) next_rope <- next_rope[, ncol(next_rope):1]
+    if (nearest %% 2L == 0L) next_rope <- next_rope[, rev(seq_len(ncol(next_rope)))]
     outline <- cbind(outline, next_rope)
     left <- left[-k]
   }
@@ -79,35 +104,19 @@ polygon_area <- function(x, y) {
   sum(x * y[after] - x[after] * y) / 2
 }
 
-# Angle of a rope at a place, deg, in its direction from start to end: declination below the
-# horizontal (negative when it rises), or divergence of its plan view from the vessel's centre line, x
-# (0 to 180).
+define_measure("angle", "deg",
+  "Of a rope's bar at a place, in its direction from start to end: below the horizontal (declination,
+  negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180), in
+  a turn too.",
+  asks_rope_angle, function(state, measure) measure_angle(state, measure)
+)
+
 measure_angle <- function(state, measure) {
-  bar <- rope_bar(state, measure$rope, measure$place)
+  bar <- rope_bar(state$lattice, measure$rope, measure$place)
   ends <- state$lattice$engine$bars$node[2L * bar + c(-1L, 0L)]
   d <- state$position[, ends[2]] - state$position[, ends[1]]
-  radians <- switch(measure$angle,
+  switch(measure$angle,
     declination = atan2(-d[3], sqrt(d[1]^2 + d[2]^2)),
     divergence = atan2(abs(d[2]), d[1])
   )
-  radians * 180 / pi
-}
-
-# The bar of a rope at its start, middle or end.
-rope_bar <- function(state, rope, place) {
-  lattice <- state$lattice
-  bars <- rope_bars(lattice, rope)
-  switch(place,
-    start = bars[1],
-    end = bars[length(bars)],
-    middle = {
-      rest <- lattice$engine$bars$rest[bars]
-      bars[which(cumsum(rest) >= sum(rest) / 2)[1]]
-    }
-  )
-}
-
-# Bars of a rope in order from its start.
-rope_bars <- function(lattice, rope) {
-  which(lattice$bar_part == which(lattice$parts$kind == "rope" & lattice$parts$name == rope))
 }

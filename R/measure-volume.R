@@ -1,17 +1,26 @@
 # The volume that panels enclose.
 
-# Volume (m3) within panels that follow each other around openings, each closed by a lid from its
-# rim to the rim's middle, or its share (percent) of the volume that the measure names. Panels must
-# all be seen from the same side, from within or from without, with their upper edge up.
-measure_volume <- function(state, measure) {
-  facets <- panel_facets(state, measure$panels)
-  lids <- panel_lids(state, measure$panels)
+define_measure("volume", "m3",
+  "Within panels that follow each other around an opening, such as a cage's walls and bottom, closed by
+  a lid from the rim of the opening to its middle.",
+  asks_panels, function(state, measure) volume_within(state, measure$panels)
+)
+
+define_measure("volume_share", "%",
+  "The volume within panels as a share of a volume `of`.",
+  asks_share, function(state, measure) volume_within(state, measure$panels) / measure$of
+)
+
+# Volume (m3) within panels. They must all be seen from the same side, from within or from without,
+# with their upper edge up.
+volume_within <- function(state, panels) {
+  facets <- panel_facets(state, panels)
+  lids <- panel_lids(state, panels)
   corners <- lapply(1:3, function(k) {
     cbind(facets$x[, facets$node[k, ], drop = FALSE], lids[[k]])
   })
   middle <- rowMeans(facets$x)
-  volume <- abs(sum(do.call(triple_product, lapply(corners, `-`, middle))) / 6)
-  if (is.null(measure$of)) volume else 100 * volume / measure$of
+  abs(sum(do.call(triple_product, lapply(corners, `-`, middle))) / 6)
 }
 
 # The surface of panels as facets between their rows of places: list(x = 3 x places, node = 3 x

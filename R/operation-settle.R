@@ -77,12 +77,6 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   state
 }
 
-settle_tolerance <- 1e-8
-settle_iterations <- 3200L
-
-# CPU seconds of this process.
-cpu_clock <- function() sum(proc.time()[c("user.self", "sys.self")])
-
 check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {
     cli::cli_abort("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.",
@@ -100,60 +94,4 @@ check_settle_arguments <- function(gear, nodes, netting) {
       class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
-}
-
-# A function(iteration, residual) that shows a bar once a solve has run for two seconds.
-settle_progress <- function() {
-  if (!cli::is_dynamic_tty()) return(function(iteration, residual) NULL)
-  begun <- proc.time()[["elapsed"]]
-  bar <- NULL
-  frame <- parent.frame()
-  function(iteration, residual) {
-    if (is.null(bar)) {
-      if (proc.time()[["elapsed"]] - begun < 2) return(NULL)
-      bar <<- cli::cli_progress_bar(
-        total = NA, .envir = frame, format = paste(
-          "{cli::pb_spin} Settling: step {cli::pb_current}, largest net force",
-          "{cli::pb_status} of the largest tension [{cli::pb_elapsed}]"
-        )
-      )
-    }
-    cli::cli_progress_update(
-      set = iteration, status = format(signif(residual, 2)), id = bar, .envir = frame
-    )
-  }
-}
-
-abort_not_converged <- function(report, lattice, position) {
-  where <- describe_node(lattice, report$worst_node)
-  at <- round(matrix(position, 3L)[, report$worst_node], 1)
-  if (report$shading_change > 1e-5) {
-    cli::cli_abort(
-      "The gear did not settle: shape and shading still changed each other after {report$shadings}
-      rounds, the speed of the flow at a point by {signif(100 * report$shading_change, 2)} % of the
-      free flow's.",
-      class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
-    )
-  }
-  cli::cli_abort(
-    c(
-      "The gear did not settle: after {report$iterations} steps the largest net force is
-      {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is asked for.",
-      "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
-      {signif(report$worst_force / 1000, 3)} kN."
-    ),
-    class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
-  )
-}
-
-# The parts that meet at a node, in words.
-describe_node <- function(lattice, node) {
-  e <- lattice$engine
-  touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
-  part <- unique(c(
-    touching(e$bars$node, 2L, lattice$bar_part),
-    touching(e$triangles$node, 3L, lattice$triangle_part)
-  ))
-  if (!length(part)) return("a point outside ropes and netting")
-  paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")
 }

@@ -87,7 +87,10 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
                 catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
-  if (!is.null(file)) check_trajectory_path(file)
+  if (!is.null(file)) {
+    check_netcdf()
+    check_file_path(file, ".nc")
+  }
   going_on <- inherits(gear, "codend_trajectory")
   if (is.character(gear)) gear <- read_gear(gear)
   planned <- if (going_on) {
@@ -119,7 +122,8 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   } else {
     settled_trajectory(gear, given, until, nodes, netting)
   }
-  march_trajectory(trajectory, until, every, method, file)
+  record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
+  march_trajectory(trajectory, until, every, method, measures, record)
 }
 
 checked_gear <- function(gear) {
@@ -182,4 +186,41 @@ tow_quantity <- function(value, name, dimension) {
     )
   }
   si
+}
+
+# A trajectory that starts where the gear settles in the conditions of time 0, or where it is shot.
+settled_trajectory <- function(gear, given, until, nodes, netting) {
+  check_settle_arguments(gear, nodes, netting)
+  si <- gear_si(gear)
+  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
+  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
+  now <- conditions_at(what, 0)
+  first <- si_at(what, now)
+  if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
+    return(started_trajectory(settle(gear, nodes, netting), given, until))
+  }
+  # A warp that is still short has few bars of its own: its shape is carried over to all of them.
+  progress <- settle_progress()
+  found <- settle_level(
+    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations,
+    progress
+  )
+  if (found$report$converged) {
+    found$lattice$counts <- NULL
+    shape <- list(
+      lattice = found$lattice, position = lattice_points(found$lattice, found$position)
+    )
+    what <- tow_start(gear, si, build_lattice(si, nodes, netting, shape), given, until)
+  }
+  if (!is.null(si$catch)) {
+    what$lattice <- set_catch_front(what$lattice, found$lattice$catch$blocked)
+  }
+  moved <- what$schedule$track$node
+  what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
+  start <- lattice_at(what, now)
+  settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
+    numeric(), settle_tolerance, settle_iterations, progress)
+  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  what$lattice$engine$wake <- settled$wake
+  add_start(what, settled$position, c(-now$speed, 0, 0))
 }

@@ -116,3 +116,15 @@ unit_examples <- function(dimension) {
   factors <- plan_units[[dimension]]
   word_list(names(factors)[!duplicated(factors)])
 }
+
+abort_reference <- function(text, name, names, kind, path) {
+  near <- nearest(name, names)
+  abort_plan(
+    paste0(
+      "Plan field `", path, "` is ", show_value(text), ", but there is no ", kind, " `", name, "`",
+      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+      if (length(names)) paste0(" Known here: ", word_list(names), ".")
+    ),
+    path, text
+  )
+}

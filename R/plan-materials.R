@@ -77,5 +77,3 @@ line_properties <- function(given, own, path) {
     strength = first_of(given$strength, material[["strength"]] * square)
   )
 }
-
-first_of <- function(value, otherwise) if (is.null(value)) otherwise else value

@@ -12,32 +12,8 @@
 #' cat(readLines(file), sep = "\n")
 write_gear <- function(gear, file) {
   check_is_gear(gear)
-  if (!is_text(file) || !nzchar(file)) {
-    cli::cli_abort(
-      "{.arg file} must be one path.",
-      class = c("codend_error_input", "codend_error"), call = NULL
-    )
-  }
-  if (!dir.exists(dirname(file))) {
-    cli::cli_abort(
-      "{.arg file} must lie in a folder that exists, not {.file {dirname(file)}}.",
-      class = c("codend_error_input", "codend_error"), call = NULL
-    )
-  }
-  beside <- tempfile(".plan-", tmpdir = dirname(file))
-  on.exit(unlink(beside))
-  connection <- base::file(beside, "wb")
-  tryCatch(
-    writeBin(charToRaw(format(gear)), connection),
-    finally = close(connection)
-  )
-  if (!file.rename(beside, file)) {
-    cli::cli_abort(
-      "{.file {file}} cannot be written.", class = c("codend_error_input", "codend_error"),
-      call = NULL
-    )
-  }
-  invisible(file)
+  check_file_path(file)
+  write_text(format(gear), file)
 }
 
 #' @export

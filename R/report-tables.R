@@ -25,7 +25,8 @@ groups_in_order <- function(table) {
 }
 
 measures_columns <- function(measures) {
-  said <- measure_words(names(measures))
+  said <- measure_words(measures)
+  measures <- plain_measures(measures)
   force <- ifelse(said$unit == "kN", figures(tonnes_force(measures)), "")
   columns <- list(` measure` = said$words, value = single_numbers(measures), ` unit` = said$unit,
     tonnes = force)
@@ -36,7 +37,7 @@ trajectory_columns <- function(table) {
   at <- function(value, time) paste0(figures(value), " at ", vapply(time, time_words, "",
     last = max(table$greatest_at_s, table$least_at_s)))
   list(
-    ` measure` = measure_words(table$measure)$words, ` unit` = table$unit,
+    ` measure` = words_of(table$measure, table$unit), ` unit` = table$unit,
     start = figures(table$start), end = figures(table$end),
     least = at(table$least, table$least_at_s), greatest = at(table$greatest, table$greatest_at_s)
   )
@@ -142,7 +143,7 @@ reaction_columns <- function(reactions) {
 # ---- conditions ----------------------------------------------------------------------------------
 
 conditions_section <- function(state) {
-  fields <- assembly_fields(state$gear$plan)
+  fields <- gear_fields(state$gear)
   si <- state$si
   knots <- si$towing$speed / plan_units$speed[["knot"]]
   law <- function(x) {

@@ -16,7 +16,7 @@
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file The HTML file to write. It is written whole or not at all.
-#' @return `file`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @return `file`, invisibly. See [codend-conditions] for errors.
 #' @seealso [view()] for the three dimensions alone, [summary()][summary.codend_state] for the
 #'   numbers.
 #' @examples
@@ -26,9 +26,9 @@
 report <- function(state, file) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
-  picture_extension(file, "html")
+  check_file_path(file, ".html")
   body <- if (moves) trajectory_report(state) else state_report(state)
-  write_whole(file, function(path) {
+  write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
   })
@@ -204,8 +204,9 @@ drag_section <- function(said) {
 
 board_section <- function(boards) {
   if (!nrow(boards)) return(NULL)
-  report_section("Otter boards", report_table(board_columns(boards), "How the free otter boards
-    stand: angle of attack and that of their largest lift, heel (positive outward) and trim."))
+  report_section("Otter boards and kites", report_table(board_columns(boards), "How free otter boards
+    and kites stand: angle of attack and that of their largest lift, heel (positive outward; of a kite
+    where its starboard end is high) and trim."))
 }
 
 balance_section <- function(said) {

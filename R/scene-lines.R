@@ -5,13 +5,16 @@
 drawn_lines <- 20000L
 
 # Returns list(ropes, netting = lines (see new_lines), marks = data.frame(x, y, z, role, part, size,
-# direction)). Every end of a line is a point of the state.
+# direction, board = its number among the free boards or 0), boards = their corners (see
+# board_corners())). Every end of a line is a point of the state.
 state_drawing <- function(state, limit = drawn_lines) {
   points <- state_points(state)
+  marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
+  marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   list(
     ropes = rope_lines(state, points, limit),
     netting = netting_lines(state, points, limit),
-    marks = rbind(piece_marks(state, points), board_marks(state), support_marks(state))
+    marks = marks, boards = board_corners(state)
   )
 }
 
@@ -38,14 +41,6 @@ join_lines <- function(lines) {
 # Means of x over groups 1..n.
 weighted_means <- function(x, weight, group, n) {
   sum_by(x * weight, group, n) / sum_by(weight, group, n)
-}
-
-bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
-
-# Nodes at the ends of some bars: 2 x bars.
-bar_ends <- function(state, bars) {
-  node <- state$lattice$engine$bars$node
-  rbind(node[2L * bars - 1L], node[2L * bars])
 }
 
 # A rope with more bars than can be shown is drawn through every k-th of its nodes.
@@ -254,14 +249,4 @@ support_marks <- function(state) {
     role = vapply(held, function(p) p$held, ""), part = names(held),
     size = NA_real_, direction = NA_character_, row.names = NULL
   )
-}
-
-# Water past the gear at the depth of its middle, m/s (x aft, y starboard).
-flow_past <- function(state) {
-  water <- state$lattice$engine$water
-  depth <- -mean(range(state$position[3L, ]))
-  along <- function(speed) {
-    if (length(speed) == 1L) speed else stats::approx(water$depth, speed, depth, rule = 2)$y
-  }
-  if (water$density == 0) c(0, 0) else c(along(water$x), along(water$y))
 }

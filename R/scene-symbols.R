@@ -12,7 +12,9 @@ view_symbols <- data.frame(
     "#202428", "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A", "#2C6E9B",
     "#2C6E9B"
   ),
-  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1)
+  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1),
+  # what is drawn as a plate in space; all else is round
+  plate = c(TRUE, TRUE, FALSE, FALSE, TRUE, FALSE, FALSE, FALSE, FALSE, FALSE)
 )
 
 # The rows of the table that a drawing's marks use, in its order.

@@ -6,6 +6,9 @@ level_ratio <- 7
 coarsest_nodes <- 250
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
+# Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
+settle_tolerance <- 1e-8
+settle_iterations <- 3200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of every
 # line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use: ropes

@@ -4,14 +4,6 @@
 # Positions of all points that elements stand on: 3 x (nodes + tied points), m.
 state_points <- function(state) lattice_points(state$lattice, state$position)
 
-lattice_points <- function(lattice, position) {
-  ties <- lattice$engine$ties
-  x <- matrix(position, 3L)
-  if (!length(ties$first)) return(x)
-  share <- rep(ties$share, each = 3L)
-  cbind(x, (1 - share) * x[, ties$first] + share * x[, ties$second])
-}
-
 # Returns a data frame with a row per line: part (row of lattice$parts), element (number of the bar
 # or triangle), family (bar, u, v or straight), tension (N, of one line), length and rest (m, of one
 # line) and lines (how many run in parallel). A triangle's bars of one family count as parallel
@@ -41,21 +33,18 @@ state_lines <- function(state) {
   )
 }
 
-# Mesh bars of one family in triangles: half of |d|, the double area in twine coordinates.
-triangle_bars <- function(triangles, which = seq_along(triangles$rest)) {
-  at <- 6L * (which - 1L)
-  u <- function(corner) triangles$twine[at + 2L * corner - 1L]
-  v <- function(corner) triangles$twine[at + 2L * corner]
-  u1 <- u(1L)
-  v1 <- v(1L)
-  d <- (u(2L) - u1) * (v(3L) - v1) - (u(3L) - u1) * (v(2L) - v1)
-  abs(d) / 2 * triangles$multiplicity[which]
-}
-
 # Middles of elements of as many corners: 3 x elements, m.
 element_middles <- function(points, node, corners) {
   first <- seq.int(0L, by = corners, length.out = length(node) %/% corners)
   total <- points[, node[first + 1L], drop = FALSE]
   for (k in seq_len(corners - 1L) + 1L) total <- total + points[, node[first + k], drop = FALSE]
   total / corners
+}
+
+bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
+
+# Nodes at the ends of some bars: 2 x bars.
+bar_ends <- function(state, bars) {
+  node <- state$lattice$engine$bars$node
+  rbind(node[2L * bars - 1L], node[2L * bars])
 }

@@ -25,7 +25,7 @@
 #' @param state A state, from [settle()] or [state_at()].
 #' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
 #' @return `write_state()` gives `file`, invisibly; `read_state()` a state as [settle()] returns. A
-#'   file that cannot be read or written is an error of class `codend_error_input`; a missing
+#'   file that cannot be read or written is an error of class `codend_error_file`; a missing
 #'   RNetCDF one of class `codend_error_package`.
 #' @seealso [write_trajectory()] for tows, [write_vtk()] and [write_gltf()] for other programs.
 #' @export
@@ -37,10 +37,8 @@
 write_state <- function(state, file) {
   check_is_state(state)
   check_netcdf()
-  check_export_path(file, ".nc")
-  export_whole(file, function(path) {
-    nc <- RNetCDF::create.nc(path, format = "offset64")
-    on.exit(RNetCDF::close.nc(nc))
+  check_file_path(file, ".nc")
+  write_netcdf(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
     sizes <- c(
@@ -146,13 +144,11 @@ state_numbers <- function(state) {
 
 measure_numbers <- function(state) {
   found <- measures(state)
-  said <- measure_words(names(found))
-  units <- c("%" = "percent", deg = "degree", meshes = "1", "km2/h" = "km2 h-1", "m3/h" = "m3 h-1")
+  said <- measure_words(found)
   lapply(setNames(seq_along(found), names(found)), function(k) {
-    unit <- said$unit[k]
     list(
       value = found[[k]], type = "NC_DOUBLE", across = character(), words = said$words[k],
-      unit = if (unit %in% names(units)) units[[unit]] else unit
+      unit = cf_unit(said$unit[k])
     )
   })
 }

@@ -32,7 +32,7 @@
 #' @return `write_trajectory()` gives `file`, invisibly. `read_trajectory()` gives a trajectory as
 #'   [tow()] returns; of a run that did not end, one with all that was kept, whose `end` is
 #'   `"interrupted"`. A file that cannot be read or written is an error of class
-#'   `codend_error_input`; a missing RNetCDF one of class `codend_error_package`.
+#'   `codend_error_file`; a missing RNetCDF one of class `codend_error_package`.
 #' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
 #' file <- tempfile(fileext = ".nc")
 #' write_trajectory(tow("towed_cable", until = 20, every = 10), file)
@@ -40,7 +40,8 @@
 #' @export
 write_trajectory <- function(trajectory, file) {
   check_is_trajectory(trajectory)
-  check_trajectory_path(file)
+  check_netcdf()
+  check_file_path(file, ".nc")
   record <- record_trajectory(
     unclass(trajectory)[trajectory_constants], trajectory_frames(trajectory), file
   )
@@ -56,7 +57,7 @@ read_trajectory <- function(file) {
   get <- file_getter(nc)
   what <- kept_objects(get)
   n <- complete_records(get)
-  if (n == 0L) abort_trajectory_file(file, "holds no complete record.")
+  if (n == 0L) abort_file(file, "holds no complete record.")
   end <- file_ends[1L + get("end")]
   gather_trajectory(what, read_frames(get, n), end)
 }
@@ -66,13 +67,13 @@ trajectory_file_version <- 2L
 # An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
 open_kept <- function(file, what, known) {
   check_netcdf()
-  if (!is_text(file) || !file.exists(file)) abort_trajectory_file(file, "does not exist.")
+  if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
-    abort_trajectory_file(file, "is no NetCDF file.")
+    abort_file(file, "is no NetCDF file.")
   })
   refuse <- function(...) {
     RNetCDF::close.nc(nc)
-    abort_trajectory_file(file, sprintf(...))
+    abort_file(file, sprintf(...))
   }
   version <- tryCatch(
     RNetCDF::att.get.nc(nc, "NC_GLOBAL", paste0("codend_", what)),
@@ -132,37 +133,31 @@ motion_vectors <- c("position", "velocity", "acceleration")
 # Writes a file with the frames of a trajectory, whole or not at all, and leaves it open for more.
 # what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
 record_trajectory <- function(what, frames, file) {
-  beside <- tempfile(".trajectory-", tmpdir = dirname(file), fileext = ".nc")
-  on.exit(unlink(beside))
   count <- 0L
   add_to <- function(nc, frame) {
     count <<- count + 1L
     put_frame(nc, what, frame, count)
   }
-  tryCatch(
-    {
-      nc <- RNetCDF::create.nc(beside, format = "offset64")
-      tryCatch(
-        {
-          define_trajectory(nc, what, frames[[1L]])
-          for (frame in frames) add_to(nc, frame)
-        },
-        finally = RNetCDF::close.nc(nc)
-      )
-    },
-    error = function(e) {
-      abort_trajectory_file(file, paste("cannot be written:", conditionMessage(e)))
-    }
-  )
-  if (!suppressWarnings(file.rename(beside, file))) {
-    abort_trajectory_file(file, "cannot be written.")
-  }
+  write_netcdf(file, function(nc) {
+    define_trajectory(nc, what, frames[[1L]])
+    for (frame in frames) add_to(nc, frame)
+  })
   nc <- RNetCDF::open.nc(file, write = TRUE)
+  failed <- FALSE
+  trying <- function(code) {
+    tryCatch(code, error = function(e) {
+      failed <<- TRUE
+      abort_unwritten(file, conditionMessage(e))
+    })
+  }
   list(
-    add = function(frame) add_to(nc, frame),
+    add = function(frame) trying(add_to(nc, frame)),
     close = function(end) {
-      put(nc, "end", match(end, file_ends) - 1L)
-      RNetCDF::close.nc(nc)
+      if (failed) return(invisible())
+      trying({
+        put(nc, "end", match(end, file_ends) - 1L)
+        close_netcdf(nc)
+      })
     }
   )
 }
@@ -264,13 +259,6 @@ define_resume <- function(define) {
 }
 
 # ---- writing ------------------------------------------------------------------------------------
-
-# Nothing is written where there is nothing to write: such a variable is not in the file.
-put <- function(nc, name, value, start = NA, count = NA) {
-  if (length(value) == 0L) return(invisible())
-  # without a change to what is missing
-  RNetCDF::var.put.nc(nc, name, value, start, count, na.mode = 3)
-}
 
 put_frame <- function(nc, what, frame, k) {
   now <- gather_trajectory(what, list(frame), "interrupted")
@@ -391,35 +379,4 @@ read_resume <- function(get, n) {
     now = motion("now"), before = motion("before"), steps = as.integer(one("steps")),
     caution = as.integer(one("caution")), step = one("step"), done = done, report = report
   )
-}
-
-# ---- checks -------------------------------------------------------------------------------------
-
-check_is_trajectory <- function(trajectory) {
-  if (!inherits(trajectory, "codend_trajectory")) {
-    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
-  }
-}
-
-check_trajectory_path <- function(file) {
-  check_netcdf()
-  if (!is_text(file) || !grepl("[.]nc$", file)) {
-    abort_trajectory_file(file, "must be one path that ends in .nc.")
-  }
-  if (!dir.exists(dirname(file))) {
-    abort_trajectory_file(file, "must lie in a folder that exists.")
-  }
-}
-
-check_netcdf <- function() {
-  if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
-  cli::cli_abort(
-    "NetCDF files take the package {.pkg RNetCDF}, which is not installed.",
-    class = c("codend_error_package", "codend_error"), call = NULL
-  )
-}
-
-abort_trajectory_file <- function(file, what) {
-  cli::cli_abort("{.arg file} is {show_value(file)}; it {what}",
-    class = c("codend_error_input", "codend_error"), call = NULL)
 }

@@ -42,6 +42,7 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
     field_columns(axes[[k]], gear)[place[[k]], , drop = FALSE]
   }))
   known <- unique(unlist(lapply(found, function(one) names(one$measures))))
+  units <- unlist(lapply(found, function(one) attr(one$measures, "unit")))[known]
   measured <- lapply(setNames(known, known), function(name) {
     vapply(found, function(one) {
       if (name %in% names(one$measures)) one$measures[[name]] else NA_real_
@@ -52,7 +53,8 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
     fields, settled = is.na(text("problem")), problem = text("problem"), warning = text("warning"),
     measured, row.names = NULL, check.names = FALSE
   )
-  structure(table, class = c("codend_variations", "data.frame"), gear_name = gear$plan$name)
+  structure(table, class = c("codend_variations", "data.frame"), gear_name = gear$plan$name,
+    measure_unit = units)
 }
 
 # The axes of a study: data frames whose columns are fields that change together.
@@ -168,8 +170,7 @@ field_column <- function(values, path, gear) {
     # a bare number has no unit
     if (dimension == "number") units <- ""
   }
-  suffix <- gsub("[ ]", "_", sub("/", " per ", units, fixed = TRUE))
-  list(value = value, suffix = if (nzchar(suffix)) paste0("_", suffix) else "")
+  list(value = value, suffix = with_unit("", units))
 }
 
 # The dimension of a quantity in a plan by its path, or NA.

@@ -1,39 +1,5 @@
 # How states show themselves as text: numbers to four figures, columns aligned.
 
-# Numbers as text to four figures at most four decimals, never in powers of ten.
-figures <- function(x) {
-  size <- ifelse(is.na(x) | x == 0, 0, floor(log10(abs(x))))
-  decimals <- pmin(pmax(3 - size, 0), 4)
-  text <- mapply(formatC, signif(x, 4), digits = decimals, MoreArgs = list(format = "f"))
-  text[!is.na(x) & abs(x) < 5e-5] <- "0"
-  text[is.na(x)] <- ""
-  as.character(text)
-}
-
-# A column of numbers with as many decimals as its largest needs for four figures.
-column_figures <- function(x) {
-  size <- max(abs(x), 0, na.rm = TRUE)
-  decimals <- if (size == 0) 0 else min(max(3 - floor(log10(size)), 0), 4)
-  text <- formatC(x, format = "f", digits = decimals)
-  text[!is.na(x) & abs(x) < 0.5 * 10^-decimals] <- "0"
-  text[is.na(x)] <- ""
-  align_points(text)
-}
-
-# Numbers as text, padded so that their decimal points stand below each other.
-align_points <- function(text) {
-  decimals <- nchar(sub("^[^.]*", "", text))
-  paste0(text, strrep(" ", max(decimals) - decimals))
-}
-
-# Lines of a table: columns of text, the first aligned left and the others right unless `left`.
-align_columns <- function(columns, left = 1L) {
-  cells <- lapply(seq_along(columns), function(k) {
-    format(columns[[k]], justify = if (k %in% left) "left" else "right")
-  })
-  sub(" +$", "", paste0("  ", do.call(paste, c(cells, sep = "  "))))
-}
-
 # What the gear is in: "Towed at 2.315 m/s (4.5 knot) in water of 1025 kg/m3, current 0.5 m/s".
 conditions_text <- function(si) {
   short <- function(x) format(signif(x, 4))
@@ -60,8 +26,8 @@ size_text <- function(state) {
 }
 
 measure_text <- function(measures) {
-  said <- measure_words(names(measures))
-  paste(said$words, figures(measures), said$unit)
+  said <- measure_words(measures)
+  paste(said$words, figures(plain_measures(measures)), said$unit)
 }
 
 #' @export

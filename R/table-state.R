@@ -119,6 +119,6 @@ node_parts <- function(lattice) {
 measure_table <- function(state) {
   found <- measures(state)
   data.frame(
-    measure = names(found), value = unname(found), unit = measure_words(names(found))$unit
+    measure = names(found), value = as.double(found), unit = unname(attr(found, "unit"))
   )
 }

@@ -68,9 +68,6 @@ condition_units <- function(conditions) {
   setNames(out, c(known, parts))
 }
 
-# Which triangles of a lattice are of hexagonal meshes.
-has_straight_bars <- function(lattice) lattice$engine$triangles$straight > 0
-
 # Largest and mean tension of every rope and panel at one of the kept times.
 part_tensions <- function(trajectory, k) {
   lattice <- trajectory$lattice
@@ -133,10 +130,9 @@ summary.codend_trajectory <- function(object, ...) {
 
 #' @export
 print.codend_trajectory_summary <- function(x, ...) {
-  said <- measure_words(x$measure)
-  number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
+    number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
   columns <- c(
-    list(c("", said$words)), list(c("", said$unit)),
+    list(c("", words_of(x$measure, x$unit))), list(c("", x$unit)),
     lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(x[[name]])))
   )
   cat(align_columns(columns, left = 1:2), sep = "\n")

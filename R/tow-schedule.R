@@ -255,7 +255,7 @@ parting_events <- function(si, lattice, given) {
     time <- if (is.null(event$time)) Inf else schedule_number(event$time, "part$time", "time")
     list(
       rope = event$rope, bars = bars,
-      at = rope_bar(list(lattice = lattice), event$rope, place), time = time,
+      at = rope_bar(lattice, event$rope, place), time = time,
       strength = if (is.null(event$time)) as.double(strength) else Inf, parted = 0L, parted_at = 0
     )
   })

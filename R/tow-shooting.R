@@ -10,24 +10,6 @@ shot_trajectory <- function(gear, si, given, until, nodes, netting) {
   add_start(what, position, c(0, 0, 0))
 }
 
-# The gear hung, in water at rest, from the rope that it is shot along, drawn out straight along x from
-# 0: positions (3 x nodes, m). Every node's x then says when it is shot.
-hang_out <- function(si, lattice, panels, chains) {
-  si$towing$speed <- 0
-  si$water$current[c("x", "y")] <- 0
-  rope <- si$shooting$rope
-  from_rope <- function(skeleton) {
-    run <- skeleton$ropes[[rope]]
-    held <- logical(skeleton$nodes)
-    position <- load <- matrix(0, 3L, skeleton$nodes)
-    held[run$node] <- TRUE
-    position[1, run$node] <- run$at * si$ropes[[rope]]$length
-    list(held = held, position = position, load = load)
-  }
-  lattice$start <- lay_out(si, lattice, panels, chains, supports = from_rope, open = 1)
-  place_inner_nodes(lattice)
-}
-
 # How far along the rope every node lies, m.
 shot_reach <- function(si, lattice) {
   pmin(pmax(lattice$hung[1, ], 0), si$ropes[[si$shooting$rope]]$length)
@@ -43,16 +25,6 @@ shot_position <- function(si, lattice) {
   held <- lattice$engine$held
   position[, held] <- lattice$start[, held]
   position
-}
-
-# Places (2 x n, m) at distances (m) along the way that a rope of this length is laid.
-vessel_way <- function(shooting, length, reach) {
-  turn <- shooting$arc / length
-  if (turn == 0) return(rbind(shooting$from[1] - reach, shooting$from[2] + 0 * reach))
-  rbind(
-    shooting$from[1] - sin(turn * reach) / turn,
-    shooting$from[2] + (1 - cos(turn * reach)) / turn
-  )
 }
 
 # When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not, or where

@@ -1,41 +1,4 @@
-# Where a tow starts from: a gear that settles in the conditions of time 0, a state, or a trajectory
-# that goes on.
-
-settled_trajectory <- function(gear, given, until, nodes, netting) {
-  check_settle_arguments(gear, nodes, netting)
-  si <- gear_si(gear)
-  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
-  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
-  now <- conditions_at(what, 0)
-  first <- si_at(what, now)
-  if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
-    return(started_trajectory(settle(gear, nodes, netting), given, until))
-  }
-  # A warp that is still short has few bars of its own: its shape is carried over to all of them.
-  progress <- settle_progress()
-  found <- settle_level(
-    first, nodes, netting, coarse_shape(first, nodes, netting, progress), settle_iterations,
-    progress
-  )
-  if (found$report$converged) {
-    found$lattice$counts <- NULL
-    shape <- list(
-      lattice = found$lattice, position = lattice_points(found$lattice, found$position)
-    )
-    what <- tow_start(gear, si, build_lattice(si, nodes, netting, shape), given, until)
-  }
-  if (!is.null(si$catch)) {
-    what$lattice <- set_catch_front(what$lattice, found$lattice$catch$blocked)
-  }
-  moved <- what$schedule$track$node
-  what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
-  start <- lattice_at(what, now)
-  settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
-    numeric(), settle_tolerance, settle_iterations, progress)
-  if (!settled$converged) abort_not_converged(settled, start, settled$position)
-  what$lattice$engine$wake <- settled$wake
-  add_start(what, settled$position, c(-now$speed, 0, 0))
-}
+# Where a tow starts from: a state, or a trajectory that goes on.
 
 started_trajectory <- function(state, given, until) {
   state$lattice$let_go <- TRUE

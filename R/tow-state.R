@@ -139,3 +139,9 @@ ground_from_vessel <- function(ground, now) {
   ground$velocity <- passing - sum(passing * ground$normal) * ground$normal
   ground
 }
+
+check_is_trajectory <- function(trajectory) {
+  if (!inherits(trajectory, "codend_trajectory")) {
+    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
+  }
+}

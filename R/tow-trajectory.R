@@ -33,8 +33,10 @@ gather_trajectory <- function(what, frames, end) {
   structure(out, class = "codend_trajectory")
 }
 
-# Goes on with a trajectory until a time; file: where to write it meanwhile, or NULL.
-march_trajectory <- function(trajectory, until, every, method, file = NULL) {
+# Goes on with a trajectory until a time. measured: a function(state) of what the user's control is
+# told; record: NULL, or a function(what, frames) that keeps frames and gives list(add =
+# function(frame), close = function(end)) for those that follow.
+march_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
   what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
   what$method <- method
   what$every <- every
@@ -43,7 +45,7 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
   stops <- tow_stops(past$now$time, until, every, what)
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
-  record <- if (!is.null(file)) record_trajectory(what, trajectory_frames(trajectory), file)
+  if (!is.null(record)) record <- record(what, trajectory_frames(trajectory))
   n <- length(trajectory$time)
   front <- trajectory$catch_front[, n]
   move_catch <- if (moves_catch(what)) catch_mover(what)
@@ -64,11 +66,15 @@ march_trajectory <- function(trajectory, until, every, method, file = NULL) {
     {
       engine <- marched_engine(what, trajectory)
       report <- engine_tow(engine, schedule_as_done(what$schedule, past$done), past, method,
-        stops, keep, steerer(what, function() front), refill,
+        stops, keep, steerer(what, measured, function() front), refill,
         tow_progress(past$now$time, until))
       end <- report$end
     },
-    interrupt = function(e) NULL
+    interrupt = function(e) NULL,
+    codend_error_file = function(e) {
+      abort_unwritten(e$file, e$why,
+        gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), "interrupted"))
+    }
   )
   out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
   if (end == "stuck") abort_stuck(report, out)
@@ -120,15 +126,15 @@ schedule_as_done <- function(schedule, done) {
   schedule
 }
 
-# A function(frame) that asks the user's control for the speed of every growing part, m/s; front: a
-# function that gives the catch's.
-steerer <- function(what, front) {
+# A function(frame) that asks the user's control for the speed of every growing part, m/s; measured:
+# as in march_trajectory(); front: a function that gives the catch's.
+steerer <- function(what, measured, front) {
   control <- what$given$control
   names <- vapply(what$schedule$growing, `[[`, "", "name")
   function(frame) {
     frame$catch_front <- front()
     now <- gather_trajectory(what, list(frame), "reached")
-    found <- control(measures(state_at(now, frame$now$time)), frame$now$time)
+    found <- control(measured(state_at(now, frame$now$time)), frame$now$time)
     good <- is.numeric(found) && all(is.finite(found)) &&
       (length(found) == 1L || all(names %in% names(found)))
     if (!good) {

@@ -22,12 +22,12 @@
 view <- function(state, file = NULL) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
-  if (!is.null(file)) picture_extension(file, "html")
+  if (!is.null(file)) check_file_path(file, ".html")
   # In a file a fixed name, so that every new session writes the same page of the same state.
   element <- if (!is.null(file)) "gear"
   page <- if (moves) motion_page(state, element) else gear_page(state, element)
   if (is.null(file)) return(page)
-  write_whole(file, function(path) {
+  write_file(file, function(path) {
     write_single_page(path, state$gear$plan$name, htmltools::as.tags(page, standalone = TRUE),
       style = "body { margin: 0; background: white; }")
   })
@@ -56,8 +56,8 @@ page_ranges <- function(drawing, state) {
 
 # The scene, drawn on a device of its own that needs no display. It turns around the middle of the
 # net's ranges where they are given, else of the whole's. Returns the scene with the object numbers
-# of its axes as `net_axes` and `whole_axes`, and those of what it shows as `drawn`. flow: m/s, an
-# arrow beside the axes.
+# of its axes as `net_axes` and `whole_axes`, and as `drawn` those of what it shows, with the size (m)
+# by which marks are enlarged. flow: m/s, an arrow beside the axes.
 gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(state)) {
   kept <- options(rgl.useNULL = TRUE)
   on.exit(options(kept))
@@ -72,7 +72,8 @@ gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(stat
   netting <- scene_lines(drawing$netting, scales$netting, 1)
   ropes <- scene_lines(drawing$ropes, scales$rope, 4)
   # To be seen from near and from far.
-  marks <- scene_marks(drawing$marks, (longest_side(focus)^2 * longest_side(whole))^(1 / 3))
+  size <- (longest_side(focus)^2 * longest_side(whole))^(1 / 3)
+  marks <- scene_marks(drawing, size)
   if (state$si$water$density > 0) scene_surface(whole)
   scene_bed(drawn_bed(state), whole)
   # Axes lie around the box that the scene turns in.
@@ -89,7 +90,7 @@ gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(stat
   scene <- rgl::scene3d(minimal = FALSE)
   scene$whole_axes <- whole_axes
   scene$net_axes <- net_axes
-  scene$drawn <- c(list(netting = netting, ropes = ropes), marks)
+  scene$drawn <- c(list(size = size, netting = netting, ropes = ropes), marks)
   scene
 }
 
@@ -123,9 +124,14 @@ scene_lines <- function(lines, scale, width) {
 
 # Returns the numbers of the objects drawn with the rows of the marks that they show: a list of
 # plates, and balls, which are one object or NULL.
-scene_marks <- function(marks, size) {
-  flat <- marks$role %in% c("otter_board", "kite", "canvas")
-  plates <- lapply(which(flat), function(k) list(id = scene_plate(marks[k, ], size), mark = k))
+scene_marks <- function(drawing, size) {
+  marks <- drawing$marks
+  flat <- symbol_of(marks$role)$plate
+  plates <- lapply(which(flat), function(k) {
+    corners <- plate_corners(marks[k, ], drawing$boards, size)
+    colour <- symbol_of(marks$role[k])$fill
+    list(id = as.integer(rgl::quads3d(t(corners), color = colour, lit = FALSE)), mark = k)
+  })
   round <- marks[!flat, ]
   if (!NROW(round)) return(list(plates = plates))
   least <- 0.004 * size * symbol_of(round$role)$size
@@ -135,19 +141,35 @@ scene_marks <- function(marks, size) {
   list(plates = plates, balls = list(id = as.integer(balls), mark = which(!flat)))
 }
 
-# A square plate: upright and at 30 degrees to the flow where it lifts sideways, else across it and
-# leaning 45 degrees to lift. Its attitude is not part of a state.
-scene_plate <- function(mark, size) {
-  half <- max(if (is.na(mark$size)) 0 else mark$size, 0.02 * size) / 2
-  direction <- if (is.na(mark$direction)) "up" else mark$direction
+# Corners of a mark that is a plate, 3 x 4, m; boards: those of all free boards; size: of the scene, m,
+# in which the plate must be seen.
+plate_corners <- function(mark, boards, size) {
+  if (mark$board > 0L) return(free_plate(boards, mark, size))
+  half <- max(if (is.na(mark$size)) 0 else mark$size, least_plate * size) / 2
+  held_plate(mark$direction) * half + c(mark$x, mark$y, mark$z)
+}
+
+# Side of the smallest plate, as a share of its scene.
+least_plate <- 0.02
+
+# A free board in its own attitude, enlarged about its middle where it would be too small.
+free_plate <- function(boards, mark, size) {
+  corners <- boards[, 4L * (mark$board - 1L) + 1:4]
+  middle <- rowMeans(corners)
+  middle + (corners - middle) * max(1, least_plate * size / mark$size)
+}
+
+# A piece that lifts is a point of the state without an attitude, so that its plate is a symbol: upright
+# and at 30 degrees to the flow where it lifts sideways, else across it and leaning 45 degrees to lift.
+# Corners of a plate of 2 by 2 around the origin, 3 x 4.
+held_plate <- function(direction) {
+  if (is.na(direction)) direction <- "up"
   # Two directions in the plate; the water is turned away from the lift.
   first <- switch(direction,
     port = c(cos(pi / 6), sin(pi / 6), 0), starboard = c(cos(pi / 6), -sin(pi / 6), 0), c(0, 1, 0)
   )
   second <- switch(direction, up = c(-1, 0, 1) / sqrt(2), down = c(1, 0, 1) / sqrt(2), c(0, 0, 1))
-  corners <- rbind(-first - second, first - second, first + second, -first + second) * half
-  centre <- c(mark$x, mark$y, mark$z)
-  as.integer(rgl::quads3d(t(t(corners) + centre), color = symbol_of(mark$role)$fill, lit = FALSE))
+  cbind(-first - second, first - second, first + second, -first + second)
 }
 
 scene_surface <- function(ranges) {

@@ -17,7 +17,7 @@
 plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, height = NULL, ...) {
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   known <- unique(x$force)
   if (!is.null(force) && !(is.character(force) && length(force) && all(force %in% known))) {
     abort_view("{.arg force} is {.val {force}}; it must be any of {.val {known}}.",

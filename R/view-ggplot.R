@@ -97,9 +97,9 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   n <- length(study$group_labels)
   at <- if (is.null(study$ticks)) study$at else factor(study$ticks[study$at], study$ticks)
   data <- do.call(rbind, lapply(study$measures, function(name) {
-    said <- measure_words(name)
+    unit <- measure_unit_of(object, name)
     data.frame(
-      at = at, value = object[[name]], measure = words_and_unit(said$words, said$unit),
+      at = at, value = object[[name]], measure = words_and_unit(words_of(name, unit), unit),
       group = factor(study$group_labels[study$group], study$group_labels)
     )
   }))

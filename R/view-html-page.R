@@ -1,7 +1,7 @@
 # An HTML page as one file that asks nothing of the network: scripts and styles of widgets are
 # written into it.
 
-# body: tags, with widgets; style, script: of the page's own (text).
+# file: where to write it; body: tags, with widgets; style, script: of the page's own (text).
 write_single_page <- function(file, title, body, style = NULL, script = NULL) {
   rendered <- htmltools::renderTags(body)
   parts <- htmltools::resolveDependencies(rendered$dependencies)

@@ -22,7 +22,7 @@ motion_page <- function(trajectory, element) {
 
 # Everything of a trajectory that is drawn: list(state, drawing (at the start), points (3 x points x
 # times, m), ends = (2 x lines, places in points) and tension = (lines x times, N) of ropes and
-# netting, marks (3 x marks x times, m), extent (all times as one drawing of the same ranges)).
+# netting, marks (3 x marks x times, m), boards (corners of free boards at every time), extent (all times as one drawing of the same ranges)).
 gear_motion <- function(trajectory) {
   start <- state_at(trajectory, trajectory$time[1L])
   drawing <- state_drawing(start)
@@ -32,7 +32,7 @@ gear_motion <- function(trajectory) {
     list(
       points = state_points(state), ropes = drawing$ropes$tension,
       netting = drawing$netting$tension, marks = t(as.matrix(drawing$marks[c("x", "y", "z")])),
-      box = lapply(drawing[c("ropes", "netting")], line_box)
+      boards = drawing$boards, box = lapply(drawing[c("ropes", "netting")], line_box)
     )
   })
   drawn <- unique(c(drawing$ropes$ends, drawing$netting$ends))
@@ -45,7 +45,8 @@ gear_motion <- function(trajectory) {
   })
   extent$marks <- as.data.frame(t(matrix(marks, 3L, dimnames = list(c("x", "y", "z"), NULL))))
   list(
-    state = start, drawing = drawing, marks = marks, extent = extent,
+    state = start, drawing = drawing, marks = marks, boards = lapply(moments, `[[`, "boards"),
+    extent = extent,
     points = array(numbers(function(m) m$points[, drawn]), c(3L, length(drawn), n)),
     ends = list(ropes = place("ropes"), netting = place("netting")),
     tension = list(
@@ -100,8 +101,19 @@ motion_data <- function(motion, scales, drawn, trajectory) {
     time = I(trajectory$time),
     label = I(motion_labels(trajectory)),
     points = packed(as.double(motion$points), 4L), lines = seen,
-    marks = packed(as.double(motion$marks), 4L), plates = drawn$plates, balls = drawn$balls
+    marks = packed(as.double(motion$marks), 4L),
+    plates = lapply(drawn$plates, moving_plate, motion, drawn$size), balls = drawn$balls
   )
+}
+
+# A plate with its corners (3 x 4 x times) where it is a free board; others keep their attitude.
+moving_plate <- function(plate, motion, size) {
+  mark <- motion$drawing$marks[plate$mark, ]
+  if (mark$board > 0L) {
+    corners <- vapply(motion$boards, free_plate, matrix(0, 3L, 4L), mark, size)
+    plate$corners <- packed(as.double(corners), 4L)
+  }
+  plate
 }
 
 packed <- function(numbers, size) {

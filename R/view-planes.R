@@ -29,7 +29,7 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   }
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   figure <- plane_figure(x, intersect(known, planes))
   if (is.null(file)) {
     draw_figure(figure, grDevices::dev.size())
@@ -38,14 +38,6 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   page <- c(width, if (is.null(height)) fitting_height(figure, width) else height)
   write_picture(file, page, figure$title, function(page) draw_figure(figure, page))
   invisible(x)
-}
-
-check_inches <- function(name, value) {
-  one <- is.numeric(value) && length(value) == 1L && is.finite(value)
-  if (!(one && value >= 3 && value <= 100)) {
-    abort_view("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.",
-      list(name = name, value = value))
-  }
 }
 
 # What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
@@ -65,14 +57,6 @@ plane_figure <- function(state, planes) {
     bed = drawn_bed(state),
     planes = planes
   )
-}
-
-state_conditions <- function(state) {
-  knots <- state$si$towing$speed / 0.514444
-  flow <- flow_past(state)
-  if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
-  if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
-  if (state$si$water$density > 0) "in still water" else "in air"
 }
 
 # page: inches. A narrow page is a wide one drawn smaller: text and margins shrink with it.

@@ -31,7 +31,7 @@ fitting_rows <- function(figures, width, key) {
 plot_series <- function(figures, title, key, file, width, height) {
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) picture_extension(file, picture_types)
+  if (!is.null(file)) check_file_path(file, picture_types)
   draw <- function(page) draw_series(figures, title, key, page)
   if (is.null(file)) return(draw(grDevices::dev.size()))
   if (is.null(height)) height <- fitting_rows(figures, width, key)

@@ -49,7 +49,7 @@ trajectory_series <- function(trajectory, wanted) {
   of_measures <- lapply(shown, function(measure) {
     of <- table[table$measure == measure, ]
     list(
-      words = measure_words(measure)$words, unit = of$unit[1L], time = of$time_s, value = of$value
+      words = words_of(measure, of$unit[1L]), unit = of$unit[1L], time = of$time_s, value = of$value
     )
   })
   c(if (is.null(wanted)) condition_series(trajectory), of_measures)

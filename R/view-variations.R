@@ -76,7 +76,7 @@ as_shown <- function(values) {
 # Splits a column such as "towing.speed_knot" into words ("towing speed") and unit ("knot").
 field_words <- function(column) {
   units <- unlist(lapply(plan_units, names), use.names = FALSE)
-  suffix <- gsub(" ", "_", sub("/", " per ", units, fixed = TRUE))
+  suffix <- unit_suffix(units)
   fits <- which(endsWith(column, paste0("_", suffix)))
   fits <- fits[order(-nchar(suffix[fits]))][1L]
   if (is.na(fits)) return(list(words = gsub("[._]", " ", column), unit = ""))
@@ -84,8 +84,14 @@ field_words <- function(column) {
   list(words = gsub("[._]", " ", bare), unit = units[fits])
 }
 
+# The unit of a measure among variations, "" where a part of the table is drawn that lost it.
+measure_unit_of <- function(x, name) {
+  unit <- attr(x, "measure_unit")[name]
+  if (is.null(unit) || is.na(unit)) "" else unname(unit)
+}
+
 variations_figure <- function(x, study, name) {
-  said <- measure_words(name)
+  unit <- measure_unit_of(x, name)
   rows <- split(seq_len(nrow(x)), study$group)
   lines <- lapply(rows, function(row) {
     row <- row[order(study$at[row])]
@@ -96,7 +102,7 @@ variations_figure <- function(x, study, name) {
     )
   })
   list(
-    words = said$words, unit = said$unit,
+    words = words_of(name, unit), unit = unit,
     across = do.call(words_and_unit, field_words(study$field)),
     lines = Filter(function(line) length(line$x), lines),
     missing = unique(study$at[!x$settled]), ticks = study$ticks

@@ -75,6 +75,20 @@ extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cos
     return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<int>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
   END_CPP11
 }
+// file_sync.cpp
+std::string file_sync(cpp11::strings path);
+extern "C" SEXP _codend_file_sync(SEXP path) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_sync(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(path)));
+  END_CPP11
+}
+// file_sync.cpp
+std::string file_replace(cpp11::strings from, cpp11::strings to);
+extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
@@ -88,6 +102,8 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
+    {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
+    {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
     {NULL, NULL, 0}
 };
 }

@@ -1,9 +1,29 @@
 # Runs the engine's tests and then the package's, and ends with "N passed, N failed, N skipped",
 # where a test is a doctest test case or a test_that() block. Fails when any test does.
+#   Rscript tools/test.R       all of them
+#   Rscript tools/test.R fast  without the files of package tests that take longest
+#   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, and all of them
+
+lane <- c(commandArgs(TRUE), "full")[1]
+stopifnot(lane %in% c("full", "fast", "ci"))
+# a make above this one would pass on flags that do not fit here
+Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
+# what a test plots without naming a file goes nowhere
+options(device = function(...) grDevices::pdf(NULL, ...))
+
+# Files, test-*.R, that take more than two seconds each: most settle or tow whole gears.
+slow <- c(
+)
+
+checks <- function() {
+  said <- suppressWarnings(system2("Rscript", "tools/checks.R", stdout = TRUE, stderr = TRUE))
+  cat(said, sep = "\n")
+  count <- as.numeric(regmatches(tail(said, 1L), gregexpr("[0-9]+", tail(said, 1L)))[[1]])
+  if (length(count) != 3L) return(c(passed = 0, failed = 1, skipped = 0))
+  stats::setNames(count, c("passed", "failed", "skipped"))
+}
 
 engine <- function() {
-  # a make above this one would pass on flags that do not fit here
-  Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
   said <- suppressWarnings(system2(
     "make", c("-s", "-C", "tests/engine", paste0("-j", parallel::detectCores()), "run"),
     stdout = TRUE, stderr = TRUE
@@ -16,9 +36,15 @@ engine <- function() {
   c(passed = count("passed"), failed = count("failed"), skipped = count("skipped"))
 }
 
+quick_files <- function() {
+  names <- sub("^test-(.*)\\.R$", "\\1", list.files("tests/testthat", "^test-.*\\.R$"))
+  paste0("^(", paste(setdiff(names, slow), collapse = "|"), ")$")
+}
+
 package <- function() {
   found <- as.data.frame(testthat::test_dir(
     "tests/testthat", package = "codend", load_package = "installed",
+    filter = if (lane == "fast") quick_files(),
     reporter = testthat::CheckReporter$new(), stop_on_failure = FALSE
   ))
   failed <- found$failed > 0 | found$error
@@ -26,7 +52,7 @@ package <- function() {
   c(passed = sum(!failed & !skipped), failed = sum(failed), skipped = sum(skipped))
 }
 
-total <- engine() + package()
+total <- (if (lane == "ci") checks() else 0) + engine() + package()
 cat(sprintf("%d %s", total, names(total)), sep = ", ")
 cat("\n")
 quit(status = total[["failed"]] > 0)

@@ -209,14 +209,13 @@ window.codendTank = (function () {
     });
   }
 
-  // Boards and canvas are plates, everything else is round.
   function paintMark(context, drawing, i, spots, put) {
     var mark = drawing.mark, x = spots[4 * i], y = spots[4 * i + 1], s = spots[4 * i + 3];
     context.fillStyle = mark.fill[i];
     context.strokeStyle = ink;
     context.lineWidth = 1;
     context.beginPath();
-    if (mark.role[i] === 'otter_board' || mark.role[i] === 'canvas') {
+    if (mark.plate[i]) {
       corners(drawing, i, s).forEach(function (corner, k) {
         var at = place(put, corner);
         if (k) context.lineTo(at[0], at[1]); else context.moveTo(at[0], at[1]);
@@ -565,8 +564,7 @@ window.codendTank = (function () {
     var mark = shown.now.mark;
     mark.label.forEach(function (words, k) {
       if (mark.label.indexOf(words) === k) {
-        var flat = mark.role[k] === 'otter_board' || mark.role[k] === 'canvas';
-        entry(words, mark.fill[k], flat ? 'plate' : 'ball');
+        entry(words, mark.fill[k], mark.plate[k] ? 'plate' : 'ball');
       }
     });
     box.appendChild(key);

@@ -2,7 +2,8 @@
 // button and the keyboard (space plays and stops, arrows step, Home and End go to the ends).
 // data: time (s) and label per kept time; points (3 x points x times), lines (each with its rgl
 // object, the points at its ends, palette and colour numbers), marks (3 x marks x times), plates
-// and balls (rgl objects and the marks they show).
+// (each with its rgl object, the mark it shows and, of a free board, its corners (3 x 4 x times)) and
+// balls (their rgl object and marks).
 function (el, x, data) {
   var scene = el.rglinstance;
   var times = data.time;
@@ -20,6 +21,13 @@ function (el, x, data) {
     return {
       id: line.id, ends: new Int32Array(bytes(line.ends).buffer), colour: bytes(line.colour),
       palette: line.palette
+    };
+  });
+
+  var plates = [].concat(data.plates || []).map(function (plate) {
+    return {
+      id: plate.id, mark: plate.mark,
+      corners: plate.corners && new Float32Array(bytes(plate.corners).buffer)
     };
   });
 
@@ -83,8 +91,9 @@ function (el, x, data) {
     var from = markAt(plate.mark, 0, 0);
     for (var i = 0; i < object.vertices.length; i++) {
       for (var axis = 0; axis < 3; axis++) {
-        object.values[i * object.vOffsets.stride + axis] =
-          object.vertices[i][axis] + to[axis] - from[axis];
+        object.values[i * object.vOffsets.stride + axis] = plate.corners
+          ? between(plate.corners, 12, k, share, 3 * i + axis)
+          : object.vertices[i][axis] + to[axis] - from[axis];
       }
     }
     upload(object);
@@ -133,7 +142,7 @@ function (el, x, data) {
     var k = frameOf(now);
     var share = last > 0 ? (now - times[k]) / (times[k + 1] - times[k]) : 0;
     lines.forEach(function (line) { moveLines(line, k, share); });
-    [].concat(data.plates || []).forEach(function (plate) { movePlate(plate, k, share); });
+    plates.forEach(function (plate) { movePlate(plate, k, share); });
     if (data.balls) moveBalls(data.balls, k, share);
     var text = data.label[share < 0.5 ? k : k + 1];
     label.textContent = text;

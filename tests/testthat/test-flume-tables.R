@@ -1,5 +1,9 @@
 test_that("changes are those of the measures, by name", {
-  table <- measure_changes(c(a_m = 3, b_kN = 2, c_m = 0), c(a_m = 2, c_m = 0, d_m = 5))
+  table <- measure_changes(
+    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), c("m", "kN", "m")),
+    new_measures(c(a_m = 2, c_m = 0, d_m = 5), rep("m", 3))
+  )
+  expect_identical(table$unit, c("m", "kN", "m", "m"))
   expect_identical(table$measure, c("a", "b", "c", "d"))
   expect_identical(table$change, c(1, NA, 0, NA))
   expect_identical(table$change_percent, c(50, NA, NA, NA))

@@ -1,3 +1,11 @@
+test_that("a knot is as large as the plan's fields say", {
+  schema <- readLines(system.file("schema", "plan.schema.json", package = "codend"))
+  said <- grep("Diameter of a knot", schema, value = TRUE)
+  expect_true(all(grepl("twice the twine diameter by default", said, fixed = TRUE)))
+  net <- gear_si(read_text(small_plan))$panels$net
+  expect_equal(net$knot_diameter, 2 * net$twine_diameter)
+})
+
 test_that("defaults are filled in and units resolved", {
   si <- gear_si(read_text(small_plan))
   expect_identical(si$water$density, 1025)

@@ -92,8 +92,43 @@ test_that("a depressor is the mirror image of a kite", {
 test_that("a stalled kite is told of as a kite, and drawn as one", {
   expect_warning(state <- settle(flown_kite(front = 1.1)), "Kite",
     class = "codend_warning_board_stalled")
-  expect_equal(state$lattice$parts$role[state$lattice$board_part], "kite")
+  expect_equal(parts_of(state)$role[part_of(state, "board")], "kite")
   expect_true("kite" %in% board_marks(state)$role)
+})
+
+# Angle (deg) between the flow, along x, and the chord of a drawn plate, whose corners (3 x 4) are those
+# of view(): leading edge, then trailing edge.
+drawn_attack <- function(corners) {
+  chord <- rowSums(corners[, 3:4]) - rowSums(corners[, 1:2])
+  atan2(-chord[3], chord[1]) * 180 / pi
+}
+
+test_that("pages draw a free kite at its angle of attack, and the tank sends it as a plate", {
+  state <- settle(flown_kite())
+  objects <- attr(view(state), "origScene")$objects
+  plates <- Filter(function(object) object$type == "quads" && NROW(object$vertices) == 4L, objects)
+  # The water surface lies level; the kite does not.
+  plates <- Filter(function(object) diff(range(object$vertices[, 3])) > 0, plates)
+  expect_length(plates, 1L)
+  # rgl keeps single precision: 6e-8 of 100 m of depth, over a chord of 1 m
+  drawn <- drawn_attack(unname(t(plates[[1]]$vertices)))
+  expect_equal(drawn, board_table(state)$attack_deg, tolerance = 1e-4)
+  marks <- fixed_numbers(flume_drawing(state))$marks
+  expect_identical(as.logical(marks$plate), marks$role == "kite")
+})
+
+test_that("a page that plays turns a free kite as it turns", {
+  trajectory <- tow(flown_kite(), until = 2, every = 1, speed = data.frame(time = 0:1, value = 2:1))
+  drawn <- moving_plate(list(id = 1L, mark = 1L), gear_motion(trajectory), 1)
+  bytes <- jsonlite::base64_dec(drawn$corners)
+  corners <- array(readBin(bytes, "double", 36L, size = 4L, endian = "little"), c(3, 4, 3))
+  trim <- vapply(trajectory$time, function(time) board_table(state_at(trajectory, time))$trim_deg, 0)
+  expect_gt(diff(range(trim)), 0.1)
+  expect_equal(apply(corners, 3L, drawn_attack), trim, tolerance = 1e-4)
+})
+
+test_that("the plan drawing lists a kite as a kite", {
+  expect_identical(piece_items(gear_si(flown_kite()))$name, "kite")
 })
 
 test_that("a wrong kite is refused", {
@@ -141,8 +176,7 @@ test_that("floats may drag by their Reynolds number", {
   float <- list(number = 10, buoyancy = "90 N", diameter = "300 mm", share = c(0, 1))
   floats <- c(float, list(drag_coefficient = "smooth_sphere"))
   state <- settle(update(trawl, floats = floats, netting = "triangles"), nodes = 300)
-  at <- which(state$lattice$parts$name == "floats")
-  drag <- sum(state$sphere_drag[1, state$lattice$sphere_part == at])
+  drag <- sum(state$sphere_drag[1, elements_of(state, "sphere", "floats")])
   speed <- 4.5 * 1852 / 3600
   wanted <- sphere_specimens(speed * 0.3 / 1.19e-6, smooth = TRUE)$drag
   # all ten in the free flow

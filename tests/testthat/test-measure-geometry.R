@@ -2,10 +2,7 @@
 drawn_state <- function(position, ropes = list(), measures = list()) {
   point <- function(text) as.integer(sub("p", "", text))
   structure(
-    list(
-      position = position,
-      lattice = list(place = point, ropes = lapply(ropes, function(node) list(node = node)))
-    ),
+    list(position = position, lattice = sketched_lattice(point, ropes)),
     class = "codend_state"
   )
 }
@@ -51,10 +48,11 @@ test_that("gaps between ropes are closed by straight lines", {
 test_that("declination is below the horizontal and divergence out of the x axis", {
   angle <- function(end, which) {
     state <- drawn_state(cbind(c(1, 1, -1), c(1, 1, -1) + end))
-    state$lattice$bar_part <- 1L
-    state$lattice$parts <- data.frame(name = "warp", kind = "rope")
-    state$lattice$engine <- list(bars = list(node = 1:2, rest = 1))
-    measure_angle(state, list(rope = "warp", place = "start", angle = which))
+    state$lattice <- sketched_lattice(
+      engine = list(bars = list(node = 1:2, rest = 1)), bar_part = 1L,
+      parts = data.frame(name = "warp", kind = "rope")
+    )
+    measure_angle(state, list(rope = "warp", place = "start", angle = which)) * 180 / pi
   }
   expect_equal(angle(c(1, 0, -1), "declination"), 45)
   expect_equal(angle(c(3, 4, -5), "declination"), 45)
@@ -81,7 +79,7 @@ test_that("a towed cable measures as the cable equations say", {
 
 test_that("tension and angle are read at the named end", {
   state <- settled("towed_cable")
-  at <- function(place) measure_tension(state, list(rope = "cable", place = place)) * 1000
+  at <- function(place) measure_tension(state, list(rope = "cable", place = place))
   expect_equal(at("start"), state$bar_tension[1])
   expect_equal(at("end"), state$bar_tension[200])
   expect_equal(at("middle"), state$bar_tension[100])

@@ -3,7 +3,7 @@ test_that("every measure ends in its unit", {
     found <- measures(state)
     expect_true(all(is.finite(found)))
     expect_false(anyDuplicated(names(found)) > 0)
-    expect_match(names(found), "_(m|m2|kN|N|kW|deg|percent|m3_per_h|km2_per_h)$")
+    expect_true(all(endsWith(names(found), paste0("_", unit_suffix(attr(found, "unit"))))))
   }
 })
 
@@ -44,17 +44,54 @@ test_that("a measure of the plan hides the general one of its name", {
 })
 
 test_that("filtered volume takes the water's speed at the mouth's depth", {
-  state <- list(lattice = list(engine = list(
+  state <- list(lattice = sketched_lattice(engine = list(
     water = list(depth = c(0, 100), x = c(2, 1), y = c(0, 0))
   )))
   expect_equal(water_velocity(state, 25), c(1.75, 0))
   expect_equal(water_velocity(state, 500), c(1, 0))
 })
 
-test_that("names of measures split into words and units", {
-  said <- measure_words(c("door_spread_m", "swept_area_km2_per_h", "mouth_m2", "a_kN_m"))
-  expect_equal(said$words, c("door spread", "swept area", "mouth", "a kN"))
-  expect_equal(said$unit, c("m", "km2/h", "m2", "m"))
+test_that("measures show as words and units", {
+  found <- new_measures(
+    list(door_spread_m = 30, swept_area_km2_per_h = 100, a_kN_m = 1), c("m", "km2/h", "m")
+  )
+  said <- measure_words(found)
+  expect_equal(said$words, c("door spread", "swept area", "a kN"))
+  expect_equal(said$unit, c("m", "km2/h", "m"))
+  # 100 m2/s are 3600 x 100 m2 an hour
+  expect_equal(found[["swept_area_km2_per_h"]], 0.36)
+})
+
+test_that("measures are numbers that keep their units", {
+  found <- measures(settled("crossing_cables"))
+  expect_identical(attr(found[2:1], "unit"), c(edge_tension_kN = "kN", sag_m = "m"))
+  expect_identical(attr(utils::head(found, 1), "unit"), c(sag_m = "m"))
+  expect_identical(as.list(found)$sag_m, found[["sag_m"]])
+  expect_null(attributes(found[["sag_m"]]))
+  expect_null(attributes(unname(found)))
+  table <- data.frame(value = found)
+  expect_identical(table["sag_m", "value"], found[["sag_m"]])
+  shown <- capture.output(print(found))
+  expect_identical(shown, capture.output(print(unlist(as.list(found)))))
+})
+
+test_that("every kind of measure that a plan may ask for is defined, and no other", {
+  expect_setequal(ls(measure_kinds), names(formals(measure)))
+  defined <- measure_definitions()
+  expect_setequal(defined$name[defined$asked], names(formals(measure)))
+  expect_false(anyDuplicated(defined$name[!defined$asked]) > 0)
+  for (unit in defined$unit) expect_gt(unit_size(unit), 0)
+  # a sentence each, in one line
+  expect_match(defined$definition, "^[A-Z][^\n]{15,}[.]$")
+})
+
+test_that("every measure of a state has its definition", {
+  for (state in lapply(shipped_states, shipped_state)) {
+    found <- measures(state)
+    defined <- measure_definitions(state)
+    expect_identical(defined$name, names(found))
+    expect_identical(defined$unit, unname(attr(found, "unit")))
+  }
 })
 
 test_that("only a state is measured", {
@@ -68,5 +105,5 @@ test_that("a record of a state goes into JSON and back", {
   expect_equal(back, record)
   expect_true(back$converged)
   expect_equal(back[c("nodes", "bars", "triangles")], list(nodes = 201, bars = 200, triangles = 0))
-  expect_equal(unlist(back$measures), measures(state))
+  expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
 })

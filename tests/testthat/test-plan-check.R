@@ -60,7 +60,7 @@ test_that("R values that are no plan are refused", {
   refuse(towing = list(speed = c(1, 2)))
   refuse(towing = list(1))
   refuse(towing = list(speed = 1i))
-  expect_error(gear("x", 5), class = "codend_error_input")
+  expect_error(gear("x", 5), class = "codend_error_argument")
 })
 
 test_that("messages hold braces of a value as they are", {

@@ -51,5 +51,5 @@ test_that("an edge's mesh range inside brackets asks for quotes", {
 test_that("no file and no shipped plan of a name", {
   expect_error(read_gear("towed_cabel"), "towed_cable", class = "codend_error_plan")
   expect_error(read_gear(tempdir()), class = "codend_error_plan")
-  expect_error(read_gear(1), class = "codend_error_input")
+  expect_error(read_gear(1), class = "codend_error_argument")
 })

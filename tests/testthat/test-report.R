@@ -47,8 +47,9 @@ test_that("its numbers are those of the state", {
   body <- report_body(report_text(state))
   said <- report_rows(body, "measured")
   found <- measures(state)
-  expect_identical(said[, 1], measure_words(names(found))$words)
+  expect_identical(said[, 1], measure_words(found)$words)
   # four figures at most four decimals: half a unit of the fourth figure, or of the fourth decimal
+  found <- plain_measures(found)
   off <- abs(as_number(said[, 2]) - found)
   expect_true(all(off <= pmax(5e-4 * abs(found), 5e-5) * (1 + 1e-9)))
   kilonewtons <- said[, 3] == "kN"
@@ -94,7 +95,7 @@ test_that("a tow's report has its measures against time", {
   body <- report_body(report_text(trajectory))
   said <- report_rows(body, "start and the end")
   of <- summary(trajectory)
-  expect_identical(said[, 1], measure_words(of$measure)$words)
+  expect_identical(said[, 1], words_of(of$measure, of$unit))
   expect_equal(as_number(said[, 4]), of$end, tolerance = 1e-3)
 })
 
@@ -102,8 +103,9 @@ test_that("wrong arguments are one clear error and leave nothing", {
   folder <- test_folder()
   wrong <- function(...) expect_error(report(...), class = "codend_error_argument")
   state <- settled("crossing_cables")
-  wrong(state, file.path(folder, "a.pdf"))
-  wrong(state, file.path(folder, "none", "a.html"))
+  wrong_file <- function(...) expect_error(report(...), class = "codend_error_file")
+  wrong_file(state, file.path(folder, "a.pdf"))
+  wrong_file(state, file.path(folder, "none", "a.html"))
   wrong(list(), file.path(folder, "a.html"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
 })

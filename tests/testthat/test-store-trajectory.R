@@ -25,11 +25,7 @@ hauled <- function(...) {
     part = list(list(rope = "tail", time = 12)), ...)
 }
 
-# A trajectory without the lattice's function `place`, which is never identical to another.
-known <- function(trajectory) {
-  trajectory$lattice$place <- NULL
-  unclass(trajectory)
-}
+known <- function(trajectory) unclass(without_places(trajectory))
 
 test_that("a trajectory that is read is the one that was written", {
   folder <- test_folder()
@@ -165,7 +161,7 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
 test_that("files that cannot be read or written are clear errors that leave nothing", {
   folder <- test_folder()
   trajectory <- hauled(until = 5)
-  wrong <- function(code) expect_error(code, class = "codend_error_input")
+  wrong <- function(code) expect_error(code, class = "codend_error_file")
   wrong(write_trajectory(trajectory, file.path(folder, "tow.csv")))
   wrong(write_trajectory(trajectory, file.path(folder, "no", "tow.nc")))
   wrong(tow(trajectory, until = 10, file = 3))

@@ -45,10 +45,11 @@ test_that("wrong arguments are one clear error and leave nothing", {
   wrong <- function(...) expect_error(plot(state, ...), class = "codend_error_argument")
   expect_match(conditionMessage(wrong(planes = "zz")), "zz.*xy.*xz.*yz")
   wrong(planes = character())
-  expect_match(conditionMessage(wrong(file = file.path(folder, "a.jpeg"))), "png.*pdf.*svg")
-  wrong(file = file.path(folder, "png"))
-  wrong(file = file.path(folder, "none", "a.png"))
-  wrong(file = c("a.png", "b.png"))
+  wrong_file <- function(...) expect_error(plot(state, ...), class = "codend_error_file")
+  expect_match(conditionMessage(wrong_file(file = file.path(folder, "a.jpeg"))), "png.*pdf.*svg")
+  wrong_file(file = file.path(folder, "png"))
+  wrong_file(file = file.path(folder, "none", "a.png"))
+  wrong_file(file = c("a.png", "b.png"))
   wrong(width = 0)
   wrong(height = NA_real_, file = file.path(folder, "a.png"))
   wrong(width = 10, height = 3, file = file.path(folder, "a.png"))
@@ -69,7 +70,7 @@ test_that("a picture that fails leaves the old file and no other", {
   file <- file.path(folder, "a.png")
   writeLines("old", file)
   devices <- grDevices::dev.list()
-  expect_error(write_whole(file, function(path) {
+  expect_error(write_file(file, function(path) {
     writeLines("half", path)
     stop("no ink")
   }), "no ink")
@@ -129,7 +130,7 @@ test_that("the sea bed is drawn where the gear lies on it, and none where there 
   trawl <- update(read_gear("beam_trawl"), seabed.slope = list(angle = "5 deg", toward = "0 deg"))
   state <- settle(trawl, nodes = 200)
   bed <- drawn_bed(state)
-  heel <- state$position[, state$lattice$points[["lower_port"]]]
+  heel <- state$position[, nodes_at(state, "lower_port")]
   # the heel is a few metres ahead of or behind the middle of what lies on the bed
   expect_lt(abs(bed$middle[1] - heel[1]), 5)
   expect_equal(bed_heights(bed, cbind(heel[1:2])), -30 - heel[1] * tan(5 * pi / 180))

@@ -46,7 +46,7 @@ test_that("figures go to a device or a file, and wrong arguments are clear error
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), c("a.png", "b.svg"))
   wrong <- function(...) expect_error(plot(trajectory, ...), class = "codend_error_argument")
   expect_match(conditionMessage(wrong(measures = "drag")), "total_drag_kN")
-  wrong(file = file.path(folder, "c.txt"))
+  expect_error(plot(trajectory, file = file.path(folder, "c.txt")), class = "codend_error_file")
   wrong(width = 3, height = 3, file = file.path(folder, "c.png"))
   expect_length(list.files(folder), 2)
 })

@@ -44,7 +44,7 @@ html_colour_bar <- function(scale, kind, slack) {
 html_key <- function(marks) {
   used <- symbols_used(marks)
   if (!nrow(used)) return("")
-  round <- ifelse(used$role %in% c("otter_board", "kite", "canvas"), "0", "50%")
+  round <- ifelse(used$plate, "0", "50%")
   paste0(
     "<div style='display: grid; grid-template-columns: auto auto; gap: 1px 16px'>",
     paste0(

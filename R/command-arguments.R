@@ -1,0 +1,66 @@
+# The arguments of a command: list(plan = what is no option, options = by name), or the text of its
+# help where that is asked for.
+
+parse_command <- function(name, command, arguments) {
+  taken <- list(rest = arguments)
+  if (any(vapply(command$options, function(option) option@long_flag == "--set", NA))) {
+    taken <- take_sets(arguments)
+  }
+  parser <- command_parser(name, command)
+  if (any(taken$rest %in% c("--help", "-h"))) {
+    return(paste0(paste(utils::capture.output(optparse::print_help(parser)), collapse = "\n"), "\n"))
+  }
+  found <- tryCatch(
+    optparse::parse_args(parser, taken$rest, positional_arguments = TRUE),
+    error = function(e) {
+      missing_value <- 'flag "([^"]+)" requires an argument'
+      said <- conditionMessage(e)
+      if (!grepl(missing_value, said)) abort_usage(trimws(said), ".")
+      abort_usage("--", sub(paste0(".*", missing_value, ".*"), "\\1", said), " needs a value.")
+    }
+  )
+  given <- length(found$args)
+  wrong <- switch(command$takes,
+    "PLAN FILE..." = if (given < 2L) "a PLAN and a FILE are needed",
+    "PLAN" = if (given != 1L) "one PLAN is needed",
+    "[PLAN]" = if (given > 1L) "at most one PLAN is needed",
+    if (given) "no PLAN is needed"
+  )
+  if (!is.null(wrong)) abort_usage(wrong, ", not ", given, ".")
+  list(plan = found$args, options = c(found$options, list(set = taken$set)))
+}
+
+command_parser <- function(name, command) {
+  optparse::OptionParser(
+    usage = trimws(paste("codend", name, if (length(command$options)) "[options]", command$takes)),
+    description = paste0(command$does, if (nzchar(command$takes)) {
+      " PLAN is a file or the name of a shipped plan (`codend gears`)."
+    }, command$more),
+    option_list = command$options
+  )
+}
+
+# Takes every "--set FIELD=VALUE" out of the arguments, since optparse keeps only the last of an
+# option that is repeated. Of two for the same field the last counts.
+take_sets <- function(arguments) {
+  at <- which(arguments == "--set")
+  if (any(at == length(arguments))) abort_usage("--set needs FIELD=VALUE.")
+  joined <- grep("^--set=", arguments)
+  place <- order(c(at, joined))
+  texts <- c(arguments[at + 1L], sub("^--set=", "", arguments[joined]))[place]
+  wrong <- grep("^[^=]+=.", texts, invert = TRUE)
+  if (length(wrong)) abort_usage("--set is ", texts[wrong[1]], "; it must be FIELD=VALUE.")
+  set <- setNames(lapply(sub("^[^=]+=", "", texts), plan_value), sub("=.*", "", texts))
+  list(
+    set = set[!duplicated(names(set), fromLast = TRUE)],
+    rest = arguments[setdiff(seq_along(arguments), c(at, at + 1L, joined))]
+  )
+}
+
+# A bare number is SI, yes and no are truth values, as in a plan file; all else is text.
+plan_value <- function(text) {
+  if (grepl("^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$", text)) return(as.numeric(text))
+  if (tolower(text) %in% c("yes", "true")) return(TRUE)
+  if (tolower(text) %in% c("no", "false")) return(FALSE)
+  text
+}

@@ -1,0 +1,72 @@
+# Options that several commands take, and what is checked of them before anything is computed: a long
+# solve must not end in a folder that cannot be written.
+
+set_option <- function() {
+  optparse::make_option("--set", metavar = "FIELD=VALUE", help = paste(
+    "change a field of the plan, such as towing.speed=\"5 knot\" or",
+    "ropes.warp.length=300; may be given several times"
+  ))
+}
+
+nodes_option <- function() {
+  optparse::make_option("--nodes", metavar = "N", help = "about how many nodes [1500]")
+}
+
+netting_option <- function() {
+  optparse::make_option("--netting", metavar = "NAME", help = paste(
+    "bars or triangles for every panel [each panel's own choice in the plan]"
+  ))
+}
+
+# The gear of a plan with the fields that --set changes.
+read_changed <- function(plan, options) {
+  gear <- read_gear(plan)
+  for (field in names(options$set)) gear <- set_field(gear, field, options$set[[field]])
+  gear
+}
+
+# The arguments of settle() and tow() that options give.
+lattice_arguments <- function(options) {
+  given <- options["netting"]
+  if (!is.null(options$nodes)) given$nodes <- as.numeric(options$nodes)
+  Filter(Negate(is.null), given)
+}
+
+settle_changed <- function(plan, options) {
+  do.call(settle, c(list(read_changed(plan, options)), lattice_arguments(options)))
+}
+
+check_lattice_options <- function(options) {
+  nodes <- options$nodes
+  if (!is.null(nodes) && !grepl("^[1-9][0-9]{0,8}$", nodes)) {
+    abort_usage("--nodes is ", nodes, "; it must be a whole number, 1 or more.")
+  }
+  if (!is.null(options$netting) && !options$netting %in% c("bars", "triangles")) {
+    abort_usage("--netting is ", options$netting, "; it must be bars or triangles.")
+  }
+}
+
+check_out_folder <- function(out) {
+  if (!is.null(out) && !may_write(nearest_existing(out))) {
+    abort_usage("--out is ", out, "; it must be a folder that can be written.")
+  }
+}
+
+# Whether a file can be written at a place.
+may_place <- function(file) !dir.exists(file) && may_write(dirname(file))
+
+may_write <- function(folder) dir.exists(folder) && file.access(folder, 2L) == 0L
+
+nearest_existing <- function(path) {
+  while (!file.exists(path) && dirname(path) != path) path <- dirname(path)
+  path
+}
+
+# Tables of a state or a trajectory as CSV files of their names. Returns these.
+write_tables <- function(of, tables, folder) {
+  files <- paste0(tables, ".csv")
+  for (k in seq_along(tables)) {
+    write_csv(as.data.frame(of, what = tables[k]), file.path(folder, files[k]))
+  }
+  files
+}

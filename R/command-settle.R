@@ -1,0 +1,51 @@
+command_settle <- function() {
+  list(
+    takes = "PLAN", does = "Find the steady shape of a gear and print its measures and forces.",
+    options = list(
+      set_option(), nodes_option(), netting_option(),
+      optparse::make_option("--json", metavar = "FILE", help = paste(
+        "write the measures as JSON; - is standard output, which then holds nothing else"
+      )),
+      optparse::make_option("--out", metavar = "DIR", help = paste(
+        "write measures.csv, tensions.csv, pictures of the three planes (xy.png, xz.png, yz.png)",
+        "and the interactive 3D page (view.html)"
+      ))
+    ),
+    run = run_settle
+  )
+}
+
+run_settle <- function(plan, options) {
+  check_lattice_options(options)
+  json <- options$json
+  if (!is.null(json) && json != "-" && !may_place(json)) {
+    abort_usage("--json is ", json, "; it must be a file in a folder that can be written.")
+  }
+  check_out_folder(options$out)
+  asked <- list(plan = plan, set = setNames(as.list(options$set), names(options$set)))
+  write <- function(...) if (!is.null(json)) write_json(c(asked, ...), json)
+  state <- tryCatch(settle_changed(plan, options), codend_error_not_converged = function(e) {
+    write(e$report[c("converged", "iterations", "residual")])
+    stop(e)
+  })
+  if (!identical(json, "-")) print(summary(state))
+  write(state_record(state))
+  if (!is.null(options$out)) write_settled(state, options$out)
+}
+
+# file: a path, or "-" for standard output.
+write_json <- function(record, file) {
+  text <- jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA, na = "null", pretty = TRUE)
+  if (file == "-") cat(text, "\n", sep = "") else write_text(c(text, ""), file)
+}
+
+write_settled <- function(state, folder) {
+  dir.create(folder, showWarnings = FALSE, recursive = TRUE)
+  tables <- write_tables(state, c("measures", "tensions"), folder)
+  planes <- c("xy", "xz", "yz")
+  pictures <- paste0(planes, ".png")
+  for (k in 1:3) plot(state, planes = planes[k], file = file.path(folder, pictures[k]))
+  view(state, file = file.path(folder, "view.html"))
+  tell(0L, "Written to ", folder, ": ",
+    paste(c(tables, pictures, "view.html"), collapse = ", "))
+}

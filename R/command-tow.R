@@ -1,0 +1,59 @@
+command_tow <- function() {
+  list(
+    takes = "PLAN", does = "Tow a gear through the plan's schedule and print its measures.",
+    options = list(
+      optparse::make_option("--until", metavar = "TIME", help = paste(
+        "time to which to tow, such as \"10 min\" [the plan's tow.until]"
+      )),
+      optparse::make_option("--every", metavar = "TIME", help = paste(
+        "time between the states that are kept [the plan's tow.every, or a 200th of --until]"
+      )),
+      optparse::make_option("--accuracy", metavar = "LENGTH", help = paste(
+        "error of position that one step may make [the plan's tow.accuracy, or 10 mm]"
+      )),
+      set_option(), nodes_option(), netting_option(),
+      optparse::make_option("--out", metavar = "DIR", help = paste(
+        "write trajectory.nc (NetCDF, while the tow runs), measures.csv, conditions.csv and",
+        "tensions.csv by time, a plot of the measures (measures.png) and the 3D page that plays",
+        "(view.html)"
+      ))
+    ),
+    run = run_tow
+  )
+}
+
+run_tow <- function(plan, options) {
+  check_lattice_options(options)
+  check_out_folder(options$out)
+  gear <- read_changed(plan, options)
+  given <- Filter(Negate(is.null), options[c("until", "every", "accuracy")])
+  file <- record_file(options$out)
+  trajectory <- do.call(tow, c(list(gear, file = file), given, lattice_arguments(options)))
+  print(trajectory)
+  print(summary(trajectory))
+  if (!is.null(options$out)) write_towed(trajectory, options$out, if (!is.null(file)) basename(file))
+  # what an interrupt leaves is written, but the tow is not done
+  if (trajectory$end == "interrupted") {
+    stop(structure(class = c("interrupt", "condition"), list(message = "", call = NULL)))
+  }
+}
+
+# Where a tow is recorded, in a folder that is made for it; nowhere without RNetCDF.
+record_file <- function(folder) {
+  if (is.null(folder)) return(NULL)
+  if (!requireNamespace("RNetCDF", quietly = TRUE)) {
+    warning("trajectory.nc takes the R package RNetCDF, which is not installed.", call. = FALSE)
+    return(NULL)
+  }
+  dir.create(folder, showWarnings = FALSE, recursive = TRUE)
+  file.path(folder, "trajectory.nc")
+}
+
+write_towed <- function(trajectory, folder, recorded) {
+  dir.create(folder, showWarnings = FALSE, recursive = TRUE)
+  tables <- write_tables(trajectory, c("measures", "conditions", "tensions"), folder)
+  plot(trajectory, file = file.path(folder, "measures.png"))
+  view(trajectory, file = file.path(folder, "view.html"))
+  tell(0L, "Written to ", folder, ": ",
+    paste(c(tables, "measures.png", "view.html", recorded), collapse = ", "))
+}

@@ -1,0 +1,145 @@
+# The standard measures: those that every gear has where they apply, in the order in which they are
+# told. A new one is a new entry here.
+
+# The sums over a whole gear that several measures take, each made once and only if it is asked for.
+measured_once <- function(state) {
+  delayedAssign("drag", total_drag(state))
+  delayedAssign("lines", measured_lines(state))
+  delayedAssign("ground", ground_forces(state))
+  environment()
+}
+
+# State lines, those of ropes and those of netting: list(ropes, netting).
+measured_lines <- function(state) {
+  lines <- state_lines(state)
+  netting <- state$lattice$parts$kind[lines$part] == "netting"
+  list(ropes = lines[!netting, ], netting = lines[netting, ])
+}
+
+# kind: its name without the unit; unit: in which it is shown; value(state, found): the measure, SI,
+# or NULL where it does not apply, where `found` is as measured_once() gives it.
+standard_measure <- function(kind, unit, definition, value) {
+  entry <- list(kind = kind, unit = unit, definition = one_line(definition), value = value)
+  setNames(list(entry), kind)
+}
+
+standard_measures <- c(
+  standard_measure("total_drag", "kN",
+    "Pull of all supports on the gear against the flow. The flow runs along x past a towed gear,
+    which is along the vessel's course, in a turn too; else along the fastest current, else along x.",
+    function(state, found) found$drag
+  ),
+  standard_measure("tow_power", "kW",
+    "Of a towed gear, its total drag times the towing speed.",
+    function(state, found) if (has_towing(state)) found$drag * state$si$towing$speed
+  ),
+  standard_measure("filtered_volume", "m3/h",
+    "Of a towed gear with an area `mouth_area` among its measures, the water that flows through the
+    ropes around it: that area times the water's speed, past the ropes as they move and at their mean
+    depth, across it.",
+    function(state, found) {
+      mouth <- state$si$measures$mouth_area
+      if (has_towing(state) && identical(mouth$kind, "area")) filtered_volume(state, mouth$ropes)
+    }
+  ),
+  standard_measure("swept_area", "km2/h",
+    "Of a towed gear with a spread `wing_end_spread` among its measures, the ground that the lines
+    between the wing ends pass over: that spread times their speed over the ground across them, the
+    mean over its pairs.",
+    function(state, found) {
+      wings <- state$si$measures$wing_end_spread
+      if (has_towing(state) && identical(wings$kind, "spread")) swept_area(state, wings$pairs)
+    }
+  ),
+  standard_measure("catch_volume", "m3",
+    "With a catch in netting, the volume that the netting behind its front encloses.",
+    function(state, found) {
+      if (!is.null(state$si$catch)) catch_volume(state$lattice, state$position)
+    }
+  ),
+  standard_measure("catch_front", "meshes",
+    "With a catch in netting, how many meshes deep the netting is that its front encloses.",
+    function(state, found) if (!is.null(state$si$catch)) state$lattice$catch$blocked
+  ),
+  standard_measure("largest_rope_tension", "kN",
+    "The largest tension in any rope.",
+    function(state, found) if (nrow(found$lines$ropes)) max(found$lines$ropes$tension)
+  ),
+  standard_measure("twine_tension_exceeded_by_1_percent", "N",
+    "Tension of one twine (of both when double) that 1 % of the netting's length of twine exceeds. The
+    very largest, where a rope pulls at the tip of a wing, depends on how finely the netting is
+    divided.",
+    function(state, found) {
+      twine <- found$lines$netting
+      if (nrow(twine)) exceeded_tension(twine$tension, twine$lines * twine$rest)
+    }
+  ),
+  standard_measure("slack_netting", "%",
+    "Share of the netting's length of twine that carries no tension.",
+    function(state, found) {
+      twine <- found$lines$netting
+      long <- twine$lines * twine$rest
+      if (nrow(twine)) sum(long[twine$tension == 0]) / sum(long)
+    }
+  ),
+  standard_measure("rope_on_ground", "m",
+    "With a sea bed, the length of rope, not of poles, that lies on it.",
+    function(state, found) if (has_ground(state)) found$ground$length
+  ),
+  standard_measure("ground_load", "kN",
+    "With a sea bed, what the gear presses on it with.",
+    function(state, found) if (has_ground(state)) found$ground$normal
+  ),
+  standard_measure("ground_friction", "%",
+    "With a sea bed, the share of its friction in the total drag.",
+    function(state, found) if (has_ground(state)) found$ground$along_flow / found$drag
+  ),
+  standard_measure("least_depth", "m",
+    "Depth of the highest node of the gear.",
+    # adding 0 turns the -0 of a node at the surface into 0
+    function(state, found) -max(state$position[3, ]) + 0
+  ),
+  standard_measure("greatest_depth", "m",
+    "Depth of the lowest node of the gear.",
+    function(state, found) -min(state$position[3, ]) + 0
+  )
+)
+
+has_towing <- function(state) state$si$towing$speed != 0
+
+has_ground <- function(state) !is.null(state$si$ground)
+
+# N.
+total_drag <- function(state) {
+  -sum(rowSums(support_forces(state)) * flow_axes(state$si)[, "flow"])
+}
+
+# Water (m3/s) that flows horizontally through ropes, end to end, as they move.
+filtered_volume <- function(state, ropes) {
+  node <- unique(unlist(lapply(ropes, function(rope) state$lattice$ropes[[rope]]$node)))
+  outline <- rope_outline(state, ropes)
+  past <- water_velocity(state, -mean(outline[3, ])) -
+    rowMeans(state$velocity[1:2, node, drop = FALSE])
+  abs(sum(outline_area(outline) * past))
+}
+
+# Velocity (m/s, along x and y) of the water past the vessel at a depth (m).
+water_velocity <- function(state, depth) {
+  water <- state$lattice$engine$water
+  if (length(water$depth) == 1L) return(c(water$x, water$y))
+  vapply(water[c("x", "y")], function(speed) {
+    stats::approx(water$depth, speed, depth, rule = 2)$y
+  }, 0, USE.NAMES = FALSE)
+}
+
+# Ground (m2/s) that the straight line between two places passes over, the mean over pairs.
+swept_area <- function(state, pairs) {
+  # the vessel goes towards -x
+  over_ground <- state$velocity - c(state$si$towing$speed, 0, 0)
+  mean(vapply(pairs, function(pair) {
+    across <- apart(state, pair)
+    ends <- vapply(pair, state$lattice$place, 0L)
+    v <- rowMeans(over_ground[, ends])
+    abs(across[1] * v[2] - across[2] * v[1])
+  }, 0))
+}

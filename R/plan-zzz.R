@@ -1,0 +1,2 @@
+# Made once, when the package is installed: of the files of plans this one is read last.
+plan_schema <- compile_schema()

@@ -1,0 +1,73 @@
+# The commands without a shell: status, both outputs, files. What a shell adds is tested in
+# test-command-line.R.
+
+skip_if_not_installed("optparse")
+
+ran <- function(...) {
+  said <- tempfile()
+  connection <- file(said, "w")
+  on.exit(unlink(said))
+  sink(connection, type = "message")
+  status <- NULL
+  out <- tryCatch(utils::capture.output(status <- run_command(c(...))), finally = {
+    sink(type = "message")
+    close(connection)
+  })
+  list(status = status, out = out, err = readLines(said))
+}
+
+test_that("the help of every command says how it is used", {
+  usage <- ran("--help")$out
+  for (name in names(commands())) {
+    help <- ran(name, "--help")
+    expect_identical(help$status, 0L)
+    expect_match(help$out[1], paste("Usage: codend", name), fixed = TRUE)
+    expect_true(any(startsWith(usage, paste0("  ", name, " ")) &
+      endsWith(usage, commands()[[name]]$does)))
+  }
+})
+
+test_that("the last of two values for a field counts, and text is read as in a plan", {
+  taken <- take_sets(c("a", "--set", "x=1", "b", "--set=y=yes", "--set", "x=2.5e3", "--set=z=3 m"))
+  expect_identical(taken$rest, c("a", "b"))
+  expect_identical(taken$set, list(y = TRUE, x = 2500, z = "3 m"))
+  expect_error(take_sets("--set"), class = "codend_error_usage")
+  expect_error(take_sets(c("--set", "x")), class = "codend_error_usage")
+})
+
+test_that("status and message tell a wrong use from a wrong plan", {
+  wrong <- ran("settle", "towed_cable", "--nodes", "0")
+  expect_identical(wrong$status, 2L)
+  expect_match(wrong$err, "--nodes is 0; it must be .* See codend settle --help.")
+  wrong <- ran("check", "no_such_plan")
+  expect_identical(wrong$status, 1L)
+  expect_match(paste(wrong$err, collapse = " "), "no_such_plan")
+  expect_identical(wrong$out, character())
+})
+
+test_that("export writes every format of a state, each as its writer does", {
+  folder <- test_folder()
+  formats <- Filter(function(format) {
+    is.null(format$package) || requireNamespace(format$package, quietly = TRUE)
+  }, formats_of("state"))
+  files <- file.path(folder, paste0("cable", vapply(formats, `[[`, "", "extension")))
+  found <- ran("export", "towed_cable", files, "--nodes", "20")
+  expect_identical(found$status, 0L)
+  expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), basename(files))
+  state <- settle("towed_cable", nodes = 20)
+  again <- file.path(folder, "again")
+  formats$glb$write(state, paste0(again, ".glb"))
+  expect_identical(unname(tools::md5sum(paste0(again, ".glb"))),
+    unname(tools::md5sum(files[names(formats) == "glb"])))
+  table <- utils::read.csv(files[names(formats) == "tensions"])
+  # a CSV file holds 15 digits
+  expect_equal(table$tension_kN, as.data.frame(state, what = "tensions")$tension_kN,
+    tolerance = 1e-13)
+})
+
+test_that("no two formats share a name or an extension", {
+  expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "name")) > 0)
+  expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "extension")) > 0)
+  expect_null(format_of_file("cable.obj"))
+  expect_identical(format_of_file("A.VTU")$name, "vtu")
+})

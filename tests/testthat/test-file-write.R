@@ -1,0 +1,99 @@
+# What a full disk does is made by a limit on the size of files: the system gives writers the same
+# short counts and errors, only with another reason.
+
+test_that("a file is replaced at once, and nothing else is left", {
+  folder <- test_folder()
+  file <- file.path(folder, "100 %s.txt")
+  writeLines("old", file)
+  expect_identical(write_text("new", file), file)
+  expect_identical(readLines(file, warn = FALSE), "new")
+  expect_error(write_file(file, function(path) stop("no ink.")), "no ink", class = "codend_error_file")
+  expect_error(write_file(file, function(path) NULL), "No such file", class = "codend_error_file")
+  expect_identical(readLines(file, warn = FALSE), "new")
+  dir.create(file.path(folder, "a folder"))
+  error <- expect_error(write_text("x", file.path(folder, "a folder")), class = "codend_error_file")
+  expect_match(conditionMessage(error), "a folder.*irectory")
+  expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), c("100 %s.txt", "a folder"))
+})
+
+test_that("a folder of files replaces an older one as a whole", {
+  folder <- file.path(test_folder(), "series")
+  fill <- function(name) write_file(folder, function(path) {
+    dir.create(path)
+    writeLines("x", file.path(path, name))
+  })
+  fill("old")
+  fill("new")
+  expect_identical(list.files(folder), "new")
+  expect_identical(list.files(dirname(folder), all.files = TRUE, no.. = TRUE), "series")
+})
+
+test_that("a path is refused before anything is computed", {
+  folder <- test_folder()
+  wrong <- function(file, message) {
+    expect_error(check_file_path(file, ".csv"), message, class = "codend_error_file")
+  }
+  wrong(3, "one path")
+  wrong(c("a.csv", "b.csv"), "one path")
+  wrong("csv", "ends in")
+  wrong("a.txt", "ends in")
+  wrong(file.path(folder, "none", "a.csv"), "exists")
+  expect_identical(check_file_path(file.path(folder, "a.CSV"), ".csv"), ".csv")
+})
+
+# Runs code in an R of its own whose files may hold no more than so many kilobytes. Returns what it
+# prints, line by line.
+limited <- function(kilobytes, code) {
+  script <- tempfile(fileext = ".R")
+  on.exit(unlink(script))
+  writeLines(code, script)
+  libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
+  # the signal of the limit would end R; without it writing fails as on a full disk
+  line <- sprintf("trap '' XFSZ; ulimit -f %d; R_LIBS=%s exec %s %s", 2L * kilobytes,
+    shQuote(libraries), shQuote(file.path(R.home("bin"), "Rscript")), shQuote(script))
+  system2("sh", c("-c", shQuote(line)), stdout = TRUE, stderr = FALSE)
+}
+
+test_that("on a full disk every writer keeps the old file and says why", {
+  skip_on_os("windows")
+  folder <- test_folder()
+  calls <- c(
+    "gear.yaml" = "write_gear(gear, file)", "state.vtu" = "write_vtk(state, file)",
+    "state.glb" = "write_gltf(state, file)", "state.gltf" = "write_gltf(state, file)",
+    "state.html" = "view(state, file)", "report.html" = "report(state, file)",
+    "state.png" = "plot(state, file = file)", "state.pdf" = "plot(state, file = file)",
+    "state.svg" = "plot(state, file = file)"
+  )
+  if (requireNamespace("RNetCDF", quietly = TRUE)) {
+    calls <- c(calls, "state.nc" = "write_state(state, file)",
+      "tow.nc" = "write_trajectory(trajectory, file)")
+  }
+  files <- file.path(folder, names(calls))
+  for (file in files) writeLines("good", file)
+  found <- limited(64, c(
+    "library(codend)", "gear <- read_gear('midwater_trawl')", "state <- settle(gear, nodes = 300)",
+    "trajectory <- tow('towed_cable', until = 10, every = 5)",
+    "say <- function(e) cat(class(e)[1], gsub('[[:space:]]+', ' ', conditionMessage(e)), '\\n')",
+    sprintf("file <- %s; tryCatch(%s, error = say)", vapply(files, deparse, ""), calls)
+  ))
+  expect_null(attr(found, "status"))
+  expect_length(found, length(calls))
+  expect_match(found, "^codend_error_file .*could not be written: File too large", all = TRUE)
+  for (file in files) expect_identical(readLines(file), "good", label = file)
+  expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), names(calls))
+})
+
+test_that("a tow whose file fails gives what it had done", {
+  skip_on_os("windows")
+  skip_if_not_installed("RNetCDF")
+  file <- file.path(test_folder(), "tow.nc")
+  found <- limited(512, c(
+    "library(codend)", sprintf("file <- %s", deparse(file)),
+    "say <- function(e) cat(class(e)[1], e$why, e$trajectory$time[1:3], e$trajectory$end)",
+    "tryCatch(tow('towed_cable', until = 60, every = 0.1, file = file), error = say)"
+  ))
+  expect_match(found, "^codend_error_file .* 0 0.1 0.2 interrupted$")
+  kept <- read_trajectory(file)
+  expect_identical(kept$end, "interrupted")
+  expect_gt(length(kept$time), 3)
+})

@@ -1,0 +1,27 @@
+test_that("SI numbers show in the units that people read", {
+  expect_equal(in_unit(1852 / 3600, "knot"), 1)
+  expect_equal(in_unit(pi, "deg"), 180)
+  expect_equal(in_unit(0.25, "%"), 25)
+  expect_equal(in_unit(2500, "kN"), 2.5)
+  expect_equal(in_unit(2500, "kW"), 2.5)
+  # one standard gravity on a tonne
+  expect_equal(in_unit(9806.65, "tf"), 1)
+  # a metre of net towed at a metre per second passes over 3600 m2 an hour
+  expect_equal(in_unit(1, "km2/h"), 0.0036)
+  expect_equal(in_unit(1, "m3/h"), 3600)
+})
+
+test_that("names end in units and lose them again", {
+  name <- c("speed", "slack", "area", "weight", "factor")
+  unit <- c("m/s", "%", "km2/h", "kg/100 m", "")
+  whole <- c("speed_m_per_s", "slack_percent", "area_km2_per_h", "weight_kg_per_100_m", "factor")
+  expect_identical(with_unit(name, unit), whole)
+  expect_identical(words_of(whole, unit), name)
+})
+
+test_that("units in files are those of the CF conventions", {
+  expect_identical(
+    cf_unit(c("m/s", "%", "deg", "km2/h", "meshes", "kN")),
+    c("m s-1", "percent", "degree", "km2 h-1", "1", "kN")
+  )
+})

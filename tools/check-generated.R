@@ -1,0 +1,28 @@
+# Fails where help, NAMESPACE or the binding's registration is not what their sources make. Works on
+# a copy, and needs codend installed from the same sources.
+
+copy <- tempfile("generated")
+dir.create(copy)
+invisible(file.copy(c("DESCRIPTION", "NAMESPACE", "R", "man", "src"), copy, recursive = TRUE))
+here <- setwd(copy)
+said <- utils::capture.output({
+  suppressMessages(roxygen2::roxygenise(load_code = "installed"))
+  cpp11::cpp_register(quiet = TRUE)
+})
+
+generated <- function(folder) {
+  files <- list.files(folder, recursive = TRUE)
+  grep("^(DESCRIPTION|NAMESPACE|man/.*[.]Rd|R/cpp11[.]R|src/cpp11[.]cpp)$", files, value = TRUE)
+}
+setwd(here)
+files <- union(generated("."), generated(copy))
+in_step <- function(file) {
+  both <- file.path(c(".", copy), file)
+  all(file.exists(both)) && length(unique(lapply(both, readLines, warn = FALSE))) == 1L
+}
+stale <- files[!vapply(files, in_step, NA)]
+if (length(stale) > 0L) {
+  cat("Not in step with their sources:", stale, sep = "\n  ")
+  cat("Run: Rscript -e 'roxygen2::roxygenise(load_code = \"installed\"); cpp11::cpp_register()'\n")
+  quit(status = 1)
+}

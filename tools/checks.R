@@ -1,0 +1,24 @@
+# Checks of the sources that run no test of codend: style, layers, generated files. Each is a
+# command that prints what is wrong and fails; the last line counts them as
+# "N passed, N failed, N skipped".
+
+checks <- c(
+  "style of R (.lintr)" = "Rscript tools/check-style.R",
+  "order of R's rooms" = "Rscript tools/check-layers.R",
+  "format of C++ (.clang-format)" = "tools/check-format",
+  "objects in src/Makevars" = "tools/makevars.sh --check",
+  "schema of plans and its parts" = "make -s schema-check",
+  "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
+)
+
+passes <- function(name) {
+  cat("checking", name, "... ")
+  said <- suppressWarnings(system(paste(checks[[name]], "2>&1"), intern = TRUE))
+  ok <- is.null(attr(said, "status"))
+  cat(if (ok) "ok" else c("FAILED", paste0("  ", said)), sep = "\n")
+  ok
+}
+
+ok <- vapply(names(checks), passes, NA)
+cat(sprintf("%d passed, %d failed, 0 skipped\n", sum(ok), sum(!ok)))
+quit(status = !all(ok))

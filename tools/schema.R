@@ -1,0 +1,204 @@
+# Makes inst/schema/plan.schema.json from the parts in tools/schema and the units of
+# R/plan-units.R (tools/schema/README.md tells how a part is written).
+#   Rscript tools/schema.R           writes the file
+#   Rscript tools/schema.R --check   fails where the file is not what the parts give
+# Takes nothing but the packages jsonlite and yaml; run it in the root of the checkout.
+
+parts_folder <- "tools/schema"
+schema_file <- "inst/schema/plan.schema.json"
+
+read_part <- function(name) {
+  yaml::read_yaml(file.path(parts_folder, paste0(name, ".yaml")), handlers = list(
+    # a list of one stays a list
+    seq = as.list
+  ))
+}
+
+stop_part <- function(...) stop("tools/schema: ", ..., call. = FALSE)
+
+# ---- quantities -------------------------------------------------------------------------------
+
+units <- new.env()
+sys.source("R/plan-units.R", units)
+
+# What a unit may look like in a plan: squares and cubes as digits, after a caret or raised, and
+# blanks around a stroke, as plain_unit() reads them.
+unit_pattern <- function(unit) {
+  if (unit == "kg/100 m") return("kg */ *100 ?m")
+  pattern <- gsub(" ", " +", unit, fixed = TRUE)
+  pattern <- gsub("/", " */ *", pattern, fixed = TRUE)
+  pattern <- gsub("2", "(\\^?2|\u00b2)", pattern, fixed = TRUE)
+  gsub("3", "(\\^?3|\u00b3)", pattern, fixed = TRUE)
+}
+
+quantity <- function(dimension, example) {
+  names <- names(units$plan_units[[dimension]])
+  words <- gsub("_", " ", dimension, fixed = TRUE)
+  article <- if (grepl("^[aeiou]", words)) "An" else "A"
+  list(
+    title = words,
+    description = if (dimension == "number") {
+      paste0("A number or a percentage, such as 0.45 or ", example, ".")
+    } else {
+      paste0(article, " ", words, ": text with a unit, such as \"", example,
+        "\", or a bare number in ", names[1], ".")
+    },
+    type = list("number", "string"),
+    pattern = paste0(
+      "^\\s*[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?(\\s*(",
+      paste(vapply(names, unit_pattern, ""), collapse = "|"), "))?\\s*$"
+    ),
+    `x-dimension` = dimension
+  )
+}
+
+# A bound or default in SI; a part may give it with a unit.
+si_number <- function(value, dimension) {
+  number <- units$quantity_si(value, dimension)
+  if (is.na(number)) stop_part("\"", value, "\" is no ", dimension)
+  number
+}
+
+# ---- definitions ------------------------------------------------------------------------------
+
+name_pattern <- "\\p{L}[\\p{L}\\p{N}_-]*"
+
+# A node with its abbreviations written out.
+whole_node <- function(node) {
+  if (!is.list(node)) return(node)
+  if (is.null(names(node))) return(lapply(node, whole_node))
+  bounds <- intersect(names(node), c("minimum", "exclusiveMinimum", "maximum", "default"))
+  if (isTRUE(node$`$ref` %in% names(examples))) {
+    node[bounds] <- lapply(node[bounds], si_number, dimension = node$`$ref`)
+  }
+  if (is.character(node$`$ref`)) node$`$ref` <- paste0("#/$defs/", node$`$ref`)
+  if (is.character(node$pattern)) {
+    node$pattern <- gsub("<name>", name_pattern, node$pattern, fixed = TRUE)
+  }
+  if ("properties" %in% names(node)) node <- whole_map(node)
+  for (key in c("items", "additionalProperties", "propertyNames", "anyOf")) {
+    if (is.list(node[[key]])) node[[key]] <- whole_node(node[[key]])
+  }
+  node
+}
+
+# A map: its fields, those of `fields.yaml` and of mix-ins among them, in order.
+whole_map <- function(node) {
+  properties <- list()
+  for (name in names(node$properties)) {
+    given <- node$properties[[name]]
+    if (startsWith(name, "$")) {
+      mixed <- mix_in(substring(name, 2), given)
+      properties[names(mixed$properties)] <- mixed$properties
+      if (!isTRUE(given$optional)) {
+        node$required <- c(mixed$required, setdiff(node$required, mixed$required))
+        node$allOf <- c(node$allOf, mixed$allOf)
+        node$dependentRequired <- c(node$dependentRequired, mixed$dependentRequired)
+      }
+    } else if (is.null(given)) {
+      if (is.null(fields[[name]])) stop_part("no field `", name, "` in fields.yaml")
+      properties[[name]] <- whole_node(fields[[name]])
+    } else {
+      properties[[name]] <- whole_node(given)
+    }
+  }
+  node$properties <- NULL
+  c(
+    node["title"[!is.null(node$title)]], node["description"[!is.null(node$description)]],
+    list(type = "object"), node[setdiff(names(node), c("title", "description"))],
+    list(properties = properties, additionalProperties = FALSE)
+  )
+}
+
+# The map of a mix-in or of another definition, less what an option leaves out.
+mix_in <- function(name, options) {
+  part <- c(mixins, parts)[[name]]
+  if (is.null(part)) stop_part("no mix-in or definition `", name, "`")
+  unknown <- setdiff(names(options), c("optional", "defaults", "without"))
+  if (length(unknown)) stop_part("`$", name, "` has an unknown option `", unknown[1], "`")
+  missing <- setdiff(unlist(options$without), names(part$properties))
+  if (length(missing)) stop_part("`$", name, "` has no field `", missing[1], "`")
+  part$properties <- part$properties[setdiff(names(part$properties), unlist(options$without))]
+  map <- whole_node(part)
+  if (isFALSE(options$defaults)) {
+    map$properties <- lapply(map$properties, function(node) node[names(node) != "default"])
+  }
+  map
+}
+
+# A kind of plan says which it is; an assembly need not.
+as_kind <- function(node, name) {
+  kind <- list(
+    description = "How the gear is described: as an assembly, or by a short form that expands into one.",
+    type = "string", const = name
+  )
+  if (name == default_kind) {
+    kind$default <- name
+  } else {
+    node$required <- append(node$required, "kind", after = 2)
+  }
+  node$properties <- append(node$properties, list(kind = kind), after = 4)
+  node
+}
+
+default_kind <- "assembly"
+fields <- read_part("fields")
+mixins <- read_part("mixins")
+examples <- read_part("quantities")
+names <- sub("[.]yaml$", "", sort(list.files(parts_folder, "[.]yaml$"), method = "radix"))
+parts <- lapply(setdiff(names, c("fields", "mixins", "quantities")), read_part)
+parts <- do.call(c, parts)
+twice <- names(parts)[duplicated(names(parts))]
+if (length(twice)) stop_part("two definitions of `", twice[1], "`")
+definitions <- lapply(parts, whole_node)
+kinds <- names(Filter(function(part) "$plan" %in% names(part$properties), parts))
+kinds <- c(default_kind, setdiff(sort(kinds, method = "radix"), default_kind))
+definitions[kinds] <- Map(as_kind, definitions[kinds], kinds)
+definitions <- c(definitions, Map(quantity, names(examples), examples))
+
+# ---- the file ---------------------------------------------------------------------------------
+
+one_kind <- function(kind) {
+  asked <- list(properties = list(kind = list(const = kind)))
+  if (kind != default_kind) asked$required <- list("kind")
+  list(`if` = asked, then = list(`$ref` = paste0("#/$defs/", kind)))
+}
+
+schema <- list(
+  `$schema` = "https://json-schema.org/draft/2020-12/schema",
+  title = "Plan of a fishing gear",
+  description = paste(
+    "The one table of fields of a plan file, made by `make schema` from tools/schema.",
+    "x-dimension says what a quantity measures; minimum, exclusiveMinimum, maximum and default of",
+    "a quantity are in SI, whatever its unit."
+  ),
+  type = "object",
+  properties = list(kind = list(enum = as.list(kinds), default = default_kind)),
+  allOf = lapply(kinds, one_kind),
+  `$defs` = definitions
+)
+
+# With as many digits as a number needs to read back the same; the writer stops at 15.
+exact_numbers <- function(node) {
+  if (is.list(node)) return(lapply(node, exact_numbers))
+  if (!is.numeric(node) || as.double(format(node, digits = 15)) == node) return(node)
+  shown <- vapply(16:17, function(digits) format(node, digits = digits), "")
+  structure(shown[as.double(shown) == node][1], class = "json")
+}
+
+text <- jsonlite::toJSON(
+  exact_numbers(schema), pretty = 2, auto_unbox = TRUE, digits = 15, json_verbatim = TRUE
+)
+text <- enc2utf8(paste0(text, "\n"))
+
+read_bytes <- function(file) if (file.exists(file)) readBin(file, "raw", file.size(file))
+
+if (identical(commandArgs(TRUE), "--check")) {
+  if (!identical(read_bytes(schema_file), charToRaw(text))) {
+    stop(schema_file, " is not what tools/schema gives: run `make schema`.", call. = FALSE)
+  }
+} else {
+  beside <- tempfile(tmpdir = dirname(schema_file))
+  writeBin(charToRaw(text), beside)
+  invisible(file.rename(beside, schema_file))
+}
