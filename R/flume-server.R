@@ -199,7 +199,8 @@ read_upload <- function(upload) {
     }
   )
   # It is nowhere that R code could read it from.
-  new_gear(gear$plan)
+  gear["file"] <- list(NULL)
+  gear
 }
 
 # The gear of a plan typed on the page; like: the gear whose plan it was.
@@ -209,7 +210,8 @@ read_typed <- function(text, like) {
   on.exit(unlink(file))
   writeBin(charToRaw(enc2utf8(text)), file)
   gear <- read_upload(list(datapath = file, name = "on this page"))
-  new_gear(gear$plan, file = like$file)
+  gear["file"] <- list(like$file)
+  gear
 }
 
 # The first measures of a gear as a sentence, for those who listen.

@@ -13,23 +13,14 @@ gear_expanders <- list(
   stow_net = function(fields, plan) expand_stow_net(fields, plan)
 )
 
-# The tree of the assembly that a checked plan stands for: the plan itself when it is one.
-expand_plan <- function(fields, plan) {
-  if (fields$kind == "assembly") return(plan)
-  tree <- gear_expanders[[fields$kind]](fields, plan)
+# The groups of a tree in their plain form, taken from the `plain` form of a `last` tree where they
+# are the same.
+plain_groups <- function(tree, last = NULL, plain = NULL) {
   for (name in names(tree)) {
-    tree[[name]] <- remembered(paste0("plain ", name), list(tree[[name]]), function() {
-      plain_tree(tree[[name]])
-    })
+    same <- name %in% names(last) && identical(tree[[name]], last[[name]])
+    tree[name] <- if (same) plain[name] else list(plain_tree(tree[[name]]))
   }
   tree
-}
-
-# The checked fields, in SI, of the assembly that a plan stands for.
-assembly_fields <- function(plan) {
-  fields <- check_plan(plan)
-  if (fields$kind == "assembly") return(fields)
-  check_plan(expand_plan(fields, plan))
 }
 
 #' Expand a short form
@@ -45,7 +36,7 @@ assembly_fields <- function(plan) {
 #' assembly(read_gear("towed_cable"))
 assembly <- function(gear) {
   check_is_gear(gear)
-  fields <- check_plan(gear$plan)
-  if (fields$kind == "assembly") return(gear)
-  as_gear(expand_plan(fields, gear$plan))
+  checked <- gear_checked(gear)
+  if (checked$fields$kind == "assembly") return(gear)
+  as_gear(checked$tree)
 }

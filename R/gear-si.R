@@ -1,6 +1,29 @@
 # The gear as SI numbers: what the lattice is made from.
 
-# Checks a gear's plan in full and returns it as SI numbers with every default filled in.
+# Checks a plan in full, once: first each field, then the assembly that it stands for, then whether
+# that hangs together.
+#
+# last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
+# what is the same as in that plan is taken over from it, unchecked.
+#
+# Returns list(plan, fields, expanded, tree, assembly, si): the plan; its checked fields in SI; the
+# assembly that it stands for as expanded and in plain form (NULL where it is one); that assembly's
+# checked fields; and the SI numbers of si_of().
+check_whole <- function(plan, last = NULL) {
+  now <- list(plan = plan, fields = check_plan(plan, last$plan, last$fields))
+  if (now$fields$kind == "assembly") {
+    now$assembly <- now$fields
+  } else {
+    now$expanded <- gear_expanders[[now$fields$kind]](now$fields, plan)
+    now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
+    now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
+  }
+  now$si <- si_of(now$assembly, last$assembly, last$si)
+  now
+}
+
+# The gear as SI numbers with every default filled in, from the checked fields of its assembly.
+# last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
 # seams, pieces, otter_boards, ground, shooting, measures, share_places). Places stay texts that
@@ -8,25 +31,32 @@
 # to as fractions of the edge. What a plan may leave out and has no default is NULL (position, at,
 # near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness, catch) or,
 # of single numbers and texts, NA.
-gear_si <- function(gear) {
-  # a gear just read is asked for again by the lattice
-  if (identical(plan_cache$plan, gear$plan)) return(plan_cache$si)
-  fields <- assembly_fields(gear$plan)
+si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
     name = fields$name, kind = "assembly",
     water = si_water(fields$water), towing = fields$towing,
     netting = fields$netting, slack_twine = fields$slack_twine
   )
-  si$panels <- map_named(fields$panels, "panels", si_panel, fields, law)
+  same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
+  lines <- c("materials", "coefficients", "netting", "netting_drag", "shielding")
+  si$panels <- if (same(c("panels", lines))) last$panels else {
+    map_named(fields$panels, "panels", si_panel, fields, law)
+  }
   known <- list(
     points = names(fields$points), ropes = names(fields$ropes), panels = si$panels
   )
-  si$points <- map_named(fields$points, "points", si_point, known)
-  si$ropes <- map_named(fields$ropes, "ropes", si_rope, fields, law, known)
-  si$seams <- remembered("seams", list(fields$seams, known), function() {
+  same_known <- identical(known$panels, last$panels) &&
+    identical(known$points, names(last$points)) && identical(known$ropes, names(last$ropes))
+  si$points <- if (same_known && same("points")) last$points else {
+    map_named(fields$points, "points", si_point, known)
+  }
+  si$ropes <- if (same_known && same(c("ropes", lines))) last$ropes else {
+    map_named(fields$ropes, "ropes", si_rope, fields, law, known)
+  }
+  si$seams <- if (same_known && same("seams")) last$seams else {
     map_named(fields$seams, "seams", si_seam, known)
-  })
+  }
   si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   # Kites are otter boards that push up or down.
@@ -41,9 +71,7 @@ gear_si <- function(gear) {
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   si$share_places <- share_places(si)
-  check_gear(si)
-  plan_cache$plan <- gear$plan
-  plan_cache$si <- si
+  check_gear(si, last)
   si
 }
 

@@ -1,15 +1,25 @@
-# The gear: a checked plan. Holds the tree as given, never numbers derived from it.
-
-new_gear <- function(plan, file = NULL) {
-  structure(list(plan = plan, file = file), class = "codend_gear")
-}
+# The gear: a plan as given, with what its check made of it (`checked`, of check_whole()).
 
 # A gear from a tree of lists: put into its plain form and checked in full.
-as_gear <- function(tree, file = NULL) {
-  gear <- new_gear(plain_tree(tree), file)
-  gear_si(gear)
-  gear
+# like: a gear, parts of which are checked already where this one is the same.
+as_gear <- function(tree, file = NULL, like = NULL) {
+  plan <- plain_tree(tree)
+  structure(
+    list(plan = plan, file = file, checked = check_whole(plan, like$checked)),
+    class = "codend_gear"
+  )
 }
+
+# What the check made of a gear's plan; checked again where somebody changed the plan by hand.
+gear_checked <- function(gear) {
+  if (identical(gear$checked$plan, gear$plan)) gear$checked else check_whole(gear$plan, gear$checked)
+}
+
+# The checked fields, in SI, of the assembly that a gear is or stands for.
+gear_fields <- function(gear) gear_checked(gear)$assembly
+
+# The gear as SI numbers, of si_of().
+gear_si <- function(gear) gear_checked(gear)$si
 
 #' Read the plan of a gear
 #'
@@ -18,7 +28,7 @@ as_gear <- function(tree, file = NULL) {
 #'
 #' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
 #' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
-#'   named lists) and its path (`file`). A wrong plan is an error of class `codend_error_plan`, with
+#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of class `codend_error_plan`, with
 #'   the path and the value of the first wrong field as `path` and `value`.
 #' @seealso [gear()] for the same without a file, [write_gear()].
 #' @export
@@ -73,9 +83,9 @@ gears <- function() {
 
 #' @export
 print.codend_gear <- function(x, ...) {
-  fields <- assembly_fields(x$plan)
+  fields <- gear_fields(x)
   groups <- c("panels", "seams", "ropes", "pieces", "points", "measures")
-  cat("Gear \"", x$plan$name, "\" (", check_plan(x$plan)$kind, ")\n", sep = "")
+  cat("Gear \"", x$plan$name, "\" (", gear_checked(x)$fields$kind, ")\n", sep = "")
   cat("  ", paste(groups, lengths(fields[groups]), collapse = ", "), "\n", sep = "")
   cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
   invisible(x)
@@ -103,45 +113,10 @@ update.codend_gear <- function(object, ...) {
   }
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
-  as_gear(plan, file = object$file)
+  as_gear(plan, file = object$file, like = object)
 }
 
 # The gear with one field changed (NULL: taken out), checked in full again.
 set_field <- function(gear, path, value) {
-  as_gear(set_plan_field(gear$plan, path, value), file = gear$file)
-}
-
-set_plan_field <- function(plan, path, value) {
-  steps <- strsplit(path, ".", fixed = TRUE)[[1]]
-  kind <- first_of(plan$kind, plan_schema$default_kind)
-  set_at(plan, steps, value, plan_schema$kinds[[kind]], "")
-}
-
-set_at <- function(tree, steps, value, node, path) {
-  step <- steps[1]
-  here <- join(path, step)
-  if (node$shape == "any") {
-    shape <- if (is_map(tree) && length(tree)) "object" else "array"
-    fitting <- Filter(function(choice) choice$shape == shape, node$choices)
-    if (length(fitting)) node <- fitting[[1]]
-  }
-  last <- length(steps) == 1
-  if (node$shape == "array") {
-    key <- suppressWarnings(as.integer(step))
-    if (is.na(key) || key < 1 || key > length(tree)) abort_unknown(path, step, seq_along(tree))
-    tree <- as.list(tree)
-    inner <- node$items
-  } else {
-    key <- step
-    inner <- node$properties[[step]]
-    if (is.null(inner) && !is.null(node$additionalProperties)) {
-      if (!last && is.null(tree[[step]])) abort_unknown(path, step, names(tree))
-      inner <- node$additionalProperties
-    }
-    if (is.null(inner)) abort_unknown(path, step, names(node$properties))
-    tree <- as.list(tree)
-  }
-  changed <- if (last) value else set_at(tree[[key]], steps[-1], value, inner, here)
-  tree[[key]] <- changed
-  tree
+  as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear)
 }

@@ -2,18 +2,6 @@
 # (`plan_schema`), and a plan is walked along it. Only the keywords that the file uses are known;
 # others are for editors.
 
-plan_cache <- new.env(parent = emptyenv())
-
-# What make() gives for these inputs, made again only when they are others than the last time: a
-# slider changes one field of a plan, and most of the plan stays as it was.
-remembered <- function(key, inputs, make) {
-  last <- plan_cache[[key]]
-  if (identical(last$inputs, inputs)) return(last$made)
-  made <- make()
-  assign(key, list(inputs = inputs, made = made), envir = plan_cache)
-  made
-}
-
 # The schema with references put in place: $kinds, a compiled node per kind of plan.
 compile_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
@@ -44,6 +32,9 @@ compile_node <- function(node, definitions) {
   )
   node$shape <- if (!is.null(node[["x-dimension"]])) {
     "quantity"
+  } else if ("boolean" %in% node$type) {
+    node$enum <- NULL
+    "boolean"
   } else if (!is.null(node$type)) {
     node$type
   } else {
@@ -79,7 +70,10 @@ requirement <- function(alternatives, one) {
 
 # Checks a plan tree against the schema of its kind.
 # Returns the tree in SI numbers with every default of the schema filled in.
-check_plan <- function(tree) {
+#
+# last, fields: another tree and what this function returned for it, or NULL; a field of the same
+# value is not checked again.
+check_plan <- function(tree, last = NULL, fields = NULL) {
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan("A plan must be a map of fields such as `codend: 1` and `name`.", NULL, tree)
   }
@@ -89,7 +83,8 @@ check_plan <- function(tree) {
   if (!is_text(kind) || !kind %in% names(schema$kinds)) {
     abort_field("kind", kind, paste("one of", word_list(names(schema$kinds))))
   }
-  check_field(tree, schema$kinds[[kind]], "")
+  if (!identical(fields$kind, kind)) last <- NULL
+  check_map(tree, schema$kinds[[kind]], "", last, fields)
 }
 
 check_field <- function(value, node, path) {
@@ -133,7 +128,11 @@ check_text <- function(value, node, path) {
   value
 }
 
+truth_words <- c(yes = TRUE, Yes = TRUE, YES = TRUE, no = FALSE, No = FALSE, NO = FALSE)
+
+# A text yes or no is how YAML 1.2 reads it.
 check_boolean <- function(value, node, path) {
+  if (is_text(value) && value %in% names(truth_words)) return(truth_words[[value]])
   if (!is.logical(value) || length(value) != 1 || is.na(value)) {
     abort_field(path, value, describe(node))
   }
@@ -168,7 +167,8 @@ all_text <- function(texts, node) {
     !anyNA(texts) && (is.null(node$pattern) || all(grepl(node$pattern, texts, perl = TRUE)))
 }
 
-check_map <- function(value, node, path) {
+# last, fields: another map of this node and what it was checked to, or NULL.
+check_map <- function(value, node, path, last = NULL, fields = NULL) {
   if (!is_map(value)) abort_field(path, value, describe(node))
   given <- names(value)
   if (anyDuplicated(given)) {
@@ -188,11 +188,11 @@ check_map <- function(value, node, path) {
         next
       }
     }
-    check <- function() check_field(value[[i]], property, join(path, name))
     # in single brackets: a place assigned NULL would go, and later fields move to wrong names
-    checked[i] <- list(if (nzchar(path)) check() else {
-      remembered(paste0("field ", name), list(value[[i]], property), check)
-    })
+    same <- name %in% names(last) && identical(value[[i]], last[[name]])
+    checked[i] <- if (same) fields[name] else {
+      list(check_field(value[[i]], property, join(path, name)))
+    }
   }
   for (name in node$required) {
     if (!name %in% given) {
@@ -275,7 +275,7 @@ choose_node <- function(value, node, path) {
       string = is.character(value) && length(value) == 1,
       quantity = is_text(value) || (is.numeric(value) && length(value) == 1),
       number = , integer = is.numeric(value) && length(value) == 1,
-      boolean = is.logical(value) && length(value) == 1
+      boolean = length(value) == 1 && (is.logical(value) || value %in% names(truth_words))
     )
     if (!fits) next
     # A name is looked for first where the text may also be a quantity.

@@ -143,7 +143,7 @@ reaction_columns <- function(reactions) {
 # ---- conditions ----------------------------------------------------------------------------------
 
 conditions_section <- function(state) {
-  fields <- assembly_fields(state$gear$plan)
+  fields <- gear_fields(state$gear)
   si <- state$si
   knots <- si$towing$speed / plan_units$speed[["knot"]]
   law <- function(x) {

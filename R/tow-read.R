@@ -3,7 +3,7 @@
 # Returns a list by argument; arguments that the plan leaves out are not in it.
 plan_tow <- function(gear) {
   # never a plan's section `towing`, which begins alike
-  tow <- assembly_fields(gear$plan)[["tow"]]
+  tow <- gear_fields(gear)[["tow"]]
   if (is.null(tow)) return(list())
   for (name in intersect(c("speed", "course", "catch"), names(tow))) {
     tow[[name]] <- plan_schedule(tow[[name]])

@@ -78,3 +78,46 @@ test_that("shipped plans are listed", {
   expect_true(all(c("towed_cable", "crossing_cables") %in% listed$name))
   expect_named(listed, c("name", "title", "kind"))
 })
+
+test_that("a changed gear holds just what a check of its whole plan gives", {
+  changes <- list(
+    midwater_trawl = list(
+      list(towing.speed = 2), list(warps.length = "310 m"), list(sections.codend.rows = 3),
+      list(coefficients = "wan"), list(canvas = NULL), list(notes = list())
+    ),
+    towed_cable = list(
+      list(towing.speed = "5 knot"), list(ropes.cable.length = "800 m"),
+      list(ropes.cable.material = "polyester"), list(measures = NULL)
+    ),
+    cage = list(list(water.current = list(speed = 0.7, toward = "45 deg")), list(depth = "11 m"))
+  )
+  for (name in names(changes)) {
+    gear <- read_gear(name)
+    chained <- gear
+    for (change in changes[[name]]) {
+      chained <- do.call(update, c(list(chained), change))
+      expect_identical(chained$checked, as_gear(chained$plan)$checked,
+        label = paste(name, names(change)))
+    }
+    expect_identical(as_gear(gear$plan, like = chained)$checked, gear$checked)
+    expect_identical(as_gear(gear$plan, like = read_gear("gillnet"))$checked, gear$checked)
+  }
+})
+
+test_that("a wrong change after a right one is found", {
+  gear <- update(read_gear("midwater_trawl"), towing.speed = 2)
+  expect_error(update(gear, warps.length = "-3 m"), class = "codend_error_plan")
+  expect_error(update(gear, towing = NULL), class = "codend_error_plan")
+  expect_error(
+    update(read_gear("towed_cable"), ropes.cable.to = "nowhere"), "there is no point",
+    class = "codend_error_plan"
+  )
+})
+
+test_that("a plan that was changed by hand is checked again", {
+  gear <- read_gear("towed_cable")
+  gear$plan$towing$speed <- 1.5
+  expect_identical(gear_si(gear)$towing$speed, 1.5)
+  gear$plan$towing$speed <- -1
+  expect_error(gear_si(gear), class = "codend_error_plan")
+})
