@@ -18,9 +18,18 @@ started_trajectory <- function(state, given, until) {
 }
 
 continued_trajectory <- function(trajectory, given, until) {
+  lost <- names(Filter(is_lost, trajectory$given))
   new <- names(Filter(Negate(is.null), given[names(given) != "control_every"]))
-  if (length(new)) {
-    abort_schedule(new[1], "is given for a trajectory, which goes on in its own schedule.")
+  if (length(setdiff(new, lost))) {
+    abort_schedule(setdiff(new, lost)[1],
+      "is given for a trajectory, which goes on in its own schedule.")
+  }
+  planned <- Filter(function(value) !is.null(value), plan_tow(trajectory$gear)[setdiff(lost, new)])
+  trajectory$given[names(planned)] <- planned
+  trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
+  lost <- setdiff(lost, c(new, names(planned)))
+  if (length(lost)) {
+    abort_schedule(lost[1], "was a function, which a file does not keep; give it again.")
   }
   if (until <= trajectory$memory$now$time) {
     abort_schedule("until", sprintf("is %s s; the trajectory is already at %s s.", format(until),
@@ -31,6 +40,14 @@ continued_trajectory <- function(trajectory, given, until) {
   fresh <- tow_start(trajectory$gear, trajectory$si, lattice, trajectory$given, until)
   trajectory[c("schedule", "curves", "breaks")] <- fresh[c("schedule", "curves", "breaks")]
   trajectory
+}
+
+# What stands for a function that was not kept, and whether a schedule is or holds one.
+lost_function <- function() structure(list(), class = "codend_lost_function")
+
+is_lost <- function(schedule) {
+  inherits(schedule, "codend_lost_function") ||
+    is.list(schedule) && any(vapply(schedule, is_lost, NA))
 }
 
 # The lattice over the ground, and the tow in the engine's terms.
