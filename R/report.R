@@ -46,7 +46,7 @@ state_report <- function(state) {
         last step, not of an equilibrium.")
     },
     report_section("Measures", report_table(measures_columns(said$measures),
-      "What was measured; forces also in tonnes-force.")),
+      "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
     conditions_section(state),
     plan_section(state$gear),
     shape_section(state),
@@ -94,6 +94,17 @@ report_header <- function(of, words) {
     tag$h1(of$gear$plan$name), tag$p(class = "conditions", words),
     lapply(notes, function(note) tag$p(class = "note", note))
   )
+}
+
+# What the kinds of measures in a report are, to open and read.
+measure_terms <- function(measures) {
+  kind <- attr(measures, "kind")
+  first <- !duplicated(kind)
+  text <- definitions_of(measures)
+  terms <- lapply(which(first), function(k) {
+    list(tag$dt(gsub("_", " ", kind[[k]])), tag$dd(text[k]))
+  })
+  tag$details(tag$summary("What these measures are"), tag$dl(terms))
 }
 
 report_section <- function(title, ..., class = NULL) {
