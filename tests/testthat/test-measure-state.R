@@ -77,9 +77,10 @@ test_that("measures are numbers that keep their units", {
 })
 
 test_that("every kind of measure that a plan may ask for is defined, and no other", {
-  expect_setequal(ls(measure_kinds), names(formals(measure)))
+  schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
+  kinds <- names(schema$`$defs`$measure$properties)
   defined <- measure_definitions()
-  expect_setequal(defined$name[defined$asked], names(formals(measure)))
+  expect_setequal(defined$name[defined$asked], kinds)
   for (unit in defined$unit) expect_gt(unit_size(unit), 0)
   expect_false(anyDuplicated(defined$name) > 0)
   # a sentence each, in one line
@@ -108,4 +109,15 @@ test_that("a record of a state goes into JSON and back", {
   expect_true(back$converged)
   expect_equal(back[c("nodes", "bars", "triangles")], list(nodes = 201, bars = 200, triangles = 0))
   expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
+})
+
+test_that("an unknown kind of measure is an error that names the field", {
+  wrong <- function(...) {
+    gear("A line", top = point(position = c(0, 0, 0), held = "moved"), end = point(),
+      line = rope("top", "end", length = 10, diameter = 0.01, material = "polyamide"), ...)
+  }
+  expect_error(wrong(deep = measure(dept = "end")), "measures.deep", class = "codend_error_plan")
+  expect_error(wrong(deep = measure("end")), class = "codend_error_plan")
+  expect_error(wrong(deep = measure()), "measures.deep", class = "codend_error_plan")
+  expect_s3_class(wrong(deep = measure(depth = "end")), "codend_gear")
 })
