@@ -3,7 +3,7 @@ unsettled <- function(plan, nodes = 200, netting = NULL) {
   gear <- if (is.character(plan)) read_gear(plan) else as_gear(plan)
   si <- gear_si(gear)
   lattice <- build_lattice(si, nodes = nodes, netting = netting)
-  new_state(gear, si, lattice, lattice$start, list(converged = FALSE))
+  new_state(gear, si, lattice, start_of(lattice), list(converged = FALSE))
 }
 
 # A sheet of diamond netting, one of square netting below it and a pointed tip below that, hung by

@@ -23,18 +23,17 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
       expect_identical(write_gltf(state, file), file)
       found <- read_gltf_file(file)
       expect_identical(found$tree$asset$version, "2.0")
-      engine <- state$lattice$engine
       for (part in c("head_line", "net")) {
-        of_bars <- which(state$lattice$bar_part == match(part, state$lattice$parts$name))
+        of_bars <- elements_of(state, "bar", part)
         if (!length(of_bars)) next
         lines <- gltf_primitives(found, part)[[1]]
         expect_identical(lines$mode, 1L)
-        ends <- state_points(state)[, matrix(engine$bars$node, 2L)[, of_bars]]
+        ends <- state_points(state)[, matrix(engine_array(state, "bars", "node"), 2L)[, of_bars]]
         # single precision keeps 24 bits of metres
         expect_equal(found$get(lines$attributes$POSITION), ends, tolerance = 2^-23)
         colour <- on_screen(found$get(lines$attributes$COLOR_0))
         scale <- tension_scale(
-          state$bar_tension[state$lattice$parts$kind[state$lattice$bar_part] ==
+          state$bar_tension[parts_of(state)$kind[part_of(state, "bar")] ==
             if (part == "net") "netting" else "rope"],
           if (part == "net") "netting" else "rope"
         )
@@ -45,7 +44,7 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
         sheet <- gltf_primitives(found, "net")[[2]]
         expect_identical(sheet$mode, 4L)
         expect_equal(found$get(sheet$attributes$POSITION),
-          state_points(state)[, engine$triangles$node], tolerance = 2^-23)
+          state_points(state)[, engine_array(state, "triangles", "node")], tolerance = 2^-23)
       }
     }
   }

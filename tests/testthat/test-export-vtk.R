@@ -46,23 +46,22 @@ test_that("VTK's own reader finds every number that was written", {
     expect_identical(write_vtk(state, file), file)
     found <- read_with_vtk(file)
     expect_identical(found$points, as.vector(state_points(state)))
-    engine <- state$lattice$engine
-    bars <- length(engine$bars$rest)
-    triangles <- length(engine$triangles$rest)
+    bars <- length(engine_array(state, "bars", "rest"))
+    triangles <- length(engine_array(state, "triangles", "rest"))
     expect_identical(found$types[seq_len(bars + triangles)], rep(c(3L, 5L), c(bars, triangles)))
     expect_true(all(found$types[-seq_len(bars + triangles)] == 1L))
-    mesh <- seq_along(c(engine$bars$node, engine$triangles$node))
-    expect_identical(found$corners[mesh] + 1L, c(engine$bars$node, engine$triangles$node))
+    corners <- c(engine_array(state, "bars", "node"), engine_array(state, "triangles", "node"))
+    expect_identical(found$corners[seq_along(corners)] + 1L, corners)
     expect_identical(
       found$cell$part_name[seq_len(bars + triangles)],
-      state$lattice$parts$name[c(state$lattice$bar_part, state$lattice$triangle_part)]
+      parts_of(state)$name[c(part_of(state, "bar"), part_of(state, "triangle"))]
     )
     expect_identical(found$cell$tension_N[seq_len(bars)], state$bar_tension)
     if (triangles) {
       expect_identical(found$cell$v_tension_N[bars + seq_len(triangles)], state$v_tension)
     }
     expect_identical(
-      matrix(found$point$force_N, 3L)[, seq_len(engine$nodes)], state$force
+      matrix(found$point$force_N, 3L)[, seq_len(engine_array(state, "nodes"))], state$force
     )
     for (name in names(measures(state))) {
       expect_identical(found$field[[name]], measures(state)[[name]])
@@ -91,7 +90,7 @@ test_that("forces on cells and knots are all that the water does to the gear", {
     expect_setequal(unique(found$CellData$part_name), drag$part)
     expect_equal(found$PointData$depth_m, 0 - found$Points$points[3, ])
     expect_equal(sum(found$PointData$held), 2)
-    expect_identical(found$FieldData$part_names, state$lattice$parts$name)
+    expect_identical(found$FieldData$part_names, parts_of(state)$name)
   }
 })
 
@@ -145,7 +144,7 @@ test_that("hexagonal meshes and a catch have their numbers", {
 test_that("a free otter board is a plate of its size, where its points are", {
   state <- unsettled(test_path("plans", "towed_board.yaml"))
   board <- state$si$otter_boards[[1]]
-  at <- state$lattice$points[board$points]
+  at <- nodes_at(state, board$points)
   turn <- qr.Q(qr(matrix(c(2, 1, 0, -1, 3, 1, 1, 1, 4), 3L)))
   if (det(turn) < 0) turn <- -turn
   state$position[, at] <- turn %*% board$attachment + c(5, 6, -7)

@@ -7,7 +7,7 @@ test_that("a float swims with the draught of its weight", {
     float = piece(at = "at_float", mass = "5 kg", diameter = "300 mm"),
     water = list(free_surface = TRUE, current = list(speed = "0.4 m/s", toward = "0 deg"))
   ), nodes = 60)
-  at <- state$position[3, state$lattice$points[["at_float"]]]
+  at <- state$position[3, nodes_at(state, "at_float")]
   # Volume of a spherical cap of height h below the surface, by the sphere's radius.
   h <- 0.15 - at
   carried <- 1025 * gear_gravity * pi * h^2 * (3 * 0.15 - h) / 3
@@ -42,17 +42,18 @@ test_that("drag fades with what is in the water", {
 })
 
 test_that("a line leaves the water over a twentieth of its bars' length, or its diameter", {
-  lattice <- function(segments) {
-    build_lattice(gear_si(gear("a line",
+  height <- function(segments, of) {
+    lattice <- build_lattice(gear_si(gear("a line",
       a = point(position = c(0, 0, 0), held = "fixed"), b = point(),
       line = rope("a", "b", length = "10 m", diameter = "60 mm", material = "PA",
         segments = segments),
       water = list(free_surface = TRUE)
-    )))$engine
+    )))
+    engine_array(lattice, of, "height")
   }
-  expect_equal(lattice(5)$bars$height, rep(0.1, 5))
-  expect_equal(lattice(5)$volumes$height, rep(0.1, 6))
-  expect_equal(lattice(50)$bars$height, rep(0.06, 50))
+  expect_equal(height(5, "bars"), rep(0.1, 5))
+  expect_equal(height(5, "volumes"), rep(0.1, 6))
+  expect_equal(height(50, "bars"), rep(0.06, 50))
 })
 
 test_that("a trawl with little warp out swims at the surface", {

@@ -8,7 +8,7 @@ test_that("a beam trawl is as wide and high as its frame, at every division and 
   for (state in found) {
     # 10 kN on a strut of 100 MN and 4 m stretch it by less than 1 mm
     expect_equal(measures(state)[["wing_end_spread_m"]], 4, tolerance = 1e-3 / 4)
-    corner <- function(name) state$position[, state$lattice$points[[name]]]
+    corner <- function(name) state$position[, nodes_at(state, name)]
     for (rope in names(frame)[vapply(frame, `[[`, "", "role") %in% "frame"]) {
       ends <- vapply(frame[[rope]][c("from", "to")], corner, numeric(3))
       expect_equal(sqrt(sum((ends[, 1] - ends[, 2])^2)), frame[[rope]]$length, tolerance = 1e-3,
@@ -62,7 +62,7 @@ test_that("ticklers and the middle leg are as the plan has them, and both shoes 
   on_slope <- settle(update(trawl, seabed.slope = list(angle = "5 deg", toward = "90 deg")),
     nodes = 400)
   heel <- vapply(c("lower_port", "lower_starboard"), function(point) {
-    on_slope$position[3, on_slope$lattice$points[[point]]]
+    on_slope$position[3, nodes_at(on_slope, point)]
   }, 0)
   # 4 m across the slope, on which both shoes stand
   expect_equal(unname(heel[1] - heel[2]), 4 * sin(5 * pi / 180), tolerance = 0.02)

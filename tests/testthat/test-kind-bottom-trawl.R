@@ -93,7 +93,7 @@ test_that("a net towed from two points spreads as far as they are apart", {
   state <- settle(rig, nodes = 400)
   expect_equal(measures(state)[["door_spread_m"]], 22)
   expect_setequal(summary(state)$reactions$point, c("board_port", "board_starboard"))
-  expect_equal(unname(state$position[3, state$lattice$points[["board_port"]]]), -39)
+  expect_equal(unname(state$position[3, nodes_at(state, "board_port")]), -39)
 })
 
 test_that("free boards tow sweeps by their backstrops", {
@@ -107,7 +107,7 @@ test_that("free boards tow sweeps by their backstrops", {
   trawl <- small_bottom_trawl(otter_boards = boards, backstrops = backstrops)
   # such small boards may stall or fall over beside so large a net
   state <- suppressWarnings(settle(trawl, nodes = 400))
-  tension <- tapply(state$bar_tension, state$lattice$parts$name[state$lattice$bar_part], max)
+  tension <- tapply(state$bar_tension, parts_of(state)$name[part_of(state, "bar")], max)
   pulled <- c("backstrop_upper_port", "backstrop_lower_port")
   expect_gt(sum(tension[pulled]), tension[["sweep_port"]])
   expect_lt(max(tension[pulled]), tension[["sweep_port"]])
@@ -135,9 +135,9 @@ test_that("the vessels' distance spreads a pair trawl, on the sea bed and off it
 test_that("a rope is hung by edge where its lengths are given", {
   trawl <- small_bottom_trawl()
   state <- settle(trawl, nodes = 400)
-  bars <- state$lattice$bar_part == match("head_line", state$lattice$parts$name)
-  expect_equal(sum(state$lattice$engine$bars$rest[bars]), 17)
-  at <- state$lattice$ropes$head_line$at * 17
+  bars <- elements_of(state, "bar", "head_line")
+  expect_equal(sum(engine_array(state, "bars", "rest")[bars]), 17)
+  at <- along_rope(state, "head_line")$at * 17
   # the bosom runs between the wings' bases, 6.5 m from each end
   expect_true(any(abs(at - 6.5) < 1e-9) && any(abs(at - 10.5) < 1e-9))
   expect_error(
@@ -185,9 +185,11 @@ test_that("a pointed panel ends in one node, gathered or not", {
     towing = list(speed = 1))
   for (netting in c("triangles", "bars")) {
     state <- settle(tip, nodes = 100, netting = netting)
-    engine <- state$lattice$engine
-    used <- c(engine$bars$node, engine$triangles$node, engine$ties$first, engine$ties$second)
-    expect_true(all(seq_len(engine$nodes) %in% used), label = netting)
+    used <- c(
+      engine_array(state, "bars", "node"), engine_array(state, "triangles", "node"),
+      engine_array(state, "ties", "first"), engine_array(state, "ties", "second")
+    )
+    expect_true(all(seq_len(engine_array(state, "nodes")) %in% used), label = netting)
   }
 })
 

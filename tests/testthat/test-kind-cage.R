@@ -31,7 +31,7 @@ test_that("slow water meets the drag of a stiff cylinder by the formulas of Lola
   expect_lt(found, 1.03 * drag(0.225))
   # Lader and Enerhaug measured a flow slower by 20 % in the middle of their model (as C. Bi, Y.
   # Zhao and G. Dong report, Hydrodynamics: Concepts and Experiments, InTech, 2015).
-  expect_equal(min(si$lattice$engine$wake), 0.8, tolerance = 0.06)
+  expect_equal(min(engine_array(si, "wake")), 0.8, tolerance = 0.06)
 })
 
 test_that("drag grows slower than the speed's square, and light sinkers leave less volume", {
@@ -69,7 +69,7 @@ test_that("a floating cage lies symmetrically in its moorings", {
   expect_gt(found[["mooring_1_tension_kN"]], 10 * found[["mooring_4_tension_kN"]])
   balance <- summary(state)$balance
   expect_lt(max(abs(unlist(balance[balance$force == "remainder", -1]))), 1e-6)
-  collar <- state$position[, state$lattice$ropes$collar$node]
+  collar <- state$position[, along_rope(state, "collar")$node]
   expect_lt(max(abs(collar[3, ])), 0.32)
   # Bent over its moorings, and no longer than it is.
   expect_equal(sum(sqrt(colSums(apply(collar, 1, diff)^2 |> t()))), 40 * pi, tolerance = 1e-3)
@@ -78,7 +78,7 @@ test_that("a floating cage lies symmetrically in its moorings", {
 test_that("a square cage keeps its frame square", {
   cage <- update(read_gear("cage"), shape = "square")
   state <- settle(cage, nodes = 600)
-  corner <- state$position[, state$lattice$points[c("collar_1", "collar_5", "collar_9")]]
+  corner <- state$position[, nodes_at(state, c("collar_1", "collar_5", "collar_9"))]
   # The sides bow in a little under their moorings.
   expect_equal(sqrt(colSums((corner[, 2:3] - corner[, 1:2])^2)), c(40, 40), tolerance = 0.01)
   diagonal <- sqrt(sum((corner[, 3] - corner[, 1])^2))

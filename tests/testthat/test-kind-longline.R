@@ -52,7 +52,7 @@ test_that("without current the hooks hang on the catenary of Yoshihara", {
   weight <- function(mass, volume) 9.81 * (mass - 1025 * volume)
   load <- weight(hook$mass, hook$volume) +
     15 * weight(branch$mass_per_length, branch$volume_per_length)
-  joins <- state$position[, state$lattice$points[c("join_2", "join_3")]]
+  joins <- state$position[, nodes_at(state, c("join_2", "join_3"))]
   hung <- hung_line(15, 50, weight(main$mass_per_length, main$volume_per_length),
     main$axial_stiffness, load, joins[1, 2] - joins[1, 1])
   expect_equal(unname(found), hung - joins[3, 1] + 15, tolerance = 0.02 / 100)
@@ -98,7 +98,7 @@ test_that("free floats swim at the surface; cast off, the line drifts and draws 
   ))
   after <- state_at(drift, 1200)
   expect_lt(measures(after)[["float_distance_m"]], measures(state)[["float_distance_m"]])
-  moved <- (after$position - state$position)[2, state$lattice$points[["surface_2"]]]
+  moved <- (after$position - state$position)[2, nodes_at(state, "surface_2")]
   # It drifts with the water somewhere between the surface and its deepest hook.
   expect_gt(moved, 0)
   expect_lt(moved, 1140 * 0.2)

@@ -46,11 +46,11 @@ test_that("the enclosed volume is that of a prism", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)
   lattice <- codend:::build_lattice(si, 300)
-  hung <- lattice$hung
+  hung <- hung_shape(lattice)
   # all columns upright around a closed circle, the netting 30 m deep
   angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
-  deep <- -hung[3, ] * 30 / max(-hung[3, lattice$ropes$lead_line$node])
-  lead <- lattice$ropes$lead_line$node
+  deep <- -hung[3, ] * 30 / max(-hung[3, along_rope(lattice, "lead_line")$node])
+  lead <- along_rope(lattice, "lead_line")$node
   deep[lead] <- 30
   state <- structure(list(
     si = si, lattice = lattice, position = rbind(48 * cos(angle), 48 * sin(angle), -deep)
@@ -68,7 +68,7 @@ test_that("a seine that is left alone hangs down straight below its floats", {
   # Carried from the coarsest level: a crude layout as fine as this takes over a hundred steps.
   expect_lt(state$report$iterations, 100)
   lattice <- state$lattice
-  float <- state$position[3, lattice$place("float_line.middle")]
+  float <- state$position[3, nodes_at(lattice, "float_line.middle")]
   # Slack across, netting hangs as deep as it is stretched: 2000 meshes of 25.4 mm and selvedges of 60
   # of 30 mm. Lead of 1 kg/m stretches it by less than 0.1 %.
   expect_equal(measures(state)[["lead_line_depth_middle_m"]] + float, 2000 * 0.0254 + 60 * 0.03,
@@ -78,8 +78,8 @@ test_that("a seine that is left alone hangs down straight below its floats", {
   pursed <- tow(state, until = 4, every = 4, accuracy = 0.3,
     warp_out = data.frame(time = c(0, 4), value = c(450, 446)))
   moved <- pursed$position[, , 2] - pursed$position[, , 1]
-  wire <- state$lattice$ropes$purse_wire$node
-  expect_true(all(colSums(moved[, setdiff(wire, which(lattice$engine$held))]^2) > 0))
+  wire <- along_rope(state, "purse_wire")$node
+  expect_true(all(colSums(moved[, setdiff(wire, which(engine_array(lattice, "held")))]^2) > 0))
 })
 
 test_that("a seine settles where it would if it had sunk, and ends where it finds no balance", {
@@ -127,6 +127,6 @@ test_that("a seine sinks, and its wire closes it with one tension", {
   expect_lt(abs(sum(state$bar_length[wire]) - stretched), 12 * 0.02)
   expect_lt(value("enclosed_volume_m3")[last], 0.7 * max(value("enclosed_volume_m3")))
   # what the davits hold is the wire's pull
-  pull <- -state$force[, state$lattice$points[["davit_first"]]]
+  pull <- -state$force[, nodes_at(state, "davit_first")]
   expect_equal(sqrt(sum(pull^2)), state$bar_tension[wire[1]], tolerance = 0.02)
 })

@@ -92,7 +92,7 @@ test_that("a depressor is the mirror image of a kite", {
 test_that("a stalled kite is told of as a kite, and drawn as one", {
   expect_warning(state <- settle(flown_kite(front = 1.1)), "Kite",
     class = "codend_warning_board_stalled")
-  expect_equal(state$lattice$parts$role[state$lattice$board_part], "kite")
+  expect_equal(parts_of(state)$role[part_of(state, "board")], "kite")
   expect_true("kite" %in% board_marks(state)$role)
 })
 
@@ -176,8 +176,7 @@ test_that("floats may drag by their Reynolds number", {
   float <- list(number = 10, buoyancy = "90 N", diameter = "300 mm", share = c(0, 1))
   floats <- c(float, list(drag_coefficient = "smooth_sphere"))
   state <- settle(update(trawl, floats = floats, netting = "triangles"), nodes = 300)
-  at <- which(state$lattice$parts$name == "floats")
-  drag <- sum(state$sphere_drag[1, state$lattice$sphere_part == at])
+  drag <- sum(state$sphere_drag[1, elements_of(state, "sphere", "floats")])
   speed <- 4.5 * 1852 / 3600
   wanted <- sphere_specimens(speed * 0.3 / 1.19e-6, smooth = TRUE)$drag
   # all ten in the free flow

@@ -23,11 +23,11 @@ tapered_panel <- function(deep = 30) {
 drawn_flat <- function(si, nodes, netting) {
   lattice <- build_lattice(si, nodes, netting)
   table <- panel_table(si$panels)
-  at <- panel_places(table, lattice$division, lattice$panels)
+  at <- panel_places(table, division_of(lattice), panels_of(lattice))
   j <- at$t * table$deep
   left <- panel_left(table, j)
   i <- left + at$s * (panel_right(table, j) - left)
-  position <- matrix(NA_real_, 3L, lattice$nodes)
+  position <- matrix(NA_real_, 3L, engine_array(lattice, "nodes"))
   position[, at$node] <- rbind(2 * i - j, i + 3 * j, 0.5 * j)
   list(lattice = lattice, position = lattice_points(lattice, position), nodes = position)
 }
@@ -41,8 +41,8 @@ test_that("shapes linear in mesh coordinates are carried exactly, whatever the n
       carried <- carry_positions(
         panel_table(si$panels), fine$lattice, coarse$lattice, coarse$position
       )
-      free <- !fine$lattice$engine$held
-      expect_gt(fine$lattice$nodes, 4 * coarse$lattice$nodes)
+      free <- !engine_array(fine, "held")
+      expect_gt(engine_array(fine, "nodes"), 4 * engine_array(coarse, "nodes"))
       # Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.
       expect_lt(max(abs(carried - fine$nodes)[, free]), if (to == "bars") 1e-6 else 1e-11)
     }
@@ -52,12 +52,12 @@ test_that("shapes linear in mesh coordinates are carried exactly, whatever the n
 test_that("a shape carried to the same division is the same shape", {
   si <- gear_si(as_gear(tapered_panel()))
   lattice <- build_lattice(si, 200, "bars")
-  shape <- matrix(seq_len(3 * lattice$nodes) / 7, 3L)
+  shape <- matrix(seq_len(3 * engine_array(lattice, "nodes")) / 7, 3L)
   from <- list(lattice = lattice, position = lattice_points(lattice, shape))
   again <- build_lattice(si, 200, "bars", from)
-  free <- !lattice$engine$held
+  free <- !engine_array(lattice, "held")
   expect_identical(again$start[, free], shape[, free])
-  expect_identical(again$engine$bars, lattice$engine$bars)
+  expect_identical(engine_array(again, "bars"), engine_array(lattice, "bars"))
 })
 
 test_that("strains linear along and across each family are carried, and others held at the ends", {

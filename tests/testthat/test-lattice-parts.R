@@ -30,13 +30,14 @@ test_that("meshes are held evenly on the line between the points, in both nettin
   for (netting in c("triangles", "bars")) {
     si <- gear_si(as_gear(beam_plan(netting)))
     lattice <- build_lattice(si, nodes = 400)
-    edge <- lattice$held_edges$beam
-    expect_identical(sum(lattice$engine$held), length(edge$node))
-    expect_identical(edge$node[c(1, length(edge$node))], unname(lattice$points[1:2]))
+    edge <- held_edge_of(lattice, "beam")
+    expect_identical(sum(engine_array(lattice, "held")), length(edge$node))
+    expect_identical(edge$node[c(1, length(edge$node))], nodes_at(lattice, c("port", "starboard")))
     # 30 and 10 meshes: the corner between the panels is three quarters of the way
-    expect_equal(edge$at[edge$node == lattice$place("small.upper_left")], 0.75, tolerance = 1e-12)
+    corner <- nodes_at(lattice, "small.upper_left")
+    expect_equal(edge$at[edge$node == corner], 0.75, tolerance = 1e-12)
     expect_equal(
-      lattice$start[, edge$node], c(1, -1, 5) + outer(c(1, 2, 1), edge$at), tolerance = 1e-12
+      start_of(lattice)[, edge$node], c(1, -1, 5) + outer(c(1, 2, 1), edge$at), tolerance = 1e-12
     )
     expect_gt(length(edge$node), 8)
   }
@@ -49,7 +50,7 @@ test_that("the points of a beam bear what hangs from it, with its moments", {
     expect_identical(reactions$point, c("port", "starboard"))
     pull <- 1000 * t(as.matrix(reactions[c("x_kN", "y_kN", "z_kN")]))
     at <- cbind(c(1, -1, 5), c(2, 1, 6))
-    weight <- 9.81 * c(state$lattice$engine$mass)
+    weight <- 9.81 * c(engine_array(state, "mass"))
     # 40 meshes across, 12 deep: 4 bars of 50 mm each, 10 g/m
     expect_equal(sum(weight), 9.81 * 40 * 12 * 4 * 0.05 * 0.01, tolerance = 1e-12)
     points <- state_points(state)
@@ -59,7 +60,7 @@ test_that("the points of a beam bear what hangs from it, with its moments", {
         r[1, ] * f[2, ] - r[2, ] * f[1, ]
       ))
     }
-    corner <- state$position[, state$lattice$points[["corner"]], drop = FALSE]
+    corner <- state$position[, nodes_at(state, "corner"), drop = FALSE]
     arms <- cbind(at, points, corner)
     forces <- cbind(pull, rbind(0, 0, -weight), c(0, 0, -20))
     # 1e-8 of a tension of some 10 N on some 200 nodes, with arms of some 5 m
@@ -89,7 +90,7 @@ test_that("four edges held on a frame hold all but the inside", {
     )
   ))
   state <- settle(frame)
-  expect_identical(sum(state$lattice$engine$held), 32L)
+  expect_identical(sum(engine_array(state, "held")), 32L)
   remainder <- utils::tail(balance_table(state), 1)
   # kN: 1e-8 of a tension of some 10 N on 49 free knots
   expect_lt(max(abs(remainder[-1])), 1e-8)
@@ -117,8 +118,9 @@ test_that("pieces from end to end sit one at each end and evenly between", {
         mass = 2, drag_area = 0.1)
     ))
     lattice <- build_lattice(si)
-    expect_equal(sum(lattice$engine$spheres$drag_area), 0.1 * number, tolerance = 1e-14)
-    lattice$engine$mass[lattice$ropes$line$node]
+    drag_area <- engine_array(lattice, "spheres", "drag_area")
+    expect_equal(sum(drag_area), 0.1 * number, tolerance = 1e-14)
+    engine_array(lattice, "mass")[along_rope(lattice, "line")$node]
   }
   expect_equal(chain(7), rep(2, 7), tolerance = 1e-14)
   expect_equal(chain(2), c(2, 0, 0, 0, 0, 0, 2), tolerance = 1e-14)

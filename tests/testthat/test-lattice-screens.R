@@ -17,12 +17,12 @@ flat_net <- function(..., water = list()) {
 lay_flat <- function(si, across, down, angle, speed = 0, inner = 0) {
   si$towing$speed <- speed
   lattice <- build_lattice(si)
-  grid <- lattice$panels$net$grid
-  triangles <- lattice$engine$triangles
+  grid <- panel_of(lattice, "net")$grid
+  triangles <- engine_array(lattice, "triangles")
   net <- si$panels$net
   s <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper * across
   t <- (col(grid) - 1) / (ncol(grid) - 1) * net$deep * down
-  x <- matrix(0, 3L, lattice$engine$nodes)
+  x <- matrix(0, 3L, engine_array(lattice, "nodes"))
   way <- c(cos(angle), 0, -sin(angle))
   x[, grid] <- outer(way, as.vector(t)) + outer(c(0, 1, 0), as.vector(s))
   some <- triangles$inner > 0
@@ -30,7 +30,7 @@ lay_flat <- function(si, across, down, angle, speed = 0, inner = 0) {
   middle <- (x[, corners[1, ]] + x[, corners[2, ]] + x[, corners[3, ]]) / 3
   x[, triangles$inner[some]] <- middle + way * inner
   c(list(x = x, lattice = lattice, si = si),
-    engine_evaluate(lattice$engine, as.vector(x), numeric(length(x))))
+    engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x))))
 }
 
 test_that("hexagonal netting has the twine, weight and drag of its bars", {
@@ -47,17 +47,17 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
     flat <- if (turned) lay_flat(si, long, wide, angle, 0.7) else
       lay_flat(si, wide, long, angle, 0.7, inner = straight)
     if (turned) {
-      inner <- flat$lattice$engine$triangles$inner
+      inner <- engine_array(flat, "triangles", "inner")
       flat$x[2, inner] <- flat$x[2, inner] + straight
       flat[c("triangle_drag", "straight_length", "u_length", "v_length")] <- engine_evaluate(
-        flat$lattice$engine, as.vector(flat$x), numeric(length(flat$x))
+        engine_array(flat), as.vector(flat$x), numeric(length(flat$x))
       )[c("triangle_drag", "straight_length", "u_length", "v_length")]
     }
     expect_equal(range(flat$straight_length), rep(straight, 2), tolerance = 1e-12)
     expect_equal(range(flat$u_length, flat$v_length), rep(oblique, 2), tolerance = 1e-12)
     # 2 cells to a mesh, each with one straight and two oblique bars
     cells <- 24 * 36 * 2
-    expect_equal(sum(flat$lattice$engine$mass), cells * 0.1 * 0.004, tolerance = 1e-12)
+    expect_equal(sum(engine_array(flat, "mass")), cells * 0.1 * 0.004, tolerance = 1e-12)
     down <- c(cos(angle), 0, -sin(angle))
     across <- c(0, 1, 0)
     if (turned) {
@@ -104,7 +104,7 @@ test_that("stretched hexagonal netting carries a load along its bars", {
   expect_equal(range(state$straight_tension), c(100, 100), tolerance = 1e-6)
   expect_equal(range(state$u_tension, state$v_tension), c(50, 50), tolerance = 1e-6)
   stretched <- 20 * 2 * (0.02 * (1 + 100 / 1e4) + 0.04 * (1 + 50 / 1e4))
-  expect_equal(-state$position[3, state$lattice$points[["load"]]], stretched, tolerance = 1e-7)
+  expect_equal(-state$position[3, nodes_at(state, "load")], stretched, tolerance = 1e-7)
 })
 
 test_that("a panel as a screen has the drag and lift of the formula at its real solidity", {

@@ -58,7 +58,7 @@ test_that("weights of parts add up to the lattice's", {
   )
   for (state in states) {
     loads <- sum(vapply(state$si$points, function(p) as.double(p$load[3]), 0))
-    lattice <- loads - sum(matrix(state$lattice$engine$load, 3L)[3, ])
+    lattice <- loads - sum(matrix(engine_array(state, "load"), 3L)[3, ])
     # a lattice's twine may differ by 1e-6 from its plan's
     expect_equal(sum(part_weight(state)), lattice, tolerance = 1e-6)
   }

@@ -2,10 +2,7 @@
 drawn_state <- function(position, ropes = list(), measures = list()) {
   point <- function(text) as.integer(sub("p", "", text))
   structure(
-    list(
-      position = position,
-      lattice = list(place = point, ropes = lapply(ropes, function(node) list(node = node)))
-    ),
+    list(position = position, lattice = sketched_lattice(point, ropes)),
     class = "codend_state"
   )
 }
@@ -51,9 +48,10 @@ test_that("gaps between ropes are closed by straight lines", {
 test_that("declination is below the horizontal and divergence out of the x axis", {
   angle <- function(end, which) {
     state <- drawn_state(cbind(c(1, 1, -1), c(1, 1, -1) + end))
-    state$lattice$bar_part <- 1L
-    state$lattice$parts <- data.frame(name = "warp", kind = "rope")
-    state$lattice$engine <- list(bars = list(node = 1:2, rest = 1))
+    state$lattice <- sketched_lattice(
+      engine = list(bars = list(node = 1:2, rest = 1)), bar_part = 1L,
+      parts = data.frame(name = "warp", kind = "rope")
+    )
     measure_angle(state, list(rope = "warp", place = "start", angle = which)) * 180 / pi
   }
   expect_equal(angle(c(1, 0, -1), "declination"), 45)

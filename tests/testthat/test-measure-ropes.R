@@ -61,10 +61,8 @@ test_that("ropes of one role that follow each other are one line", {
 
 test_that("lines end where they part, and rings begin where the plan begins them", {
   lattice <- function(nodes, role) {
-    list(
-      parts = data.frame(name = names(nodes), kind = "rope", role = role),
-      ropes = lapply(nodes, function(node) list(node = node))
-    )
+    sketched_lattice(ropes = nodes,
+      parts = data.frame(name = names(nodes), kind = "rope", role = role))
   }
   fork <- list(a = 1:3, b = 3:5, c = c(3L, 7L), d = c(7L, 9L))
   expect_identical(rope_lines_end_to_end(lattice(fork, "bridle"), 1:4), c(1L, 2L, 3L, 3L))

@@ -44,7 +44,7 @@ test_that("a measure of the plan hides the general one of its name", {
 })
 
 test_that("filtered volume takes the water's speed at the mouth's depth", {
-  state <- list(lattice = list(engine = list(
+  state <- list(lattice = sketched_lattice(engine = list(
     water = list(depth = c(0, 100), x = c(2, 1), y = c(0, 0))
   )))
   expect_equal(water_velocity(state, 25), c(1.75, 0))

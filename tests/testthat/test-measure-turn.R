@@ -30,7 +30,7 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
   state <- state_at(found, 240)
   straight <- measures(settle(towed_frame()))
   turning <- measures(state)
-  pair <- state$lattice$points[c("high_port", "high_starboard")]
+  pair <- nodes_at(state, c("high_port", "high_starboard"))
   line <- apply(state$position[1:2, unlist(pair)], 1, diff)
   # the frame has turned by some 20 deg against the vessel, which the distance does not feel
   expect_gt(abs(line[1] / line[2]), 0.3)
@@ -49,7 +49,7 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
   outline <- rope_outline(state, c("head", "right", "foot", "left"))
   ahead <- outline_area(outline) / turning[["mouth_area_m2"]]
   middle <- rowMeans(state$position[1:2, unique(unlist(lapply(
-    state$lattice$ropes[c("head", "right", "foot", "left")], `[[`, "node")))])
+    c("head", "right", "foot", "left"), function(rope) along_rope(state, rope)$node)))])
   velocity <- rate * c(centre[2] - middle[2], middle[1])
   expect_equal(
     turning[["filtered_volume_m3_per_h"]],

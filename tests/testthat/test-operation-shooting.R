@@ -23,7 +23,7 @@ test_that("a rope that is shot sinks as fast as its drag lets it", {
   # Far from its ends it is level and free, but for their pull inward along the arc, which makes the
   # rope move across too: drag along z is 1/2 rho C d |v| v_z.
   state <- state_at(sunk, 12)
-  v <- state$velocity[, state$lattice$place("chain[0.5]")]
+  v <- state$velocity[, nodes_at(state, "chain[0.5]")]
   # ripples of 0.001 m over steps of 0.1 s or so are 1 % of the speed
   expect_equal(sqrt(sqrt(sum(v^2)) * -v[3]), terminal, tolerance = 0.01)
   expect_equal(measures(state)[["speed_m_per_s"]], -v[3])
@@ -32,8 +32,8 @@ test_that("a rope that is shot sinks as fast as its drag lets it", {
 test_that("a gear lies along its arc and every place is let go when the vessel passes it", {
   chain <- tow(shot_chain(), until = 30, every = 5)
   lattice <- chain$lattice
-  node <- lattice$ropes$chain$node
-  at <- lattice$ropes$chain$at
+  node <- along_rope(lattice, "chain")$node
+  at <- along_rope(lattice, "chain")$at
   inner <- -c(1L, length(node))
   start <- chain$position[, node, 1]
   # on a half circle to port, of 200 m, from the origin towards -x

@@ -61,7 +61,7 @@ test_that("a warp that is paid out hangs as a warp of its new length", {
   expected <- settle(update(short_cable(), ropes.cable.length = 90))
   expect_equal(measures(state_at(found, 400)), measures(expected), tolerance = 1e-5)
   expect_equal(found$conditions$cable, c(60, 90))
-  expect_equal(sum(state_at(found, 400)$lattice$engine$bars$rest), 90)
+  expect_equal(sum(engine_array(state_at(found, 400), "bars", "rest")), 90)
 })
 
 test_that("a tow begins settled with the warp and speed of its start", {
@@ -102,7 +102,7 @@ test_that("a cable that parts lets the weight sink freely", {
     part = list(list(rope = "cable", time = 10, place = "end")))
   expect_true(all(found$parted[1, found$time < 10] == 0))
   expect_true(all(found$parted[1, found$time >= 10] == 12))
-  body <- found$lattice$place("body")
+  body <- nodes_at(found, "body")
   # weight in water over drag, with the half bar that stays on the weight
   bar <- 60 / 12 / 2
   weight <- 9.81 * (100 - 1025 * 0.02 + bar * (0.4 - 1025 * pi / 4 * 0.012^2))
@@ -135,7 +135,7 @@ test_that("a current by time carries the gear, seen from the ground and from the
 
 test_that("towing points follow the heave", {
   found <- tow(short_cable(), until = 10, every = 1, heave = function(t) 0.5 * sin(t))
-  ship <- found$lattice$points[["ship"]]
+  ship <- nodes_at(found, "ship")
   # cubics through values 0.1 s apart, with rates by central differences: h^2/6 of the rate
   expect_equal(found$position[3, ship, ], 0.5 * sin(found$time), tolerance = 1e-4)
   expect_equal(found$velocity[3, ship, -1], 0.5 * cos(found$time[-1]), tolerance = 5e-3)

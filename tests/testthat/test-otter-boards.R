@@ -57,7 +57,7 @@ test_that("a plate's added mass is that of DNV-RP-C205", {
 test_that("forces and moments on a board balance", {
   state <- settle(towed_board())
   board <- state$si$otter_boards$otter_board
-  x <- state$position[, state$lattice$points[board$points]]
+  x <- state$position[, nodes_at(state, board$points)]
   # Its axes, found from its three points by least squares (Kabsch), apart from the engine's way.
   local <- board$attachment - rowMeans(board$attachment)
   turned <- svd((x - rowMeans(x)) %*% t(local))
@@ -68,18 +68,18 @@ test_that("forces and moments on a board balance", {
 
   pull <- function(rope, node) {
     bars <- rope_bars(state$lattice, rope)
-    ends <- matrix(state$lattice$engine$bars$node[rbind(2L * bars - 1L, 2L * bars)], 2L)
+    ends <- matrix(engine_array(state, "bars", "node")[rbind(2L * bars - 1L, 2L * bars)], 2L)
     k <- which(ends == node, arr.ind = TRUE)
     d <- state$position[, ends[3L - k[1, 1], k[1, 2]]] - state$position[, node]
     bar <- bars[k[1, 2]]
     # its tension, and half of its drag and weight in water
-    rest <- state$lattice$engine$bars$rest[bar]
+    rest <- engine_array(state, "bars", "rest")[bar]
     line <- state$si$ropes[[rope]]
     weight <- gear_gravity * rest * (line$mass_per_length - 1025 * line$volume_per_length)
     state$bar_tension[bar] * d / sqrt(sum(d^2)) + state$bar_drag[, bar] / 2 - c(0, 0, weight / 2)
   }
   ropes <- c("warp", "backstrop_upper", "backstrop_lower")
-  pulls <- mapply(pull, ropes, state$lattice$points[board$points])
+  pulls <- mapply(pull, ropes, nodes_at(state, board$points))
   speed <- 3 * 1852 / 3600
   attack <- state$boards$attack
   flow <- c(1, 0, 0)
@@ -184,7 +184,7 @@ test_that("views show a free board where it is", {
   state <- settle(towed_board())
   marks <- board_marks(state)
   expect_equal(nrow(marks), 1L)
-  points <- state$position[, state$lattice$points[c("board", "upper", "lower")]]
+  points <- state$position[, nodes_at(state, c("board", "upper", "lower"))]
   expect_equal(unlist(marks[c("x", "y", "z")], use.names = FALSE), rowMeans(points))
   file <- tempfile(fileext = ".png")
   on.exit(unlink(file))

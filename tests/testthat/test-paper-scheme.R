@@ -189,17 +189,17 @@ paper_march <- function(net, x, v, dt, steps, tolerance) {
   list(position = x, velocity = q, rounds = rounds)
 }
 
-# The lattice of the same plan, and its node for each of the paper's mass points.
+# The lattice of the same plan, and as `node` its node for each of the paper's mass points.
 paper_lattice <- function(plan, net) {
   lattice <- build_lattice(gear_si(as_gear(plan)))
-  drawn <- lattice$panels$net
+  drawn <- panel_of(lattice, "net")
   node <- drawn$node[match(net$points$name, sprintf("%g %g", drawn$i, drawn$j))]
   for (side in c("port", "starboard")) {
-    line <- lattice$ropes[[paste0("line_", side)]]$node
+    line <- along_rope(lattice, paste0("line_", side))$node
     node[net$points$name == side] <- line[1]
     node[net$points$name == paste("middle", side)] <- line[2]
   }
-  list(engine = lattice$engine, node = node)
+  list(lattice = lattice, node = node)
 }
 
 # A hanging net pulled about: some springs are taut, some slack.
@@ -231,30 +231,30 @@ by_node <- function(values, node) {
 
 test_that("the engine has the paper's mass points and no others", {
   net <- paper_net(paper_plan)
-  lattice <- paper_lattice(paper_plan, net)
-  expect_identical(sort(lattice$node), seq_len(lattice$engine$nodes))
-  expect_identical(which(lattice$engine$held), sort(lattice$node[net$held]))
-  expect_length(lattice$engine$ties$share, 0L)
+  built <- paper_lattice(paper_plan, net)
+  expect_identical(sort(built$node), seq_len(engine_array(built, "nodes")))
+  expect_identical(which(engine_array(built, "held")), sort(built$node[net$held]))
+  expect_length(engine_array(built, "ties", "share"), 0L)
 })
 
 test_that("forces and masses at random states are the paper's equations (1) to (9)", {
   net <- paper_net(paper_plan)
-  lattice <- paper_lattice(paper_plan, net)
+  built <- paper_lattice(paper_plan, net)
   for (seed in 1:5) {
     state <- paper_state(net, seed)
     found <- engine_evaluate(
-      lattice$engine, by_node(state$x, lattice$node), by_node(state$v, lattice$node)
+      engine_array(built), by_node(state$x, built$node), by_node(state$v, built$node)
     )
     length <- sqrt(colSums((state$x[, net$to] - state$x[, net$from])^2))
     taut <- mean(length > net$springs$rest)
     expect_true(taut > 0.2 && taut < 0.8)
     expected <- paper_force(net, state$x, state$v)
     # Some ten terms a node, 1e-16 each; acos() loses digits near 0, but alpha stays above 0.4.
-    difference <- matrix(found$force, 3)[, lattice$node] - expected
+    difference <- matrix(found$force, 3)[, built$node] - expected
     expect_lt(max(abs(difference)), 1e-10 * max(abs(expected)))
 
     # The mass is a scalar here: equal on the diagonal, nothing beside it.
-    masses <- matrix(found$mass, 9)[, lattice$node]
+    masses <- matrix(found$mass, 9)[, built$node]
     expect_equal(masses[c(1, 5, 9), ], matrix(rep(net$inertia, each = 3), 3), tolerance = 1e-13)
     expect_lt(max(abs(masses[c(2, 3, 4, 6, 7, 8), ])), 1e-13 * max(net$inertia))
   }
@@ -262,33 +262,33 @@ test_that("forces and masses at random states are the paper's equations (1) to (
 
 test_that("twenty steps of the engine's scheme are the paper's equation (14)", {
   net <- paper_net(paper_plan)
-  lattice <- paper_lattice(paper_plan, net)
+  built <- paper_lattice(paper_plan, net)
   state <- paper_state(net, 6)
   dt <- 1e-4
   expected <- paper_march(net, state$x, state$v, dt, 20, 1e-9)
   found <- engine_march(
-    lattice$engine, by_node(state$x, lattice$node), by_node(state$v, lattice$node), dt, 20L, 1e-9,
+    engine_array(built), by_node(state$x, built$node), by_node(state$v, built$node), dt, 20L, 1e-9,
     100L
   )
   expect_true(found$converged)
   expect_identical(found$steps, 20L)
   expect_equal(found$substitutions, expected$rounds)
   # The same substitutions, so only rounding differs: forces to 1e-13 of themselves, 20 steps.
-  moved <- matrix(found$position, 3)[, lattice$node] - expected$position
+  moved <- matrix(found$position, 3)[, built$node] - expected$position
   expect_lt(max(abs(moved)), 1e-12)
-  expect_lt(max(abs(matrix(found$velocity, 3)[, lattice$node] - expected$velocity)), 1e-10)
+  expect_lt(max(abs(matrix(found$velocity, 3)[, built$node] - expected$velocity)), 1e-10)
   expect_gt(max(abs(expected$position - state$x)), 1e-4)
 })
 
 test_that("the paper's scheme stops where its step is too long", {
   net <- paper_net(paper_plan)
-  lattice <- paper_lattice(paper_plan, net)
+  built <- paper_lattice(paper_plan, net)
   state <- paper_state(net, 7)
-  x <- by_node(state$x, lattice$node)
-  v <- by_node(state$v, lattice$node)
+  x <- by_node(state$x, built$node)
+  v <- by_node(state$v, built$node)
   # A net's fastest motion turns at about 2 sqrt(EA / (rest m)): two twines of 0.1 m between knots.
   fastest <- 2 * sqrt(max(net$springs$stiffness / net$springs$rest) / min(net$inertia))
-  found <- engine_march(lattice$engine, x, v, 10 * 2 / fastest, 20L, 1e-9, 500L)
+  found <- engine_march(engine_array(built), x, v, 10 * 2 / fastest, 20L, 1e-9, 500L)
   expect_false(found$converged)
   expect_lt(found$steps, 20L)
   expect_true(all(is.finite(c(found$position, found$velocity))))

@@ -9,7 +9,7 @@ test_that("every line ends in points of the state and carries a tension of its p
       expect_equal(ncol(lines$from), length(lines$tension))
       expect_equal(length(lines$part), length(lines$tension))
     }
-    names <- state$lattice$parts$name
+    names <- parts_of(state)$name
     expect_setequal(names[unique(drawing$ropes$part)], names(sheets_plan$ropes))
     expect_setequal(names[unique(drawing$netting$part)], names(sheets_plan$panels))
   }
@@ -18,7 +18,7 @@ test_that("every line ends in points of the state and carries a tension of its p
 test_that("ropes and netting of bars are drawn bar by bar", {
   state <- unsettled(sheets_plan, netting = "bars")
   drawing <- state_drawing(state)
-  ropes <- state$lattice$parts$kind[state$lattice$bar_part] == "rope"
+  ropes <- parts_of(state)$kind[part_of(state, "bar")] == "rope"
   expect_equal(drawing$ropes$tension, state$bar_tension[ropes])
   expect_equal(sort(drawing$netting$tension), sort(state$bar_tension[!ropes]))
   length <- sqrt(colSums((drawing$ropes$to - drawing$ropes$from)^2))
@@ -29,16 +29,16 @@ test_that("ropes and netting of bars are drawn bar by bar", {
 test_that("triangles lie in the cells that their nodes bound", {
   state <- unsettled(sheets_plan, nodes = 300)
   lattice <- state$lattice
-  for (name in names(lattice$panels)) {
-    mine <- which(lattice$triangle_part == which(lattice$parts$name == name))
-    grid <- lattice$panels[[name]]$grid
-    cell <- lattice$panels[[name]]$cell
+  for (name in names(panels_of(lattice))) {
+    mine <- elements_of(lattice, "triangle", name)
+    grid <- panel_of(lattice, name)$grid
+    cell <- panel_of(lattice, name)$cell
     expect_length(cell, length(mine))
     column <- row(grid)[cell]
     row <- col(grid)[cell]
     expect_equal(range(column), c(1, nrow(grid) - 1))
     expect_equal(range(row), c(1, ncol(grid) - 1))
-    node <- matrix(lattice$engine$triangles$node, 3L)[, mine, drop = FALSE]
+    node <- matrix(engine_array(lattice, "triangles", "node"), 3L)[, mine, drop = FALSE]
     inside <- vapply(seq_along(mine), function(k) {
       all(node[, k] %in% grid[column[k] + 0:1, row[k] + 0:1])
     }, NA)
@@ -49,12 +49,12 @@ test_that("triangles lie in the cells that their nodes bound", {
 test_that("a cell's lines carry its own triangles' tensions", {
   state <- unsettled(sheets_plan, nodes = 300)
   # Tensions that tell the row of the panel: the mean depth of the triangle in mesh coordinates.
-  twine <- matrix(state$lattice$engine$triangles$twine, 6L)
+  twine <- matrix(engine_array(state, "triangles", "twine"), 6L)
   state$u_tension <- colMeans(twine[c(1, 3, 5), ] + twine[c(2, 4, 6), ]) / 2
   state$v_tension <- state$u_tension + 1000
-  part <- which(state$lattice$parts$name == "top")
+  part <- which(parts_of(state)$name == "top")
   lines <- panel_cell_lines(state, state_points(state), "top", part, 1)
-  grid <- state$lattice$panels$top$grid
+  grid <- panel_of(state, "top")$grid
   cells <- prod(dim(grid) - 1)
   expect_length(lines$tension, 2 * cells)
   # Both triangles of a cell weigh alike but for the taper, so a row's mean is its middle.
@@ -67,9 +67,9 @@ test_that("a cell's lines carry its own triangles' tensions", {
 test_that("twines of square meshes run along the cells, of diamond meshes across them", {
   state <- unsettled(sheets_plan, nodes = 300)
   lines <- function(name) {
-    panel_cell_lines(state, state_points(state), name, which(state$lattice$parts$name == name), 1)
+    panel_cell_lines(state, state_points(state), name, which(parts_of(state)$name == name), 1)
   }
-  cells <- function(name) dim(state$lattice$panels[[name]]$grid) - 1
+  cells <- function(name) dim(panel_of(state, name)$grid) - 1
   square <- cells("middle")
   expect_length(
     lines("middle")$tension, square[1] * (square[2] + 1) + square[2] * (square[1] + 1)
@@ -101,10 +101,10 @@ test_that("a net too fine for a page is thinned to the lines asked for", {
 test_that("a thinned panel of bars is drawn along whole twines that lie evenly apart", {
   state <- unsettled(sheets_plan, nodes = 3000, netting = "bars")
   state$bar_tension[] <- 7
-  part <- which(state$lattice$parts$name == "top")
-  drawn <- state$lattice$panels$top
+  part <- which(parts_of(state)$name == "top")
+  drawn <- panel_of(state, "top")
   # in mesh coordinates a twine is a straight line on which i + j or j - i stays the same
-  node <- ifelse(drawn$node < 0, state$lattice$engine$nodes - drawn$node, drawn$node)
+  node <- ifelse(drawn$node < 0, engine_array(state, "nodes") - drawn$node, drawn$node)
   points <- matrix(NA_real_, 3, max(node))
   points[, node] <- rbind(drawn$i, drawn$j, 0)
   bar <- 0.05 * drawn$lambda
@@ -125,7 +125,7 @@ test_that("a thinned panel of bars is drawn along whole twines that lie evenly a
   # as much twine is drawn as in all bars of every fourth twine, and each line has up to four
   expect_lte(max(abs(along)), 4 + 0.5)
   all_bars <- panel_bar_lines(state, points, "top", part, 0)
-  expect_equal(sum(abs(along)), sum(state$lattice$bar_part == part) / drawn$segments / 4,
+  expect_equal(sum(abs(along)), sum(part_of(state, "bar") == part) / drawn$segments / 4,
     tolerance = 0.1)
   expect_lt(length(lines$tension), length(all_bars$tension) / 10)
 })
@@ -136,7 +136,7 @@ test_that("a rope with too many bars is drawn whole through fewer nodes", {
   n <- length(lines$tension)
   expect_lte(n, 30)
   expect_equal(lines$from[, -1], lines$to[, -n])
-  nodes <- state$lattice$ropes$cable$node
+  nodes <- along_rope(state, "cable")$node
   expect_equal(lines$from[, 1], state$position[, nodes[1]])
   expect_equal(lines$to[, n], state$position[, nodes[length(nodes)]])
 })
@@ -148,10 +148,10 @@ test_that("pieces and held points are marked where they are", {
   at <- function(row) unlist(marks[row, c("x", "y", "z")], use.names = FALSE)
   expect_equal(at(which(marks$part == "starboard")), c(0, 2, 0))
   expect_equal(
-    at(which(marks$part == "sinker")), state$position[, state$lattice$place("tip.lower_left")]
+    at(which(marks$part == "sinker")), state$position[, nodes_at(state, "tip.lower_left")]
   )
   floats <- t(as.matrix(marks[marks$role == "float", c("x", "y", "z")]))
-  on_rope <- state$position[, state$lattice$ropes$head_line$node]
+  on_rope <- state$position[, along_rope(state, "head_line")$node]
   expect_true(all(are_among(floats, on_rope)))
   expect_lte(ncol(floats), marks_of_piece)
 })

@@ -35,7 +35,7 @@ test_that("a dragged chain hangs in the catenary above the length that its frict
   sooner <- sqrt(2 * sunk * mu * (60 - s))
   expect_gt(found[["rope_on_ground_m"]], 60 - s)
   expect_lt(found[["rope_on_ground_m"]], 60 - s + sooner + 0.15)
-  tail <- state$position[3, state$lattice$points[["tail"]]]
+  tail <- state$position[3, nodes_at(state, "tail")]
   expect_equal(-15 - tail, sunk - 0.013 / 2, tolerance = 1e-4)
 })
 
@@ -52,7 +52,7 @@ test_that("a gear lies on sloping ground, and all forces balance", {
   state <- settle(update(dragged_chain(),
     seabed.slope = list(angle = "10 deg", toward = "90 deg"), water.density = 1025
   ), nodes = 100)
-  x <- state$position[, state$lattice$points[["tail"]]]
+  x <- state$position[, nodes_at(state, "tail")]
   # It slides down aside, and its middle stays half a diameter, less a millimetre or two, above.
   expect_gt(x[2], 1)
   above <- height_above_ground(state$si$ground, cbind(x))

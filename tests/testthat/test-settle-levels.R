@@ -39,7 +39,7 @@ test_that("a state is the start of another speed, warp or finer lattice", {
     measures(settle(longer, nodes = 500))[["door_spread_m"]], tolerance = 1e-5)
 
   finer <- settle(gear, nodes = 1500, from = state)
-  expect_gt(finer$lattice$nodes, 1000)
+  expect_gt(engine_array(finer, "nodes"), 1000)
   expect_equal(
     measures(finer)[["total_drag_kN"]], measures(settled("midwater_trawl"))[["total_drag_kN"]],
     tolerance = 1e-6

@@ -83,7 +83,7 @@ test_that("shielded states are in balance and repeat to the bit", {
 test_that("a shielded state stays as it is while it is towed", {
   for (netting in c("triangles", "bars")) {
     state <- settle(sheets("cheng"), nodes = 200, netting = netting)
-    expect_lt(min(state$lattice$engine$wake), 0.95)
+    expect_lt(min(engine_array(state, "wake")), 0.95)
     found <- tow(state, until = 10, every = 5)
     # settled to 1e-8 of the largest tension
     expect_lt(max(abs(found$position[, , 3] - state$position)), 1e-6)

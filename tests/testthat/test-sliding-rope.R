@@ -55,13 +55,13 @@ test_that("a place at a share of a laced rope has a node of its own", {
     depth = measure(depth = "foot[0.17]")
   )
   lattice <- codend:::build_lattice(codend:::gear_si(wall), 100)
-  foot <- lattice$ropes$foot
-  node <- lattice$place("foot[0.17]")
+  foot <- along_rope(lattice, "foot")
+  node <- nodes_at(lattice, "foot[0.17]")
   # breaks are kept to 1e-7 of an edge
   expect_equal(foot$at[match(node, foot$node)], 0.17, tolerance = 1e-6)
-  expect_equal(lattice$points[["ring"]], node)
+  expect_equal(nodes_at(lattice, "ring"), node)
   # of the edge that runs the other way 0.83
-  panel <- lattice$division
+  panel <- division_of(lattice)
   on_lower <- panel$before[2] + seq_len(panel$count[2])
   expect_equal(panel$fraction[on_lower][panel$edge_node[on_lower] == node], 0.83, tolerance = 1e-6)
 })

@@ -1,11 +1,5 @@
 skip_if_not_installed("RNetCDF")
 
-# A state without the lattice's function `place`, which is never identical to another.
-plain <- function(state) {
-  state$lattice$place <- NULL
-  state
-}
-
 test_that("a state that is read is the one that was written", {
   folder <- test_folder()
   file <- file.path(folder, "state.nc")
@@ -17,7 +11,7 @@ test_that("a state that is read is the one that was written", {
   for (state in states) {
     expect_identical(write_state(state, file), file)
     found <- read_state(file)
-    expect_identical(plain(found), plain(state))
+    expect_identical(without_places(found), without_places(state))
     expect_identical(measures(found), measures(state))
   }
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "state.nc")
@@ -54,7 +48,7 @@ test_that("a file says in plain NetCDF what the state holds", {
     }
   }
   expect_identical(get("part_drag"), as.data.frame(state, what = "drag")$drag_kN)
-  expect_identical(get("part_name"), state$lattice$parts$name)
+  expect_identical(get("part_name"), parts_of(state)$name)
 })
 
 test_that("other files are refused with their reason", {

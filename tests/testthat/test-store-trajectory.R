@@ -25,11 +25,7 @@ hauled <- function(...) {
     part = list(list(rope = "tail", time = 12)), ...)
 }
 
-# A trajectory without the lattice's function `place`, which is never identical to another.
-known <- function(trajectory) {
-  trajectory$lattice$place <- NULL
-  unclass(trajectory)
-}
+known <- function(trajectory) unclass(without_places(trajectory))
 
 test_that("a trajectory that is read is the one that was written", {
   folder <- test_folder()

@@ -1,8 +1,8 @@
 test_that("tensions have a row per bar and per family of every triangle", {
   state <- settled("midwater_trawl", nodes = 500, netting = "triangles")
   table <- as.data.frame(state)
-  engine <- state$lattice$engine
-  expect_equal(nrow(table), length(engine$bars$rest) + 2 * length(engine$triangles$rest))
+  bars <- length(engine_array(state, "bars", "rest"))
+  expect_equal(nrow(table), bars + 2 * length(engine_array(state, "triangles", "rest")))
   expect_named(table, c("part", "kind", "role", "element", "family", "x_m", "y_m", "z_m",
     "length_m", "tension_kN", "lines", "slack"))
   expect_identical(table$slack, table$tension_kN == 0)
@@ -15,7 +15,7 @@ test_that("a line's middle lies between its ends and its length is theirs", {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     table <- as.data.frame(state)
     bars <- table[table$family == "bar", ]
-    ends <- array(state_points(state)[, state$lattice$engine$bars$node], c(3, 2, nrow(bars)))
+    ends <- array(state_points(state)[, engine_array(state, "bars", "node")], c(3, 2, nrow(bars)))
     middles <- t(as.matrix(bars[c("x_m", "y_m", "z_m")]))
     expect_equal(middles, (ends[, 1, ] + ends[, 2, ]) / 2, ignore_attr = TRUE)
     expect_equal(bars$length_m, sqrt(colSums((ends[, 1, ] - ends[, 2, ])^2)))
@@ -29,7 +29,7 @@ test_that("lines times their unstretched length is the plan's twine", {
   for (netting in c("triangles", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     lines <- state_lines(state)
-    net <- lines[state$lattice$parts$kind[lines$part] == "netting", ]
+    net <- lines[parts_of(state)$kind[lines$part] == "netting", ]
     # 20 x 20 meshes of four bars of 50 mm; the lattice is built to 1e-6
     expect_equal(sum(net$lines * net$rest), 20 * 20 * 4 * 0.05, tolerance = 1e-6)
   }
@@ -38,7 +38,9 @@ test_that("lines times their unstretched length is the plan's twine", {
 test_that("tied points lie between their nodes", {
   state <- structure(list(
     position = cbind(c(0, 0, 0), c(4, 8, 0)),
-    lattice = list(engine = list(ties = list(first = 1L, second = 2L, share = 0.25)))
+    lattice = sketched_lattice(
+      engine = list(ties = list(first = 1L, second = 2L, share = 0.25))
+    )
   ), class = "codend_state")
   expect_equal(state_points(state)[, 3], c(1, 2, 0))
 })
@@ -48,19 +50,19 @@ test_that("nodes tell which parts meet there and whether they are held", {
   table <- as.data.frame(state, what = "nodes")
   expect_named(table, c("node", "x_m", "y_m", "z_m", "parts", "held"))
   expect_equal(sum(table$held), 8)
-  at <- state$lattice$points[["crossing_south_west"]]
+  at <- nodes_at(state, "crossing_south_west")
   expect_equal(table$parts[at], "south_1, south_2, west_1, west_2")
-  expect_equal(table$parts[state$lattice$points[["west_south"]]], "south_1")
+  expect_equal(table$parts[nodes_at(state, "west_south")], "south_1")
   expect_equal(t(as.matrix(table[c("x_m", "y_m", "z_m")])), state$position, ignore_attr = TRUE)
 })
 
 test_that("elements on tied points belong to both nodes that carry them", {
-  lattice <- list(
+  lattice <- sketched_lattice(
     engine = list(
       nodes = 3L, ties = list(first = 1L, second = 2L, share = 0.5),
       bars = list(node = c(4L, 3L)), triangles = list(node = integer())
     ),
-    bar_part = 1L, triangle_part = integer(), parts = data.frame(name = "net")
+    bar_part = 1L, parts = data.frame(name = "net")
   )
   expect_equal(node_parts(lattice), c("net", "net", "net"))
 })

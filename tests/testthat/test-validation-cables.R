@@ -25,7 +25,7 @@ reaction <- function(state, name) {
   table <- as.data.frame(state, what = "reactions")
   1000 * unlist(table[table$point == name, c("x_kN", "y_kN", "z_kN")], use.names = FALSE)
 }
-node_at <- function(state, name) state$position[, state$lattice$points[[name]]]
+node_at <- function(state, name) state$position[, nodes_at(state, name)]
 
 hanging_catenary <- function(segments) {
   settle(gear("Catenary",
@@ -48,7 +48,7 @@ test_that("a chain approaches the elastic catenary as segments^-2", {
     state <- hanging_catenary(n)
     low <- reaction(state, "low")
     high <- reaction(state, "high")
-    x <- state$position[, state$lattice$ropes$chain$node[n / 2 + 1]]
+    x <- state$position[, along_rope(state, "chain")$node[n / 2 + 1]]
     c(
       h = -low[1] - h, v = -low[3] - v,
       top = sqrt(sum(high^2)) - benchmark("elastic_catenary", "largest_tension"),
@@ -66,7 +66,7 @@ test_that("a chain approaches the elastic catenary as segments^-2", {
 
 test_that("the catenary's lowest point is where the closed form has it", {
   state <- hanging_catenary(128)
-  x <- state$position[, state$lattice$ropes$chain$node]
+  x <- state$position[, along_rope(state, "chain")$node]
   k <- which.min(x[3, ])
   fit <- stats::lm(z ~ x + I(x^2), data.frame(x = x[1, k + (-1:1)], z = x[3, k + (-1:1)]))
   b <- unname(stats::coef(fit))
@@ -109,7 +109,7 @@ test_that("a towed cable without tangential drag hangs straight at its critical 
         mass_per_length = weight_per_metre(of$w), segments = 10,
         coefficients = list(normal = of$normal, tangential = 0, skin = 0))
     ))
-    x <- state$position[, state$lattice$ropes$cable$node]
+    x <- state$position[, along_rope(state, "cable")$node]
     angle <- atan2(-diff(x[3, ]), diff(x[1, ])) * 180 / pi
     # every element has the same balance, so there is no error of division; the first case's speed
     # is 6 knot to six digits of a knot, and the solver ends at 1e-8 of the tension
@@ -151,7 +151,7 @@ test_that("a neutrally buoyant cable with normal drag alone has one tension, and
         coefficients = list(normal = 1.2, tangential = 0, skin = 0), segments = n)
     ))
     tension <- state$bar_tension
-    bight <- state$position[1, state$lattice$ropes$cable$node[n / 2 + 1]]
+    bight <- state$position[1, along_rope(state, "cable")$node[n / 2 + 1]]
     c(
       diff(range(tension)) / mean(tension), mean(tension) / (drag * c) - 1,
       bight / (c * (cosh(30 / c) - 1)) - 1

@@ -43,8 +43,8 @@ settle_codend <- function(...) settle(as_gear(codend_plan(...)), nodes = 400)
 
 # x and mean radius of every row of nodes, and the area of its polygon.
 codend_shape <- function(state) {
-  nodes <- vapply(state$lattice$panels, function(panel) panel$grid[1, ],
-    integer(ncol(state$lattice$panels[[1]]$grid)))
+  nodes <- vapply(panels_of(state), function(panel) panel$grid[1, ],
+    integer(ncol(panel_of(state, 1)$grid)))
   y <- matrix(state$position[2, nodes], nrow(nodes))
   z <- matrix(state$position[3, nodes], nrow(nodes))
   data.frame(
@@ -115,9 +115,9 @@ test_that("the volume of a catch is that of the solid behind its front", {
   # A cone of 16 sides from its open end at x = 0 to its tip, cut by a plane: pieces of triangles.
   lattice <- build_lattice(gear_si(as_gear(codend_plan(list(blocked_meshes = 37.3), sides = 16,
     rows = 7))))
-  x <- lattice$start
-  for (panel in seq_along(lattice$panels)) {
-    grid <- lattice$panels[[panel]]$grid
+  x <- start_of(lattice)
+  for (panel in seq_along(panels_of(lattice))) {
+    grid <- panel_of(lattice, panel)$grid
     t <- (seq_len(ncol(grid)) - 1) / (ncol(grid) - 1)
     for (side in 1:2) {
       angle <- 2 * pi * (panel - 2 + side) / 16

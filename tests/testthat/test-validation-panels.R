@@ -21,8 +21,8 @@ flat_panel <- function(orientation = "diamond", coefficients = "hoerner", knotte
 # y and a direction at `incidence` to the flow (90 deg: across it).
 flat_position <- function(lattice, si, ratio, incidence) {
   net <- si$panels$net
-  drawn <- lattice$panels$net
-  at <- matrix(NA_real_, lattice$engine$nodes, 2L)
+  drawn <- panel_of(lattice, "net")
+  at <- matrix(NA_real_, engine_array(lattice, "nodes"), 2L)
   if (drawn$netting == "triangles") {
     grid <- drawn$grid
     at[as.vector(grid), 1] <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper
@@ -71,7 +71,7 @@ panel_force <- function(gear, ratio, incidence, speed) {
   lattice <- build_lattice(si, nodes = 300)
   x <- flat_position(lattice, si, ratio, incidence)
   stopifnot(!anyNA(x))
-  found <- engine_evaluate(lattice$engine, as.vector(x), numeric(length(x)))
+  found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
   list(
     twine = rowSums(matrix(c(found$bar_drag, found$triangle_drag), 3L)),
     knots = rowSums(matrix(found$sphere_drag, 3L))
@@ -166,20 +166,21 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
     mass <- twine * 2 * 480 * 0.003^2
     for (netting in c("triangles", "bars")) {
       for (nodes in c(40, 200, 800)) {
-        e <- build_lattice(si, nodes, netting)$engine
+        lattice <- build_lattice(si, nodes, netting)
+        array <- function(...) engine_array(lattice, ...)
         label <- paste(name, netting, nodes)
-        t <- matrix(e$triangles$twine, 6L)
+        t <- matrix(array("triangles", "twine"), 6L)
         d <- abs((t[3, ] - t[1, ]) * (t[6, ] - t[2, ]) - (t[5, ] - t[1, ]) * (t[4, ] - t[2, ]))
-        held <- sum(e$bars$rest * e$bars$multiplicity) +
-          sum(d * e$triangles$rest * e$triangles$multiplicity)
+        held <- sum(array("bars", "rest") * array("bars", "multiplicity")) +
+          sum(d * array("triangles", "rest") * array("triangles", "multiplicity"))
         # sums of some hundred terms in another order
         expect_equal(held, twine, tolerance = 1e-12, label = paste(label, "twine"))
-        expect_equal(sum(e$mass), mass, tolerance = 1e-12, label = paste(label, "mass"))
-        expect_equal(sum(e$load), -9.81 * mass * (1 - 1025 / 950), tolerance = 1e-11,
+        expect_equal(sum(array("mass")), mass, tolerance = 1e-12, label = paste(label, "mass"))
+        expect_equal(sum(array("load")), -9.81 * mass * (1 - 1025 / 950), tolerance = 1e-11,
           label = paste(label, "weight"))
-        expect_equal(sum(e$spheres$drag_area), knots * pi / 4 * 0.007^2, tolerance = 1e-12,
-          label = paste(label, "knots"))
-        expect_equal(e$materials$diameter, 0.006)
+        expect_equal(sum(array("spheres", "drag_area")), knots * pi / 4 * 0.007^2,
+          tolerance = 1e-12, label = paste(label, "knots"))
+        expect_equal(array("materials", "diameter"), 0.006)
       }
     }
   }

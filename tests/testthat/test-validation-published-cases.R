@@ -48,9 +48,9 @@ test_that("a warp with a clump approaches the continuum as segments^-2", {
   segments <- c(50, 100, 200)
   error <- vapply(segments, function(n) {
     state <- settle(case_gear("towed_warp", ropes.warp.segments = n))
-    points <- state$lattice$points
-    run <- state$position[, points[["lower_end"]]] - state$position[, points[["upper_end"]]]
-    c(run[c(1, 3)], sqrt(sum(state$force[, points[["upper_end"]]]^2))) - wanted
+    ends <- nodes_at(state, c("lower_end", "upper_end"))
+    run <- state$position[, ends[1]] - state$position[, ends[2]]
+    c(run[c(1, 3)], sqrt(sum(state$force[, ends[2]]^2))) - wanted
   }, numeric(3))
   # lumped masses and straight bars are both second order; the tolerance is for the next order, of
   # which less is left at 200 segments
@@ -190,7 +190,7 @@ square_net <- function(n) {
 
 # Positions of a state's knots, numbered as above.
 knots_of <- function(state) {
-  drawn <- state$lattice$panels$net
+  drawn <- panel_of(state, "net")
   t(state$position[, drawn$node[order(round(drawn$j), round(drawn$i))]])
 }
 

@@ -70,7 +70,7 @@ differences <- function(build, columns, place) {
         drag = sum(drag$drag_kN[drag$kind == "netting"]),
         tension = max(tension$max_kN[tension$kind == "rope"]),
         place = rowMeans(vapply(place, function(p) {
-          state$position[, state$lattice$place(p)] * c(1, 0, 0)
+          state$position[, nodes_at(state, p)] * c(1, 0, 0)
         }, numeric(3)))
       )
     })

@@ -130,7 +130,7 @@ test_that("the sea bed is drawn where the gear lies on it, and none where there 
   trawl <- update(read_gear("beam_trawl"), seabed.slope = list(angle = "5 deg", toward = "0 deg"))
   state <- settle(trawl, nodes = 200)
   bed <- drawn_bed(state)
-  heel <- state$position[, state$lattice$points[["lower_port"]]]
+  heel <- state$position[, nodes_at(state, "lower_port")]
   # the heel is a few metres ahead of or behind the middle of what lies on the bed
   expect_lt(abs(bed$middle[1] - heel[1]), 5)
   expect_equal(bed_heights(bed, cbind(heel[1:2])), -30 - heel[1] * tan(5 * pi / 180))
