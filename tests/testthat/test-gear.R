@@ -20,7 +20,7 @@ test_that("calls give the same tree as a file", {
 test_that("the constructors take every field of the schema", {
   fields <- plan_schema$kinds$assembly$properties
   groups <- list(
-    points = point, ropes = rope, panels = panel, pieces = piece, seams = seam
+    points = point, ropes = rope, panels = panel, pieces = piece, seams = seam, measures = measure
   )
   for (group in names(groups)) {
     known <- names(fields[[group]]$additionalProperties$properties)

@@ -110,14 +110,3 @@ test_that("a record of a state goes into JSON and back", {
   expect_equal(back[c("nodes", "bars", "triangles")], list(nodes = 201, bars = 200, triangles = 0))
   expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
 })
-
-test_that("an unknown kind of measure is an error that names the field", {
-  wrong <- function(...) {
-    gear("A line", top = point(position = c(0, 0, 0), held = "moved"), end = point(),
-      line = rope("top", "end", length = 10, diameter = 0.01, material = "polyamide"), ...)
-  }
-  expect_error(wrong(deep = measure(dept = "end")), "measures.deep", class = "codend_error_plan")
-  expect_error(wrong(deep = measure("end")), class = "codend_error_plan")
-  expect_error(wrong(deep = measure()), "measures.deep", class = "codend_error_plan")
-  expect_s3_class(wrong(deep = measure(depth = "end")), "codend_gear")
-})
