@@ -15,6 +15,8 @@
 #
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
 # make schema-check  fails where it is not what the parts give
+# make schema-test  shipped plans, right ones and wrong ones by two standard validators; takes Node.js
+#              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl test fast lint sanitize sanitize-threads check ci browser-test bench bench-tow robust \
@@ -69,3 +71,7 @@ schema:
 
 schema-check:
 	@Rscript tools/schema.R --check
+
+schema-test: schema-check
+	@cd tests/schema && npm install --no-audit --no-fund --no-package-lock --silent && node --test
+	@python3 tests/schema/validate.py

@@ -94,45 +94,13 @@ path_words <- function(path) {
   paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 }
 
-# A field of a plan: list(node = of the schema, value = as given or by default, given), or NULL
-# where the plan has none of that path.
-plan_field <- function(plan, path) {
-  given <- TRUE
-  node <- plan_schema$kinds[[first_of(plan$kind, plan_schema$default_kind)]]
-  value <- plan
-  for (step in strsplit(path, ".", fixed = TRUE)[[1]]) {
-    node <- meant_node(value, node)
-    if (identical(node$shape, "array")) {
-      place <- suppressWarnings(as.integer(step))
-      if (is.na(place) || place < 1L || place > length(value)) return(NULL)
-      value <- value[[place]]
-      node <- node$items
-    } else if (identical(node$shape, "object") && is_map(value)) {
-      inner <- node$properties[[step]]
-      given <- step %in% names(value)
-      value <- if (given) value[[step]] else inner[["default"]]
-      node <- if (is.null(inner)) node$additionalProperties else inner
-    } else {
-      return(NULL)
-    }
-    if (is.null(node) || is.null(value)) return(NULL)
-  }
-  list(node = meant_node(value, node), value = value, given = given)
-}
-
-# A node that leaves a choice becomes the alternative that a value is meant as, or NULL.
-meant_node <- function(value, node) {
-  if (!identical(node$shape, "any")) return(node)
-  tryCatch(choose_node(value, node, ""), codend_error_plan = function(e) NULL)
-}
-
 # A control of a field, or NULL for fields that are no single number, choice or truth value.
 new_control <- function(label, paths, field) {
   node <- field$node
   about <- list(label = label, paths = paths, help = first_of(node$description, ""))
   if (is.null(node)) return(NULL)
   if (node$shape %in% c("quantity", "number", "integer")) return(c(about, number_control(field)))
-  if (node$shape == "boolean") return(c(about, list(kind = "truth", value = isTRUE(field$value))))
+  if (node$shape == "boolean") return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
   if (node$shape == "string" && !is.null(node$enum)) {
     return(c(about, list(kind = "choice", value = field$value, choices = node$enum)))
   }

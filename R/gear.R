@@ -120,38 +120,3 @@ update.codend_gear <- function(object, ...) {
 set_field <- function(gear, path, value) {
   as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear)
 }
-
-set_plan_field <- function(plan, path, value) {
-  steps <- strsplit(path, ".", fixed = TRUE)[[1]]
-  kind <- first_of(plan$kind, plan_schema$default_kind)
-  set_at(plan, steps, value, plan_schema$kinds[[kind]], "")
-}
-
-set_at <- function(tree, steps, value, node, path) {
-  step <- steps[1]
-  here <- join(path, step)
-  if (node$shape == "any") {
-    shape <- if (is_map(tree) && length(tree)) "object" else "array"
-    fitting <- Filter(function(choice) choice$shape == shape, node$choices)
-    if (length(fitting)) node <- fitting[[1]]
-  }
-  last <- length(steps) == 1
-  if (node$shape == "array") {
-    key <- suppressWarnings(as.integer(step))
-    if (is.na(key) || key < 1 || key > length(tree)) abort_unknown(path, step, seq_along(tree))
-    tree <- as.list(tree)
-    inner <- node$items
-  } else {
-    key <- step
-    inner <- node$properties[[step]]
-    if (is.null(inner) && !is.null(node$additionalProperties)) {
-      if (!last && is.null(tree[[step]])) abort_unknown(path, step, names(tree))
-      inner <- node$additionalProperties
-    }
-    if (is.null(inner)) abort_unknown(path, step, names(node$properties))
-    tree <- as.list(tree)
-  }
-  changed <- if (last) value else set_at(tree[[key]], steps[-1], value, inner, here)
-  tree[[key]] <- changed
-  tree
-}

@@ -1,7 +1,7 @@
 # Points and lines of a lattice: where all points are, and which lines a rope or a triangle has.
 
-# Positions of all points that elements stand on, from those of the nodes: 3 x (nodes + tied points),
-# m.
+# Positions of all points that elements stand on, from those of the nodes: 3 x (nodes + tied
+# points), m.
 lattice_points <- function(lattice, position) {
   ties <- lattice$engine$ties
   x <- matrix(position, 3L)

@@ -76,13 +76,3 @@ warn_of_boards <- function(state) {
     )
   }
 }
-
-board_lines <- function(boards) {
-  if (!nrow(boards)) return(NULL)
-  align_columns(list(
-    c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
-    c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
-    c("lift kN", column_figures(boards$lift_kN)), c("drag kN", column_figures(boards$drag_kN)),
-    c("", boards$condition)
-  ), left = c(1L, 7L))
-}

@@ -23,14 +23,3 @@ tangential_sensitivity <- function(state) {
     halved = now + along(0.5) - as_settled, settled = now, doubled = now + along(2) - as_settled
   )
 }
-
-tangential_lines <- function(sensitivity) {
-  drag <- unlist(sensitivity)
-  # Nothing to say where no coefficient is tangential.
-  if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
-  share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
-  align_columns(list(
-    c("halved", "doubled"), paste(column_figures(drag[c("halved", "doubled")]), "kN"),
-    paste0(share[c(1, 3)], " %")
-  ))
-}

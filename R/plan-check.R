@@ -32,6 +32,9 @@ compile_node <- function(node, definitions) {
   )
   node$shape <- if (!is.null(node[["x-dimension"]])) {
     "quantity"
+  } else if ("boolean" %in% node$type) {
+    node$enum <- NULL
+    "boolean"
   } else if (!is.null(node$type)) {
     node$type
   } else {
@@ -125,7 +128,11 @@ check_text <- function(value, node, path) {
   value
 }
 
+truth_words <- c(yes = TRUE, Yes = TRUE, YES = TRUE, no = FALSE, No = FALSE, NO = FALSE)
+
+# A text yes or no is how YAML 1.2 reads it.
 check_boolean <- function(value, node, path) {
+  if (is_text(value) && value %in% names(truth_words)) return(truth_words[[value]])
   if (!is.logical(value) || length(value) != 1 || is.na(value)) {
     abort_field(path, value, describe(node))
   }
@@ -268,7 +275,7 @@ choose_node <- function(value, node, path) {
       string = is.character(value) && length(value) == 1,
       quantity = is_text(value) || (is.numeric(value) && length(value) == 1),
       number = , integer = is.numeric(value) && length(value) == 1,
-      boolean = is.logical(value) && length(value) == 1
+      boolean = length(value) == 1 && (is.logical(value) || value %in% names(truth_words))
     )
     if (!fits) next
     # A name is looked for first where the text may also be a quantity.

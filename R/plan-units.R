@@ -53,9 +53,8 @@ plain_unit <- function(unit) {
     unit <- gsub("^", "", unit, fixed = TRUE)
     unit <- gsub("[[:space:]]*/[[:space:]]*", "/", unit)
     unit <- gsub("[[:space:]]+", " ", unit)
-    if (grepl("^kg/100 ?m$", unit)) unit <- "kg/100 m"
   }
-  unit
+  if (unit == "kg/100m") "kg/100 m" else unit
 }
 
 # Number and unit of a text such as "4.5 knot" (unit "" when there is none), or NULL.

@@ -175,18 +175,7 @@ field_column <- function(values, path, gear) {
 
 # The dimension of a quantity in a plan by its path, or NA.
 field_dimension <- function(gear, path) {
-  node <- plan_schema$kinds[[first_of(gear$plan$kind, plan_schema$default_kind)]]
-  for (step in strsplit(path, ".", fixed = TRUE)[[1]]) {
-    if (node$shape == "any") {
-      shape <- if (grepl("^[0-9]+$", step)) "array" else "object"
-      node <- Filter(function(choice) choice$shape == shape, node$choices)[[1L]]
-    }
-    node <- if (node$shape == "array") {
-      node$items
-    } else {
-      first_of(node$properties[[step]], node$additionalProperties)
-    }
-  }
+  node <- path_node(gear$plan, path)
   if (node$shape == "any") {
     node <- first_of(Filter(function(choice) choice$shape == "quantity", node$choices)[1L][[1L]],
       node)

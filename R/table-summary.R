@@ -181,3 +181,24 @@ report_lines <- function(report) {
     )
   )
 }
+
+board_lines <- function(boards) {
+  if (!nrow(boards)) return(NULL)
+  align_columns(list(
+    c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
+    c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
+    c("lift kN", column_figures(boards$lift_kN)), c("drag kN", column_figures(boards$drag_kN)),
+    c("", boards$condition)
+  ), left = c(1L, 7L))
+}
+
+tangential_lines <- function(sensitivity) {
+  drag <- unlist(sensitivity)
+  # Nothing to say where no coefficient is tangential.
+  if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
+  share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
+  align_columns(list(
+    c("halved", "doubled"), paste(column_figures(drag[c("halved", "doubled")]), "kN"),
+    paste0(share[c(1, 3)], " %")
+  ))
+}

@@ -34,8 +34,8 @@ gather_trajectory <- function(what, frames, end) {
 }
 
 # Goes on with a trajectory until a time. measured: a function(state) of what the user's control is
-# told; record: a function(what, frames) that keeps them and gives list(add = function(frame), close =
-# function(end)) for what follows, or NULL.
+# told; record: NULL, or a function(what, frames) that keeps frames and gives list(add =
+# function(frame), close = function(end)) for those that follow.
 march_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
   what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
   what$method <- method

@@ -1,15 +1,14 @@
 // What R cannot do with files: force them to the disk and say why that failed.
 
-#include <cpp11.hpp>
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <cerrno>
+#include <cpp11.hpp>
 #include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
-
-#include <fcntl.h>
-#include <sys/stat.h>
 #ifdef _WIN32
 #include <io.h>
 #else

@@ -7,8 +7,8 @@
 # in a cycle and on a name that is defined twice. It reads the sources: nothing has to be installed.
 #
 # A call is any use of a name that the package defines: also as a default, in a list or handed over
-# as a value, in braces of a text that cli fills in, and in quotes where do.call(), match.fun() and the
-# like look a function up. Methods of R's generics are called by R, so they may stand in any room.
+# as a value, in braces of a text that cli fills in, and in quotes where do.call(), match.fun() and
+# the like look a function up. Methods of R's generics are called by R and may stand in any room.
 
 looks_up <- c("do.call", "match.fun", "get", "get0", "mget", "lapply", "vapply", "sapply", "mapply",
   "Map", "Filter", "Reduce")
@@ -45,7 +45,8 @@ read_expressions <- function(file) {
   })
 }
 
-# The sets of nodes that reach each other and themselves, largest first; edges: two columns of names.
+# The sets of nodes that reach each other and themselves, largest first; edges: two columns of
+# names.
 cycles <- function(nodes, edges) {
   reach <- matrix(FALSE, length(nodes), length(nodes), dimnames = list(nodes, nodes))
   reach[cbind(edges[[1]], edges[[2]])] <- TRUE

@@ -61,7 +61,25 @@ si_number <- function(value, dimension) {
 
 # ---- definitions ------------------------------------------------------------------------------
 
-name_pattern <- "\\p{L}[\\p{L}\\p{N}_-]*"
+# Letters of all scripts, by the ranges that XML allows in names: \\p{L} is not known everywhere.
+letter <- paste0(
+  "A-Za-z\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u02ff\u0370-\u037d\u037f-\u1fff\u200c\u200d",
+  "\u2070-\u218f\u2c00-\u2fef\u3001-\ud7ff\uf900-\ufdcf\ufdf0-\ufffd\U10000-\Ueffff"
+)
+name_pattern <- sprintf("[%s][%s0-9\u00b7\u0300-\u036f_-]*", letter, letter)
+
+# Truth values as YAML 1.1 reads them, where yes is one, and as YAML 1.2 does, where it is text.
+truth <- list(
+  type = list("boolean", "string"),
+  enum = list(TRUE, FALSE, "yes", "Yes", "YES", "no", "No", "NO")
+)
+
+# What a text must begin with, where a quantity may not be negative, or neither that nor 0. Bounds
+# other than 0 say nothing of a text, as they would have to know its unit.
+sign_pattern <- function(node) {
+  if (identical(node$exclusiveMinimum, 0)) return("^\\s*[+]?[0.]*[1-9]")
+  if (identical(node$minimum, 0)) "^\\s*[^-\\s]"
+}
 
 # A node with its abbreviations written out.
 whole_node <- function(node) {
@@ -70,6 +88,10 @@ whole_node <- function(node) {
   bounds <- intersect(names(node), c("minimum", "exclusiveMinimum", "maximum", "default"))
   if (isTRUE(node$`$ref` %in% names(examples))) {
     node[bounds] <- lapply(node[bounds], si_number, dimension = node$`$ref`)
+    node$pattern <- sign_pattern(node)
+  }
+  if (identical(node$type, "boolean")) {
+    node <- c(node["description"], truth, node[setdiff(names(node), c("description", "type"))])
   }
   if (is.character(node$`$ref`)) node$`$ref` <- paste0("#/$defs/", node$`$ref`)
   if (is.character(node$pattern)) {

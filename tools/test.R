@@ -11,8 +11,14 @@ Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 # what a test plots without naming a file goes nowhere
 options(device = function(...) grDevices::pdf(NULL, ...))
 
-# Files, test-*.R, that take more than two seconds each: most settle or tow whole gears.
+# Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start R.
 slow <- c(
+  "command", "command-line", "command-line-export", "draw-gear", "flume", "kind-bottom-trawl",
+  "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-turn", "operation-shooting",
+  "operation-tow", "otter-boards", "paper-scheme", "report", "settle-cost", "settle-levels",
+  "shielding", "store-trajectory", "study-vary", "tow-catch", "validation-cables",
+  "validation-codend", "validation-invariants", "validation-published-cases",
+  "validation-refinement", "view-motion"
 )
 
 checks <- function() {

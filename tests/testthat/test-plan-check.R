@@ -152,3 +152,17 @@ test_that("a towed cable keeps its sphere where its notes are empty", {
   noted <- c(list(notes = list()), plan[names(plan) != "notes"])
   expect_identical(gear_si(as_gear(noted)), gear_si(cable))
 })
+
+test_that("plans are right and wrong as standard validators of the schema find them", {
+  cases <- yaml::read_yaml(test_path("plans", "right-and-wrong.yaml"))
+  right <- function(change) {
+    file <- plan_file(gsub(change[[1]], change[[2]], cases$plan, fixed = TRUE))
+    tryCatch(is.list(check_plan(read_plan(file))), codend_error_plan = function(e) FALSE)
+  }
+  for (verdict in c("right", "wrong")) {
+    for (change in cases[[verdict]]) {
+      expect_true(grepl(change[[1]], cases$plan, fixed = TRUE), label = change[[1]])
+      expect_identical(right(change), verdict == "right", label = change[[2]])
+    }
+  }
+})
