@@ -1,7 +1,24 @@
 # A gear without a file: each constructor gives the same piece of tree as its map in a plan file.
 
+# fields: by name; those not given are NULL.
 component <- function(group, fields) {
   structure(Filter(Negate(is.null), fields), class = "codend_component", group = group)
+}
+
+# The names of a part's fields in the schema, in order.
+part_fields <- function(part) {
+  file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
+  definitions <- jsonlite::fromJSON(file, simplifyVector = FALSE)[["$defs"]]
+  names(definitions[[part]]$properties)
+}
+
+# The constructor of a part: its arguments are the part's fields, each NULL where not given. Made
+# when the package is installed.
+constructor <- function(part, group) {
+  fields <- part_fields(part)
+  made <- function() component(group, as.list(environment()))
+  formals(made) <- stats::setNames(rep(list(NULL), length(fields)), fields)
+  made
 }
 
 #' Make a gear in R
@@ -62,9 +79,7 @@ gear <- function(name, ..., kind = "assembly") {
 #'   gears whose stiff parts (rings of pipe, poles) it could not unfold by itself.
 #' @rdname gear
 #' @export
-point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = NULL) {
-  component("points", as.list(environment()))
-}
+point <- constructor("point", "points")
 
 #' @param from,to Places of a rope's start and end.
 #' @param along Panel edges that a rope is laced to, or that a piece is spread along (a piece: also
@@ -96,14 +111,7 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
 #' @rdname gear
 #' @export
-rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL,
-                 lengths = NULL, hanging_ratio = NULL, diameter = NULL, material = NULL,
-                 axial_stiffness = NULL, bending_stiffness = NULL, pushes = NULL,
-                 damping_ratio = NULL,
-                 mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
-                 added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
-  component("ropes", as.list(environment()))
-}
+rope <- constructor("rope", "ropes")
 
 #' @param mesh_size Stretched length of a full mesh.
 #' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
@@ -129,14 +137,7 @@ rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = 
 #' @param part Part of the gear that a panel is counted with.
 #' @rdname gear
 #' @export
-panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL,
-                  straight_bar = NULL, tapered = NULL,
-                  knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
-                  shielding = NULL, netting_drag = NULL, opening_stiffness = NULL,
-                  added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
-                  part = NULL) {
-  component("panels", as.list(environment()))
-}
+panel <- constructor("panel", "panels")
 
 #' @param edges The chains of panel edges that a seam joins, as a list.
 #' @param gathered_at The one place that all meshes of a seam are gathered at.
@@ -144,9 +145,7 @@ panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = N
 #'   from the first to the second, as on a rigid bar or frame.
 #' @rdname gear
 #' @export
-seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
-  component("seams", as.list(environment()))
-}
+seam <- constructor("seam", "seams")
 
 #' @param share From which to which fraction of that length (two numbers).
 #' @param number How many pieces.
@@ -166,13 +165,7 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #' @param added_mass_kg Added mass of each piece.
 #' @rdname gear
 #' @export
-piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_end = NULL,
-                  mass = NULL, volume = NULL, density = NULL, material = NULL, buoyancy = NULL,
-                  diameter = NULL, area = NULL, drag_coefficient = NULL, drag_area = NULL,
-                  lift_coefficient = NULL, lift_area = NULL, lift_direction = NULL,
-                  polar = NULL, attack = NULL, added_mass = NULL, added_mass_kg = NULL, role = NULL) {
-  component("pieces", as.list(environment()))
-}
+piece <- constructor("piece", "pieces")
 
 #' @param chord,span Chord and span of an otter board.
 #' @param polar Lift and drag coefficients by angle of attack: the name of a tested board
@@ -188,23 +181,13 @@ piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_e
 #' @param shoe_area Underside of an otter board on the sea bed.
 #' @rdname gear
 #' @export
-otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
-                        volume = NULL, density = NULL, material = NULL, polar = NULL,
-                        attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
-                        centre_of_buoyancy = NULL, added_mass_kg = NULL, shoe_area = NULL) {
-  component("otter_boards", as.list(environment()))
-}
+otter_board <- constructor("otter_board", "otter_boards")
 
 #' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`; of a kite
 #'   `"up"`, of a depressor `"down"`.
 #' @rdname gear
 #' @export
-kite <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
-                 volume = NULL, density = NULL, material = NULL, polar = NULL,
-                 attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
-                 centre_of_buoyancy = NULL, added_mass_kg = NULL) {
-  component("kites", as.list(environment()))
-}
+kite <- constructor("kite", "kites")
 
 #' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
 #' @param height Two places: their vertical distance (m).
@@ -223,9 +206,4 @@ kite <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = N
 #'   the volume of water that it encloses (m3); see [measures()].
 #' @rdname gear
 #' @export
-measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, clearance = NULL,
-                    tension = NULL, area = NULL, angle = NULL, attitude = NULL, volume = NULL,
-                    volume_share = NULL, drag = NULL, lift = NULL, sinking_speed = NULL,
-                    enclosed_volume = NULL) {
-  component("measures", as.list(environment()))
-}
+measure <- constructor("measure", "measures")
