@@ -27,7 +27,7 @@ report <- function(state, file) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_file_path(file, ".html")
-  body <- if (moves) trajectory_report(state) else state_report(state)
+  body <- with_plain_numbers(if (moves) trajectory_report(state) else state_report(state))
   write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
