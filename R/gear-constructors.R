@@ -88,7 +88,7 @@ point <- constructor("point", "points")
 #' @param through Places that a rope slides through, in order from its start, such as rings or
 #'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in equal
 #'   shares from place to place.
-#' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
+#' @param length Unstretched length of a rope.
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
 #' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
@@ -154,8 +154,7 @@ seam <- constructor("seam", "seams")
 #' @param mass,volume,density Mass in air and displaced volume of each, or its density instead of
 #'   the volume.
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
-#' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
-#'   end: the area that they enclose, seen level and from right ahead of them (m2).
+#' @param area Area that the coefficients act on.
 #' @param drag_coefficient,drag_area Drag coefficient, or its product with the area; or
 #'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls to
 #'   a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
@@ -189,21 +188,22 @@ otter_board <- constructor("otter_board", "otter_boards")
 #' @export
 kite <- constructor("kite", "kites")
 
-#' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
-#' @param height Two places: their vertical distance (m).
-#' @param depth A place: its depth (m).
-#' @param clearance A place: its height above the sea bed (m).
-#' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
-#' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
-#'   its `"divergence"` sideways (deg).
-#' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
-#'   attack, `"heel"` or `"trim"` (deg).
-#' @param volume_share `list(panels, of)`: the volume within panels as a share of another (percent).
-#' @param drag,lift Names of ropes, panels and pieces: the hydrodynamic force on them together, along
-#'   the flow or upwards (kN).
-#' @param sinking_speed A place: its downward speed (m/s).
-#' @param enclosed_volume Name of the rope along the lower edge of netting that hangs from the surface:
-#'   the volume of water that it encloses (m3); see [measures()].
-#' @rdname gear
+#' A measure to ask for
+#'
+#' One of the measures that a gear made by [gear()] is asked for; a plan's `measures` have the same
+#' fields. [measures()] defines each kind and gives their values.
+#'
+#' @return A component for [gear()], which checks it.
+#' @eval measure_questions()
+#' @seealso [gear()] for points, ropes and panels, whose places and names are asked for.
 #' @export
+#' @examples
+#' measure(depth = "bottom")
+#' measure(angle = list(warp_port.start = "declination"))
 measure <- constructor("measure", "measures")
+
+# What each kind of measure asks for, as arguments of help, from the schema.
+measure_questions <- function() {
+  kinds <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
+  paste("@param", names(kinds), vapply(kinds, function(kind) kind$description, ""))
+}
