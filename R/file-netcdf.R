@@ -9,12 +9,12 @@ check_netcdf <- function() {
 }
 
 # A file in the classic format with 64-bit offsets; fill: a function(nc) that defines and puts all.
-write_netcdf <- function(file, fill) {
-  write_file(file, function(path) {
-    nc <- RNetCDF::create.nc(path, format = "offset64")
-    fill(nc)
-    close_netcdf(nc)
-  })
+write_netcdf <- function(file, fill) write_file(file, function(path) fill_netcdf(path, fill))
+
+fill_netcdf <- function(path, fill) {
+  nc <- RNetCDF::create.nc(path, format = "offset64")
+  fill(nc)
+  close_netcdf(nc)
 }
 
 # On a full disk close.nc() fails, and the memory that it leaves behind ends R at the next garbage

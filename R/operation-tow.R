@@ -133,18 +133,15 @@ checked_gear <- function(gear) {
 
 positive_or_null <- function(x) if (!is.null(x) && x > 0) x
 
-tow_schemes <- c(
-  "bdf2", "trapezoid", "backward_euler", "substitution", "symplectic_euler", "rk4"
-)
-
 # How to march: list(scheme, accuracy (m, 0 for steps of one length), step, tolerance, least_step,
 # most_step).
 tow_method <- function(scheme, accuracy, step) {
-  if (!is_text(scheme) || !scheme %in% tow_schemes) {
-    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {tow_schemes}}.",
+  known <- engine_schemes()
+  if (!is_text(scheme) || !scheme %in% known$name) {
+    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.",
       class = c("codend_error_argument", "codend_error"), call = NULL)
   }
-  implicit <- scheme %in% tow_schemes[1:3]
+  implicit <- known$adaptive[known$name == scheme]
   accuracy <- tow_quantity(accuracy, "accuracy", "length")
   adaptive <- implicit && is.null(step)
   list(
@@ -199,7 +196,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
   now <- conditions_at(what, 0)
   first <- si_at(what, now)
-  if (identical(first, si) && !length(what$plan$parts) && now$heave == 0) {
+  if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
     return(started_trajectory(settle(gear, nodes, netting), given, until))
   }
   # A warp that is still short has few bars of its own: its shape is carried over to all of them.
@@ -218,7 +215,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   if (!is.null(si$catch)) {
     what$lattice <- set_catch_front(what$lattice, found$lattice$catch$blocked)
   }
-  moved <- what$plan$track$node
+  moved <- what$schedule$track$node
   what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
   start <- lattice_at(what, now)
   settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,

@@ -17,8 +17,9 @@
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
 #'
-#' `r_objects` serves [read_state()] alone: it holds objects of R, so read only files that you
-#' trust.
+#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together from.
+#' Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was cut
+#' short or changed is an error of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
@@ -38,14 +39,15 @@ write_state <- function(state, file) {
   check_is_state(state)
   check_netcdf()
   check_file_path(file, ".nc")
-  write_netcdf(file, function(nc) {
+  write_kept(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
     sizes <- c(
       node = state$lattice$engine$nodes, bar = length(state$lattice$bar_part),
       triangle = length(state$lattice$triangle_part), part = nrow(state$lattice$parts),
       bar_end = 2L, corner = 3L, letter = max(nchar(enc2utf8(state$lattice$parts$name), "bytes")),
-      byte = length(numbers$r_objects$value)
+      kept_byte = length(numbers$kept_form$value), kept_number = length(numbers$kept_numbers$value),
+      kept_integer = length(numbers$kept_integers$value)
     )
     for (name in names(sizes)) {
       if (sizes[[name]] > 0L) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
@@ -68,19 +70,25 @@ write_state <- function(state, file) {
 #' @export
 read_state <- function(file) {
   nc <- open_kept(file, "state", state_file_version)
-  on.exit(RNetCDF::close.nc(nc))
-  get <- file_getter(nc)
-  what <- kept_objects(get)
-  places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
-  names <- rownames(node_variables)
-  velocity <- places(names[4:6])
-  state <- new_state(what$gear, what$si, what$lattice, as.vector(places(names[1:3])), what$report,
-    if (length(velocity)) as.vector(velocity) else numeric(3L * what$lattice$engine$nodes))
-  state$time <- what$time
-  state
+  read_kept(nc, file, function(get) {
+    what <- read_kept_numbers(get)
+    places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
+    names <- rownames(node_variables)
+    position <- as.vector(places(names[1:3]))
+    velocity <- as.vector(places(names[4:6]))
+    if (!length(velocity)) velocity <- numeric(length(position))
+    sizes <- c(length(position), length(velocity)) == 3L * what$lattice$engine$nodes
+    if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
+      stop("its places do not fit its lattice")
+    }
+    state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
+    state$time <- what$time
+    state
+  })
 }
 
-state_file_version <- 1L
+# Format 1 held objects of R.
+state_file_version <- 2L
 
 define_state_number <- function(nc, name, number) {
   RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)
@@ -115,7 +123,7 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- state[c("gear", "si", "lattice", "report", "time")]
+  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time")]
   c(
     do.call(c, vectors),
     list(
@@ -135,10 +143,9 @@ state_numbers <- function(state) {
       triangle_part = whole(lattice$triangle_part, "triangle",
         "part that a triangle belongs to, from 1"),
       part_name = text(enc2utf8(lattice$parts$name), c("letter", "part"),
-        "name of a part in the plan"),
-      r_objects = text(memCompress(serialize(kept, NULL), "gzip"), "byte",
-        "objects of the state, serialized by R and gzip")
-    )
+        "name of a part in the plan")
+    ),
+    kept_numbers(kept)
   )
 }
 

@@ -22,8 +22,10 @@
 #' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
 #' gear's plan as text. Read only times at which `complete` is 1.
 #'
-#' `r_objects` and what is named `resume_` serve [tow()] alone. The first holds objects of R, with
-#' the functions of the schedule if there are any: go on only with files that you trust.
+#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates nothing.
+#' Functions of the schedule and of its control are not kept: give them again to go on. A file that
+#' was closed ends in a checksum of all bytes before it; one that was cut short or changed is an error
+#' of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
@@ -52,44 +54,25 @@ write_trajectory <- function(trajectory, file) {
 #' @rdname write_trajectory
 #' @export
 read_trajectory <- function(file) {
-  nc <- open_kept(file, "trajectory", trajectory_file_version)
-  on.exit(RNetCDF::close.nc(nc))
-  get <- file_getter(nc)
-  what <- kept_objects(get)
-  n <- complete_records(get)
-  if (n == 0L) abort_file(file, "holds no complete record.")
-  end <- file_ends[1L + get("end")]
-  gather_trajectory(what, read_frames(get, n), end)
-}
-
-trajectory_file_version <- 2L
-
-# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
-open_kept <- function(file, what, known) {
-  check_netcdf()
-  if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
-  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
-    abort_file(file, "is no NetCDF file.")
+  nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
+  read_kept(nc, file, function(get) {
+    what <- read_kept_numbers(get)
+    n <- complete_records(get)
+    if (n == 0L) abort_file(file, "holds no complete record.")
+    end <- file_ends[1L + get("end")]
+    if (is.na(end)) stop("its end is unknown")
+    if (end != "interrupted" && seal_of(file) == "none") stop("it ends without its checksum")
+    gather_trajectory(what, read_frames(get, n), end)
   })
-  refuse <- function(...) {
-    RNetCDF::close.nc(nc)
-    abort_file(file, sprintf(...))
-  }
-  version <- tryCatch(
-    RNetCDF::att.get.nc(nc, "NC_GLOBAL", paste0("codend_", what)),
-    error = function(e) refuse("holds no %s of codend.", what)
-  )
-  if (version != known) refuse("is of version %s; this codend reads version %d.", version, known)
-  nc
 }
 
-# The R objects that a file holds beside its numbers.
-kept_objects <- function(get) unserialize(memDecompress(get("r_objects", rawchar = TRUE), "gzip"))
+# Formats up to 2 held objects of R.
+trajectory_file_version <- 3L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck")
 
-# Numbers that a record has of every node, and of every bar, triangle and part.
+# Numbers that a record has of every node; for those of other things see frame_fields.
 node_variables <- rbind(
   x = c("m", "place aft of the start, over the ground"),
   y = c("m", "place to starboard of the start, over the ground"),
@@ -97,19 +80,6 @@ node_variables <- rbind(
   x_velocity = c("m s-1", "velocity aft of the start, over the ground"),
   y_velocity = c("m s-1", "velocity to starboard of the start, over the ground"),
   z_velocity = c("m s-1", "upward velocity")
-)
-
-other_variables <- data.frame(
-  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "winch_length", "parted"),
-  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
-    "parting"),
-  unit = c("N", "N", "N", "N", "1", "1", "m", "1"),
-  words = c(
-    "tension of one line", "tension of one twine along u", "tension of one twine along v",
-    "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
-    "catch in netting: meshes behind its front, and the volume there (m3)", "length that a winch has paid out", "bar that has parted, 0 for none"
-  )
 )
 
 vessel_variables <- rbind(
@@ -157,6 +127,8 @@ record_trajectory <- function(what, frames, file) {
       trying({
         put(nc, "end", match(end, file_ends) - 1L)
         close_netcdf(nc)
+        seal_file(file)
+        check_written(file, file_sync(file))
       })
     }
   )
@@ -167,7 +139,7 @@ record_trajectory <- function(what, frames, file) {
 define_trajectory <- function(nc, what, frame) {
   lattice <- what$lattice
   engine <- lattice$engine
-  objects <- memCompress(serialize(what, NULL), "gzip")
+  kept <- kept_numbers(what)
   names <- enc2utf8(lattice$parts$name)
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
@@ -176,7 +148,8 @@ define_trajectory <- function(nc, what, frame) {
     part = length(names), growing_part = length(frame$done$length),
     parting = length(frame$done$parted), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
-    report_number = length(report_numbers), byte = length(objects)
+    report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
+    kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
   )
   sizes <- sizes[sizes > 0L]
   RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)
@@ -197,6 +170,9 @@ define_trajectory <- function(nc, what, frame) {
     words = "triangles of hexagonal meshes, from 1")
   define("part_name", "NC_CHAR", c("letter", "part"), words = "name of a part in the plan")
   define_resume(define)
+  for (name in names(kept)) {
+    define(name, kept[[name]]$type, kept[[name]]$across, words = kept[[name]]$words)
+  }
   text <- function(variable, name, value) {
     RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
   }
@@ -217,7 +193,7 @@ define_trajectory <- function(nc, what, frame) {
   put(nc, "triangle_part", lattice$triangle_part)
   put(nc, "hexagonal_triangle", which(has_straight_bars(lattice)))
   put(nc, "part_name", names)
-  put(nc, "r_objects", objects)
+  for (name in names(kept)) put(nc, name, kept[[name]]$value)
 }
 
 define_records <- function(define) {
@@ -228,8 +204,8 @@ define_records <- function(define) {
     of <- node_variables[name, ]
     define(name, "NC_DOUBLE", c("node", "time"), of[1], of[2])
   }
-  for (k in seq_len(nrow(other_variables))) {
-    of <- other_variables[k, ]
+  for (k in seq_len(nrow(frame_fields))) {
+    of <- frame_fields[k, ]
     type <- if (of$name == "parted") "NC_INT" else "NC_DOUBLE"
     define(of$name, type, c(of$across, "time"), of$unit, of$words)
   }
@@ -240,7 +216,6 @@ define_records <- function(define) {
 }
 
 define_resume <- function(define) {
-  define("r_objects", "NC_CHAR", "byte", words = "constants of the tow, serialized by R and gzip")
   define("resume_record", "NC_INT", "slot", words = "which time a slot is of, from 1")
   for (motion in resume_motions) {
     define(paste0("resume_", motion, "_time"), "NC_DOUBLE", "slot", "s")
@@ -276,7 +251,7 @@ put_frame <- function(nc, what, frame, k) {
     put_at(rownames(node_variables)[axis], now$position[axis, , 1L])
     put_at(rownames(node_variables)[axis + 3L], now$velocity[axis, , 1L])
   }
-  for (name in other_variables$name) {
+  for (name in frame_fields$name) {
     if (length(now[[name]])) put_at(name, as.vector(now[[name]]))
   }
   put_at("vessel_x", now$conditions$x)
@@ -316,16 +291,6 @@ put_resume <- function(nc, frame, k) {
 
 # ---- reading ------------------------------------------------------------------------------------
 
-# A function(name, start, count) that gives a variable's numbers, none where it is not in the file.
-file_getter <- function(nc) {
-  info <- RNetCDF::file.inq.nc(nc)
-  known <- vapply(seq_len(info$nvars) - 1L, function(id) RNetCDF::var.inq.nc(nc, id)$name, "")
-  function(name, start = NA, count = NA, rawchar = FALSE) {
-    if (!name %in% known) return(numeric())
-    RNetCDF::var.get.nc(nc, name, start, count, na.mode = 3, rawchar = rawchar, collapse = FALSE)
-  }
-}
-
 # How many records from the first are complete.
 complete_records <- function(get) sum(cumprod(get("complete") == 1L))
 
@@ -335,19 +300,14 @@ read_frames <- function(get, n) {
     if (length(value)) value[, seq_len(n), drop = FALSE] else matrix(value, 0L, n)
   }
   of_nodes <- lapply(rownames(node_variables), records)
-  other <- lapply(setNames(other_variables$name, other_variables$name), records)
+  other <- lapply(setNames(frame_fields$name, frame_fields$name), records)
   time <- as.vector(get("time"))[seq_len(n)]
   bound <- function(axes, k) {
     as.vector(do.call(rbind, lapply(of_nodes[axes], function(x) x[, k])))
   }
   frames <- lapply(seq_len(n), function(k) {
-    list(
-      now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
-      bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
-      v_tension = other$v_tension[, k], straight_tension = other$straight_tension[, k],
-      wake = other$wake[, k], catch_front = other$catch_front[, k],
-      done = list(length = other$winch_length[, k], parted = other$parted[, k])
-    )
+    now <- list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k))
+    c(list(now = now), frame_of_arrays(other, k))
   })
   frames[[n]][c(memory_fields, "report")] <- read_resume(get, n)
   frames

@@ -65,7 +65,6 @@ condition_units <- function(conditions) {
   parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
   out <- conditions[c(names(known), parts)]
   out$course <- out$course * 180 / pi
-  attr(out, "factor") <- NULL
   setNames(out, c(known, parts))
 }
 

@@ -77,18 +77,7 @@ smooth_curve <- function(time, value) {
 
 # Values of a curve at times; at a jump those before it, or after it.
 curve_at <- function(curve, t, after = FALSE) {
-  n <- length(curve$begin)
-  k <- findInterval(t, curve$time, left.open = !after)
-  inside <- k >= 1L & k <= n
-  out <- ifelse(k < 1L, curve$begin[1L], curve$end[n])
-  j <- k[inside]
-  h <- curve$time[j + 1L] - curve$time[j]
-  s <- (t[inside] - curve$time[j]) / h
-  rise <- curve$end[j] - curve$begin[j]
-  a <- h * curve$begin_rate[j] - rise
-  b <- rise - h * curve$end_rate[j]
-  out[inside] <- curve$begin[j] + s * rise + s * (1 - s) * (a * (1 - s) + b * s)
-  out
+  engine_curve_at(curve, as.double(t), after)
 }
 
 scale_curve <- function(curve, factor) {

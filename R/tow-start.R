@@ -3,11 +3,11 @@
 started_trajectory <- function(state, given, until) {
   state$lattice$let_go <- TRUE
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
-  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
+  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0, after = TRUE) - 1) > 1e-6) {
     abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")
   }
-  for (part in what$plan$parts) {
-    if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
+  for (part in what$schedule$growing) {
+    if (abs(curve_at(part$factor, 0, after = TRUE) - 1) > 1e-6) {
       abort_schedule("gear", sprintf(
         "is a state whose %s is not what the schedule begins with; give the gear, to settle so.",
         part$name
@@ -18,9 +18,18 @@ started_trajectory <- function(state, given, until) {
 }
 
 continued_trajectory <- function(trajectory, given, until) {
+  lost <- names(Filter(is_lost, trajectory$given))
   new <- names(Filter(Negate(is.null), given[names(given) != "control_every"]))
-  if (length(new)) {
-    abort_schedule(new[1], "is given for a trajectory, which goes on in its own schedule.")
+  if (length(setdiff(new, lost))) {
+    abort_schedule(setdiff(new, lost)[1],
+      "is given for a trajectory, which goes on in its own schedule.")
+  }
+  planned <- Filter(function(value) !is.null(value), plan_tow(trajectory$gear)[setdiff(lost, new)])
+  trajectory$given[names(planned)] <- planned
+  trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
+  lost <- setdiff(lost, c(new, names(planned)))
+  if (length(lost)) {
+    abort_schedule(lost[1], "was a function, which a file does not keep; give it again.")
   }
   if (until <= trajectory$memory$now$time) {
     abort_schedule("until", sprintf("is %s s; the trajectory is already at %s s.", format(until),
@@ -29,8 +38,16 @@ continued_trajectory <- function(trajectory, given, until) {
   lattice <- trajectory$lattice
   lattice$engine$water$x <- lattice$engine$water$x + trajectory$si$towing$speed
   fresh <- tow_start(trajectory$gear, trajectory$si, lattice, trajectory$given, until)
-  trajectory[c("plan", "curves", "breaks")] <- fresh[c("plan", "curves", "breaks")]
+  trajectory[c("schedule", "curves", "breaks")] <- fresh[c("schedule", "curves", "breaks")]
   trajectory
+}
+
+# What stands for a function that was not kept, and whether a schedule is or holds one.
+lost_function <- function() structure(list(), class = "codend_lost_function")
+
+is_lost <- function(schedule) {
+  inherits(schedule, "codend_lost_function") ||
+    is.list(schedule) && any(vapply(schedule, is_lost, NA))
 }
 
 # The lattice over the ground, and the tow in the engine's terms.
@@ -39,7 +56,7 @@ tow_start <- function(gear, si, lattice, given, until) {
   if (!is.null(lattice$engine$ground)) lattice$engine$ground$velocity <- c(0, 0, 0)
   c(
     list(gear = gear, si = si, lattice = lattice, given = given),
-    tow_plan(si, lattice, given, until)
+    tow_schedule(si, lattice, given, until)
   )
 }
 
@@ -48,17 +65,17 @@ add_start <- function(what, position, velocity) {
   n <- what$lattice$engine$nodes
   held <- what$lattice$engine$held
   speed <- matrix(velocity, 3L, n)
-  speed[, setdiff(which(held), what$plan$track$node)] <- 0
+  speed[, setdiff(which(held), what$schedule$track$node)] <- 0
   motion <- list(
     time = 0, position = as.vector(position), velocity = as.vector(speed),
     acceleration = numeric(3L * n)
   )
-  winches <- lapply(what$plan$parts, `[[`, "winch")
+  winches <- lapply(what$schedule$growing, `[[`, "winch")
   of <- function(field) vapply(winches, function(w) if (is.null(w)) 0 else w[[field]], 0)
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
     speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
-    parted = rep(0L, length(what$plan$partings)), parted_at = rep(0, length(what$plan$partings))
+    parted = rep(0L, length(what$schedule$partings)), parted_at = rep(0, length(what$schedule$partings))
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x

@@ -15,8 +15,7 @@
 state_at <- function(trajectory, time) {
   check_is_trajectory(trajectory)
   k <- which.min(abs(trajectory$time - schedule_number(time, "time", "time")))
-  now <- as.list(trajectory$conditions[k, ])
-  now$factor <- attr(trajectory$conditions, "factor")[, k]
+  now <- conditions_at(trajectory, trajectory$time[k], trajectory$winch_length[, k])
   now$parted <- trajectory$parted[, k]
   now$wake <- trajectory$wake[, k]
   now$catch_front <- trajectory$catch_front[, k]
@@ -40,58 +39,56 @@ to_vessel <- function(course) {
 }
 
 # Conditions of every kept time: a data frame of time, x, y (m, the vessel over the ground), x_rate,
-# y_rate, speed (m/s), course (rad), heave (m), and per growing part its length (m) or share; their
-# factors are the attribute "factor", a row per part.
+# y_rate, speed (m/s), course (rad), heave (m), and per growing part its length (m) or share.
 conditions_table <- function(trajectory) {
-  curves <- trajectory$curves
-  plan <- trajectory$plan
-  t <- trajectory$time
-  speed <- curve_at(curves$speed, t, after = TRUE)
-  course <- curve_at(curves$course, t, after = TRUE)
+  scheduled_table(trajectory, trajectory$time,
+    engine_schedule_at(trajectory$schedule, trajectory$time, as.double(trajectory$winch_length)))
+}
+
+scheduled_table <- function(what, time, found) {
+  origin <- matrix(found$origin, 3L)
+  velocity <- matrix(found$velocity, 3L)
   table <- data.frame(
-    time = t, x = curve_at(plan$track$x, t), y = curve_at(plan$track$y, t),
-    x_rate = -speed * cos(course), y_rate = speed * sin(course), speed = speed, course = course,
-    heave = curve_at(curves$heave, t)
+    time = time, x = origin[1, ], y = origin[2, ], x_rate = velocity[1, ],
+    y_rate = velocity[2, ], speed = curve_at(what$curves$speed, time, after = TRUE),
+    course = found$heading, heave = origin[3, ]
   )
-  factor <- matrix(0, length(plan$parts), length(t))
-  for (k in seq_along(plan$parts)) {
-    part <- plan$parts[[k]]
-    factor[k, ] <- if (is.null(part$winch)) {
-      curve_at(part$factor, t)
-    } else {
-      trajectory$winch_length[k, ] / part$winch$full_length
-    }
-    full <- trajectory$si$ropes[[part$name]]$length
-    table[[part$name]] <- factor[k, ] * first_of(full, 1)
+  growing <- what$schedule$growing
+  factor <- matrix(found$factor, length(growing), length(time))
+  for (k in seq_along(growing)) {
+    full <- what$si$ropes[[growing[[k]]$name]]$length
+    table[[growing[[k]]$name]] <- factor[k, ] * first_of(full, 1)
   }
-  attr(table, "factor") <- factor
   table
 }
 
-# The same of one time before a trajectory is there.
-conditions_at <- function(what, time) {
-  start <- list(time = time, curves = what$curves, plan = what$plan, si = what$si)
-  start$winch_length <- vapply(what$plan$parts, function(part) {
-    if (is.null(part$winch)) 0 else part$winch$length
-  }, 0)
-  start$winch_length <- matrix(start$winch_length, ncol = 1L)
-  table <- conditions_table(start)
-  c(as.list(table), list(factor = attr(table, "factor")[, 1L], parted = integer()))
+# The same of one time as a list, with the current over the ground (m/s along x and y, by depth) where
+# the schedule has one, and what the winches have out (winch_length, m, by growing part).
+conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule)) {
+  found <- engine_schedule_at(what$schedule, time, as.double(winch_length))
+  c(
+    as.list(scheduled_table(what, time, found)), found[c("current_x", "current_y")],
+    list(winch_length = winch_length, parted = integer())
+  )
+}
+
+winches_at_start <- function(schedule) {
+  vapply(schedule$growing, function(part) first_of(part$winch$length, 0), 0)
 }
 
 # The gear's numbers at one time: towing speed, warps and current as they are, in the vessel's axes.
 si_at <- function(what, now) {
   si <- what$si
   si$towing$speed <- now$speed
-  for (part in what$plan$parts) {
+  for (part in what$schedule$growing) {
     if (!is.null(si$ropes[[part$name]])) si$ropes[[part$name]]$length <- now[[part$name]]
   }
   if (!is.null(si$catch)) {
     si$catch <- si_catch_share(si$catch, curve_at(what$curves$catch, now$time, after = TRUE))
   }
-  if (length(what$plan$current_x)) {
-    si$water$current$x <- vapply(what$plan$current_x, curve_at, 0, t = now$time, after = TRUE)
-    si$water$current$y <- vapply(what$plan$current_y, curve_at, 0, t = now$time, after = TRUE)
+  if (length(now$current_x)) {
+    si$water$current$x <- now$current_x
+    si$water$current$y <- now$current_y
   }
   ground <- rbind(si$water$current$x, si$water$current$y)
   turned <- to_vessel(now$course)[1:2, 1:2] %*% ground
@@ -105,8 +102,7 @@ si_at <- function(what, now) {
 lattice_at <- function(what, now) {
   lattice <- what$lattice
   si <- si_at(what, now)
-  lattice$engine <- grown_engine(lattice$engine, what$plan$parts, now$factor,
-    now$parted[now$parted > 0])
+  lattice$engine <- scheduled_engine(lattice$engine, what$schedule, now)
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
   if (!is.null(now$wake)) lattice$engine$wake <- now$wake
@@ -115,6 +111,24 @@ lattice_at <- function(what, now) {
     lattice$engine$ground <- ground_from_vessel(lattice$engine$ground, now)
   }
   lattice
+}
+
+# The engine's lattice with its growing parts as they are at one time and its parted bars gone.
+scheduled_engine <- function(engine, schedule, now) {
+  if (!length(schedule$growing) && !any(now$parted > 0)) return(engine)
+  still <- numeric(length(now$winch_length))
+  parted <- integer(length(schedule$partings))
+  parted[seq_along(now$parted)] <- as.integer(now$parted)
+  done <- list(
+    length = now$winch_length, since = still + now$time, speed = still, speed_wanted = still,
+    near_limit = still > 0, parted = parted, parted_at = 0 * parted
+  )
+  found <- engine_scheduled(engine, schedule_as_done(schedule, done), now$time)
+  engine[c("mass", "load")] <- found[c("mass", "load")]
+  engine$bars[c("rest", "multiplicity")] <- found[c("rest", "multiplicity")]
+  engine$spheres[c("drag_area", "added_mass")] <- found[c("drag_area", "added_mass")]
+  engine$volumes$buoyancy <- found$buoyancy
+  engine
 }
 
 # The sea bed in the vessel's axes, where it passes by at the towing speed.

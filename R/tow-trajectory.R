@@ -2,7 +2,7 @@
 
 # What of a trajectory does not change as it is marched.
 trajectory_constants <- c(
-  "gear", "si", "lattice", "given", "plan", "curves", "breaks", "method", "every"
+  "gear", "si", "lattice", "given", "schedule", "curves", "breaks", "method", "every"
 )
 
 # What a march needs of the one before: see engine_tow().
@@ -17,17 +17,9 @@ gather_trajectory <- function(what, frames, end) {
   out <- c(what, list(
     time = vapply(frames, function(f) f$now$time, 0),
     position = three(each(function(f) f$now$position)),
-    velocity = three(each(function(f) f$now$velocity)),
-    bar_tension = each(function(f) f$bar_tension),
-    u_tension = each(function(f) f$u_tension),
-    v_tension = each(function(f) f$v_tension),
-    straight_tension = each(function(f) f$straight_tension),
-    wake = each(function(f) f$wake),
-    catch_front = each(function(f) f$catch_front),
-    winch_length = each(function(f) f$done$length),
-    parted = each(function(f) f$done$parted),
-    end = end, report = last$report,
-    memory = last[memory_fields]
+    velocity = three(each(function(f) f$now$velocity))
+  ), frame_arrays(frames), list(
+    end = end, report = last$report, memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
   structure(out, class = "codend_trajectory")
@@ -65,7 +57,7 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   tryCatch(
     {
       engine <- marched_engine(what, trajectory)
-      report <- engine_tow(engine, plan_as_done(what$plan, past$done), past, method,
+      report <- engine_tow(engine, schedule_as_done(what$schedule, past$done), past, method,
         stops, keep, steerer(what, measured, function() front), refill,
         tow_progress(past$now$time, until))
       end <- report$end
@@ -111,26 +103,26 @@ tow_stops <- function(begun, until, every, what) {
   )
 }
 
-# The plan with its winches and ropes as they are.
-plan_as_done <- function(plan, done) {
-  for (k in seq_along(plan$parts)) {
-    if (is.null(plan$parts[[k]]$winch)) next
+# The schedule with its winches and ropes as they are.
+schedule_as_done <- function(schedule, done) {
+  for (k in seq_along(schedule$growing)) {
+    if (is.null(schedule$growing[[k]]$winch)) next
     for (field in c("length", "since", "speed", "speed_wanted", "near_limit")) {
-      plan$parts[[k]]$winch[[field]] <- done[[field]][k]
+      schedule$growing[[k]]$winch[[field]] <- done[[field]][k]
     }
   }
-  for (k in seq_along(plan$partings)) {
-    plan$partings[[k]]$parted <- done$parted[k]
-    plan$partings[[k]]$parted_at <- done$parted_at[k]
+  for (k in seq_along(schedule$partings)) {
+    schedule$partings[[k]]$parted <- done$parted[k]
+    schedule$partings[[k]]$parted_at <- done$parted_at[k]
   }
-  plan
+  schedule
 }
 
 # A function(frame) that asks the user's control for the speed of every growing part, m/s; measured:
 # as in march_trajectory(); front: a function that gives the catch's.
 steerer <- function(what, measured, front) {
   control <- what$given$control
-  names <- vapply(what$plan$parts, `[[`, "", "name")
+  names <- vapply(what$schedule$growing, `[[`, "", "name")
   function(frame) {
     frame$catch_front <- front()
     now <- gather_trajectory(what, list(frame), "reached")
@@ -152,13 +144,7 @@ trajectory_frames <- function(trajectory) {
       time = trajectory$time[k], position = as.vector(trajectory$position[, , k]),
       velocity = as.vector(trajectory$velocity[, , k])
     )
-    frame <- list(
-      now = now, bar_tension = trajectory$bar_tension[, k],
-      u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
-      straight_tension = trajectory$straight_tension[, k], wake = trajectory$wake[, k],
-      catch_front = trajectory$catch_front[, k],
-      done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
-    )
+    frame <- c(list(now = now), frame_of_arrays(trajectory, k))
     if (k == count) {
       frame[memory_fields] <- trajectory$memory
       frame$report <- trajectory$report

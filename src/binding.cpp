@@ -1,67 +1,9 @@
-// The one file that knows both R and the engine: a lattice (an R list) in, numbers out.
-#include <algorithm>
-#include <cpp11.hpp>
-#include <ctime>
-#include <memory>
-#include <string>
+// The engine's model from a lattice, its forces at a place, and its laws, for R.
+#include "binding_model.hpp"
 
-#include "engine/model/assembly.hpp"
-#include "engine/model/evaluate.hpp"
-#include "engine/march/explicit_step.hpp"
-#include "engine/march/march.hpp"
-#include "engine/march/newton_step.hpp"
-#include "engine/march/schedule.hpp"
-#include "engine/march/substitution.hpp"
-#include "engine/solve/layout.hpp"
-#include "engine/solve/settle.hpp"
-#include "engine/model/wake.hpp"
-
-using namespace cpp11;
-namespace writable = cpp11::writable;
+using namespace binding;
 
 namespace {
-
-std::vector<double> numbers(const doubles& values) {
-  const double* first = REAL(values);
-  return std::vector<double>(first, first + values.size());
-}
-
-std::vector<double> numbers(const list& from, const char* name) {
-  return numbers(doubles(from[name]));
-}
-
-std::vector<int> whole_numbers(const integers& values) {
-  const int* first = INTEGER(values);
-  return std::vector<int>(first, first + values.size());
-}
-
-std::vector<int> whole_numbers(const list& from, const char* name) {
-  return whole_numbers(integers(from[name]));
-}
-
-// R counts from 1.
-std::vector<int> places(const integers& values) {
-  std::vector<int> out = whole_numbers(values);
-  for (int& place : out) --place;
-  return out;
-}
-
-std::vector<int> places(const list& from, const char* name) { return places(integers(from[name])); }
-
-std::vector<char> marks(const logicals& values) {
-  std::vector<char> out(values.size());
-  const int* from = LOGICAL(values);
-  for (std::size_t k = 0; k < out.size(); ++k) out[k] = from[k] == TRUE ? 1 : 0;
-  return out;
-}
-
-doubles as_doubles(const std::vector<double>& values) {
-  writable::doubles out(static_cast<R_xlen_t>(values.size()));
-  std::copy(values.begin(), values.end(), REAL(out));
-  return out;
-}
-
-double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
 
 std::vector<codend::TwineMaterial> read_materials(const list& materials) {
   const std::vector<double> stiffness = numbers(materials, "axial_stiffness"),
@@ -129,25 +71,6 @@ void read_triangles(const list& from, codend::Model& model) {
   }
 }
 
-// Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the
-// lattice.
-doubles in_order(const doubles& straight, std::size_t width, const double* plain,
-                 const double* hexagonal) {
-  std::vector<double> out;
-  out.reserve(width * static_cast<std::size_t>(straight.size()));
-  for (const double bar : straight) {
-    const double*& from = bar > 0.0 ? hexagonal : plain;
-    out.insert(out.end(), from, from + width);
-    from += width;
-  }
-  return as_doubles(out);
-}
-
-codend::Vector vector_of(const list& from, const char* name) {
-  const doubles values(from[name]);
-  return {values[0], values[1], values[2]};
-}
-
 codend::Ground read_ground(const list& from) {
   codend::Ground ground;
   ground.present = true;
@@ -204,26 +127,9 @@ void read_sliding(const list& from, std::vector<codend::SlidingRope>& ropes) {
   }
 }
 
-// Of every triangle the length of its straight bars, 0 of a plain one.
-doubles straight_bars(const list& lattice) {
-  const list triangles(lattice["triangles"]);
-  return doubles(triangles["straight"]);
-}
+}  // namespace
 
-// One family of lines: of plain triangles, and the part of all three of hexagonal ones.
-doubles family_in_order(const doubles& straight, const std::vector<double>& plain,
-                        const std::vector<double>& hexagonal, std::size_t which) {
-  return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
-}
-
-// Of the straight bars of hexagonal triangles.
-doubles straight_tension(const codend::Evaluation& e) {
-  const auto first = e.hexagon_tension.begin();
-  return as_doubles({first, first + static_cast<std::ptrdiff_t>(e.hexagon_tension.size() / 3)});
-}
-
-// Copies every array once. The caller connects the model where it comes to lie.
-codend::Model read_model(const list& lattice) {
+codend::Model binding::read_model(const list& lattice) {
   codend::Model model;
   model.nodes = as_cpp<int>(lattice["nodes"]);
   model.held = marks(logicals(lattice["held"]));
@@ -333,139 +239,7 @@ codend::Model read_model(const list& lattice) {
   return model;
 }
 
-codend::Values values(const list& from, const char* name) {
-  const doubles given(from[name]);
-  return Eigen::Map<const codend::Values>(REAL(given), given.size());
-}
-
-codend::Motion read_motion(const list& from) {
-  return {number(from, "time"), values(from, "position"), values(from, "velocity"),
-          values(from, "acceleration")};
-}
-
-doubles as_doubles(const codend::Values& values) {
-  return writable::doubles(values.data(), values.data() + values.size());
-}
-
-writable::list as_list(const codend::Motion& motion) {
-  return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
-                         "velocity"_nm = as_doubles(motion.v),
-                         "acceleration"_nm = as_doubles(motion.a)});
-}
-
-codend::Curve read_curve(const list& from) {
-  return {numbers(from, "time"), numbers(from, "begin"), numbers(from, "end"),
-          numbers(from, "begin_rate"), numbers(from, "end_rate")};
-}
-
-codend::Winch read_winch(const list& from) {
-  codend::Winch winch;
-  winch.wanted = read_curve(list(from["wanted"]));
-  winch.steered = as_cpp<bool>(from["steered"]);
-  winch.speed_wanted = number(from, "speed_wanted");
-  winch.speed_limit = number(from, "speed_limit");
-  winch.tension_limit = number(from, "tension_limit");
-  winch.near_limit = as_cpp<bool>(from["near_limit"]);
-  winch.stiffness = number(from, "stiffness");
-  winch.bar = as_cpp<int>(from["bar"]) - 1;
-  winch.full_length = number(from, "full_length");
-  winch.least_length = number(from, "least_length");
-  winch.most_length = number(from, "most_length");
-  winch.length = number(from, "length");
-  winch.since = number(from, "since");
-  winch.speed = number(from, "speed");
-  return winch;
-}
-
-codend::Plan read_plan(const list& from) {
-  codend::Plan plan;
-  const list track(from["track"]);
-  plan.track.node = places(track, "node");
-  const std::vector<double> place = numbers(track, "place");
-  for (std::size_t k = 0; k < plan.track.node.size(); ++k) {
-    plan.track.place.emplace_back(place[3 * k], place[3 * k + 1], place[3 * k + 2]);
-  }
-  plan.track.x = read_curve(list(track["x"]));
-  plan.track.y = read_curve(list(track["y"]));
-  plan.track.heave = read_curve(list(track["heave"]));
-  plan.track.course = read_curve(list(track["course"]));
-  const list shooting(from["shooting"]);
-  plan.shooting.node = places(shooting, "node");
-  plan.shooting.time = numbers(shooting, "time");
-  for (const list part : list(from["parts"])) {
-    codend::GrowingPart p;
-    p.has_winch = !Rf_isNull(part["winch"]);
-    if (p.has_winch) p.winch = read_winch(list(part["winch"]));
-    p.factor = read_curve(list(part["factor"]));
-    p.bars = places(part, "bars");
-    p.rest = numbers(part, "rest");
-    p.points = places(part, "points");
-    p.mass = numbers(part, "mass");
-    p.load = numbers(part, "load");
-    p.spheres = places(part, "spheres");
-    p.drag_area = numbers(part, "drag_area");
-    p.added_mass = numbers(part, "added_mass");
-    p.volumes = places(part, "volumes");
-    p.buoyancy = numbers(part, "buoyancy");
-    plan.parts.push_back(p);
-  }
-  for (const list curve : list(from["current_x"])) plan.current_x.push_back(read_curve(curve));
-  for (const list curve : list(from["current_y"])) plan.current_y.push_back(read_curve(curve));
-  for (const list parting : list(from["partings"])) {
-    codend::Parting p;
-    p.bars = places(parting, "bars");
-    p.at = as_cpp<int>(parting["at"]) - 1;
-    p.time = number(parting, "time");
-    p.strength = number(parting, "strength");
-    p.parted = as_cpp<int>(parting["parted"]) - 1;
-    p.parted_at = number(parting, "parted_at");
-    plan.partings.push_back(p);
-  }
-  return plan;
-}
-
-// What winches and ropes have done so far.
-writable::list plan_state(const codend::Plan& plan) {
-  writable::doubles length, since, speed, wanted, parted_at;
-  writable::integers parted;
-  writable::logicals near_limit;
-  for (const codend::GrowingPart& part : plan.parts) {
-    length.push_back(part.winch.length);
-    since.push_back(part.winch.since);
-    speed.push_back(part.winch.speed);
-    wanted.push_back(part.winch.speed_wanted);
-    near_limit.push_back(part.winch.near_limit ? TRUE : FALSE);
-  }
-  for (const codend::Parting& parting : plan.partings) {
-    parted.push_back(parting.parted + 1);
-    parted_at.push_back(parting.parted_at);
-  }
-  return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
-                         "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
-                         "parted"_nm = parted, "parted_at"_nm = parted_at});
-}
-
-std::unique_ptr<codend::Stepper> read_scheme(const list& control, codend::Assembly& assembly,
-                                             const codend::Motion& start) {
-  using codend::NewtonScheme;
-  const std::string name = as_cpp<std::string>(control["scheme"]);
-  const double tolerance = number(control, "tolerance");
-  auto newton = [&](NewtonScheme scheme) {
-    return std::make_unique<codend::NewtonStep>(assembly, scheme, tolerance);
-  };
-  if (name == "bdf2") return newton(NewtonScheme::bdf2);
-  if (name == "trapezoid") return newton(NewtonScheme::trapezoid);
-  if (name == "backward_euler") return newton(NewtonScheme::backward_euler);
-  if (name == "substitution") {
-    constexpr int most_substitutions = 200;
-    return std::make_unique<codend::SubstitutionStep>(assembly, tolerance, most_substitutions,
-                                                      start);
-  }
-  if (name == "symplectic_euler") {
-    return std::make_unique<codend::SymplecticEulerStep>(assembly, start);
-  }
-  return std::make_unique<codend::RungeKuttaStep>(assembly, start);
-}
+namespace {
 
 // Columns by board: angles (rad), lift and drag (N), forces (N, 3 each).
 list board_table(const std::vector<codend::BoardAttitude>& boards) {
@@ -489,55 +263,6 @@ list board_table(const std::vector<codend::BoardAttitude>& boards) {
 }
 
 }  // namespace
-
-[[cpp11::register]]
-list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance,
-                   int iterations, function watch) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  std::vector<double> x = numbers(start);
-  const std::vector<double> v(x.size(), 0.0);
-
-  codend::SettleControl control;
-  control.near = near;
-  control.strain.assign(strain.begin(), strain.end());
-  if (near && !control.strain.empty() &&
-      control.strain.size() != static_cast<std::size_t>(model.lines())) {
-    stop("one strain per line is needed");
-  }
-  control.tolerance = tolerance;
-  control.iterations = iterations;
-  control.watch = [&](const codend::SettleProgress& progress) {
-    check_user_interrupt();
-    watch(progress.iteration, progress.residual);
-    return true;
-  };
-  const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
-  std::vector<double> line_strain;
-  assembly.strain(line_strain);
-  line_strain.resize(static_cast<std::size_t>(model.lines()));
-  return writable::list({
-      "position"_nm = as_doubles(x),
-      "strain"_nm = as_doubles(line_strain),
-      "converged"_nm = report.converged,
-      "iterations"_nm = report.iterations,
-      "factorisations"_nm = report.factorisations,
-      "residual"_nm = report.residual,
-      "largest_tension"_nm = report.largest_tension,
-      "shadings"_nm = report.shadings,
-      "upsets"_nm = report.upsets,
-      "upset_at_last"_nm = report.upset_at_last,
-      "shading_change"_nm = report.shading_change,
-      "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
-      "worst_node"_nm = report.worst_node + 1,
-      "worst_force"_nm = report.worst_force,
-      "seconds_forces"_nm = report.seconds_forces,
-      "seconds_jacobian"_nm = report.seconds_jacobian,
-      "seconds_linear"_nm = report.seconds_linear,
-      "seconds_analysis"_nm = report.seconds_analysis,
-  });
-}
 
 [[cpp11::register]]
 list engine_evaluate(list lattice, doubles position, doubles velocity) {
@@ -588,123 +313,3 @@ doubles engine_speed_reduction(int law, doubles solidity, doubles cosine) {
   return out;
 }
 
-[[cpp11::register]]
-list engine_march(list lattice, doubles position, doubles velocity, double step, int steps,
-                  double tolerance, int substitutions) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  std::vector<double> x = numbers(position), v = numbers(velocity);
-  const codend::SubstitutionReport report = codend::march_by_substitution(
-      assembly, step, steps, tolerance, substitutions, x.data(), v.data());
-  return writable::list({
-      "position"_nm = as_doubles(x),
-      "velocity"_nm = as_doubles(v),
-      "converged"_nm = report.converged,
-      "steps"_nm = report.steps,
-      "substitutions"_nm = static_cast<double>(report.substitutions),
-  });
-}
-
-// Marches from `past` through the stops of list(time, kept, broken, steered, filled): times (s,
-// growing) and at which of them a frame is kept, the motion breaks, winches are steered or the catch's
-// front is moved. keep(frame) gets the motion and tensions, and all that is needed to go on from
-// there; steer(frame) answers with the speed wanted of every growing part; refill(frame) with weight,
-// node and mass of the catch; watch(time, steps) is called after steps, at most some ten
-// times a second.
-[[cpp11::register]]
-list engine_tow(list lattice, list plan, list past, list control, list stops, function keep,
-                function steer, function refill, function watch) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  codend::Past from;
-  from.now = read_motion(list(past["now"]));
-  from.before = read_motion(list(past["before"]));
-  from.steps = as_cpp<int>(past["steps"]);
-  from.caution = as_cpp<int>(past["caution"]);
-  codend::Schedule schedule(model, assembly, read_plan(plan), from.now);
-  schedule.to_time(from.now.time, codend::Side::after, from.now);
-  const std::unique_ptr<codend::Stepper> scheme = read_scheme(control, assembly, from.now);
-
-  codend::MarchControl how;
-  how.accuracy = number(control, "accuracy");
-  how.step = number(past, "step");
-  how.least_step = number(control, "least_step");
-  how.most_step = number(control, "most_step");
-  std::clock_t shown = std::clock();
-  long long steps = 0;
-  how.watch = [&](const codend::Motion& now) {
-    check_user_interrupt();
-    ++steps;
-    if (std::clock() - shown > CLOCKS_PER_SEC / 10) {
-      shown = std::clock();
-      watch(now.time, static_cast<double>(steps));
-    }
-    return true;
-  };
-  codend::March march(assembly, *scheme, schedule, how, from);
-  auto report = [&] {
-    const codend::MarchReport& r = march.report();
-    const char* const ends[] = {"reached", "stopped", "stuck"};
-    return writable::list({
-        "end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
-        "repeated"_nm = static_cast<double>(r.repeated),
-        "not_found"_nm = static_cast<double>(r.not_found),
-        "iterations"_nm = static_cast<double>(r.iterations),
-        "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-        "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
-  };
-  const doubles straight = straight_bars(lattice);
-  auto frame = [&] {
-    const codend::Motion& now = march.now();
-    const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
-    return writable::list({
-        "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
-        "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
-        "step"_nm = march.step(), "done"_nm = plan_state(schedule.plan()),
-        "bar_tension"_nm = as_doubles(e.bar_tension),
-        "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
-        "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
-        "straight_tension"_nm = straight_tension(e),
-        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
-        "report"_nm = report()});
-  };
-  const doubles times(stops["time"]);
-  const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
-      filled(stops["filled"]);
-  for (R_xlen_t k = 0; k < times.size(); ++k) {
-    if (march.to(times[k]) != codend::MarchReport::End::reached) break;
-    if (steered[k] == TRUE) {
-      const doubles speed(steer(frame()));
-      std::vector<codend::GrowingPart>& parts = schedule.plan().parts;
-      for (std::size_t p = 0; p < parts.size(); ++p) {
-        parts[p].winch.speed_wanted = speed[static_cast<R_xlen_t>(p)];
-      }
-    }
-    if (filled[k] == TRUE) {
-      const list moved(refill(frame()));
-      model.pressure.weight = numbers(moved, "weight");
-      const std::vector<int> node = places(moved, "node");
-      const std::vector<double> mass = numbers(moved, "mass");
-      for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
-    }
-    if (broken[k] == TRUE) march.begin_anew();
-    if (kept[k] == TRUE) keep(frame());
-  }
-  return report();
-}
-
-[[cpp11::register]]
-doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest,
-                       doubles tension, doubles load) {
-  codend::StringNet net;
-  net.held = marks(held);
-  net.ends = places(ends);
-  net.rest = numbers(rest);
-  net.tension = numbers(tension);
-  net.load = numbers(load);
-  std::vector<double> x = numbers(position);
-  codend::lay_out(net, x.data());
-  return as_doubles(x);
-}

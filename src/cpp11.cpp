@@ -5,11 +5,60 @@
 #include "cpp11/declarations.hpp"
 #include <R_ext/Visibility.h>
 
-// binding.cpp
+// binding_march.cpp
+list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
+extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
+  END_CPP11
+}
+// binding_march.cpp
+list engine_tow(list lattice, list schedule, list past, list control, list stops, function keep, function steer, function refill, function watch);
+extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+  END_CPP11
+}
+// binding_march.cpp
+list engine_schemes();
+extern "C" SEXP _codend_engine_schemes() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_schemes());
+  END_CPP11
+}
+// binding_schedule.cpp
+doubles engine_curve_at(list curve, doubles time, bool after);
+extern "C" SEXP _codend_engine_curve_at(SEXP curve, SEXP time, SEXP after) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_curve_at(cpp11::as_cpp<cpp11::decay_t<list>>(curve), cpp11::as_cpp<cpp11::decay_t<doubles>>(time), cpp11::as_cpp<cpp11::decay_t<bool>>(after)));
+  END_CPP11
+}
+// binding_schedule.cpp
+list engine_schedule_at(list schedule, doubles time, doubles length);
+extern "C" SEXP _codend_engine_schedule_at(SEXP schedule, SEXP time, SEXP length) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_schedule_at(cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<doubles>>(time), cpp11::as_cpp<cpp11::decay_t<doubles>>(length)));
+  END_CPP11
+}
+// binding_schedule.cpp
+list engine_scheduled(list lattice, list schedule, double time);
+extern "C" SEXP _codend_engine_scheduled(SEXP lattice, SEXP schedule, SEXP time) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_scheduled(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<double>>(time)));
+  END_CPP11
+}
+// binding_settle.cpp
 list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance, int iterations, function watch);
 extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP near, SEXP strain, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<bool>>(near), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+  END_CPP11
+}
+// binding_settle.cpp
+doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
+extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
 // binding.cpp
@@ -24,27 +73,6 @@ doubles engine_speed_reduction(int law, doubles solidity, doubles cosine);
 extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<int>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
-  END_CPP11
-}
-// binding.cpp
-list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
-extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
-  END_CPP11
-}
-// binding.cpp
-list engine_tow(list lattice, list plan, list past, list control, list stops, function keep, function steer, function refill, function watch);
-extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP plan, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(plan), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
-  END_CPP11
-}
-// binding.cpp
-doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
-extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
 // file_sync.cpp
@@ -64,9 +92,13 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
+    {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_lay_out",         (DL_FUNC) &_codend_engine_lay_out,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
+    {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
+    {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
+    {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},

@@ -160,7 +160,7 @@ TEST_CASE("a sliding rope pulls nothing while slack or parted") {
 TEST_CASE("nodes that are kept stay and show no net force") {
   Ellipse e(0.0, 1e5, 0.02);
   Assembly assembly(e.model);
-  assembly.keep({0, 1, 0});
+  assembly.hold({0, 1, 0});
   Past past;
   past.now.x = Eigen::Map<const Values>(e.x.data(), 9);
   past.now.v = past.now.a = Values::Zero(9);
@@ -171,7 +171,7 @@ TEST_CASE("nodes that are kept stay and show no net force") {
   March march(assembly, scheme, conditions, control, past);
   REQUIRE(march.to(1.0) == MarchReport::End::reached);
   for (int k = 0; k < 9; ++k) CHECK(march.now().x[k] == e.x[static_cast<std::size_t>(k)]);
-  assembly.keep({});
+  assembly.hold({});
   REQUIRE(march.to(1.2) == MarchReport::End::reached);
   CHECK(march.now().x[5] < e.x[5]);
 }

@@ -20,7 +20,7 @@ short_cable <- function(...) {
 
 test_that("a settled gear stays as it is with every scheme", {
   state <- settle(short_cable())
-  for (scheme in tow_schemes) {
+  for (scheme in engine_schemes()$name) {
     found <- tow(state, until = 2, every = 1, scheme = scheme)
     expect_identical(found$time, c(0, 1, 2))
     # settled to 1e-8 of the tension, 16 N/m or more at every node: far below 1e-6 m
@@ -123,6 +123,35 @@ test_that("the catch weighs and drags by its share", {
     pieces.weight.drag_area = 0.025))
   expect_equal(measures(state_at(found, 300))[["tension_kN"]], measures(expected)[["tension_kN"]],
     tolerance = 1e-5)
+})
+
+test_that("at the time of a jump a state is that after it, as the motion goes on", {
+  jump <- function(...) data.frame(time = c(0, 10, 10), value = c(...))
+  found <- tow(short_cable(), until = 20, every = 10, catch = jump(1, 1, 0.5),
+    heave = jump(0, 0, 0.2))
+  state <- state_at(found, 10)
+  # the engine's own: where it put the towing point, and what its motion weighs
+  expect_equal(found$conditions$heave[2], found$position[3, 1, 2], tolerance = 1e-12)
+  expect_equal(state$position[3, 1], 0.2, tolerance = 1e-12)
+  spheres <- function(state) state$lattice$engine$spheres$drag_area
+  expect_equal(spheres(state), 0.5 * spheres(state_at(found, 0)), tolerance = 1e-12)
+  expect_identical(spheres(state), spheres(state_at(found, 20)))
+  mass <- function(state) sum(state$lattice$engine$mass)
+  expect_equal(mass(state_at(found, 0)) - mass(state), 50, tolerance = 1e-12)
+})
+
+test_that("a curve is the same number on both sides of the engine's jumps", {
+  # value = 1 + t up to 1 s, then Hermite's cubic from 5 at rate 0 to 6 at rate 1.5: (5 + 6) / 2 - 2 * 1.5 / 8
+  # in its middle
+  curve <- list(time = c(0, 1, 3), begin = c(1, 5), end = c(2, 6), begin_rate = c(1, 0),
+    end_rate = c(1, 1.5))
+  expect_equal(curve_at(curve, c(-1, 0, 0.5, 1, 3, 9)), c(1, 1, 1.5, 2, 6, 6))
+  expect_equal(curve_at(curve, c(0, 1, 2, 3), after = TRUE), c(1, 5, 5.5 - 0.375, 6))
+})
+
+test_that("an unknown scheme is an error", {
+  expect_error(tow(short_cable(), until = 1, scheme = "rk5"), "rk5",
+    class = "codend_error_argument")
 })
 
 test_that("a current by time carries the gear, seen from the ground and from the vessel", {

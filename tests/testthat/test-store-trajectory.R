@@ -131,7 +131,10 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
-  on <- tow(found, until = 30, control_every = 6, file = file)
+  expect_error(tow(found, until = 30), "`control` was a function.*give it again",
+    class = "codend_error_argument")
+  control <- function(measures, time) 0.1
+  on <- tow(found, until = 30, control = control, file = file)
   same <- setdiff(names(whole), c("report", "given"))
   expect_identical(known(on)[same], known(whole)[same])
   expect_identical(known(read_trajectory(file))[same], known(whole)[same])
@@ -148,7 +151,8 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
-  expect_identical(tow(found, until = 30, control_every = 6)$position, whole$position)
+  on <- tow(found, until = 30, control = function(measures, time) 0.1)
+  expect_identical(on$position, whole$position)
 
   # a record that was being written: its numbers are there, and its mark is not
   nc <- RNetCDF::open.nc(file, write = TRUE)

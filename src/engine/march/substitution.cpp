@@ -57,8 +57,8 @@ StepOutcome SubstitutionStep::step(const Past& past, double h, Conditions& condi
 }
 
 SubstitutionReport march_by_substitution(Assembly& assembly, double step, int steps,
-                                         double tolerance, int substitutions, double* x,
-                                         double* v) {
+                                         double tolerance, int substitutions, double* x, double* v,
+                                         const std::function<bool()>& watch) {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(assembly.model().nodes);
   Past past;
   past.now.x = Eigen::Map<const Values>(x, size);
@@ -68,6 +68,7 @@ SubstitutionReport march_by_substitution(Assembly& assembly, double step, int st
   SubstitutionReport report;
   Motion next = past.now;
   while (report.steps < steps) {
+    if (watch && !watch()) break;
     const StepOutcome outcome = scheme.step(past, step, conditions, next);
     report.substitutions += outcome.iterations;
     report.converged = outcome.found;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include "accelerate.hpp"
 #include "stepper.hpp"
@@ -54,8 +55,10 @@ struct SubstitutionReport {
 // that takes more than `substitutions` of them, or numbers overflow, the march ends before that
 // step and says so. This is the paper's scheme as printed: steps of one length, nothing repeated.
 // x (m), v (m/s): 3 per node, the start on entry and the last step found on return; held nodes keep
-// their velocity. Throws std::invalid_argument where a free node has no mass.
+// their velocity. watch: called before every step; returns false to end there. Throws
+// std::invalid_argument where a free node has no mass.
 SubstitutionReport march_by_substitution(Assembly& assembly, double step, int steps,
-                                         double tolerance, int substitutions, double* x, double* v);
+                                         double tolerance, int substitutions, double* x, double* v,
+                                         const std::function<bool()>& watch = nullptr);
 
 }  // namespace codend

@@ -111,8 +111,8 @@ void Assembly::residual(double* force, const CarriedTension* carried) {
                             force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
-  for (std::size_t n = 0; n < kept_.size(); ++n) {
-    if (kept_[n]) at(force, static_cast<int>(n)).setZero();
+  for (std::size_t n = 0; n < held_back_.size(); ++n) {
+    if (held_back_[n]) at(force, static_cast<int>(n)).setZero();
   }
 }
 
@@ -128,9 +128,9 @@ void Assembly::jacobian(const JacobianRequest& request, double* values,
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     kinds_[k]->add_jacobian(field(), request, places_[k + 4].into(values));
   }
-  if (kept_.empty()) return;
+  if (held_back_.empty()) return;
   for (int i = 0; i < unknowns(); ++i) {
-    if (!kept_[free_nodes()[i]]) continue;
+    if (!held_back_[free_nodes()[i]]) continue;
     std::fill(values + 9 * pattern_.row_start[i], values + 9 * pattern_.row_start[i + 1], 0.0);
   }
 }

@@ -41,7 +41,7 @@ class Assembly {
   // Free nodes that stay where they are, 1 each, until this is called again: no net force shows on
   // them and they do not move in a step of Newton's method whose right side is zero for them. Empty:
   // none.
-  void keep(const std::vector<char>& kept) { kept_ = kept; }
+  void hold(const std::vector<char>& held) { held_back_ = held; }
 
   // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
   // what all the following share, which speak of them.
@@ -113,7 +113,7 @@ class Assembly {
   // Of bars, of both triangles, of contacts, then one per kind.
   std::vector<BlockPlaces> places_;
   bool flow_known_ = false;
-  std::vector<char> kept_;
+  std::vector<char> held_back_;
   LineChange change_;
   // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;

@@ -8,7 +8,7 @@
 
 namespace codend {
 
-void lay_out(const StringNet& net, double* x) {
+void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch) {
   const int nodes = static_cast<int>(net.held.size());
   const std::size_t strings = net.rest.size();
   std::vector<int> unknown(nodes, -1), free;
@@ -44,6 +44,7 @@ void lay_out(const StringNet& net, double* x) {
   }
   std::vector<double> values(9 * pattern.column.size()), right(3 * static_cast<std::size_t>(n));
   for (int round = 0; round < 40; ++round) {
+    if (watch && !watch()) return;
     std::fill(values.begin(), values.end(), 0.0);
     for (int i = 0; i < n; ++i) at(right.data(), i) = at(net.load.data(), free[i]);
     for (std::size_t s = 0; s < strings; ++s) {

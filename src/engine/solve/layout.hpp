@@ -1,6 +1,7 @@
 // A crude shape of a net of strings under given loads, by force densities.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 namespace codend {
@@ -16,7 +17,7 @@ struct StringNet {
 // x: 3 per node (m); held nodes on entry, all on return. Every connected group needs a held node.
 // Repeats: with force densities q = T/L the balance sum q (x_j - x_i) + load = 0 is linear in x;
 // then each q is multiplied by the string's length over its rest, so that long strings pull harder
-// and short ones let go.
-void lay_out(const StringNet& net, double* x);
+// and short ones let go. watch: called before every repetition; returns false to stop there.
+void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch = nullptr);
 
 }  // namespace codend

@@ -1,16 +1,16 @@
 # A tow as the engine reads it: what of the lattice moves, grows and parts with time.
 
 # given: the arguments of tow(), as the user gave them; until: s.
-# Returns list(plan = what engine_tow() reads, curves = speed, course, heave, warps by rope, catch,
+# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope, catch,
 # breaks = times (s) at which the motion breaks).
-tow_plan <- function(si, lattice, given, until) {
+tow_schedule <- function(si, lattice, given, until) {
   curve <- function(name, dimension, otherwise) {
     if (is.null(given[[name]])) return(constant_curve(otherwise))
     schedule_curve(given[[name]], name, dimension, until)
   }
   speed <- curve("speed", "speed", si$towing$speed)
   course <- curve("course", "angle", 0)
-  if (abs(curve_at(course, 0)) > 1e-9) {
+  if (abs(curve_at(course, 0, after = TRUE)) > 1e-9) {
     abort_schedule("course", "must be 0 at the start, from which it counts.")
   }
   heave <- curve("heave", "length", 0)
@@ -31,22 +31,22 @@ tow_plan <- function(si, lattice, given, until) {
 
   towed <- moved_nodes(si, lattice, moved)
   track <- vessel_track(speed, course, until)
-  parts <- c(
-    lapply(names(warps), function(rope) warp_part(si, lattice, rope, warps[[rope]], given)),
+  growing <- c(
+    lapply(names(warps), function(rope) growing_warp(si, lattice, rope, warps[[rope]], given)),
     if (!is.null(given$catch)) {
-      lapply(catch_parts(lattice), function(part) catch_part(si, lattice, part, catch))
+      lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
     }
   )
   partings <- parting_events(si, lattice, given$part)
   list(
-    plan = list(
+    schedule = list(
       track = c(towed, track, list(course = course, heave = heave)),
-      shooting = shooting_times(si, lattice), parts = parts, current_x = current$x,
+      shooting = shooting_times(si, lattice), growing = growing, current_x = current$x,
       current_y = current$y, partings = partings
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
-      curve_breaks(speed, FALSE), curve_breaks(heave, FALSE),
+      curve_breaks(speed, FALSE), curve_breaks(course, FALSE), curve_breaks(heave, FALSE),
       unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = FALSE)),
       vapply(partings, `[[`, 0, "time")
@@ -135,8 +135,8 @@ limited_curve <- function(curve, limit) {
   straight_curve(time[bend], reached[bend])
 }
 
-# A warp as a part that grows by its length over the plan's.
-warp_part <- function(si, lattice, rope, curve, given) {
+# A warp as a group that grows by its length over the plan's.
+growing_warp <- function(si, lattice, rope, curve, given) {
   full <- si$ropes[[rope]]
   bars <- rope_bars(lattice, rope)
   rest <- lattice$engine$bars$rest[bars]
@@ -169,7 +169,7 @@ warp_part <- function(si, lattice, rope, curve, given) {
   )
 }
 
-# Where a part's buoyancy (N, of bodies that leave the water over these heights at these points) is
+# Where a group's buoyancy (N, of bodies that leave the water over these heights at these points) is
 # among the lattice's volumes at a free surface; nowhere in a lattice that knows none.
 own_volumes <- function(lattice, point, height, buoyancy) {
   known <- lattice$engine$volumes
@@ -187,8 +187,8 @@ catch_parts <- function(lattice) {
   which(lattice$parts$kind == "piece" & lattice$parts$role %in% "catch")
 }
 
-# The catch as a part that grows by its share of the plan's.
-catch_part <- function(si, lattice, part, curve) {
+# The catch as a group that grows by its share of the plan's.
+growing_catch <- function(si, lattice, part, curve) {
   spheres <- which(lattice$sphere_part == part)
   piece <- si$pieces[[lattice$parts$name[part]]]
   node <- lattice$engine$spheres$node[spheres]
@@ -259,23 +259,4 @@ parting_events <- function(si, lattice, given) {
       strength = if (is.null(event$time)) as.double(strength) else Inf, parted = 0L, parted_at = 0
     )
   })
-}
-
-# The engine's lattice with its growing parts at some factors and its parted bars gone: what a state
-# of a trajectory is evaluated with.
-grown_engine <- function(engine, parts, factor, parted = integer()) {
-  for (k in seq_along(parts)) {
-    part <- parts[[k]]
-    more <- factor[k] - 1
-    engine$bars$rest[part$bars] <- factor[k] * part$rest
-    engine$mass[part$points] <- engine$mass[part$points] + more * part$mass
-    up <- 3L * part$points
-    engine$load[up] <- engine$load[up] + more * part$load
-    engine$spheres$drag_area[part$spheres] <- factor[k] * part$drag_area
-    engine$spheres$added_mass[part$spheres] <- factor[k] * part$added_mass
-    engine$volumes$buoyancy[part$volumes] <-
-      engine$volumes$buoyancy[part$volumes] + more * part$buoyancy
-  }
-  engine$bars$multiplicity[parted] <- 0
-  engine
 }

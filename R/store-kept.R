@@ -1,0 +1,153 @@
+# What the files of states and trajectories share: how they are opened and what codend itself keeps
+# in them, as plain data. Nothing in a file is evaluated.
+
+# Writes a file and seals it; fill: as in write_netcdf().
+write_kept <- function(file, fill) {
+  write_file(file, function(path) {
+    fill_netcdf(path, fill)
+    seal_file(path)
+  })
+}
+
+# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
+# unsealed: whether one that was not sealed is taken, as a run that was killed leaves it.
+open_kept <- function(file, what, known, unsealed = FALSE) {
+  check_netcdf()
+  if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
+  if (dir.exists(file)) abort_file(file, "is a folder.")
+  magic <- readBin(file, "raw", 4L)
+  if (!identical(magic, c(charToRaw("CDF"), as.raw(2L)))) {
+    abort_file(file, "is no NetCDF file of codend.")
+  }
+  seal <- seal_of(file)
+  if (seal == "broken") abort_damaged(file, "its checksum does not fit")
+  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
+    abort_damaged(file, conditionMessage(e))
+  })
+  refuse <- function(...) {
+    RNetCDF::close.nc(nc)
+    abort_file(file, ...)
+  }
+  version <- tryCatch(
+    RNetCDF::att.get.nc(nc, "NC_GLOBAL", paste0("codend_", what)),
+    error = function(e) refuse("holds no {wanted} of codend.", wanted = what)
+  )
+  if (!identical(as.double(version), as.double(known))) {
+    refuse(paste("is of format {version}; this codend reads format {known} alone.",
+      if (all(version < known)) "Older ones held objects of R, which reading would have run."),
+      version = version, known = known)
+  }
+  size <- tryCatch(data_bytes(nc), error = function(e) Inf)
+  if (size > file.size(file)) {
+    RNetCDF::close.nc(nc)
+    abort_damaged(file, "it is shorter than what it says to hold")
+  }
+  if (seal == "none" && !unsealed) {
+    RNetCDF::close.nc(nc)
+    abort_damaged(file, "it ends without its checksum")
+  }
+  nc
+}
+
+# Bytes of all variables of a file.
+data_bytes <- function(nc) {
+  info <- RNetCDF::file.inq.nc(nc)
+  of_dimension <- vapply(seq_len(info$ndims) - 1L, function(id) {
+    as.double(RNetCDF::dim.inq.nc(nc, id)$length)
+  }, 0)
+  sum(vapply(seq_len(info$nvars) - 1L, function(id) {
+    variable <- RNetCDF::var.inq.nc(nc, id)
+    ids <- variable$dimids
+    width <- switch(variable$type, NC_DOUBLE = 8, NC_INT = 4, NC_CHAR = 1, Inf)
+    width * prod(of_dimension[ids[!is.na(ids)] + 1L])
+  }, 0))
+}
+
+abort_damaged <- function(file, why) abort_file(file, "is damaged: {why}.", why = why)
+
+# Reads with a function(get) of an open file's variables; closes it. Whatever does not fit is told as
+# damage.
+read_kept <- function(nc, file, read) {
+  on.exit(RNetCDF::close.nc(nc))
+  tryCatch(read(file_getter(nc)), error = function(e) {
+    if (inherits(e, "codend_error_file")) stop(e)
+    abort_damaged(file, sub("[.[:space:]]+$", "", conditionMessage(e)))
+  })
+}
+
+# A function(name, start, count) that gives a variable's numbers, none where it is not in the file.
+file_getter <- function(nc) {
+  info <- RNetCDF::file.inq.nc(nc)
+  known <- vapply(seq_len(info$nvars) - 1L, function(id) RNetCDF::var.inq.nc(nc, id)$name, "")
+  function(name, start = NA, count = NA, rawchar = FALSE) {
+    if (!name %in% known) return(numeric())
+    RNetCDF::var.get.nc(nc, name, start, count, na.mode = 3, rawchar = rawchar, collapse = FALSE)
+  }
+}
+
+# ---- what codend keeps for itself ---------------------------------------------------------------
+
+# The variables of what is kept, with a gear and a lattice: lists of value, type, across, words.
+kept_numbers <- function(what) {
+  what$plan_text <- enc2utf8(format(what$gear))
+  what$plan_file <- what$gear$file
+  # a function of what it was made from
+  what$places <- environment(what$lattice$place)$places
+  what$gear <- what$lattice$place <- NULL
+  flat <- flatten_tree(what)
+  list(
+    kept_form = list(value = charToRaw(flat$form), type = "NC_CHAR", across = "kept_byte",
+      words = "form of what codend reads again, as JSON"),
+    kept_numbers = list(value = flat$numbers, type = "NC_DOUBLE", across = "kept_number",
+      words = "its numbers"),
+    kept_integers = list(value = flat$integers, type = "NC_INT", across = "kept_integer",
+      words = "its whole numbers and truth values")
+  )
+}
+
+read_kept_numbers <- function(get) {
+  text <- rawToChar(as.raw(get("kept_form", rawchar = TRUE)))
+  Encoding(text) <- "UTF-8"
+  # NA is the least of all integers
+  integers <- suppressWarnings(as.integer(get("kept_integers")))
+  what <- build_tree(text, as.vector(get("kept_numbers")), integers, stop)
+  gear <- gear_of_text(what$plan_text, what$plan_file)
+  if (!inherits(what$lattice, "codend_lattice")) stop("it holds no lattice")
+  what$lattice$place <- place_finder(what$places)
+  check_indices(what$lattice)
+  what$plan_text <- what$plan_file <- what$places <- NULL
+  c(list(gear = gear), what)
+}
+
+gear_of_text <- function(text, file) {
+  if (!is_text(text)) stop("it holds no plan")
+  path <- tempfile(fileext = ".yaml")
+  on.exit(unlink(path))
+  writeBin(charToRaw(enc2utf8(text)), path)
+  as_gear(read_plan(path), file = file)
+}
+
+# Numbers of nodes and parts that a lattice refers to must be there.
+check_indices <- function(lattice) {
+  engine <- lattice$engine
+  points <- length(engine$mass)
+  within <- function(number, most, name) {
+    if (length(number) && (!is.numeric(number) || anyNA(number) || min(number) < 1 ||
+      max(number) > most)) {
+      stop("its ", name, " refer to what is not there")
+    }
+  }
+  if (!identical(as.double(lattice$nodes), as.double(engine$nodes)) || engine$nodes > points) {
+    stop("its nodes do not fit")
+  }
+  for (name in c("bars", "triangles", "spheres", "lifts", "screens", "contacts", "volumes", "pressure")) {
+    within(engine[[name]]$node, points, name)
+  }
+  for (name in c("bar_part", "triangle_part", "sphere_part", "lift_part", "board_part")) {
+    within(lattice[[name]], nrow(lattice$parts), name)
+  }
+  within(unlist(lattice$points), points, "points")
+  materials <- length(engine$materials$diameter)
+  within(engine$bars$material, materials, "bars")
+  within(engine$triangles$material, materials, "triangles")
+}

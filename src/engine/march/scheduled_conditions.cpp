@@ -1,0 +1,171 @@
+#include "scheduled_conditions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codend {
+namespace {
+
+// Steps are no longer (s) while nodes are released, so that each begins in its turn.
+constexpr double releasing_step = 0.5;
+
+double& upward(std::vector<double>& values, int point) {
+  return values[3 * static_cast<std::size_t>(point) + 2];
+}
+
+}  // namespace
+
+ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Schedule schedule,
+                                         const Motion& start)
+    : model_(model),
+      assembly_(assembly),
+      schedule_(std::move(schedule)),
+      start_(start),
+      mass_(model.mass),
+      load_(model.load),
+      buoyancy_(model.volumes.buoyancy),
+      shaded_at_(start.time),
+      factor_(schedule_.groups.size(), 1.0),
+      rate_(schedule_.groups.size(), 0.0) {
+  for (const GrowingGroup& group : schedule_.groups) {
+    for (std::size_t k = 0; k < group.points.size(); ++k) {
+      mass_[group.points[k]] -= group.mass[k];
+      upward(load_, group.points[k]) -= group.load[k];
+    }
+    for (std::size_t k = 0; k < group.volumes.size(); ++k) {
+      buoyancy_[group.volumes[k]] -= group.buoyancy[k];
+    }
+    answers_ = answers_ || group.controlled;
+  }
+  for (Rupture& one : schedule_.ruptures) {
+    if (one.broken >= 0) rupture(one, one.broken, one.broken_at);
+  }
+  if (!schedule_.release.node.empty()) {
+    held_back_.assign(static_cast<std::size_t>(model.nodes), 0);
+    all_released_ =
+        *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
+  }
+  answers_ = answers_ || !schedule_.ruptures.empty() || assembly.shades();
+}
+
+void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
+  for (int n = 0; n < model_.nodes; ++n) {
+    if (!model_.held[n]) continue;
+    at(motion.x.data(), n) =
+        at(start_.x.data(), n) + (time - start_.time) * at(start_.v.data(), n);
+    at(motion.v.data(), n) = at(start_.v.data(), n);
+  }
+  const ScheduledValues values = values_at(schedule_, time, side);
+  const PrescribedMotion& body = schedule_.motion;
+  const double c = std::cos(values.heading), s = std::sin(values.heading);
+  const Vector forth(c, -s, 0.0), aside(s, c, 0.0);  // the body's own x and y
+  for (std::size_t k = 0; k < body.node.size(); ++k) {
+    const Vector& p = body.place[k];
+    at(motion.x.data(), body.node[k]) =
+        values.origin + p.x() * forth + p.y() * aside + p.z() * Vector::UnitZ();
+    at(motion.v.data(), body.node[k]) =
+        values.velocity + values.turning * (p.y() * forth - p.x() * aside);
+  }
+  for (std::size_t k = 0; k < values.current.size(); ++k) {
+    model_.water.current[k] = values.current[k];
+  }
+  grow(values);
+  release(time);
+  assembly_.update();
+}
+
+void ScheduledConditions::release(double time) {
+  time_ = time;
+  if (held_back_.empty()) return;
+  bool changed = false;
+  for (std::size_t k = 0; k < schedule_.release.node.size(); ++k) {
+    const char held = schedule_.release.time[k] > time;
+    char& was = held_back_[static_cast<std::size_t>(schedule_.release.node[k])];
+    changed = changed || was != held;
+    was = held;
+  }
+  if (changed) assembly_.hold(held_back_);
+}
+
+void ScheduledConditions::grow(const ScheduledValues& values) {
+  bool changed = false;
+  for (std::size_t g = 0; g < schedule_.groups.size(); ++g) {
+    const double factor = values.factor[g], rate = values.rate[g];
+    if (factor == factor_[g] && rate == rate_[g]) continue;
+    changed = changed || factor != factor_[g];
+    factor_[g] = factor;
+    rate_[g] = rate;
+    const GrowingGroup& group = schedule_.groups[g];
+    for (std::size_t k = 0; k < group.bars.size(); ++k) {
+      model_.bars.rest[group.bars[k]] = factor * group.rest[k];
+      assembly_.update_bar(group.bars[k], rate / factor);
+    }
+    for (std::size_t k = 0; k < group.spheres.size(); ++k) {
+      model_.spheres.drag_area[group.spheres[k]] = factor * group.drag_area[k];
+      model_.spheres.added_mass[group.spheres[k]] = factor * group.added_mass[k];
+    }
+  }
+  if (!changed) return;
+  for (const GrowingGroup& group : schedule_.groups) {
+    for (const int point : group.points) {
+      model_.mass[point] = mass_[point];
+      upward(model_.load, point) = upward(load_, point);
+    }
+    for (const int volume : group.volumes) model_.volumes.buoyancy[volume] = buoyancy_[volume];
+  }
+  for (std::size_t g = 0; g < schedule_.groups.size(); ++g) {
+    const GrowingGroup& group = schedule_.groups[g];
+    for (std::size_t k = 0; k < group.points.size(); ++k) {
+      model_.mass[group.points[k]] += factor_[g] * group.mass[k];
+      upward(model_.load, group.points[k]) += factor_[g] * group.load[k];
+    }
+    for (std::size_t k = 0; k < group.volumes.size(); ++k) {
+      model_.volumes.buoyancy[group.volumes[k]] += factor_[g] * group.buoyancy[k];
+    }
+  }
+}
+
+void ScheduledConditions::rupture(Rupture& rupture, int bar, double time) {
+  rupture.broken = bar;
+  rupture.broken_at = time;
+  model_.bars.multiplicity[bar] = 0.0;
+  assembly_.update_bar(bar, 0.0);
+}
+
+double ScheduledConditions::longest_step() const {
+  double longest = std::numeric_limits<double>::infinity();
+  if (time_ < all_released_) longest = releasing_step;
+  for (const GrowingGroup& group : schedule_.groups) {
+    if (group.controlled) longest = std::min(longest, group.control.longest_step());
+  }
+  return longest;
+}
+
+bool ScheduledConditions::broken_at(const Motion& now) {
+  bool broken = false;
+  if (!answers_) return broken;
+  assembly_.move_to(now.x.data(), now.v.data());
+  for (Rupture& one : schedule_.ruptures) {
+    if (one.broken >= 0) continue;
+    int bar = now.time >= one.time * (1.0 - 1e-12) ? one.at : -1;
+    double most = one.strength;
+    for (const int b : one.bars) {
+      const double pull = assembly_.bar_pull(b);
+      if (!(pull > most)) continue;
+      most = pull;
+      bar = b;
+    }
+    if (bar < 0) continue;
+    rupture(one, bar, now.time);
+    broken = true;
+  }
+  for (GrowingGroup& group : schedule_.groups) {
+    if (!group.controlled) continue;
+    group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
+  }
+  if (assembly_.shades()) assembly_.shade_over(now.time - shaded_at_);
+  shaded_at_ = now.time;
+  return broken;
+}
+
+}  // namespace codend

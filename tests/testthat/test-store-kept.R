@@ -1,0 +1,86 @@
+# What a kept file holds is plain data, and damage is told before any of it is used.
+
+test_that("a tree of lists and vectors comes back to the last bit", {
+  tree <- list(
+    a = c(1 / 3, NA, NaN, Inf, -0), b = c(x = 1L, y = NA), c = list(TRUE, NULL, c(NA, "\u00e5\n")),
+    d = matrix(1:6, 2L, dimnames = list(NULL, c("p", "q", "r"))), e = list(), f = character(),
+    g = data.frame(n = 1:3, t = c("a", "b", "c")), h = setNames(list(), character()),
+    i = structure(list(nodes = 3L), class = "codend_lattice"), j = numeric(),
+    k = setNames(1:3, c("a", NA, ""))
+  )
+  flat <- flatten_tree(tree)
+  expect_identical(build_tree(flat$form, flat$numbers, flat$integers, stop), tree)
+  expect_error(build_tree(flat$form, flat$numbers[-1], flat$integers, stop), "too short")
+  expect_error(build_tree(flat$form, c(flat$numbers, 1), flat$integers, stop), "too long")
+  # neither functions nor other classes, calls or environments come out of a file
+  expect_s3_class(build_tree(flatten_tree(list(mean))$form, numeric(), integer(), stop)[[1]],
+    "codend_lost_function")
+  for (tree in list(quote(a + b), globalenv(), structure(1, class = "formula"), 1i)) {
+    expect_error(flatten_tree(list(tree)))
+  }
+  forged <- '{"kind":"double","length":1,"attributes":{"kind":"list","names":["class"],"items":[
+    {"kind":"character","text":["formula"]}]}}'
+  expect_error(build_tree(forged, 1, integer(), stop), "unknown")
+  expect_error(build_tree('{"kind":"language"}', 1, integer(), stop), "unknown")
+  expect_error(build_tree('{"kind":"double","length":1e12}', 1, integer(), stop), "too short")
+})
+
+# A copy of a file with some of its bytes changed by a function of these.
+damaged <- function(file, change) {
+  bytes <- change(readBin(file, "raw", file.size(file)))
+  copy <- tempfile(fileext = ".nc", tmpdir = dirname(file))
+  writeBin(bytes, copy)
+  copy
+}
+
+test_that("a state's or a tow's file that was cut short or changed is one clear error", {
+  skip_if_not_installed("RNetCDF")
+  folder <- test_folder()
+  kept <- list(
+    list(file = write_state(settled("panel_in_current", nodes = 200), file.path(folder, "s.nc")),
+      read = read_state),
+    list(file = write_trajectory(tow("towed_cable", until = 20, every = 5), file.path(folder, "t.nc")),
+      read = read_trajectory)
+  )
+  for (one in kept) {
+    size <- file.size(one$file)
+    # places all over the file, the header's dense
+    places <- unique(round(c(seq(1, 2000, by = 41), seq(1, size, length.out = 60))))
+    for (place in places) {
+      flipped <- damaged(one$file, function(bytes) {
+        bytes[place] <- xor(bytes[place], as.raw(2^(place %% 8)))
+        bytes
+      })
+      expect_error(one$read(flipped), class = "codend_error_file", label = paste("flipped", place))
+      unlink(flipped)
+    }
+    for (length in round(seq(0, size - 1, length.out = 40))) {
+      cut <- damaged(one$file, function(bytes) bytes[seq_len(length)])
+      expect_error(one$read(cut), class = "codend_error_file", label = paste("cut to", length))
+      unlink(cut)
+    }
+  }
+})
+
+test_that("files of an older format, which held objects of R, are refused", {
+  skip_if_not_installed("RNetCDF")
+  file <- file.path(test_folder(), "old.nc")
+  write_netcdf(file, function(nc) {
+    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_state", "NC_INT", 1L)
+    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_trajectory", "NC_INT", 2L)
+  })
+  expect_error(read_state(file), "format 1.*held objects of R", class = "codend_error_file")
+  expect_error(read_trajectory(file), "format 2.*held objects of R", class = "codend_error_file")
+})
+
+test_that("a lattice that refers to what is not there is refused", {
+  lattice <- settled("towed_cable")$lattice
+  expect_null(check_indices(lattice))
+  for (wrong in list(0L, NA, 1e9L)) {
+    spoiled <- lattice
+    spoiled$engine$bars$node[3] <- wrong
+    expect_error(check_indices(spoiled), "bars")
+  }
+  lattice$bar_part[1] <- 99L
+  expect_error(check_indices(lattice), "bar_part")
+})
