@@ -8,7 +8,8 @@ parse_command <- function(name, command, arguments) {
   }
   parser <- command_parser(name, command)
   if (any(taken$rest %in% c("--help", "-h"))) {
-    return(paste0(paste(utils::capture.output(optparse::print_help(parser)), collapse = "\n"), "\n"))
+    said <- utils::capture.output(optparse::print_help(parser))
+    return(paste0(paste(said, collapse = "\n"), "\n"))
   }
   found <- tryCatch(
     optparse::parse_args(parser, taken$rest, positional_arguments = TRUE),

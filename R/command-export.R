@@ -2,7 +2,8 @@ command_export <- function() {
   list(
     takes = "PLAN FILE...", does = "Settle a gear and write it for other programs.",
     more = paste0(
-      " The end of each FILE's name says how: ", formats_text("state"), ". A PLAN that ends in .nc ",
+      " The end of each FILE's name says how: ", formats_text("state"),
+      ". A PLAN that ends in .nc ",
       "is a state that was kept so, or a tow, to be written as ", formats_text("trajectory"), "."
     ),
     options = list(set_option(), nodes_option(), netting_option()),

@@ -1,5 +1,5 @@
-# Options that several commands take, and what is checked of them before anything is computed: a long
-# solve must not end in a folder that cannot be written.
+# Options that several commands take, and what is checked of them before anything is computed: a
+# long solve must not end in a folder that cannot be written.
 
 set_option <- function() {
   optparse::make_option("--set", metavar = "FIELD=VALUE", help = paste(

@@ -16,7 +16,9 @@ run_report <- function(plan, options) {
   file <- options$out
   if (is.null(file)) file <- paste0(sub("[.][^.]*$", "", basename(plan)), ".html")
   if (!grepl("[.]html$", file) || !may_place(file)) {
-    abort_usage("--out is ", file, "; it must end in .html and lie in a folder that can be written.")
+    abort_usage(
+      "--out is ", file, "; it must end in .html and lie in a folder that can be written."
+    )
   }
   report(settle_changed(plan, options), file)
   tell(0L, "Written: ", file)

@@ -31,7 +31,9 @@ run_tow <- function(plan, options) {
   trajectory <- do.call(tow, c(list(gear, file = file), given, lattice_arguments(options)))
   print(trajectory)
   print(summary(trajectory))
-  if (!is.null(options$out)) write_towed(trajectory, options$out, if (!is.null(file)) basename(file))
+  if (!is.null(options$out)) {
+    write_towed(trajectory, options$out, if (!is.null(file)) basename(file))
+  }
   # what an interrupt leaves is written, but the tow is not done
   if (trajectory$end == "interrupted") {
     stop(structure(class = c("interrupt", "condition"), list(message = "", call = NULL)))

@@ -1,8 +1,8 @@
 # The command line: `exec/codend` hands its arguments over and ends with the status.
 
 # arguments: text, as a shell hands them over. Results go to standard output, everything else to
-# standard error. Returns the exit status: 0 done, 1 the plan is wrong or the gear does not settle, 2
-# the command is used wrongly, 130 interrupted.
+# standard error. Returns the exit status: 0 done, 1 the plan is wrong or the gear does not settle,
+# 2 the command is used wrongly, 130 interrupted.
 run_command <- function(arguments) {
   if (!length(arguments)) return(tell(2L, command_usage()))
   name <- arguments[1]

@@ -2,8 +2,8 @@
 # right, y down from the front.
 #
 # As in the FAO Catalogue of Fishing Gear Designs panels are as deep as their netting is stretched,
-# and half as wide as it is stretched (a hanging ratio of 0.5); what hangs between two ropes of known
-# hanging ratio is as wide as these. Square netting has its own width.
+# and half as wide as it is stretched (a hanging ratio of 0.5); what hangs between two ropes of
+# known hanging ratio is as wide as these. Square netting has its own width.
 
 # Panels flat: a data frame with a row per panel: name, upper and lower (widths), depth, shift (of
 # the lower left corner from the upper left).

@@ -40,8 +40,8 @@ width_rule <- function(figure) {
 # below, with counts and cutting rates at their edges; or in the notes alone.
 plan_ways <- c("table", "edges", "notes")
 
-# The drawing in the first of these ways that is not much smaller than in the next; symmetric columns
-# whole, or halved where that helps.
+# The drawing in the first of these ways that is not much smaller than in the next; symmetric
+# columns whole, or halved where that helps.
 #
 # Returns list(columns, rows (of the table, or NULL), widths (of its columns), notes, scale, top,
 # bottom).
@@ -99,9 +99,9 @@ shorten_longest <- function(panels) {
   panels
 }
 
-# A column ready to draw: list(panels (with corners ul, ur, lr, ll, labels and tag), heading, remark,
-# half, wall (panels side by side), detail (whether counts and rates stand at its edges)). In a half
-# column x starts at its middle.
+# A column ready to draw: list(panels (with corners ul, ur, lr, ll, labels and tag), heading,
+# remark, half, wall (panels side by side), detail (whether counts and rates stand at its edges)).
+# In a half column x starts at its middle.
 flat_column <- function(panels, column, si, halve) {
   wall <- any(beside_another(panels))
   half <- halve && column$symmetric && !wall

@@ -2,22 +2,22 @@
 
 #' Draw the plan of a gear
 #'
-#' The gear's netting laid flat, its rigging and the list of its ropes and pieces, on one page, as in
-#' the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978; drawing after ISO 3169): panels
+#' The gear's netting laid flat, its rigging and the list of its ropes and pieces, on one page, as
+#' in the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978; drawing after ISO 3169): panels
 #' that follow each other stand in columns, front edge up, as deep as their netting is stretched and
-#' half as wide as it is stretched, at one scale. What hangs between two ropes of known hanging ratio
-#' is as wide as these; square netting has its own width. Of columns that are alike one is drawn, and
-#' of symmetric columns, where the whole would be small, the right half. Straight panels that are
-#' joined side by side, such as those of a seine, are drawn as one wall.
+#' half as wide as it is stretched, at one scale. What hangs between two ropes of known hanging
+#' ratio is as wide as these; square netting has its own width. Of columns that are alike one is
+#' drawn, and of symmetric columns, where the whole would be small, the right half. Straight panels
+#' that are joined side by side, such as those of a seine, are drawn as one wall.
 #'
 #' Beside every panel stand its part, meshes deep, mesh size, twine and material; at its upper and
 #' lower edges the meshes across (of the whole panel); and at its sides the cutting rate after ISO
 #' 1532: points (N), meshes (T) and bars (B) in one cycle, such as 1N2B, or all of one kind (AN, AB,
 #' AT). Where no cycle of few cuts gives the taper, the two nearest follow each other, each as often
-#' as is written, until the edge is done: 9(1N2B)+1(1N3B). Meshes that seams take up are not counted.
-#' Where a table beside the netting would not be clear, panels have numbers (P1) that are explained
-#' below. Ropes have numbers and pieces have letters, which the lists explain; E is a rope's hanging
-#' ratio. The rigging is not to scale; what is alike on both sides is drawn once.
+#' as is written, until the edge is done: 9(1N2B)+1(1N3B). Meshes that seams take up are not
+#' counted. Where a table beside the netting would not be clear, panels have numbers (P1) that are
+#' explained below. Ropes have numbers and pieces have letters, which the lists explain; E is a
+#' rope's hanging ratio. The rigging is not to scale; what is alike on both sides is drawn once.
 #'
 #' A panel that makes up most of the length of a net is drawn shortened, with a break; a wall much
 #' longer than deep is drawn at two scales, and says so.
@@ -76,7 +76,8 @@ plan_page <- c(11.69, 8.27)
 
 draw_plan <- function(figure, page) {
   if (page[1] < 5 || page[2] < 3.5) {
-    abort_view("A page of {page[1]} by {page[2]} inches is too small for a plan; it takes 5 by 3.5.",
+    abort_view(
+      "A page of {page[1]} by {page[2]} inches is too small for a plan; it takes 5 by 3.5.",
       list(page = round(page, 1)))
   }
   kept <- graphics::par(no.readonly = TRUE)

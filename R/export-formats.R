@@ -1,5 +1,5 @@
-# The formats that a state or a trajectory is exported in. The command line, the tank's downloads and
-# the help of both are made from this table; a new format is a line here and its writer.
+# The formats that a state or a trajectory is exported in. The command line, the tank's downloads
+# and the help of both are made from this table; a new format is a line here and its writer.
 #
 # name: a word of its own; extension: how its files end; of: "state" or "trajectory"; title: what a
 # file holds; opens: what it is for; package: what it takes, or NULL; write: a function(x, file).

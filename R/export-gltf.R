@@ -36,9 +36,9 @@ write_gltf <- function(state, file, colours = c("tension", "part")) {
   write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
-    scene <- gltf_scene(state, colours, buffer)
+    scene <- with_plain_numbers(gltf_scene(state, colours, buffer))
     write <- if (extension == ".glb") write_glb else write_gltf_text
-    write(path, scene, buffer)
+    with_plain_numbers(write(path, scene, buffer))
   })
 }
 

@@ -66,7 +66,8 @@ abort_unwritten <- function(file, why, trajectory = NULL) {
     why = sub("[.[:space:]]+$", "", why), trajectory = trajectory)
 }
 
-# what: the rest of the sentence, for cli with the values in `...`, which the condition has as fields.
+# what: the rest of the sentence, for cli with the values in `...`, which the condition has as
+# fields.
 abort_file <- function(file, what, ...) {
   values <- list(...)
   cli::cli_abort(paste("{.arg file} is {.val {file}}; it", what),

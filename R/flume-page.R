@@ -149,7 +149,8 @@ flume_downloads <- function() {
     save("save_measures", "Measures (CSV)", "with the pinned design's and the change"),
     save("save_drag", "Drag (CSV)", "by rope, panel and piece"),
     lapply(formats_of("state"), function(format) {
-      if (!is.null(format$package) && !requireNamespace(format$package, quietly = TRUE)) return(NULL)
+      package <- format$package
+      if (!is.null(package) && !requireNamespace(package, quietly = TRUE)) return(NULL)
       save(paste0("save_", format$name), sprintf("%s (%s)", format$title, format$extension),
         paste("for", format$opens))
     })

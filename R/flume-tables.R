@@ -1,18 +1,21 @@
 # The flume tank's tables, as HTML.
 
 # A table of texts with row headers. Made as text: tag by tag it would take longer than settling.
-html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL) {
+html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL,
+                       titles = NULL) {
   class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
-  line <- function(cells) {
+  line <- function(cells, title = NULL) {
     last <- c("</th>", rep("</td>", length(cells) - 1L))
-    open <- c("<th scope='row'>", paste0("<td", class[-1], ">"))
+    said <- if (!is.null(title)) paste0(" title='", escape_markup(title), "'")
+    open <- c(paste0("<th scope='row'", said, ">"), paste0("<td", class[-1], ">"))
     paste0("<tr>", paste0(open, escape_markup(as.character(cells)), last, collapse = ""), "</tr>")
   }
+  rows_html <- if (is.null(titles)) vapply(rows, line, "") else mapply(line, rows, titles)
   shiny::HTML(paste0(
     "<div class='table-scroll' tabindex='0' role='region' aria-label='", escape_markup(caption), "'>",
     "<table class='table table-sm flume-table'><caption>", escape_markup(caption), "</caption>",
     "<thead><tr>", paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = ""),
-    "</tr></thead><tbody>", paste(vapply(rows, line, ""), collapse = ""), "</tbody>",
+    "</tr></thead><tbody>", paste(rows_html, collapse = ""), "</tbody>",
     if (!is.null(foot)) paste0("<tfoot>", line(foot), "</tfoot>"), "</table></div>"
   ))
 }
@@ -22,17 +25,21 @@ text_rows <- function(table) {
   lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
 }
 
-# Measures of two states beside each other: data frame with measure, unit, now, pinned, change and
-# change_percent (NA where only one of them has the measure, or the pinned one is zero).
+# Measures of two states beside each other: data frame with measure, unit, now, pinned, change,
+# change_percent (NA where only one of them has the measure, or the pinned one is zero) and definition.
 measure_changes <- function(now, pinned) {
   names <- union(names(now), names(pinned))
   unit <- unname(c(attr(now, "unit"), attr(pinned, "unit"))[names])
+  definition <- c(
+    setNames(definitions_of(now), names(now)), setNames(definitions_of(pinned), names(pinned))
+  )[names]
   now <- unname(plain_measures(now)[names])
   pinned <- unname(plain_measures(pinned)[names])
   change <- now - pinned
   data.frame(
     measure = words_of(names, unit), unit = unit, now = now, pinned = pinned, change = change,
-    change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned))
+    change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned)),
+    definition = unname(definition)
   )
 }
 
@@ -72,7 +79,8 @@ measures_html <- function(now, pinned) {
     paste0(table$measure, " (", table$unit, ")"), fixed_decimals(table$now, decimals),
     fixed_decimals(table$pinned, decimals), change, percent
   )
-  html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows))
+  html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows),
+    titles = table$definition)
 }
 
 # Ropes and netting ranked by their largest tension, parts of one role together; kN, of one line.

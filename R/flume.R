@@ -27,7 +27,8 @@
 #' is run as code.
 #'
 #' What is on screen can be saved: a report ([report()]), the plan ([write_gear()]), the tables as
-#' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same page from a shell.
+#' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same
+#' page from a shell.
 #'
 #' The page asks nothing of the network but the R process that serves it. That process settles for
 #' one browser at a time; each browser has a gear of its own and waits for its own last answer

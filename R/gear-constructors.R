@@ -1,7 +1,24 @@
 # A gear without a file: each constructor gives the same piece of tree as its map in a plan file.
 
+# fields: by name; those not given are NULL.
 component <- function(group, fields) {
   structure(Filter(Negate(is.null), fields), class = "codend_component", group = group)
+}
+
+# The names of a part's fields in the schema, in order.
+part_fields <- function(part) {
+  file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
+  definitions <- jsonlite::fromJSON(file, simplifyVector = FALSE)[["$defs"]]
+  names(definitions[[part]]$properties)
+}
+
+# The constructor of a part: its arguments are the part's fields, each NULL where not given. Made
+# when the package is installed.
+constructor <- function(part, group) {
+  fields <- part_fields(part)
+  made <- function() component(group, as.list(environment()))
+  formals(made) <- stats::setNames(rep(list(NULL), length(fields)), fields)
+  made
 }
 
 #' Make a gear in R
@@ -62,9 +79,7 @@ gear <- function(name, ..., kind = "assembly") {
 #'   gears whose stiff parts (rings of pipe, poles) it could not unfold by itself.
 #' @rdname gear
 #' @export
-point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = NULL) {
-  component("points", as.list(environment()))
-}
+point <- constructor("point", "points")
 
 #' @param from,to Places of a rope's start and end.
 #' @param along Panel edges that a rope is laced to, or that a piece is spread along (a piece: also
@@ -73,7 +88,7 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #' @param through Places that a rope slides through, in order from its start, such as rings or
 #'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in equal
 #'   shares from place to place.
-#' @param length Unstretched length of a rope. In `measure()`, two places: their distance (m).
+#' @param length Unstretched length of a rope.
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
 #' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
 #' @param diameter Nominal diameter of a rope; diameter of a spherical piece.
@@ -96,14 +111,7 @@ point <- function(position = NULL, held = NULL, at = NULL, near = NULL, load = N
 #' @param role What it is on the gear (`"warp"`, `"head_line"`, `"otter_board"`...).
 #' @rdname gear
 #' @export
-rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = NULL,
-                 lengths = NULL, hanging_ratio = NULL, diameter = NULL, material = NULL,
-                 axial_stiffness = NULL, bending_stiffness = NULL, pushes = NULL,
-                 damping_ratio = NULL,
-                 mass_per_length = NULL, volume_per_length = NULL, coefficients = NULL,
-                 added_mass = NULL, strength = NULL, segments = NULL, role = NULL) {
-  component("ropes", as.list(environment()))
-}
+rope <- constructor("rope", "ropes")
 
 #' @param mesh_size Stretched length of a full mesh.
 #' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
@@ -129,14 +137,7 @@ rope <- function(from = NULL, to = NULL, along = NULL, through = NULL, length = 
 #' @param part Part of the gear that a panel is counted with.
 #' @rdname gear
 #' @export
-panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = NULL,
-                  straight_bar = NULL, tapered = NULL,
-                  knotted = NULL, knot_diameter = NULL, netting = NULL, coefficients = NULL,
-                  shielding = NULL, netting_drag = NULL, opening_stiffness = NULL,
-                  added_mass = NULL, columns = NULL, rows = NULL, bar_segments = NULL,
-                  part = NULL) {
-  component("panels", as.list(environment()))
-}
+panel <- constructor("panel", "panels")
 
 #' @param edges The chains of panel edges that a seam joins, as a list.
 #' @param gathered_at The one place that all meshes of a seam are gathered at.
@@ -144,9 +145,7 @@ panel <- function(mesh_size = NULL, meshes = NULL, twine = NULL, orientation = N
 #'   from the first to the second, as on a rigid bar or frame.
 #' @rdname gear
 #' @export
-seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
-  component("seams", as.list(environment()))
-}
+seam <- constructor("seam", "seams")
 
 #' @param share From which to which fraction of that length (two numbers).
 #' @param number How many pieces.
@@ -155,8 +154,7 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #' @param mass,volume,density Mass in air and displaced volume of each, or its density instead of
 #'   the volume.
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
-#' @param area Area that the coefficients act on. In `measure()`, names of ropes that run end to
-#'   end: the area that they enclose, seen level and from right ahead of them (m2).
+#' @param area Area that the coefficients act on.
 #' @param drag_coefficient,drag_area Drag coefficient, or its product with the area; or
 #'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls to
 #'   a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
@@ -166,13 +164,7 @@ seam <- function(edges = NULL, gathered_at = NULL, held_between = NULL) {
 #' @param added_mass_kg Added mass of each piece.
 #' @rdname gear
 #' @export
-piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_end = NULL,
-                  mass = NULL, volume = NULL, density = NULL, material = NULL, buoyancy = NULL,
-                  diameter = NULL, area = NULL, drag_coefficient = NULL, drag_area = NULL,
-                  lift_coefficient = NULL, lift_area = NULL, lift_direction = NULL,
-                  polar = NULL, attack = NULL, added_mass = NULL, added_mass_kg = NULL, role = NULL) {
-  component("pieces", as.list(environment()))
-}
+piece <- constructor("piece", "pieces")
 
 #' @param chord,span Chord and span of an otter board.
 #' @param polar Lift and drag coefficients by angle of attack: the name of a tested board
@@ -188,44 +180,30 @@ piece <- function(at = NULL, along = NULL, share = NULL, number = NULL, end_to_e
 #' @param shoe_area Underside of an otter board on the sea bed.
 #' @rdname gear
 #' @export
-otter_board <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
-                        volume = NULL, density = NULL, material = NULL, polar = NULL,
-                        attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
-                        centre_of_buoyancy = NULL, added_mass_kg = NULL, shoe_area = NULL) {
-  component("otter_boards", as.list(environment()))
-}
+otter_board <- constructor("otter_board", "otter_boards")
 
 #' @param pushes Side that a free otter board's lift points to: `"port"` or `"starboard"`; of a kite
 #'   `"up"`, of a depressor `"down"`.
 #' @rdname gear
 #' @export
-kite <- function(pushes = NULL, chord = NULL, span = NULL, area = NULL, mass = NULL,
-                 volume = NULL, density = NULL, material = NULL, polar = NULL,
-                 attachments = NULL, centre_of_pressure = NULL, centre_of_gravity = NULL,
-                 centre_of_buoyancy = NULL, added_mass_kg = NULL) {
-  component("kites", as.list(environment()))
-}
+kite <- constructor("kite", "kites")
 
-#' @param spread Two places, or a list of pairs of places: horizontal distance, or its mean (m).
-#' @param height Two places: their vertical distance (m).
-#' @param depth A place: its depth (m).
-#' @param clearance A place: its height above the sea bed (m).
-#' @param tension A rope's start, middle or end, or `"warp.max"` for the largest (kN).
-#' @param angle Such as `list(warp.start = "declination")`: a rope's angle below the horizontal, or
-#'   its `"divergence"` sideways (deg).
-#' @param attitude Such as `list(otter_board_port = "attack")`: a free otter board's angle of
-#'   attack, `"heel"` or `"trim"` (deg).
-#' @param volume_share `list(panels, of)`: the volume within panels as a share of another (percent).
-#' @param drag,lift Names of ropes, panels and pieces: the hydrodynamic force on them together, along
-#'   the flow or upwards (kN).
-#' @param sinking_speed A place: its downward speed (m/s).
-#' @param enclosed_volume Name of the rope along the lower edge of netting that hangs from the surface:
-#'   the volume of water that it encloses (m3); see [measures()].
-#' @rdname gear
+#' A measure to ask for
+#'
+#' One of the measures that a gear made by [gear()] is asked for; a plan's `measures` have the same
+#' fields. [measures()] defines each kind and gives their values.
+#'
+#' @return A component for [gear()], which checks it.
+#' @eval measure_questions()
+#' @seealso [gear()] for points, ropes and panels, whose places and names are asked for.
 #' @export
-measure <- function(spread = NULL, height = NULL, length = NULL, depth = NULL, clearance = NULL,
-                    tension = NULL, area = NULL, angle = NULL, attitude = NULL, volume = NULL,
-                    volume_share = NULL, drag = NULL, lift = NULL, sinking_speed = NULL,
-                    enclosed_volume = NULL) {
-  component("measures", as.list(environment()))
+#' @examples
+#' measure(depth = "bottom")
+#' measure(angle = list(warp_port.start = "declination"))
+measure <- constructor("measure", "measures")
+
+# What each kind of measure asks for, as arguments of help, from the schema.
+measure_questions <- function() {
+  kinds <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
+  paste("@param", names(kinds), vapply(kinds, function(kind) kind$description, ""))
 }

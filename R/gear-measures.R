@@ -5,8 +5,8 @@
 # need not know how it is computed.
 measure_kinds <- new.env(parent = emptyenv())
 
-# kind: as in the plan; unit: in which it is shown, in_unit() knows it; definition: what it is, in the
-# field's words; asks(asked, path, known): what the plan asks for, checked and taken apart, as a
+# kind: as in the plan; unit: in which it is shown, in_unit() knows it; definition: what it is, in
+# the field's words; asks(asked, path, known): what the plan asks for, checked and taken apart, as a
 # named list (an unknown place, rope, panel or piece is an error of class `codend_error_plan`);
 # value(state, measure): the measure, SI, where `measure` holds that list.
 define_measure <- function(kind, unit, definition, asks, value) {

@@ -1,7 +1,7 @@
 # Otter boards, kites and depressors as rigid bodies, in SI numbers and in the engine's axes.
 
-# Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b its
-# longer side, by b/c (DNV-RP-C205, table D-2).
+# Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b
+# its longer side, by b/c (DNV-RP-C205, table D-2).
 plate_added_mass <- data.frame(
   ratio = c(1, 1.25, 1.59, 2, 2.5, 3.17, 4, 5, 6.25, 8, 10),
   coefficient = c(0.579, 0.642, 0.690, 0.757, 0.801, 0.840, 0.872, 0.897, 0.917, 0.934, 0.947)
@@ -125,7 +125,8 @@ add_otter_boards <- function(build, si, division, part, material) {
     apart <- board$attachment[, pairs[, 2]] - board$attachment[, pairs[, 1]]
     long <- sqrt(colSums(apart^2))
     build$add("bars", node = as.vector(t(matrix(nodes[pairs], 3L))), rest = long,
-      multiplicity = rep(1, 3L), height = long, material = rep(material + k, 3L), part = rep(part + k, 3L))
+      multiplicity = rep(1, 3L), height = long, material = rep(material + k, 3L),
+      part = rep(part + k, 3L))
   }
 }
 
@@ -148,8 +149,8 @@ first_attack <- function(board) {
   if (board$level) stall_angle(board) / 2 * pi / 180 else 25 * pi / 180
 }
 
-# Where a board's points are when it stands upright, or a kite lies level, with its leading edge turned
-# outward by this angle, its points' middle at a place (m); towards x the flow.
+# Where a board's points are when it stands upright, or a kite lies level, with its leading edge
+# turned outward by this angle, its points' middle at a place (m); towards x the flow.
 upright_board <- function(board, place, attack = first_attack(board)) {
   turn <- board$side * attack
   rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))

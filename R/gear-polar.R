@@ -1,8 +1,8 @@
 # Lift and drag of otter boards, kites and depressors by angle of attack: published tests, and what
 # lies between and beyond their angles.
 
-# Tested boards and kites. Only values that are printed in public; attack in deg, coefficients on the
-# area.
+# Tested boards and kites. Only values that are printed in public; attack in deg, coefficients on
+# the area.
 tested_polar <- function(source, attack, lift, drag) {
   list(source = source, values = data.frame(attack = attack, lift = lift, drag = drag))
 }
@@ -19,7 +19,7 @@ published_polars <- list(
   ),
   # largest C_L/C_D at 10 deg, largest C_L at 27.5 deg
   high_lift = tested_polar(
-    "Effect of aspect ratio on hydrodynamic performance of high lift otter board: abstract, board H2",
+    "Effect of aspect ratio on hydrodynamic performance of high lift otter board: abstract, H2",
     c(10, 27.5), c(1.660, 2.535), c(0.473, 1.424)
   ),
   # read from diagrams; Reynolds number 140,000
@@ -67,10 +67,10 @@ published_polars <- list(
 #' | `square_plate` | flat plate, aspect ratio 1 (the same) | 3 to 28 |
 #' | `fabric_kite` | soft kite with inflated edges (Fechner et al., Renewable Energy 83, 2015) | 0, 20, 40 |
 #'
-#' The otter boards are printed at two angles only, the higher that of the largest lift, beyond which
-#' they count as stalled. The plates' values were read from diagrams. No test of a trawl's own kite
-#' with printed angles was found: the fabric kite is one for the air. [force_coefficients()] has all
-#' of these values, computed and published.
+#' The otter boards are printed at two angles only, the higher that of the largest lift, beyond
+#' which they count as stalled. The plates' values were read from diagrams. No test of a trawl's own
+#' kite with printed angles was found: the fabric kite is one for the air. [force_coefficients()]
+#' has all of these values, computed and published.
 #'
 #' @param polar One of these names, or a data frame with columns `attack` (deg), `lift` and
 #'   `drag` (coefficients on the board's area) of at least two angles between 0 and 90 deg.

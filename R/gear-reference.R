@@ -4,7 +4,8 @@ edge_pattern <- "^(-?)([^.]+)[.](upper|lower|left|right)(?:\\[([0-9.]+):([0-9.]+
 
 # Takes a place apart.
 # Returns list(kind = "point" | "panel" | "rope", name, place), where place is NA for a point, the
-# corner (upper_left ...) of a panel, and start, middle, end, max or a share of its length of a rope.
+# corner (upper_left ...) of a panel, and start, middle, end, max or a share of its length of a
+# rope.
 parse_place <- function(text) {
   open <- regexpr("[", text, fixed = TRUE)
   if (open != -1) {

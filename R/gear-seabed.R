@@ -17,8 +17,8 @@ si_seabed <- function(seabed, towing_speed) {
 # Height (m) of points (3 x n) above the ground, across it.
 height_above_ground <- function(ground, position) drop(ground$normal %*% position) - ground$height
 
-# Moves points of a first shape out of the ground: what hangs below it is laid down along it, aft, so
-# that lengths stay.
+# Moves points of a first shape out of the ground: what hangs below it is laid down along it, aft,
+# so that lengths stay.
 lay_on_ground <- function(ground, position) {
   deep <- pmin(height_above_ground(ground, position), 0)
   aft <- c(1, 0, 0) - ground$normal[1] * ground$normal

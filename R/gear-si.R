@@ -14,7 +14,7 @@ check_whole <- function(plan, last = NULL) {
   if (now$fields$kind == "assembly") {
     now$assembly <- now$fields
   } else {
-    now$expanded <- gear_expanders[[now$fields$kind]](now$fields, plan)
+    now$expanded <- with_plain_numbers(gear_expanders[[now$fields$kind]](now$fields, plan))
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
     now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
   }

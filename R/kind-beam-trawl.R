@@ -1,7 +1,7 @@
 # The beam trawl's short form and the assembly that it stands for: a net of two panels behind a
-# frame of a stiff beam on two shoes. The outer legs of the bridle pull at the shoes' toes, from where
-# the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from end to
-# end of the beam, the footrope from heel to heel of the shoes.
+# frame of a stiff beam on two shoes. The outer legs of the bridle pull at the shoes' toes, from
+# where the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from
+# end to end of the beam, the footrope from heel to heel of the shoes.
 
 # What makes the frame one stiff body: struts that weigh nothing and that the water does not feel.
 frame_strut <- list(

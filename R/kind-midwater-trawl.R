@@ -100,7 +100,8 @@ trawl_net <- function(fields, plan, ring) {
   net
 }
 
-# Two wings a panel, at the ends of its front edge; each ends gathered in the wing tip at its corner.
+# Two wings a panel, at the ends of its front edge; each ends gathered in the wing tip at its
+# corner.
 trawl_wings <- function(fields, plan, around, first) {
   panels <- seams <- front <- outer <- list()
   tips <- wing_corners(around)

@@ -1,8 +1,8 @@
 # All chains of a gear as one table, and what lies along them: pieces of edges, or nodes.
 #
 # A row is one edge of one chain, and the rows of a chain follow each other. In the table are
-# edge: id of the panel's edge; from, to: the fractions of it between which the chain runs, from > to
-# where reversed; start, end: the fractions of the chain's stretched length there.
+# edge: id of the panel's edge; from, to: the fractions of it between which the chain runs, from >
+# to where reversed; start, end: the fractions of the chain's stretched length there.
 
 # Returns the table with first, rows (first row and number of rows of every chain) and who has
 # which chains: seams = list(first, count) of the chains of every seam that joins edges; laced,

@@ -81,8 +81,8 @@ opposite_edge <- function(e) if (e %% 2L == 1L) e + 1L else e - 1L
 
 # Pieces of all edges between their breaks, grouped into classes that share one count.
 #
-# Returns list(edge, from, to, class = of every piece; first, count_of = of every edge, the number of
-# pieces before its own and of its own).
+# Returns list(edge, from, to, class = of every piece; first, count_of = of every edge, the number
+# of pieces before its own and of its own).
 edge_pieces <- function(chains, breaks, linked) {
   count_of <- lengths(breaks) - 1L
   first <- cumsum(count_of) - count_of

@@ -121,8 +121,8 @@ divide <- function(si, frame, counts, rope_count, bars) {
   )
 }
 
-# Fractions of a rope's length at fractions of its chain's stretched length, where it has these shares
-# of its length along the chain's edges.
+# Fractions of a rope's length at fractions of its chain's stretched length, where it has these
+# shares of its length along the chain's edges.
 rope_fraction <- function(at, chains, chain, shares) {
   ends <- chains$end[chains$first[chain] + seq_along(shares) - 1L]
   stats::approx(c(0, ends), c(0, cumsum(shares) / sum(shares)), at, rule = 2)$y

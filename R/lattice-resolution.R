@@ -5,9 +5,10 @@
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 
-# Pieces that a mesh bar is divided into at most unless its plan asks for more: smaller ones are better
-# spent on real meshes than on the bow of one bar (against any number of pieces the trawl's mouth
-# is 0.2 % lower at 100,000 nodes), and so many slack ends of string would keep a solve from settling.
+# Pieces that a mesh bar is divided into at most unless its plan asks for more: smaller ones are
+# better spent on real meshes than on the bow of one bar (against any number of pieces the trawl's
+# mouth is 0.2 % lower at 100,000 nodes), and so many slack ends of string would keep a solve from
+# settling.
 greatest_bar_segments <- 4
 
 # Open width and depth of panels, m: list(width, depth).
@@ -46,7 +47,8 @@ resolution_table <- function(si, panels, pieces, bars) {
   }
   # NA stands for what a plan leaves open.
   segments <- vapply(si$ropes, function(r) {
-    if (length(r$through)) length(r$through) + 1 else if (is.null(r$segments)) NA_real_ else r$segments
+    if (length(r$through)) return(length(r$through) + 1)
+    if (is.null(r$segments)) NA_real_ else r$segments
   }, 0)
   c(panels, list(
     bars = bars, square = is_square(panels), size = size, area = size$width * size$depth,
@@ -132,7 +134,8 @@ count_nodes <- function(of, h) {
   per_edge <- matrix(diff(reached), 4L)
   in_panels <- per_edge[1L, ] * per_edge[3L, ]
   cells <- (of$upper + of$lower) / 2 * of$deep / grouping$lambda^2
-  in_bars <- cells * ifelse(of$square, 1 + 2 * (grouping$segments - 1), 2 + 4 * (grouping$segments - 1))
+  in_bars <- cells *
+    ifelse(of$square, 1 + 2 * (grouping$segments - 1), 2 + 4 * (grouping$segments - 1))
   in_panels[of$bars] <- in_bars[of$bars]
   sum(in_panels) + sum(rope_counts(of, h))
 }

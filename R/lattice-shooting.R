@@ -1,7 +1,7 @@
 # A gear that is shot, before it is in the water.
 
-# The gear hung, in water at rest, from the rope that it is shot along, drawn out straight along x from
-# 0: positions (3 x nodes, m). Every node's x then says when it is shot.
+# The gear hung, in water at rest, from the rope that it is shot along, drawn out straight along x
+# from 0: positions (3 x nodes, m). Every node's x then says when it is shot.
 hang_out <- function(si, lattice, panels, chains) {
   si$towing$speed <- 0
   si$water$current[c("x", "y")] <- 0

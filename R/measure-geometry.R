@@ -65,8 +65,8 @@ measure_area <- function(state, measure) {
   sqrt(sum(outline_area(rope_outline(state, measure$ropes))^2))
 }
 
-# Areas within a closed outline (3 x n, m) as seen along x and along y, m2, signed: the horizontal part
-# of its vector area.
+# Areas within a closed outline (3 x n, m) as seen along x and along y, m2, signed: the horizontal
+# part of its vector area.
 outline_area <- function(outline) {
   c(polygon_area(outline[2, ], outline[3, ]), polygon_area(outline[3, ], outline[1, ]))
 }
@@ -98,16 +98,17 @@ rope_outline <- function(state, ropes) {
   outline
 }
 
-# Area within a closed polygon by its corners (shoelace formula), positive where they turn from x to y.
+# Area within a closed polygon by its corners (shoelace formula), positive where they turn from x to
+# y.
 polygon_area <- function(x, y) {
   after <- c(seq_along(x)[-1], 1L)
   sum(x * y[after] - x[after] * y) / 2
 }
 
 define_measure("angle", "deg",
-  "Of a rope's bar at a place, in its direction from start to end: below the horizontal (declination,
-  negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180), in
-  a turn too.",
+  "Of a rope's bar at a place, in its direction from start to end: below the horizontal
+  (declination, negative when it rises) or, in plan view, out of the vessel's centre line
+  (divergence, 0 to 180), in a turn too.",
   asks_rope_angle, function(state, measure) measure_angle(state, measure)
 )
 

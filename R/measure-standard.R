@@ -26,8 +26,8 @@ standard_measure <- function(kind, unit, definition, value) {
 standard_measures <- c(
   standard_measure("total_drag", "kN",
     "Pull of all supports on the gear against the flow. The flow runs along x past a towed gear,
-    which is along the vessel's course, in a turn too; else along the fastest current, else along x.",
-    function(state, found) found$drag
+    which is along the vessel's course, in a turn too; else along the fastest current, else along
+    x.", function(state, found) found$drag
   ),
   standard_measure("tow_power", "kW",
     "Of a towed gear, its total drag times the towing speed.",
@@ -35,8 +35,8 @@ standard_measures <- c(
   ),
   standard_measure("filtered_volume", "m3/h",
     "Of a towed gear with an area `mouth_area` among its measures, the water that flows through the
-    ropes around it: that area times the water's speed, past the ropes as they move and at their mean
-    depth, across it.",
+    ropes around it: that area times the water's speed, past the ropes as they move and at their
+    mean depth, across it.",
     function(state, found) {
       mouth <- state$si$measures$mouth_area
       if (has_towing(state) && identical(mouth$kind, "area")) filtered_volume(state, mouth$ropes)
@@ -66,8 +66,8 @@ standard_measures <- c(
     function(state, found) if (nrow(found$lines$ropes)) max(found$lines$ropes$tension)
   ),
   standard_measure("twine_tension_exceeded_by_1_percent", "N",
-    "Tension of one twine (of both when double) that 1 % of the netting's length of twine exceeds. The
-    very largest, where a rope pulls at the tip of a wing, depends on how finely the netting is
+    "Tension of one twine (of both when double) that 1 % of the netting's length of twine exceeds.
+    The very largest, where a rope pulls at the tip of a wing, depends on how finely the netting is
     divided.",
     function(state, found) {
       twine <- found$lines$netting

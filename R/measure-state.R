@@ -27,7 +27,7 @@ measures <- function(state) {
   found <- measured_once(state)
   general <- lapply(standard, function(measure) measure$value(state, found))
   applies <- lengths(general) > 0L
-  new_measures(c(own, general[applies]), measure_units(c(kinds, standard[applies])))
+  new_measures(c(own, general[applies]), c(kinds, standard[applies]))
 }
 
 # The standard measures' names in a state, with their units.
@@ -35,62 +35,27 @@ standard_names <- function() with_unit(names(standard_measures), measure_units(s
 
 measure_units <- function(kinds) vapply(kinds, `[[`, "", "unit", USE.NAMES = FALSE)
 
-# values: SI, by name; units: in which they are shown.
-new_measures <- function(values, units) {
-  shown <- as.double(mapply(in_unit, values, units))
-  structure(setNames(shown, names(values)), unit = setNames(units, names(values)),
-    class = c("codend_measures", "numeric"))
-}
-
-# Some of the measures with their units, or all of them as plain numbers.
-
-#' @export
-`[.codend_measures` <- function(x, i) {
-  some <- plain_measures(x)[i]
-  structure(some, unit = attr(x, "unit")[names(some)], class = class(x))
-}
-
-plain_measures <- function(x) setNames(as.double(x), names(x))
-
-#' @export
-as.list.codend_measures <- function(x, ...) as.list(plain_measures(x))
-
-#' @export
-as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE, ...) {
-  as.data.frame(plain_measures(x), row.names, optional, ..., nm = "value")
-}
-
-# Under other names, or none, they are numbers alone.
-#' @export
-`names<-.codend_measures` <- function(x, value) setNames(as.double(x), value)
-
-#' @export
-print.codend_measures <- function(x, ...) {
-  print(plain_measures(x), ...)
-  invisible(x)
-}
+measure_texts <- function(kinds) vapply(kinds, `[[`, "", "definition", USE.NAMES = FALSE)
 
 #' @return `measure_definitions()` gives a data frame with `name`, `unit` and `definition`: without a
 #'   state a row per kind of measure that a plan may ask for and per standard measure, which
-#'   `asked` tells apart; of a state a row per measure that it has, under the names that `measures()` uses.
+#'   `asked` tells apart; of a state a row per measure that it has, under the names that `measures()`
+#'   uses.
 #' @rdname measures
 #' @export
 measure_definitions <- function(state = NULL) {
+  kinds <- c(asked_kinds(), standard_measures)
   if (is.null(state)) {
-    kinds <- asked_kinds()
-    of <- c(kinds, standard_measures)
-    name <- names(of)
+    name <- names(kinds)
   } else {
-    name <- names(measures(state))
-    kinds <- lapply(state$si$measures, function(measure) measure_kinds[[measure$kind]])
-    names(kinds) <- vapply(state$si$measures, `[[`, "", "column")
-    of <- c(kinds, setNames(standard_measures, standard_names()))[name]
+    found <- measures(state)
+    name <- names(found)
+    kinds <- kinds[attr(found, "kind")]
   }
   table <- data.frame(
-    name = unname(name), unit = measure_units(of),
-    definition = vapply(of, `[[`, "", "definition", USE.NAMES = FALSE)
+    name = name, unit = measure_units(kinds), definition = measure_texts(kinds)
   )
-  if (is.null(state)) table$asked <- seq_along(of) <= length(kinds)
+  if (is.null(state)) table$asked <- !name %in% names(standard_measures)
   table
 }
 
@@ -100,19 +65,13 @@ asked_kinds <- function() mget(sort(ls(measure_kinds), method = "radix"), measur
 # The measures' definitions as sections of help.
 measure_help <- function() {
   items <- function(kinds, names) {
-    paste0("- `", names, "` (", measure_units(kinds), "): ", vapply(kinds, `[[`, "", "definition"))
+    paste0("- `", names, "` (", measure_units(kinds), "): ", measure_texts(kinds))
   }
   asked <- asked_kinds()
   c(
     "@section Measures that a plan may ask for:", items(asked, names(asked)),
     "@section Standard measures:", items(standard_measures, standard_names())
   )
-}
-
-# What text shows of measures: list(words, unit).
-measure_words <- function(measures) {
-  unit <- unname(attr(measures, "unit"))
-  list(words = words_of(names(measures), unit), unit = unit)
 }
 
 # What the command line writes as JSON: whether and how the gear settled, the lattice's size, and

@@ -1,23 +1,23 @@
 #' Settle a gear
 #'
 #' Finds the steady state of a gear in its plan's conditions: the shape in which every node is in
-#' balance. Nobody gives a starting shape: the gear is settled coarsely first, from a crude layout of
-#' its own, and each shape is the start of the next finer one.
+#' balance. Nobody gives a starting shape: the gear is settled coarsely first, from a crude layout
+#' of its own, and each shape is the start of the next finer one.
 #'
 #' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
 #' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear.
 #'
-#' Where the plan asks for `shielding`, netting slows the water behind it: every sheet of netting that
-#' the line straight upstream from a point crosses reduces the speed there. `loland`: by
-#' `1 - 0.46 C_D` with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland 1991, Current forces on and flow
-#' through fish farms), whatever the angle; `cheng`: by
-#' `(cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)` with `t` from the netting's normal to the flow (Cheng et
-#' al. 2020, Aquacultural Engineering 90:102070). `Sn` is the solidity of the netting in its present
-#' shape, held at 0.5. Netting nearly along the flow (more than 70 to 80 deg from across it) casts no
-#' wake of its own. A net that narrows aft has no netting straight upstream of most of its panels, so
-#' a trawl is hardly shielded by this; a cage's rear half is. Shape and shading are found in turn until
-#' no speed changes by more than 1e-5 of the free flow's (`shadings` and `shading_change` in the
-#' report).
+#' Where the plan asks for `shielding`, netting slows the water behind it: every sheet of netting
+#' that the line straight upstream from a point crosses reduces the speed there. `loland`: by
+#' `1 - 0.46 C_D` with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland 1991, Current forces on and
+#' flow through fish farms), whatever the angle; `cheng`: by
+#' `(cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)` with `t` from the netting's normal to the flow (Cheng
+#' et al. 2020, Aquacultural Engineering 90:102070). `Sn` is the solidity of the netting in its
+#' present shape, held at 0.5. Netting nearly along the flow (more than 70 to 80 deg from across it)
+#' casts no wake of its own. A net that narrows aft has no netting straight upstream of most of its
+#' panels, so a trawl is hardly shielded by this; a cage's rear half is. Shape and shading are found
+#' in turn until no speed changes by more than 1e-5 of the free flow's (`shadings` and
+#' `shading_change` in the report).
 #'
 #' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
 #' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
@@ -26,20 +26,20 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
-#' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice in
-#'   the plan.
-#' @param from A state to start from: of this gear, or of one with the same ropes, panels and points,
-#'   at another speed, warp or design. Several times faster than to start anew; where that start does
-#'   not lead to balance the gear is settled anew.
+#' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
+#'   in the plan.
+#' @param from A state to start from: of this gear, or of one with the same ropes, panels and
+#'   points, at another speed, warp or design. Several times faster than to start anew; where that
+#'   start does not lead to balance the gear is settled anew.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
-#'   Free otter boards and kites that settle in a balance which a small push would carry them away from
-#'   are pushed and settled again (`upsets` in the report counts how often); where none is found that
-#'   lasts it is a warning of class `codend_warning_board_unstable`. That tells of static stability
-#'   only, not of swinging. A free otter board that settles stalled, back-winded or fallen over is a warning of class
-#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
-#'   `codend_warning_board_fallen_over`; see [board_table()].
+#'   Free otter boards and kites that settle in a balance which a small push would carry them away
+#'   from are pushed and settled again (`upsets` in the report counts how often); where none is
+#'   found that lasts it is a warning of class `codend_warning_board_unstable`. That tells of static
+#'   stability only, not of swinging. A free otter board that settles stalled, back-winded or fallen
+#'   over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
+#'   or `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)

@@ -47,7 +47,9 @@ show_value <- function(value) {
     return(paste0("[", shown, if (length(value) > 4) ", ...", "]"))
   }
   if (is.logical(value) && !is.na(value)) return(if (value) "yes" else "no")
-  if (!is.character(value) || is.na(value)) return(format(value, digits = 15, trim = TRUE))
+  if (!is.character(value) || is.na(value)) {
+    return(with_plain_numbers(format(value, digits = 15, trim = TRUE)))
+  }
   dimension <- quantity_dimension(value)
   if (!is.na(dimension)) return(value)
   if (nchar(value) > 60) value <- paste0(substr(value, 1, 57), "...")

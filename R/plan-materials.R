@@ -51,9 +51,9 @@ find_material <- function(name, own, path) {
   gear_materials[name, ]
 }
 
-# Mass, volume, stiffness, damping and strength of one rope or twine of a diameter: explicit values first,
-# then the material's. Displaced volume is that of the material's solid, or of the full circle when
-# there is no material.
+# Mass, volume, stiffness, damping and strength of one rope or twine of a diameter: explicit values
+# first, then the material's. Displaced volume is that of the material's solid, or of the full
+# circle when there is no material.
 line_properties <- function(given, own, path) {
   material <- if (!is.null(given$material)) {
     find_material(given$material, own, join(path, "material"))

@@ -64,8 +64,8 @@ piece_body <- function(piece, path, fields) {
 }
 
 # Height (m) of a piece on the ground or at the surface: its diameter, or that of a cube of its
-# volume, or of a square of its area; of a sheet that lifts up or down, which lies nearly flat in the
-# water, a tenth of that.
+# volume, or of a square of its area; of a sheet that lifts up or down, which lies nearly flat in
+# the water, a tenth of that.
 piece_height <- function(piece, volume) {
   if (!is.null(piece$diameter)) return(piece$diameter)
   if (volume > 0) return(volume^(1 / 3))

@@ -14,7 +14,8 @@ unit_size <- function(unit) {
 # An SI number in a unit: in_unit(1500, "kN") is 1.5.
 in_unit <- function(x, unit) x / unit_size(unit)
 
-# A name with its unit at its end, as measures and columns have it: "speed_m_per_s", "slack_percent".
+# A name with its unit at its end, as measures and columns have it: "speed_m_per_s",
+# "slack_percent".
 with_unit <- function(name, unit) {
   ifelse(nzchar(unit), paste0(name, "_", unit_suffix(unit)), name)
 }

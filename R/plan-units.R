@@ -87,5 +87,5 @@ quantity_dimension <- function(text) {
 # "4 m", the SI form of a number in messages.
 format_si <- function(value, dimension) {
   unit <- if (dimension == "number") "" else paste0(" ", names(plan_units[[dimension]])[1])
-  paste0(format(value, digits = 6, trim = TRUE), unit)
+  paste0(with_plain_numbers(format(value, digits = 6, trim = TRUE)), unit)
 }

@@ -87,10 +87,10 @@ yaml_quoted <- function(text) {
   paste(characters, collapse = "")
 }
 
-# The shortest decimal that reads back as the same number.
+# The shortest decimal that reads back as the same number, whatever R's options for numbers are.
 shortest_decimal <- function(x) {
-  for (digits in c(6, 15, 16, 17)) {
-    shown <- formatC(x, digits = digits, format = "g", width = 1)
+  for (digits in c(6L, 15L, 16L, 17L)) {
+    shown <- sprintf("%.*g", digits, x)
     if (as.double(shown) == x) break
   }
   # YAML 1.1 takes an exponent for a number only after a decimal point

@@ -27,7 +27,7 @@ report <- function(state, file) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_file_path(file, ".html")
-  body <- if (moves) trajectory_report(state) else state_report(state)
+  body <- with_plain_numbers(if (moves) trajectory_report(state) else state_report(state))
   write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
@@ -46,7 +46,7 @@ state_report <- function(state) {
         last step, not of an equilibrium.")
     },
     report_section("Measures", report_table(measures_columns(said$measures),
-      "What was measured; forces also in tonnes-force.")),
+      "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
     conditions_section(state),
     plan_section(state$gear),
     shape_section(state),
@@ -94,6 +94,17 @@ report_header <- function(of, words) {
     tag$h1(of$gear$plan$name), tag$p(class = "conditions", words),
     lapply(notes, function(note) tag$p(class = "note", note))
   )
+}
+
+# What the kinds of measures in a report are, to open and read.
+measure_terms <- function(measures) {
+  kind <- attr(measures, "kind")
+  first <- !duplicated(kind)
+  text <- definitions_of(measures)
+  terms <- lapply(which(first), function(k) {
+    list(tag$dt(gsub("_", " ", kind[[k]])), tag$dd(text[k]))
+  })
+  tag$details(tag$summary("What these measures are"), tag$dl(terms))
 }
 
 report_section <- function(title, ..., class = NULL) {

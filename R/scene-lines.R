@@ -144,8 +144,8 @@ shortest_line <- function(state, names, part, limit) {
   }
 }
 
-# The bars of a panel, or lines of about `length` (m) along some of its twines, with the mean tension
-# of their bars.
+# The bars of a panel, or lines of about `length` (m) along some of its twines, with the mean
+# tension of their bars.
 panel_bar_lines <- function(state, points, name, part, length) {
   bars <- bars_of_part(state, part)
   ends <- bar_ends(state, bars)

@@ -4,8 +4,8 @@
 # Share of the volume within which it is met.
 catch_tolerance <- 1e-6
 
-# solve: function(lattice) that settles. Returns list(lattice = with the front that was found, report
-# = what `solve` returned for that, with the steps and factorisations of all tries).
+# solve: function(lattice) that settles. Returns list(lattice = with the front that was found,
+# report = what `solve` returned for that, with the steps and factorisations of all tries).
 settle_catch <- function(si, lattice, solve) {
   wanted <- log(si$catch$volume)
   # Fronts known to enclose too little and too much, in the logarithms of meshes and of volume.

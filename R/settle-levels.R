@@ -1,5 +1,5 @@
-# Coarse to fine: a gear is settled with few nodes first, and each shape, carried to a finer lattice,
-# is the start of the next.
+# Coarse to fine: a gear is settled with few nodes first, and each shape, carried to a finer
+# lattice, is the start of the next.
 
 # How many times as many nodes the next finer level has, and how many the coarsest.
 level_ratio <- 7
@@ -10,15 +10,16 @@ near_steps <- 200L
 settle_tolerance <- 1e-8
 settle_iterations <- 3200L
 
-# The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of every
-# line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use: ropes
-# alone settle in a few steps.
+# The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
+# every line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use:
+# ropes alone settle in a few steps.
 coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
   if (!length(si$panels)) return(found)
   free <- undivided(si)
   for (level in coarse_levels(min(nodes, fixed_nodes(si)))) {
     coarse <- settle_level(
-      free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps, progress
+      free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps,
+      progress
     )
     if (!coarse$report$converged) next
     found <- list(
@@ -66,7 +67,8 @@ undivided <- function(si) {
   si
 }
 
-# Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or NULL.
+# Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or
+# NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)
@@ -112,8 +114,8 @@ state_shape <- function(state) {
 # A state's shape, moved to where a gear with other lengths of rope should be found.
 #
 # From one pair of crude layouts, which differ by those lengths alone: more warp out takes the whole
-# net aft and down as it is, where netting left in place would be torn between its ropes. (What other
-# forces do is not worth two layouts: the crude ones overrate it.)
+# net aft and down as it is, where netting left in place would be torn between its ropes. (What
+# other forces do is not worth two layouts: the crude ones overrate it.)
 shape_for <- function(si, from) {
   shape <- state_shape(from)
   if (identical(rope_lengths(si), rope_lengths(from$si))) return(shape)

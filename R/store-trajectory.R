@@ -72,7 +72,7 @@ trajectory_file_version <- 3L
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck")
 
-# Numbers that a record has of every node, and of every bar, triangle and part.
+# Numbers that a record has of every node; for those of other things see frame_fields.
 node_variables <- rbind(
   x = c("m", "place aft of the start, over the ground"),
   y = c("m", "place to starboard of the start, over the ground"),
@@ -80,19 +80,6 @@ node_variables <- rbind(
   x_velocity = c("m s-1", "velocity aft of the start, over the ground"),
   y_velocity = c("m s-1", "velocity to starboard of the start, over the ground"),
   z_velocity = c("m s-1", "upward velocity")
-)
-
-other_variables <- data.frame(
-  name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "winch_length", "parted"),
-  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
-    "parting"),
-  unit = c("N", "N", "N", "N", "1", "1", "m", "1"),
-  words = c(
-    "tension of one line", "tension of one twine along u", "tension of one twine along v",
-    "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
-    "catch in netting: meshes behind its front, and the volume there (m3)", "length that a winch has paid out", "bar that has parted, 0 for none"
-  )
 )
 
 vessel_variables <- rbind(
@@ -217,8 +204,8 @@ define_records <- function(define) {
     of <- node_variables[name, ]
     define(name, "NC_DOUBLE", c("node", "time"), of[1], of[2])
   }
-  for (k in seq_len(nrow(other_variables))) {
-    of <- other_variables[k, ]
+  for (k in seq_len(nrow(frame_fields))) {
+    of <- frame_fields[k, ]
     type <- if (of$name == "parted") "NC_INT" else "NC_DOUBLE"
     define(of$name, type, c(of$across, "time"), of$unit, of$words)
   }
@@ -264,7 +251,7 @@ put_frame <- function(nc, what, frame, k) {
     put_at(rownames(node_variables)[axis], now$position[axis, , 1L])
     put_at(rownames(node_variables)[axis + 3L], now$velocity[axis, , 1L])
   }
-  for (name in other_variables$name) {
+  for (name in frame_fields$name) {
     if (length(now[[name]])) put_at(name, as.vector(now[[name]]))
   }
   put_at("vessel_x", now$conditions$x)
@@ -313,19 +300,14 @@ read_frames <- function(get, n) {
     if (length(value)) value[, seq_len(n), drop = FALSE] else matrix(value, 0L, n)
   }
   of_nodes <- lapply(rownames(node_variables), records)
-  other <- lapply(setNames(other_variables$name, other_variables$name), records)
+  other <- lapply(setNames(frame_fields$name, frame_fields$name), records)
   time <- as.vector(get("time"))[seq_len(n)]
   bound <- function(axes, k) {
     as.vector(do.call(rbind, lapply(of_nodes[axes], function(x) x[, k])))
   }
   frames <- lapply(seq_len(n), function(k) {
-    list(
-      now = list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k)),
-      bar_tension = other$bar_tension[, k], u_tension = other$u_tension[, k],
-      v_tension = other$v_tension[, k], straight_tension = other$straight_tension[, k],
-      wake = other$wake[, k], catch_front = other$catch_front[, k],
-      done = list(length = other$winch_length[, k], parted = other$parted[, k])
-    )
+    now <- list(time = time[k], position = bound(1:3, k), velocity = bound(4:6, k))
+    c(list(now = now), frame_of_arrays(other, k))
   })
   frames[[n]][c(memory_fields, "report")] <- read_resume(get, n)
   frames

@@ -38,7 +38,8 @@ summary.codend_state <- function(object, ...) {
       drag = drag, drag_totals = drag_totals(drag),
       tangential = tangential_sensitivity(object),
       tensions = tension_table(object), slack = slack_table(object),
-      boards = board_table(object), reactions = reaction_table(object), balance = balance_table(object),
+      boards = board_table(object), reactions = reaction_table(object),
+      balance = balance_table(object),
       report = c(object$report, list(
         nodes = engine$nodes, bars = length(engine$bars$rest),
         triangles = length(engine$triangles$rest)
@@ -78,7 +79,8 @@ listed_parts <- 6L
 
 measure_lines <- function(measures) {
   said <- measure_words(measures)
-  align_columns(list(said$words, align_points(figures(plain_measures(measures))), said$unit), left = c(1L, 3L))
+  values <- align_points(figures(plain_measures(measures)))
+  align_columns(list(said$words, values, said$unit), left = c(1L, 3L))
 }
 
 drag_lines <- function(totals) {

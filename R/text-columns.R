@@ -4,7 +4,8 @@
 figures <- function(x) {
   size <- ifelse(is.na(x) | x == 0, 0, floor(log10(abs(x))))
   decimals <- pmin(pmax(3 - size, 0), 4)
-  text <- mapply(formatC, signif(x, 4), digits = decimals, MoreArgs = list(format = "f"))
+  text <- mapply(formatC, signif(x, 4), digits = decimals,
+    MoreArgs = list(format = "f", decimal.mark = "."))
   text[!is.na(x) & abs(x) < 5e-5] <- "0"
   text[is.na(x)] <- ""
   as.character(text)
@@ -14,7 +15,7 @@ figures <- function(x) {
 column_figures <- function(x) {
   size <- max(abs(x), 0, na.rm = TRUE)
   decimals <- if (size == 0) 0 else min(max(3 - floor(log10(size)), 0), 4)
-  text <- formatC(x, format = "f", digits = decimals)
+  text <- formatC(x, format = "f", digits = decimals, decimal.mark = ".")
   text[!is.na(x) & abs(x) < 0.5 * 10^-decimals] <- "0"
   text[is.na(x)] <- ""
   align_points(text)

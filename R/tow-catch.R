@@ -22,8 +22,8 @@ si_catch_share <- function(catch, share) {
   catch
 }
 
-# The lattice with the front where the netting behind it, at a place (3 x nodes, m), holds a share of
-# the plan's catch.
+# The lattice with the front where the netting behind it, at a place (3 x nodes, m), holds a share
+# of the plan's catch.
 place_catch_front <- function(si, lattice, share, position) {
   asked <- si_catch_share(si$catch, share)
   if (is.na(asked$volume)) return(set_catch_front(lattice, max(asked$blocked, least_front)))

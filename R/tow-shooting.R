@@ -1,5 +1,5 @@
-# A tow that starts with the gear lying bunched at the surface along the vessel's way, and lets every
-# node go when the vessel passes its place.
+# A tow that starts with the gear lying bunched at the surface along the vessel's way, and lets
+# every node go when the vessel passes its place.
 
 # Over this depth below the surface the whole of a gear lies bunched before it sinks, m.
 bunched_depth <- 0.5
@@ -27,10 +27,12 @@ shot_position <- function(si, lattice) {
   position
 }
 
-# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not, or where
-# a tow starts with all of it in the water.
+# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not, or
+# where a tow starts with all of it in the water.
 shooting_times <- function(si, lattice) {
-  if (is.null(lattice$hung) || isTRUE(lattice$let_go)) return(list(node = integer(), time = numeric()))
+  if (is.null(lattice$hung) || isTRUE(lattice$let_go)) {
+    return(list(node = integer(), time = numeric()))
+  }
   free <- which(!lattice$engine$held)
   list(node = free, time = shot_reach(si, lattice)[free] / si$shooting$speed)
 }

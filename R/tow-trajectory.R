@@ -17,17 +17,9 @@ gather_trajectory <- function(what, frames, end) {
   out <- c(what, list(
     time = vapply(frames, function(f) f$now$time, 0),
     position = three(each(function(f) f$now$position)),
-    velocity = three(each(function(f) f$now$velocity)),
-    bar_tension = each(function(f) f$bar_tension),
-    u_tension = each(function(f) f$u_tension),
-    v_tension = each(function(f) f$v_tension),
-    straight_tension = each(function(f) f$straight_tension),
-    wake = each(function(f) f$wake),
-    catch_front = each(function(f) f$catch_front),
-    winch_length = each(function(f) f$done$length),
-    parted = each(function(f) f$done$parted),
-    end = end, report = last$report,
-    memory = last[memory_fields]
+    velocity = three(each(function(f) f$now$velocity))
+  ), frame_arrays(frames), list(
+    end = end, report = last$report, memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
   structure(out, class = "codend_trajectory")
@@ -152,13 +144,7 @@ trajectory_frames <- function(trajectory) {
       time = trajectory$time[k], position = as.vector(trajectory$position[, , k]),
       velocity = as.vector(trajectory$velocity[, , k])
     )
-    frame <- list(
-      now = now, bar_tension = trajectory$bar_tension[, k],
-      u_tension = trajectory$u_tension[, k], v_tension = trajectory$v_tension[, k],
-      straight_tension = trajectory$straight_tension[, k], wake = trajectory$wake[, k],
-      catch_front = trajectory$catch_front[, k],
-      done = list(length = trajectory$winch_length[, k], parted = trajectory$parted[, k])
-    )
+    frame <- c(list(now = now), frame_of_arrays(trajectory, k))
     if (k == count) {
       frame[memory_fields] <- trajectory$memory
       frame$report <- trajectory$report

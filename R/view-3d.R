@@ -25,10 +25,13 @@ view <- function(state, file = NULL) {
   if (!is.null(file)) check_file_path(file, ".html")
   # In a file a fixed name, so that every new session writes the same page of the same state.
   element <- if (!is.null(file)) "gear"
-  page <- if (moves) motion_page(state, element) else gear_page(state, element)
+  page <- with_plain_numbers(
+    if (moves) motion_page(state, element) else gear_page(state, element)
+  )
   if (is.null(file)) return(page)
   write_file(file, function(path) {
-    write_single_page(path, state$gear$plan$name, htmltools::as.tags(page, standalone = TRUE),
+    body <- with_plain_numbers(htmltools::as.tags(page, standalone = TRUE))
+    write_single_page(path, state$gear$plan$name, body,
       style = "body { margin: 0; background: white; }")
   })
   invisible(page)

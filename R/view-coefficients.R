@@ -4,8 +4,8 @@
 #' row of figures for each force (netting: for each solidity), with its laws beside them.
 #'
 #' @param x Coefficients, from [force_coefficients()].
-#' @param force Which forces: any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"` and
-#'   `"wake"`; all when `NULL`.
+#' @param force Which forces: any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"`
+#'   and `"wake"`; all when `NULL`.
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
 #'   or `.svg`. It is written whole or not at all.
 #' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
@@ -81,7 +81,8 @@ coefficient_figures <- function(table) {
   rows
 }
 
-# Okabe and Ito's, which most colour-blind readers tell apart, darkest first; lines differ in type too.
+# Okabe and Ito's, which most colour-blind readers tell apart, darkest first; lines differ in type
+# too.
 law_colours <- c(
   "#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F7F7F"
 )

@@ -6,7 +6,8 @@ page_legend <- function(state, drawing, scales, conditions = state_conditions(st
   text <- "font: 12px/1.35 system-ui, sans-serif; color: #202428; pointer-events: none;"
   paste0(
     "<div class='view-title' style='position: absolute; left: 14px; top: 10px; ", text, "'>",
-    "<div style='font-size: 17px; font-weight: 600'>", escape_markup(state$gear$plan$name), "</div>",
+    "<div style='font-size: 17px; font-weight: 600'>", escape_markup(state$gear$plan$name),
+    "</div>",
     "<div>", escape_markup(conditions), "</div></div>",
     "<div class='view-legend' style='position: absolute; left: 14px; bottom: ", bottom, "px; ",
     text,

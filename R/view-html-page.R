@@ -3,7 +3,7 @@
 
 # file: where to write it; body: tags, with widgets; style, script: of the page's own (text).
 write_single_page <- function(file, title, body, style = NULL, script = NULL) {
-  rendered <- htmltools::renderTags(body)
+  rendered <- with_plain_numbers(htmltools::renderTags(body))
   parts <- htmltools::resolveDependencies(rendered$dependencies)
   html <- c(
     "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",

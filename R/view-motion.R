@@ -22,7 +22,8 @@ motion_page <- function(trajectory, element) {
 
 # Everything of a trajectory that is drawn: list(state, drawing (at the start), points (3 x points x
 # times, m), ends = (2 x lines, places in points) and tension = (lines x times, N) of ropes and
-# netting, marks (3 x marks x times, m), boards (corners of free boards at every time), extent (all times as one drawing of the same ranges)).
+# netting, marks (3 x marks x times, m), boards (corners of free boards at every time), extent (all
+# times as one drawing of the same ranges)).
 gear_motion <- function(trajectory) {
   start <- state_at(trajectory, trajectory$time[1L])
   drawing <- state_drawing(start)

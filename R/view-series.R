@@ -38,7 +38,8 @@ plot_series <- function(figures, title, key, file, width, height) {
   write_picture(file, c(width, height), title, draw)
 }
 
-# How much smaller than at their full size figures may be drawn on a page that is too small for them.
+# How much smaller than at their full size figures may be drawn on a page that is too small for
+# them.
 least_zoom <- 0.6
 
 # Columns, rows, the inches above them and the zoom at which they find room on a page (inches), or
@@ -69,7 +70,8 @@ draw_series <- function(figures, title, key, page) {
   on.exit(graphics::par(kept))
   graphics::par(
     mfrow = c(layout$rows, layout$columns), omi = c(0, 0, layout$above, 0) * zoom,
-    mai = c(0.42, 0.6, 0.28, 0.12) * zoom, cex = 0.75 * zoom, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
+    mai = c(0.42, 0.6, 0.28, 0.12) * zoom, cex = 0.75 * zoom, mgp = c(1.5, 0.4, 0), tcl = -0.25,
+    las = 1, family = "sans", bg = "white"
   )
   for (figure in figures) {
     draw_one_series(figure, max(1L, length(key$labels), length(figure$groups)), zoom)
@@ -244,7 +246,9 @@ draw_head <- function(title, key, page) {
       graphics::segments(x, y, x + 0.38, y, col = entry$colour, lwd = 1.6 * zoom, lty = entry$dash)
     }
     if (entry$mark) {
-      graphics::points(x + 0.19, y, pch = entry$symbol, col = entry$colour, lwd = 1.5 * zoom, cex = 0.9)
+      graphics::points(
+        x + 0.19, y, pch = entry$symbol, col = entry$colour, lwd = 1.5 * zoom, cex = 0.9
+      )
     }
     graphics::text(x + if (entry$mark) 0.46 else 0, y, entry$label, adj = c(0, 0.5))
   }

@@ -1,9 +1,9 @@
 # make bench-tow: what a second of motion costs by scheme, beside how far from the truth it is.
 #
-# Every run starts from one prepared trajectory and times its march alone: no plan is read, no lattice
-# built, no picture drawn. Errors are distances of nodes from their places in a reference of the same
-# lattice, the largest and the root mean square over all nodes and kept times. Argument: the most
-# nodes (1e4).
+# Every run starts from one prepared trajectory and times its march alone: no plan is read, no
+# lattice built, no picture drawn. Errors are distances of nodes from their places in a reference of
+# the same lattice, the largest and the root mean square over all nodes and kept times. Argument:
+# the most nodes (1e4).
 library(codend)
 rooms <- c("cases", "own-process", "results", "motion-start", "motion-page")
 for (room in rooms) source(file.path("bench", paste0(room, ".R")))
@@ -14,8 +14,8 @@ most <- if (length(given)) as.numeric(given[1]) else 1e4
 # Runs shorter than this (CPU s) are repeated, and their median counts.
 short_run <- 0.3
 
-# How a scheme marches: with an accuracy (m), or with steps of one length (s; NULL: nine tenths of the
-# longest that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
+# How a scheme marches: with an accuracy (m), or with steps of one length (s; NULL: nine tenths of
+# the longest that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
 how <- function(scheme, accuracy = NULL, step = NULL) {
   method <- codend:::tow_method(scheme, if (is.null(accuracy)) 0.01 else accuracy, step)
   if (scheme == "substitution") method$tolerance <- 1e-5
@@ -69,8 +69,8 @@ dir.create(results_folder, showWarnings = FALSE)
 implicit <- c("bdf2", "trapezoid", "backward_euler")
 rows <- list()
 for (nodes in c(1500, 1e4)[c(1500, 1e4) <= most]) {
-  # 4 s in which the vessel gains a fifth of its speed: fast enough for every scheme to be held to it.
-  # Of the finer trawl explicit schemes march a tenth of a second, for their cost alone.
+  # 4 s in which the vessel gains a fifth of its speed: fast enough for every scheme to be held to
+  # it. Of the finer trawl explicit schemes march a tenth of a second, for their cost alone.
   fine <- nodes > 5000
   explicit <- lapply(c("symplectic_euler", "substitution"), longest_sure)
   rows <- c(rows, measure_case(

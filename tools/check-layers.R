@@ -10,17 +10,21 @@
 # as a value, in braces of a text that cli fills in, and in quotes where do.call(), match.fun() and
 # the like look a function up. Methods of R's generics are called by R and may stand in any room.
 
-looks_up <- c("do.call", "match.fun", "get", "get0", "mget", "lapply", "vapply", "sapply", "mapply",
-  "Map", "Filter", "Reduce")
+# Which argument of these is a function or the name of one.
+looks_up <- c(
+  do.call = 1, match.fun = 1, get = 1, get0 = 1, Map = 1, Filter = 1, Reduce = 1, mapply = 1,
+  lapply = 2, sapply = 2, vapply = 2
+)
 
 # Names that stand in the texts of an expression.
-names_in_texts <- function(e, looked_up = FALSE) {
-  if (is.character(e)) return(c(if (looked_up) e, unlist(lapply(e, names_in_braces))))
+names_in_texts <- function(e) {
+  if (is.character(e)) return(unlist(lapply(e, names_in_braces)))
   if (!is.call(e) && !is.list(e) && !is.pairlist(e)) return(NULL)
-  looked_up <- is.call(e) && is.name(e[[1]]) && as.character(e[[1]]) %in% looks_up
-  unlist(lapply(as.list(e), function(part) {
-    if (!missing(part)) names_in_texts(part, looked_up)
-  }))
+  at <- if (is.call(e) && is.name(e[[1]])) unname(looks_up[as.character(e[[1]])]) else NA
+  named <- if (!is.na(at) && length(e) > at) Filter(is.character, as.list(e)[at + 1])
+  c(unlist(named), unlist(lapply(as.list(e), function(part) {
+    if (!missing(part)) names_in_texts(part)
+  })))
 }
 
 # Functions that a text such as "{.arg file} is {show_value(file)}" calls.

@@ -11,7 +11,8 @@ Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 # what a test plots without naming a file goes nowhere
 options(device = function(...) grDevices::pdf(NULL, ...))
 
-# Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start R.
+# Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start
+# R.
 slow <- c(
   "command", "command-line", "command-line-export", "draw-gear", "flume", "kind-bottom-trawl",
   "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-turn", "operation-shooting",

@@ -21,7 +21,7 @@ for (const file of readdirSync(new URL("inst/gears/", root))) {
   });
 }
 
-const cases = YAML.parse(text("tests/testthat/plans/right-and-wrong.yaml"));
+const cases = YAML.parse(text("tests/testthat/right-and-wrong.yaml"));
 for (const verdict of ["right", "wrong"]) {
   for (const [old, replacement] of cases[verdict]) {
     test(`${JSON.stringify(replacement)} for ${JSON.stringify(old)} is ${verdict}`, () => {

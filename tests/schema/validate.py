@@ -44,7 +44,7 @@ def expect(name, text, right):
 for file in sorted((root / "inst/gears").glob("*.yaml")):
     expect(file.name, file.read_text("utf-8"), True)
 
-cases = yaml.safe_load((root / "tests/testthat/plans/right-and-wrong.yaml").read_text("utf-8"))
+cases = yaml.safe_load((root / "tests/testthat/right-and-wrong.yaml").read_text("utf-8"))
 for verdict in ("right", "wrong"):
     for old, replacement in cases[verdict]:
         # PyYAML reads 1e2 as text, as YAML 1.1 has it

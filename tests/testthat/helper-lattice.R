@@ -52,7 +52,8 @@ without_places <- function(x) {
 }
 
 # A lattice of what a test needs of it: place = function(place) that gives a node, ropes = nodes of
-# each by name, engine = some of the engine's arrays, parts = data.frame(name, kind, role), bar_part.
+# each by name, engine = some of the engine's arrays, parts = data.frame(name, kind, role),
+# bar_part.
 sketched_lattice <- function(place = NULL, ropes = list(), engine = list(), parts = NULL,
                              bar_part = integer()) {
   structure(list(

@@ -87,7 +87,7 @@ test_that("boards and kites have their published values", {
   }
 })
 
-test_that("knots drag as White's formula and, below the drag crisis, near what spheres were measured", {
+test_that("knots drag as White's formula and near what spheres were measured below the crisis", {
   file <- system.file("extdata", "published-coefficients.csv", package = "codend")
   rows <- subset(utils::read.csv(file), force == "sphere")
   rows$found <- sphere_specimens(rows$reynolds)$drag

@@ -7,7 +7,9 @@ test_that("a file is replaced at once, and nothing else is left", {
   writeLines("old", file)
   expect_identical(write_text("new", file), file)
   expect_identical(readLines(file, warn = FALSE), "new")
-  expect_error(write_file(file, function(path) stop("no ink.")), "no ink", class = "codend_error_file")
+  expect_error(
+    write_file(file, function(path) stop("no ink.")), "no ink", class = "codend_error_file"
+  )
   expect_error(write_file(file, function(path) NULL), "No such file", class = "codend_error_file")
   expect_identical(readLines(file, warn = FALSE), "new")
   dir.create(file.path(folder, "a folder"))

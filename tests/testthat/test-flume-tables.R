@@ -1,9 +1,11 @@
 test_that("changes are those of the measures, by name", {
+  kinds <- asked_kinds()
   table <- measure_changes(
-    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), c("m", "kN", "m")),
-    new_measures(c(a_m = 2, c_m = 0, d_m = 5), rep("m", 3))
+    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), kinds[c("length", "tension", "length")]),
+    new_measures(c(a_m = 2, c_m = 0, d_m = 5), kinds[rep("length", 3)])
   )
   expect_identical(table$unit, c("m", "kN", "m", "m"))
+  expect_identical(table$definition[c(1, 4)], rep("Straight distance between two places.", 2))
   expect_identical(table$measure, c("a", "b", "c", "d"))
   expect_identical(table$change, c(1, NA, 0, NA))
   expect_identical(table$change_percent, c(50, NA, NA, NA))

@@ -1,5 +1,5 @@
-# Meshes across and down that a cutting rate takes, by walking along its cuts: independent of how the
-# rate was found. A cycle stands for as many turns as its text says.
+# Meshes across and down that a cutting rate takes, by walking along its cuts: independent of how
+# the rate was found. A cycle stands for as many turns as its text says.
 walk_rate <- function(text) {
   total <- c(across = 0, down = 0)
   for (group in strsplit(text, "+", fixed = TRUE)[[1]]) {

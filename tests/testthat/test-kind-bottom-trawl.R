@@ -194,8 +194,8 @@ test_that("a pointed panel ends in one node, gathered or not", {
 })
 
 # The flume tests with bridles of 54.9 m and 16 m between the upper wing ends, see the data file.
-# The towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to the
-# test at 3 knot alone.
+# The towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to
+# the test at 3 knot alone.
 test_that("the survey trawl closes and pulls with speed as its flume model does", {
   tests <- read.csv(system.file("extdata", "flume_poly_noreastern.csv", package = "codend"),
     comment.char = "#")

@@ -69,8 +69,8 @@ test_that("a seine that is left alone hangs down straight below its floats", {
   expect_lt(state$report$iterations, 100)
   lattice <- state$lattice
   float <- state$position[3, nodes_at(lattice, "float_line.middle")]
-  # Slack across, netting hangs as deep as it is stretched: 2000 meshes of 25.4 mm and selvedges of 60
-  # of 30 mm. Lead of 1 kg/m stretches it by less than 0.1 %.
+  # Slack across, netting hangs as deep as it is stretched: 2000 meshes of 25.4 mm and selvedges of
+  # 60 of 30 mm. Lead of 1 kg/m stretches it by less than 0.1 %.
   expect_equal(measures(state)[["lead_line_depth_middle_m"]] + float, 2000 * 0.0254 + 60 * 0.03,
     tolerance = 1e-3)
 

@@ -53,7 +53,8 @@ test_that("filtered volume takes the water's speed at the mouth's depth", {
 
 test_that("measures show as words and units", {
   found <- new_measures(
-    list(door_spread_m = 30, swept_area_km2_per_h = 100, a_kN_m = 1), c("m", "km2/h", "m")
+    list(door_spread_m = 30, swept_area_km2_per_h = 100, a_kN_m = 1),
+    c(asked_kinds()["spread"], standard_measures["swept_area"], asked_kinds()["length"])
   )
   said <- measure_words(found)
   expect_equal(said$words, c("door spread", "swept area", "a kN"))
@@ -76,11 +77,12 @@ test_that("measures are numbers that keep their units", {
 })
 
 test_that("every kind of measure that a plan may ask for is defined, and no other", {
-  expect_setequal(ls(measure_kinds), names(formals(measure)))
+  schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
+  kinds <- names(schema$`$defs`$measure$properties)
   defined <- measure_definitions()
-  expect_setequal(defined$name[defined$asked], names(formals(measure)))
-  expect_false(anyDuplicated(defined$name[!defined$asked]) > 0)
+  expect_setequal(defined$name[defined$asked], kinds)
   for (unit in defined$unit) expect_gt(unit_size(unit), 0)
+  expect_false(anyDuplicated(defined$name) > 0)
   # a sentence each, in one line
   expect_match(defined$definition, "^[A-Z][^\n]{15,}[.]$")
 })
@@ -91,6 +93,7 @@ test_that("every measure of a state has its definition", {
     defined <- measure_definitions(state)
     expect_identical(defined$name, names(found))
     expect_identical(defined$unit, unname(attr(found, "unit")))
+    expect_identical(defined$definition, definitions_of(found))
   }
 })
 

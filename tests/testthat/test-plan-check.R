@@ -154,7 +154,7 @@ test_that("a towed cable keeps its sphere where its notes are empty", {
 })
 
 test_that("plans are right and wrong as standard validators of the schema find them", {
-  cases <- yaml::read_yaml(test_path("plans", "right-and-wrong.yaml"))
+  cases <- yaml::read_yaml(test_path("right-and-wrong.yaml"))
   right <- function(change) {
     file <- plan_file(gsub(change[[1]], change[[2]], cases$plan, fixed = TRUE))
     tryCatch(is.list(check_plan(read_plan(file))), codend_error_plan = function(e) FALSE)

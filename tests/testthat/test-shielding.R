@@ -46,8 +46,9 @@ test_that("the laws are as printed", {
       lines <- state_lines(state)
       sn <- 0.2 / mean(lines$length / lines$rest)^2
       drag <- drag_of(state)
-      # Drag goes with the speed squared; sheets bow by a few deg. Middles of bars on a sheet's border
-      # are beside the shadow: of 8 by 8 meshes a tenth of the twine, its speed reduced by half as
+      # Drag goes with the speed squared; sheets bow by a few deg. Middles of bars on a sheet's
+      # border are beside the shadow: of 8 by 8 meshes a tenth of the twine, its speed reduced by
+      # half as
       # much: 2 %.
       expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
         tolerance = c(triangles = 0.005, bars = 0.025)[[netting]])

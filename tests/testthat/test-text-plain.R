@@ -18,3 +18,25 @@ test_that("text may hold what HTML and XML mark with", {
   expect_identical(xml2::xml_attr(read, "c"), text)
   expect_identical(xml2::xml_text(read), text)
 })
+
+test_that("plans and files are the same whatever R's options for numbers are", {
+  folder <- test_folder()
+  made <- function(name, ...) {
+    kept <- options(...)
+    on.exit(options(kept))
+    plans <- c("cage", "longline", "midwater_trawl", "pair_trawl", "purse_seine")
+    state <- settle(update(read_gear("towed_cable"), ropes.cable.length = 1000.25))
+    files <- file.path(folder, paste0(name, c(".vtu", ".gltf")))
+    write_vtk(state, files[1])
+    write_gltf(state, files[2])
+    list(
+      plans = lapply(plans, function(plan) format(assembly(read_gear(plan)))),
+      files = unname(tools::md5sum(files)), columns = column_figures(c(0.5, 12.25)),
+      message = tryCatch(update(state$gear, towing.speed = -1.5), error = conditionMessage)
+    )
+  }
+  plain <- made("plain")
+  expect_identical(made("comma", OutDec = ","), plain)
+  expect_identical(made("powers", scipen = -10), plain)
+  expect_identical(made("digits", scipen = 100), plain)
+})

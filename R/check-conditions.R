@@ -1,0 +1,25 @@
+#' Errors and their classes
+#'
+#' Every error of codend has class `codend_error` and one more that says what is wrong, so that a
+#' program can tell them apart with [tryCatch()].
+#'
+#' | class | what is wrong | fields of the condition |
+#' |---|---|---|
+#' | `codend_error_plan` | a field of a plan | `path`, `value` |
+#' | `codend_error_argument` | an argument of a function | |
+#' | `codend_error_file` | a file that cannot be read or written, or its path | `file`; of a tow also `trajectory` |
+#' | `codend_error_not_converged` | a gear does not settle, or a motion stands still | `report`; of a tow also `trajectory` |
+#' | `codend_error_lattice` | the lattice does not hold what the plan says: a defect of codend | |
+#' | `codend_error_package` | a package that is not installed | |
+#' | `codend_error_usage` | a command of the command line is used wrongly | |
+#'
+#' Warnings have class `codend_warning`; those of [settle()] about an otter board also
+#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over` or `_unstable`.
+#'
+#' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full disk
+#' too, the old file stays.
+#'
+#' @name codend-conditions
+#' @examples
+#' tryCatch(read_gear("no_such_plan"), codend_error_plan = function(e) conditionMessage(e))
+NULL
