@@ -25,9 +25,8 @@ writable::list as_list(const codend::Motion& motion) {
 
 }  // namespace
 
-[[cpp11::register]]
-list engine_march(list lattice, doubles position, doubles velocity, double step, int steps,
-                  double tolerance, int substitutions) {
+[[cpp11::register]] list engine_march(list lattice, doubles position, doubles velocity, double step,
+                                      int steps, double tolerance, int substitutions) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -52,9 +51,9 @@ list engine_march(list lattice, doubles position, doubles velocity, double step,
 // there; steer(frame) answers with the speed wanted of every growing group; refill(frame) with weight,
 // node and mass of the catch; watch(time, steps) is called after steps, at most some ten
 // times a second.
-[[cpp11::register]]
-list engine_tow(list lattice, list schedule, list past, list control, list stops, function keep,
-                function steer, function refill, function watch) {
+[[cpp11::register]] list engine_tow(list lattice, list schedule, list past, list control,
+                                    list stops, function keep, function steer, function refill,
+                                    function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -89,28 +88,28 @@ list engine_tow(list lattice, list schedule, list past, list control, list stops
   auto report = [&] {
     const codend::MarchReport& r = march.report();
     const char* const ends[] = {"reached", "stopped", "stuck"};
-    return writable::list({
-        "end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
-        "repeated"_nm = static_cast<double>(r.repeated),
-        "not_found"_nm = static_cast<double>(r.not_found),
-        "iterations"_nm = static_cast<double>(r.iterations),
-        "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-        "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
+    return writable::list({"end"_nm = ends[static_cast<int>(r.end)],
+                           "steps"_nm = static_cast<double>(r.steps),
+                           "repeated"_nm = static_cast<double>(r.repeated),
+                           "not_found"_nm = static_cast<double>(r.not_found),
+                           "iterations"_nm = static_cast<double>(r.iterations),
+                           "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
+                           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
   };
   const doubles straight = straight_bars(lattice);
   auto frame = [&] {
     const codend::Motion& now = march.now();
     const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
-    return writable::list({
-        "now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
-        "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
-        "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
-        "bar_tension"_nm = as_doubles(e.bar_tension),
-        "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
-        "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
-        "straight_tension"_nm = straight_tension(e),
-        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
-        "report"_nm = report()});
+    return writable::list(
+        {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
+         "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
+         "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
+         "bar_tension"_nm = as_doubles(e.bar_tension),
+         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
+         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
+         "straight_tension"_nm = straight_tension(e),
+         "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+         "report"_nm = report()});
   };
   const doubles times(stops["time"]);
   const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
@@ -137,10 +136,8 @@ list engine_tow(list lattice, list schedule, list past, list control, list stops
   return report();
 }
 
-
 // The time schemes by name, and whether they take an accuracy.
-[[cpp11::register]]
-list engine_schemes() {
+[[cpp11::register]] list engine_schemes() {
   writable::strings name;
   writable::logicals adaptive;
   for (const codend::Scheme& scheme : codend::schemes()) {

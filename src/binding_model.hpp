@@ -12,7 +12,7 @@ codend::Model read_model(const list& lattice);
 // Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the
 // lattice.
 inline doubles in_order(const doubles& straight, std::size_t width, const double* plain,
-                 const double* hexagonal) {
+                        const double* hexagonal) {
   std::vector<double> out;
   out.reserve(width * static_cast<std::size_t>(straight.size()));
   for (const double bar : straight) {
@@ -31,7 +31,7 @@ inline doubles straight_bars(const list& lattice) {
 
 // One family of lines: of plain triangles, and the part of all three of hexagonal ones.
 inline doubles family_in_order(const doubles& straight, const std::vector<double>& plain,
-                        const std::vector<double>& hexagonal, std::size_t which) {
+                               const std::vector<double>& hexagonal, std::size_t which) {
   return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
 }
 

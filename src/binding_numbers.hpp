@@ -39,7 +39,9 @@ inline std::vector<int> places(const integers& values) {
   return out;
 }
 
-inline std::vector<int> places(const list& from, const char* name) { return places(integers(from[name])); }
+inline std::vector<int> places(const list& from, const char* name) {
+  return places(integers(from[name]));
+}
 
 inline std::vector<char> marks(const logicals& values) {
   std::vector<char> out(values.size());

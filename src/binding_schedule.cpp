@@ -117,8 +117,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
 }
 
 // Values of a curve at times (s); at a jump those before it, or after it.
-[[cpp11::register]]
-doubles engine_curve_at(list curve, doubles time, bool after) {
+[[cpp11::register]] doubles engine_curve_at(list curve, doubles time, bool after) {
   const codend::Curve read = read_curve(curve);
   const codend::Side side = after ? codend::Side::after : codend::Side::before;
   writable::doubles out(time.size());
@@ -129,8 +128,7 @@ doubles engine_curve_at(list curve, doubles time, bool after) {
 // What a schedule says of times (s), after their jumps, in columns by time: origin and velocity (m,
 // m/s, 3 each) of what moves the held nodes, its heading (rad), factors of the growing groups, and
 // the current (m/s) along x and y by depth. length: what winches have out then, m, by group.
-[[cpp11::register]]
-list engine_schedule_at(list schedule, doubles time, doubles length) {
+[[cpp11::register]] list engine_schedule_at(list schedule, doubles time, doubles length) {
   codend::Schedule read = read_schedule(schedule);
   if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
     stop("one length per time and growing group is needed");
@@ -159,8 +157,7 @@ list engine_schedule_at(list schedule, doubles time, doubles length) {
 }
 
 // A lattice's numbers that a schedule changes, as they are at a time (s), after its jumps.
-[[cpp11::register]]
-list engine_scheduled(list lattice, list schedule, double time) {
+[[cpp11::register]] list engine_scheduled(list lattice, list schedule, double time) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);

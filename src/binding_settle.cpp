@@ -5,9 +5,8 @@
 
 using namespace binding;
 
-[[cpp11::register]]
-list engine_settle(list lattice, doubles start, bool near, doubles strain, double tolerance,
-                   int iterations, function watch) {
+[[cpp11::register]] list engine_settle(list lattice, doubles start, bool near, doubles strain,
+                                       double tolerance, int iterations, function watch) {
   codend::Model model = read_model(lattice);
   model.connect();
   codend::Assembly assembly(model);
@@ -54,9 +53,8 @@ list engine_settle(list lattice, doubles start, bool near, doubles strain, doubl
   });
 }
 
-[[cpp11::register]]
-doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest,
-                       doubles tension, doubles load) {
+[[cpp11::register]] doubles engine_lay_out(logicals held, doubles position, integers ends,
+                                           doubles rest, doubles tension, doubles load) {
   codend::StringNet net;
   net.held = marks(held);
   net.ends = places(ends);

@@ -14,19 +14,19 @@
 namespace codend {
 
 struct LengthControl {
-  Curve target;                    // m
-  bool by_speed = false;           // follows `target_speed` instead of `target`
-  double target_speed = 0.0;       // m/s, positive lengthens
+  Curve target;               // m
+  bool by_speed = false;      // follows `target_speed` instead of `target`
+  double target_speed = 0.0;  // m/s, positive lengthens
   double speed_limit = std::numeric_limits<double>::infinity();    // m/s
   double tension_limit = std::numeric_limits<double>::infinity();  // N; lengthens above it
-  double stiffness = 0.0;          // EA, N
-  int bar = 0;                     // where it pulls
-  double full_length = 1.0;        // m, where the factor is 1
-  double least_length = 1.0;       // m
+  double stiffness = 0.0;                                          // EA, N
+  int bar = 0;                                                     // where it pulls
+  double full_length = 1.0;                                        // m, where the factor is 1
+  double least_length = 1.0;                                       // m
   double most_length = std::numeric_limits<double>::infinity();    // m
   // As it is: length (m) at a time (s), and speed (m/s) since.
   double length = 0.0, since = 0.0, speed = 0.0;
-  bool near_limit = false;         // of tension
+  bool near_limit = false;  // of tension
 
   double length_at(double time) const { return length + (time - since) * speed; }
   // Chooses the speed from a time (s) on, at a tension (N) in the bar.

@@ -42,8 +42,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
   }
   if (!schedule_.release.node.empty()) {
     held_back_.assign(static_cast<std::size_t>(model.nodes), 0);
-    all_released_ =
-        *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
+    all_released_ = *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
   }
   answers_ = answers_ || !schedule_.ruptures.empty() || assembly.shades();
 }
@@ -51,8 +50,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
 void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
   for (int n = 0; n < model_.nodes; ++n) {
     if (!model_.held[n]) continue;
-    at(motion.x.data(), n) =
-        at(start_.x.data(), n) + (time - start_.time) * at(start_.v.data(), n);
+    at(motion.x.data(), n) = at(start_.x.data(), n) + (time - start_.time) * at(start_.v.data(), n);
     at(motion.v.data(), n) = at(start_.v.data(), n);
   }
   const ScheduledValues values = values_at(schedule_, time, side);
