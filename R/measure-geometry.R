@@ -106,8 +106,9 @@ polygon_area <- function(x, y) {
 }
 
 define_measure("angle", "deg",
-  "Direction of a rope's bar at a place, from start to end: below the horizontal (declination, negative when it rises) or, in plan view, out of the vessel's centre line
-  (divergence, 0 to 180), in a turn too.",
+  "Direction of a rope's bar at a place, from start to end: below the horizontal (declination,
+  negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180),
+  in a turn too.",
   asks_rope_angle, function(state, measure) measure_angle(state, measure)
 )
 
