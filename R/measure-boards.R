@@ -38,7 +38,7 @@ board_table <- function(state) {
 }
 
 define_measure("attitude", "deg",
-  "Of a free otter board, its angle of attack, heel (positive where its upper edge leans outward, so
+  "Angle of attack of a free otter board, its heel (positive where its upper edge leans outward, so
   that its lift points down) or trim (positive where its leading edge is high).",
   asks_board_angle, function(state, measure) measure_attitude(state, measure)
 )

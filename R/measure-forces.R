@@ -1,7 +1,7 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
 define_measure("tension", "kN",
-  "Of a rope at a place, or the largest along it. At its start or end it is that of its outermost bar.",
+  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its outermost bar.",
   asks_rope_place, function(state, measure) measure_tension(state, measure)
 )
 

@@ -20,7 +20,7 @@ measure_spread <- function(state, measure) {
 }
 
 define_measure("height", "m",
-  "Of the first place above the second, negative where it lies below. The height of a net's mouth is
+  "Height of the first place above the second, negative where it lies below. The height of a net's mouth is
   that of the head line's centre above the footrope's.",
   asks_pair, function(state, measure) measure_height(state, measure)
 )
@@ -33,7 +33,7 @@ define_measure("length", "m", "Straight distance between two places.",
 
 measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[1]])^2))
 
-define_measure("depth", "m", "Of a place below the water surface.",
+define_measure("depth", "m", "Depth of a place below the water surface.",
   asks_place, function(state, measure) measure_depth(state, measure)
 )
 
@@ -56,7 +56,7 @@ measure_clearance <- function(state, measure) {
 }
 
 define_measure("area", "m2",
-  "Enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight tow,
+  "Area enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight tow,
   along the net's own heading in a turn. A gap between two ropes is closed by a straight line.",
   asks_ropes, function(state, measure) measure_area(state, measure)
 )
@@ -106,9 +106,9 @@ polygon_area <- function(x, y) {
 }
 
 define_measure("angle", "deg",
-  "Of a rope's bar at a place, in its direction from start to end: below the horizontal
-  (declination, negative when it rises) or, in plan view, out of the vessel's centre line
-  (divergence, 0 to 180), in a turn too.",
+  "Direction of a rope's bar at a place, from start to end: below the horizontal (declination,
+  negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180),
+  in a turn too.",
   asks_rope_angle, function(state, measure) measure_angle(state, measure)
 )
 

@@ -1,8 +1,8 @@
 # The volume that panels enclose.
 
 define_measure("volume", "m3",
-  "Within panels that follow each other around an opening, such as a cage's walls and bottom, closed
-  by a lid from the rim of the opening to its middle.",
+  "Volume within panels that follow each other around an opening, such as a cage's walls and bottom,
+  closed by a lid from the rim of the opening to its middle.",
   asks_panels, function(state, measure) volume_within(state, measure$panels)
 )
 
