@@ -1,7 +1,6 @@
 #pragma once
 
 #include <condition_variable>
-#include <cstdint>
 #include <mutex>
 #include <thread>
 
@@ -16,7 +15,6 @@ class SecondThread {
   SecondThread& operator=(const SecondThread&) = delete;
 
   // Runs job(data, 0) here and job(data, 1) there; returns when both are done. Neither may throw.
-  // Both treat denormal numbers as the calling thread does.
   void run(void (*job)(void* data, int half), void* data);
 
  private:
@@ -26,7 +24,6 @@ class SecondThread {
   std::condition_variable changed_;
   void (*job_)(void* data, int half) = nullptr;  // null when there is nothing to do
   void* data_ = nullptr;
-  std::uint64_t control_ = 0;  // of the caller's floating-point unit
   bool over_ = false;
   std::thread thread_;
 };
