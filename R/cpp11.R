@@ -36,6 +36,14 @@ engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }
 
+engine_fields <- function() {
+  .Call(`_codend_engine_fields`)
+}
+
+engine_forces <- function() {
+  .Call(`_codend_engine_forces`)
+}
+
 engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
 }

@@ -69,10 +69,24 @@ extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP veloci
   END_CPP11
 }
 // binding.cpp
-doubles engine_speed_reduction(int law, doubles solidity, doubles cosine);
+list engine_fields();
+extern "C" SEXP _codend_engine_fields() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_fields());
+  END_CPP11
+}
+// binding.cpp
+list engine_forces();
+extern "C" SEXP _codend_engine_forces() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_forces());
+  END_CPP11
+}
+// binding.cpp
+doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
 extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<int>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
   END_CPP11
 }
 // file_sync.cpp
@@ -94,6 +108,8 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
+    {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
+    {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
     {"_codend_engine_lay_out",         (DL_FUNC) &_codend_engine_lay_out,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},

@@ -1,4 +1,4 @@
-// Motions of boards that grow, against the eigenvalues of the whole dense matrix.
+// Motions of plates that grow, against the eigenvalues of the whole dense matrix.
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
@@ -9,18 +9,18 @@
 
 using namespace codend;
 
-TEST_CASE("a growing motion of boards is an eigenvector, and none is missed that stands out") {
+TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that stands out") {
   Random random(20260501);
   int found = 0, expected = 0;
   for (int repeat = 0; repeat < 60; ++repeat) {
     Ingredients wanted;
     wanted.bars = 25;
-    wanted.boards = 2;
+    wanted.plates = 2;
     wanted.struts = true;
     wanted.axial_stiffness = 200.0;
     Specimen s(random, wanted);
-    s.model.boards.ground.present = false;
-    s.model.connect();
+    s.model.ground.present = false;
+    s.model.prepare();
     Assembly assembly(s.model);
     assembly.move_to(s.x.data(), s.v.data());
     const BlockPattern& pattern = assembly.pattern();

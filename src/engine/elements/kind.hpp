@@ -5,19 +5,25 @@
 #include <vector>
 
 #include "../base/block_sink.hpp"
+#include "../base/fields.hpp"
 #include "../base/geometry.hpp"
+#include "../base/ground.hpp"
 #include "../base/immersion.hpp"
 #include "../base/water.hpp"
 
 namespace codend {
 
-// Where all points are and how they move, in the frame of the gear.
+class Bars;
+
+// Where all points are, how they move in the frame of the gear, and what they move in.
 struct Field {
   const double* position;  // 3 per point, m
   const double* velocity;  // 3 per point, m/s
   const Water* water;
   // Speed of the flow past each point as a share of the free flow's, behind netting; null: 1.
   const double* wake = nullptr;
+  const Ground* ground = nullptr;  // null or not present: none
+  const Bars* bars = nullptr;      // of the model, for elements that are made of bars
 
   // Velocity of the water relative to a body at a point (m/s), and how it changes with height (1/s).
   // Of a body (height in m) that is partly out of the water, reduced so that its square drags the

@@ -28,8 +28,8 @@ GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu) {
   // A first motion that turns every board about all its axes.
   std::vector<double> first(3 * n, 0.0);
   std::vector<int> of_boards;
-  for (std::size_t k = 0; k < model.boards.node.size(); ++k) {
-    const int node = model.boards.node[k];
+  for (std::size_t k = 0; k < model.plates.nodes().size(); ++k) {
+    const int node = model.plates.nodes()[k];
     if (node >= model.nodes || place[static_cast<std::size_t>(node)] < 0) continue;
     const int i = place[static_cast<std::size_t>(node)];
     of_boards.push_back(i);

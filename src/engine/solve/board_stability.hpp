@@ -1,4 +1,4 @@
-// Whether an equilibrium with free otter boards or kites lasts: a board that a small push carries
+// Whether an equilibrium with free plates lasts: a plate that a small push carries
 // further away stands in a balance that nobody will ever see.
 //
 // Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
@@ -19,10 +19,10 @@ namespace codend {
 struct GrowingMotion {
   bool found = false;
   double rate = 0.0;           // 1/s of pseudo time
-  std::vector<double> motion;  // 3 per free node; its largest at a point of a board is 1 long
+  std::vector<double> motion;  // 3 per free node; its largest at a point of a plate is 1 long
 };
 
-// The motion of boards that grows fastest, at the place that the assembly was last moved to. Changes
+// The motion of plates that grows fastest, at the place that the assembly was last moved to. Changes
 // the factors of `lu`, which must have been analysed for the assembly's pattern.
 GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu);
 

@@ -293,8 +293,8 @@ class Settling {
 
   double least_chord() const {
     double least = 1e12;
-    for (const OtterBoard& board : assembly_.model().boards.board) {
-      least = std::min(least, board.chord);
+    for (const LiftingPlate& plate : assembly_.model().plates.plate) {
+      least = std::min(least, plate.chord);
     }
     return least;
   }
@@ -308,7 +308,7 @@ class Settling {
       double arm = 0.0;
       for (const double a : line.shape) arm = std::max(arm, std::abs(a));
       stiffest = std::max(stiffest, line.multiplicity * arm * arm *
-                                        line.material->axial_stiffness / line.rest);
+                                        assembly_.model().material(line).axial_stiffness / line.rest);
     });
     return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
   }
@@ -379,7 +379,7 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
         steps = 0;
       }
     }
-    if (report.converged && assembly.model().boards.count() > 0) {
+    if (report.converged && assembly.model().plates.count() > 0) {
       const GrowingMotion growing = settling.growing_motion();
       report.upset_at_last = growing.found;
       if (growing.found && report.upsets < pushes) {
