@@ -29,8 +29,9 @@
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Several times faster than to start anew; where that
-#'   start does not lead to balance the gear is settled anew.
+#'   points, at another speed, warp or design. Many times faster than to start anew where the change is
+#'   small and as many `nodes` are asked for; where that start does not lead to balance the gear is
+#'   settled anew.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -58,7 +59,10 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    if (!isTRUE(found$report$converged)) {
+      found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    }
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
