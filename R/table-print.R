@@ -27,7 +27,20 @@ size_text <- function(state) {
 
 measure_text <- function(measures) {
   said <- measure_words(measures)
-  paste(said$words, figures(plain_measures(measures)), said$unit)
+  trimws(paste(said$words, figures(plain_measures(measures)), said$unit, said$error))
+}
+
+# How accurate the lattice makes the main measures, where that is known.
+accuracy_lines <- function(measures) {
+  error <- main_error(measures)
+  if (!is.finite(error)) return(NULL)
+  c(
+    paste0("  Drag, spreads, heights, areas and volumes within about ", percent_text(error),
+      " of a finer lattice's"),
+    if (error > usual_accuracy) {
+      paste0("  For less: settle(accuracy = \"", percent_text(usual_accuracy), "\")")
+    }
+  )
 }
 
 #' @export
@@ -43,6 +56,7 @@ print.codend_state <- function(x, ...) {
     paste0("  ", conditions_text(x$si)),
     paste0("  ", size_text(x)),
     paste0("  ", measure_text(found[shown])),
+    accuracy_lines(found),
     "  More: summary(), as.data.frame(), plot(), view()",
     sep = "\n"
   )
