@@ -1,7 +1,7 @@
 # What the engine finds wrong with a lattice, or could not do.
 
-# Called by the binding for every exception of the engine. field: what is wrong, such as "bars.rest", or
-# "".
+# Called by the binding for every exception of the engine. field: what is wrong, such as
+# "bars.rest", or "".
 abort_engine <- function(message, field) {
   cli::cli_abort(
     "The engine stopped: {message}.", class = c("codend_error_engine", "codend_error"),

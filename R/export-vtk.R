@@ -127,8 +127,10 @@ vtk_point_data <- function(state, points, corners) {
       held = c(engine$held, logical(none))
     ),
     if (length(knots)) {
-      drag <- sum_by_part(state$forces$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
-        ncol(points) + corners)
+      drag <- sum_by_part(
+        state$forces$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
+        ncol(points) + corners
+      )
       list(knot_drag_N = drag)
     },
     if (!is.null(state$time)) list(velocity_m_per_s = filled(state$velocity))

@@ -159,7 +159,8 @@ new_tank <- function(start, marked, nodes) {
   tank
 }
 
-# Settles from a state where it has the same parts, else anew: list(state, notes = warnings).
+# Settles from a state where it has the same parts, else anew: list(state, notes = warnings,
+# then what is worth a look).
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
   settle_from <- function(from) settle_gear(gear, nodes, NULL, from, flume_steps)
@@ -170,7 +171,7 @@ settle_noted <- function(gear, nodes, from) {
       invokeRestart("muffleWarning")
     }
   )
-  list(state = state, notes = notes)
+  list(state = state, notes = c(notes, finding_sentences(findings(state))))
 }
 
 # NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A

@@ -2,7 +2,7 @@
 
 # values: SI, by name; kinds: their entries in the registries; nodes and levels: of the lattice and of
 # those that it was compared with, see estimate_errors().
-new_measures <- function(values, kinds, nodes, levels) {
+new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   units <- measure_units(kinds)
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
   structure(shown, unit = setNames(units, names(values)),

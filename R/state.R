@@ -20,8 +20,9 @@ new_state <- function(gear, si, lattice, position, report,
   )
 }
 
-# The forces on elements that the engine reports, from its own table: a data frame with a row per force,
-# `name`, `kind` of element and `cause` ("flow", "ground" or "surface"). cause: of this one alone.
+# The forces on elements that the engine reports, from its own table: a data frame with a row per
+# force, `name`, `kind` of element and `cause` ("flow", "ground" or "surface"). cause: of this
+# one alone.
 reported_forces <- function(cause = NULL) {
   table <- list2DF(engine_forces())
   if (is.null(cause)) table else table[table$cause == cause, ]

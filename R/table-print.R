@@ -30,17 +30,21 @@ measure_text <- function(measures) {
   trimws(paste(said$words, figures(plain_measures(measures)), said$unit, said$error))
 }
 
-# How accurate the lattice makes the main measures, where that is known.
-accuracy_lines <- function(measures) {
+# How accurate the lattice makes the main measures, and what to do where that is little; NULL where it
+# is not known.
+accuracy_line <- function(measures) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
-  c(
-    paste0("  Drag, spreads, heights, areas and volumes within about ", percent_text(error),
-      " of a finer lattice's"),
-    if (error > usual_accuracy) {
-      paste0("  For less: settle(accuracy = \"", percent_text(usual_accuracy), "\")")
-    }
+  paste0(
+    "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
+    percent_text(error),
+    if (error > usual_accuracy) paste0("; settle(accuracy = \"", percent_text(usual_accuracy), "\")")
   )
+}
+
+within_text <- function(measures) {
+  error <- main_error(measures)
+  if (is.finite(error)) paste0("; main measures within about ", percent_text(error))
 }
 
 #' @export
@@ -54,9 +58,8 @@ print.codend_state <- function(x, ...) {
       sprintf("Gear \"%s\" at %s s of a tow", x$si$name, format(signif(x$time, 6)))
     },
     paste0("  ", conditions_text(x$si)),
-    paste0("  ", size_text(x)),
+    paste0("  ", size_text(x), within_text(found)),
     paste0("  ", measure_text(found[shown])),
-    accuracy_lines(found),
     "  More: summary(), as.data.frame(), plot(), view()",
     sep = "\n"
   )

@@ -1,23 +1,23 @@
 # Errors of measures, estimated from coarser lattices.
 
 # Values whose error is c h^p on lattices of so many nodes.
-with_error <- function(nodes, p, c = c(a = 3, b = -0.2), exact = c(a = 10, b = 2)) {
-  list(nodes = nodes, values = exact + c * nodes^(-p / 2))
+with_error <- function(nodes, p, share = c(a = 3, b = -0.5), exact = c(a = 10, b = 2)) {
+  list(nodes = nodes, values = exact + share * nodes^(-p / 2))
 }
-fine <- function(p) with_error(1600, p)$values
-left <- function(p) unname(abs(fine(p) - c(10, 2)))
+fine_values <- function(p) with_error(1600, p)$values
+left <- function(p) unname(abs(fine_values(p) - c(10, 2)))
 
 test_that("an error of first order is found exactly from two lattices", {
-  found <- estimate_errors(fine(1), 1600, list(with_error(200, 1)))
+  found <- estimate_errors(fine_values(1), 1600, list(with_error(200, 1)))
   expect_equal(unname(found), left(1), tolerance = 1e-12)
   # from a finer lattice too
-  found <- estimate_errors(fine(1), 1600, list(with_error(9000, 1)))
+  found <- estimate_errors(fine_values(1), 1600, list(with_error(9000, 1)))
   expect_equal(unname(found), left(1), tolerance = 1e-12)
 })
 
 test_that("three lattices tell the order, within bounds", {
   three <- function(p) {
-    unname(estimate_errors(fine(p), 1600, list(with_error(100, p), with_error(400, p))))
+    unname(estimate_errors(fine_values(p), 1600, list(with_error(100, p), with_error(400, p))))
   }
   expect_equal(three(1.4), left(1.4), tolerance = 1e-12)
   # an order of 2 is taken as 1.5: too careful by (4 - 1) / (2^1.5 - 1)
@@ -62,7 +62,7 @@ test_that("errors go where measures go", {
   table <- as.data.frame(state, what = "measures")
   expect_identical(table$error, unname(error))
   expect_match(format(summary(state)), "m +(\u00b1|\\+-) [0-9]", all = FALSE)
-  expect_match(format(summary(state)), "within about", all = FALSE)
+  expect_match(format(summary(state)), "Finer lattices", all = FALSE)
   expect_identical(attr(measures(state)[2:3], "error"), error[2:3])
   expect_identical(state_record(state)$errors, as.list(error))
   # on to another design: the same share

@@ -1,6 +1,7 @@
 #include "lifting_plate.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -304,6 +305,12 @@ void LiftingPlates::add_added_mass(const Field& field, double* mass) const {
                                        node_[static_cast<std::size_t>(3 * e + k)])) += share;
     }
   }
+}
+
+double LiftingPlates::unstable_size() const {
+  double least = plate.empty() ? 0.0 : plate.front().chord;
+  for (const LiftingPlate& one : plate) least = std::min(least, one.chord);
+  return least;
 }
 
 void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
