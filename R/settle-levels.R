@@ -70,8 +70,8 @@ undivided <- function(si) {
   si
 }
 
-# Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over, or
-# NULL.
+# Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over,
+# or NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)

@@ -30,15 +30,17 @@ measure_text <- function(measures) {
   trimws(paste(said$words, figures(plain_measures(measures)), said$unit, said$error))
 }
 
-# How accurate the lattice makes the main measures, and what to do where that is little; NULL where it
-# is not known.
+# How accurate the lattice makes the main measures, and what to do where that is little; NULL where
+# it is not known.
 accuracy_line <- function(measures) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
   paste0(
     "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
     percent_text(error),
-    if (error > usual_accuracy) paste0("; settle(accuracy = \"", percent_text(usual_accuracy), "\")")
+    if (error > usual_accuracy) {
+      paste0("; settle(accuracy = \"", percent_text(usual_accuracy), "\")")
+    }
   )
 }
 
