@@ -168,7 +168,8 @@ TEST_CASE("a node that is not yet released stays, and falls from then on") {
   Weights other;
   other.start.x = from;
   const Motion end = other.march(schedule, 0.6);
-  CHECK(end.x[8] - from[8] == doctest::Approx(-0.5 * gravity * 0.09).epsilon(1e-9));
+  // It begins within the step of 1 ms that ends with its time: 2 x 1 ms / 0.3 s of the way.
+  CHECK(end.x[8] - from[8] == doctest::Approx(-0.5 * gravity * 0.09).epsilon(7e-3));
 }
 
 TEST_CASE("a controlled length follows its target at its speed limit") {
