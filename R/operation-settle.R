@@ -74,6 +74,7 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   if (!report$converged) abort_not_converged(report, found$lattice, found$position)
   state <- new_state(gear, si, found$lattice, found$position, report)
   warn_of_boards(state)
+  warn_of_laws(state)
   state
 }
 
