@@ -48,6 +48,10 @@ engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
 }
 
+file_size <- function(path) {
+  .Call(`_codend_file_size`, path)
+}
+
 file_sync <- function(path) {
   .Call(`_codend_file_sync`, path)
 }

@@ -17,9 +17,7 @@
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
-  bars <- vapply(si$panels, function(p) {
-    identical(first_of(netting, p$netting), "bars") && p$straight_bar == 0
-  }, NA)
+  bars <- panels_of_bars(si, netting)
   check_triangles_needed(si, bars)
   panels <- panel_table(si$panels)
   chains <- gear_chains(si)
@@ -136,6 +134,13 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   if (is.null(from) || !alike) lattice$start <- place_inner_nodes(lattice)
   if (!is.null(si$shooting)) lattice$hung <- hang_out(si, lattice, panels, chains)
   lattice
+}
+
+# Which panels are of bars. netting: "bars" or "triangles" for all, or NULL.
+panels_of_bars <- function(si, netting) {
+  vapply(si$panels, function(panel) {
+    identical(first_of(netting, panel$netting), "bars") && panel$straight_bar == 0
+  }, NA)
 }
 
 # The part of every element of a kind that the engine reports forces of (see reported_forces()).

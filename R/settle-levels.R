@@ -11,12 +11,14 @@ settle_tolerance <- 1e-8
 settle_iterations <- 3200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
-# every line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use:
-# ropes alone settle in a few steps.
+# every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
+# begin with or NULL, where there is none.
 coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
-  if (!length(si$panels)) return(found)
   free <- undivided(si)
-  for (level in coarse_levels(min(nodes, fixed_nodes(si)))) {
+  nodes <- min(nodes, fixed_nodes(si))
+  # Ropes alone need no help on their way, but an error.
+  levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
+  for (level in levels) {
     coarse <- settle_level(
       free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps,
       progress
@@ -25,7 +27,8 @@ coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
     found <- list(
       lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position),
       # Coarse triangles are too stiff for theirs to be of use.
-      strain = if (level > coarsest_nodes) coarse$strain
+      strain = if (level > coarsest_nodes) coarse$strain,
+      si = free, coarser = if (!is.null(found$si)) found
     )
   }
   found
@@ -67,8 +70,8 @@ undivided <- function(si) {
   si
 }
 
-# Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or
-# NULL.
+# Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over,
+# or NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)
@@ -97,7 +100,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   found$lattice$engine$wake <- report$wake
   report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
-  c(found, list(report = report))
+  c(found, list(report = report, from = from))
 }
 
 # A state's shape, to carry over.

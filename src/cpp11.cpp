@@ -90,6 +90,13 @@ extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cos
   END_CPP11
 }
 // file_sync.cpp
+double file_size(cpp11::strings path);
+extern "C" SEXP _codend_file_size(SEXP path) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_size(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(path)));
+  END_CPP11
+}
+// file_sync.cpp
 std::string file_sync(cpp11::strings path);
 extern "C" SEXP _codend_file_sync(SEXP path) {
   BEGIN_CPP11
@@ -119,6 +126,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
+    {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
     {NULL, NULL, 0}
 };
