@@ -1,16 +1,16 @@
 # Checks of the laws for the drag of netting: whether the netting lies as they were measured.
 
-# Angle (deg) between the netting's normal and the flow from which twines stand in each other's wake;
-# cage netting, on which the screens' formulas were fitted, mostly stands across the flow.
+# Angle (deg) between the netting's normal and the flow from which twines stand in each other's
+# wake; cage netting, on which the screens' formulas were fitted, mostly stands across the flow.
 steep_angle <- 70
 # Share of a towed gear's netting that lies steeper than that.
 greatest_steep_share <- 0.5
 constant_screens <- c("loland", "aarsnes")
 
 define_finding("drag law", "state",
-  "More than half of a towed gear's netting with `netting_drag` `loland` or `aarsnes` lies more than 70
-  deg from across the flow. Both have a least drag, fitted to cage netting across the flow, that gives
-  trawls up to four times the drag they have.",
+  "More than half of a towed gear's netting with `netting_drag` `loland` or `aarsnes` lies more than
+  70 deg from across the flow. Both have a least drag, fitted to cage netting across the flow, that
+  gives trawls up to four times the drag they have.",
   function(gear, state) {
     if (!has_towing(state)) return(list())
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
@@ -23,8 +23,8 @@ define_finding("drag law", "state",
     shown <- sprintf("%.0f %%", 100 * share)
     used <- intersect(constant_screens, law)[1]
     list(finding("netting_drag", 100 * share, shown,
-      sprintf("%s was fitted to netting across the flow; %s of it lies along the flow here, and has too
-        much drag.", used, shown),
+      sprintf("%s was fitted to netting across the flow; %s of it lies along the flow here, and has
+        too much drag.", used, shown),
       "Use blended, or twines."))
   }
 )

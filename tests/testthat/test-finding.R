@@ -62,8 +62,8 @@ seams:
   expect_equal(found$value, 75 / 60)
   even <- read_text(spoil("deep: 60", "deep: 70", plan = plan))
   expect_false("seam" %in% findings(even)$check)
-  hung <- spoil("panels:", "  line: {along: net.lower, hanging_ratio: 0.1, diameter: 10 mm, material: PP}
-panels:")
+  hung <- spoil("panels:",
+    "  line: {along: net.lower, hanging_ratio: 0.1, diameter: 10 mm, material: PP}\npanels:")
   expect_equal(expect_finding(read_text(hung), "hanging ratio", "rope line")$value, 0.1)
 })
 
