@@ -29,8 +29,9 @@
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Several times faster than to start anew; where that
-#'   start does not lead to balance the gear is settled anew.
+#'   points, at another speed, warp or design. Many times faster than to start anew where the change is
+#'   small and as many `nodes` are asked for; where that start does not lead to balance the gear is
+#'   settled anew.
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear is
 #'   divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag and the spreads, heights, areas and volumes that the plan asks for, each as
@@ -75,7 +76,10 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    if (!isTRUE(found$report$converged)) {
+      found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    }
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
