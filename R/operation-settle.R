@@ -57,14 +57,14 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL, accuracy = N
   if (is.null(accuracy)) return(settle_gear(gear, nodes, netting, from, settle_iterations))
   state <- settled_state(gear, nodes, netting, from, settle_iterations)
   state <- settle_accurately(state, accuracy, netting)
-  warn_of_boards(state)
+  warn_of_doubts(state)
   state
 }
 
 # steps: of the solver from a crude start, at most.
 settle_gear <- function(gear, nodes, netting, from, steps) {
   state <- settled_state(gear, nodes, netting, from, steps)
-  warn_of_boards(state)
+  warn_of_doubts(state)
   state
 }
 
@@ -116,4 +116,10 @@ check_settle_arguments <- function(gear, nodes, netting) {
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)
+}
+
+# Boards that do not fly, and laws outside what they were measured for.
+warn_of_doubts <- function(state) {
+  warn_of_boards(state)
+  warn_of_laws(state)
 }
