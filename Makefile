@@ -69,7 +69,7 @@ bench:
 
 bench-loops:
 	@tools/setup --tests
-	@Rscript bench/loops.R $(EARLIER)
+	@Rscript bench/loops.R $(or $(NODES),10000) $(EARLIER)
 
 bench-tow:
 	@tools/setup --tests
