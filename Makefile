@@ -12,6 +12,7 @@
 #
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
+# make errors  whether the errors that measures tell hold, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema

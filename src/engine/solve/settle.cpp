@@ -41,6 +41,8 @@ constexpr int attempts = 8;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
 constexpr int shadings = 20, searches = 4;
+// Of all loads together, the most that rounding may leave.
+constexpr double greatest_rounding = 1e-3;
 // An unstable equilibrium is perturbed by this share of the least unstable element's size, and the
 // pseudo time step stays below this share of the time in which the motion grows, for so many steps.
 // Tried so often.
@@ -108,7 +110,10 @@ class Settling {
   }
 
   // Whether an equilibrium may be unstable.
-  bool may_be_unstable() const { return unstable_size_ > 0.0; }
+  bool may_be_unstable() {
+    unstable_size_ = unstable_size(assembly_);
+    return unstable_size_ > 0.0;
+  }
 
   // On from an unstable shape, along the motion that leaves it or, backwards, against it.
   void leave(const GrowingMotion& from, bool backwards) {
@@ -162,7 +167,10 @@ class Settling {
   bool found() const { return turning_ < found_turning && held_steps_ == 0; }
 
   // Whether the net forces are no more than what rounding of the positions makes.
-  bool at_rounding() const { return report_.worst_force <= rounding_; }
+  // What rounds to a force beside which the loads are little is no balance.
+  bool at_rounding() const {
+    return report_.worst_force <= rounding_ && rounding_ <= greatest_rounding * load_;
+  }
 
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step() {
@@ -326,7 +334,7 @@ class Settling {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
-  const double unstable_size_ = unstable_size(assembly_.model());  // m
+  double unstable_size_ = 0.0;  // m
   double load_;  // N
   double rounding_ = rounding_force();  // N
   TensionPath path_;
