@@ -21,7 +21,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-tow robust \
+.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-tow errors robust \
   schema schema-check
 trawl:
 	@tools/setup
@@ -70,6 +70,10 @@ bench:
 bench-tow:
 	@tools/setup --tests
 	@Rscript bench/motion.R
+
+errors:
+	@tools/setup --tests
+	@Rscript bench/errors.R
 
 robust:
 	@tools/setup --tests

@@ -29,8 +29,9 @@
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Several times faster than to start anew; where that
-#'   start does not lead to balance the gear is settled anew.
+#'   points, at another speed, warp or design. Many times faster than to start anew where the change
+#'   is small and as many `nodes` are asked for; where that start does not lead to balance the gear
+#'   is settled anew.
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag and the spreads, heights, areas and volumes that the plan asks for, each as
@@ -58,14 +59,14 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL, accuracy = N
   if (is.null(accuracy)) return(settle_gear(gear, nodes, netting, from, settle_iterations))
   state <- settled_state(gear, nodes, netting, from, settle_iterations)
   state <- settle_accurately(state, accuracy, netting)
-  warn_of_boards(state)
+  warn_of_doubts(state)
   state
 }
 
 # steps: of the solver from a crude start, at most.
 settle_gear <- function(gear, nodes, netting, from, steps) {
   state <- settled_state(gear, nodes, netting, from, steps)
-  warn_of_boards(state)
+  warn_of_doubts(state)
   state
 }
 
@@ -77,7 +78,10 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    if (!isTRUE(found$report$converged)) {
+      found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    }
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
@@ -114,4 +118,10 @@ check_settle_arguments <- function(gear, nodes, netting) {
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)
+}
+
+# Boards that do not fly, and laws outside what they were measured for.
+warn_of_doubts <- function(state) {
+  warn_of_boards(state)
+  warn_of_laws(state)
 }

@@ -77,6 +77,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   force(from)
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
+  begins <- if (is.null(from)) "crude" else if (settled_alike(lattice, from)) "settled" else "near"
   # The factors lie outside R's heap: nothing else makes R release what building left over.
   if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
@@ -85,7 +86,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   }
   solve <- function(lattice) {
     engine_settle(
-      lattice$engine, as.double(lattice$start), !is.null(from), as.double(strain), settle_tolerance,
+      lattice$engine, as.double(lattice$start), begins, as.double(strain), settle_tolerance,
       steps, progress
     )
   }
@@ -103,6 +104,14 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   c(found, list(report = report, from = from))
 }
 
+# Whether a shape to begin with was settled on the same lattice, whatever its numbers.
+settled_alike <- function(lattice, from) {
+  same <- function(kind) {
+    identical(lattice$engine[[kind]]$node, from$lattice$engine[[kind]]$node)
+  }
+  isTRUE(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("triangles")
+}
+
 # A state's shape, to carry over.
 state_shape <- function(state) {
   engine <- state$lattice$engine
@@ -111,7 +120,7 @@ state_shape <- function(state) {
     state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / triangles$rest - 1,
     state$v_length / triangles$rest - 1, state$straight_length / triangles$straight - 1
   )
-  list(lattice = state$lattice, position = state_points(state), strain = strain)
+  list(lattice = state$lattice, position = state_points(state), strain = strain, settled = TRUE)
 }
 
 # A state's shape, moved to where a gear with other lengths of rope should be found.
