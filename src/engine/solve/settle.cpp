@@ -122,6 +122,8 @@ class Settling {
 
   // Whether an equilibrium may be unstable.
   bool may_be_unstable() {
+    // What settles from its own state was tried there. (Boards cost little: they are tried again.)
+    if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
     unstable_size_ = unstable_size(assembly_);
     return unstable_size_ > 0.0;
   }
@@ -175,6 +177,7 @@ class Settling {
 
   // Takes the present positions, measured, as settled under other loads with these strains.
   void stay_settled(const std::vector<double>& strain) {
+    from_settled_ = true;
     follow(strain, TensionPath::settled_parameter);
     pseudo_step_ = settled_pseudo_step;
     if (report_.residual < settled_law_residual) turning_ = 0.0;
@@ -366,6 +369,7 @@ class Settling {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
+  bool from_settled_ = false;           // the start is a settled state
   double unstable_size_ = 0.0;          // m
   double load_;                         // N
   double rounding_ = rounding_force();  // N
