@@ -154,7 +154,8 @@ tow_method <- function(scheme, accuracy, step) {
     },
     # Newton's method ends far below a step's own error, substitution at a share of its velocities
     tolerance = if (implicit) 0.05 * accuracy else 1e-6 * accuracy,
-    least_step = 1e-7, most_step = if (adaptive) 60 else Inf
+    tension_accuracy = Inf,
+    account = TRUE, energy_error = 0.1 * accuracy, least_step = 1e-7, most_step = if (adaptive) 60 else Inf
   )
 }
 
