@@ -55,7 +55,7 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   )
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 2L)
-  drag_and_lift(found$bar_drag, speed, diameter)
+  drag_and_lift(found$forces$bar_drag, speed, diameter)
 }
 
 # Square netting of 20 bars by 20 of 2 mm twine, knotless, that turns about its bars along z; angle
@@ -97,16 +97,16 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   } else if (law == "blended") {
     held$engine$blended[names(common)] <- common
   } else {
-    held$engine$drag_screens <- list(
+    held$engine$screens <- list(
       node = node, twine_area = rep(solidity * side^2 / 2, triangles),
       diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
-      height = rep(diameter, triangles), law = rep(screen_numbers[[law]], triangles)
+      height = rep(diameter, triangles), law = rep(law, triangles)
     )
   }
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 6L)
   which <- c(twines = "triangle_drag", blended = "blended_force")
-  force <- found[[if (law %in% names(which)) which[[law]] else "screen_force"]]
+  force <- found$forces[[if (law %in% names(which)) which[[law]] else "screen_force"]]
   whole <- matrix(force, 6L)
   drag_and_lift(whole[1:3, ] + whole[4:6, ], speed, side^2)
 }
@@ -123,12 +123,12 @@ board_specimens <- function(polar, angle, aspect_ratio) {
   )
   points <- vapply(angle, function(a) upright_board(board, c(0, 0, 0), a), matrix(0, 3L, 3L))
   held <- specimen(matrix(points, 3L))
-  held$engine$boards <- lapply(seq_along(angle), function(k) {
+  held$engine$plates <- lapply(seq_along(angle), function(k) {
     engine_board(board, 3L * (k - 1L) + 1:3, specimen_density)
   })
   speed <- 1
   found <- evaluate_specimen(held, speed, 3L)
-  drag_and_lift(found$boards$force, speed, 1)
+  drag_and_lift(found$forces$plate_force, speed, 1)
 }
 
 # Knots or smooth spheres, by their Reynolds number, on their projected area.
@@ -138,8 +138,8 @@ sphere_specimens <- function(reynolds, smooth = FALSE) {
   held <- specimen(matrix(0, 3L, n))
   held$engine$spheres <- list(
     node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
-    smooth = rep(as.integer(smooth), n), added_mass = numeric(n), height = rep(diameter, n)
+    smooth = rep(smooth, n), added_mass = numeric(n), height = rep(diameter, n)
   )
   speed <- reynolds * specimen_viscosity / diameter
-  drag_and_lift(evaluate_specimen(held, speed, 1L)$sphere_drag, speed, pi / 4 * diameter^2)
+  drag_and_lift(evaluate_specimen(held, speed, 1L)$forces$sphere_drag, speed, pi / 4 * diameter^2)
 }

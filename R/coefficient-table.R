@@ -51,7 +51,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
     }),
     lapply(twine_laws, function(law) twine_by_reynolds(law, solidity[1])),
     unlist(lapply(solidity, function(sn) {
-      lapply(c("twines", "blended", names(screen_numbers)), function(law) {
+      lapply(c("twines", "blended", screen_laws()), function(law) {
         found <- netting_specimens(law, radian(degree), reynolds, sn)
         coefficient_rows("netting", law, "angle", degree, reynolds, sn, found)
       })
@@ -68,7 +68,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
     unlist(lapply(solidity, function(sn) {
       lapply(c("loland", "cheng"), function(law) {
         speed <- engine_speed_reduction(
-          wake_laws[[law]], rep(sn, length(degree)), cos(radian(degree))
+          law, rep(sn, length(degree)), cos(radian(degree))
         )
         coefficient_rows("wake", law, "angle", degree, NA, sn, list(speed = speed))
       })

@@ -1,6 +1,13 @@
 command_check <- function() {
   list(
     takes = "PLAN", does = "Check a plan and say what gear it holds.",
-    options = list(), run = function(plan, options) print(read_gear(plan))
+    options = list(), run = run_check
   )
+}
+
+run_check <- function(plan, options) {
+  gear <- read_gear(plan)
+  print(gear)
+  found <- findings(gear)
+  if (nrow(found)) cat("", cli::style_bold("Worth a look"), finding_lines(found), sep = "\n")
 }

@@ -49,3 +49,21 @@ write_settled <- function(state, folder) {
   tell(0L, "Written to ", folder, ": ",
     paste(c(tables, pictures, "view.html"), collapse = ", "))
 }
+
+# What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
+# the measures by name, and what is worth a look.
+state_record <- function(state) {
+  engine <- state$lattice$engine
+  list(
+    converged = state$report$converged, iterations = state$report$iterations,
+    residual = state$report$residual,
+    nodes = engine$nodes, bars = length(engine$bars$rest),
+    triangles = length(engine$triangles$rest),
+    cpu_seconds = state$report$cpu_seconds,
+    measures = as.list(measures(state)),
+    findings = row_records(findings(state))
+  )
+}
+
+# A list for each row of a data frame: a JSON array of objects, empty where there are no rows.
+row_records <- function(table) lapply(seq_len(nrow(table)), function(k) as.list(table[k, ]))

@@ -36,8 +36,20 @@ engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }
 
+engine_fields <- function() {
+  .Call(`_codend_engine_fields`)
+}
+
+engine_forces <- function() {
+  .Call(`_codend_engine_forces`)
+}
+
 engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
+}
+
+file_size <- function(path) {
+  .Call(`_codend_file_size`, path)
 }
 
 file_sync <- function(path) {

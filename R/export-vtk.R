@@ -84,9 +84,8 @@ ground_state <- function(trajectory, k) {
   state <- state_at(trajectory, trajectory$time[k])
   state$measured <- measures(state)
   turn <- t(to_vessel(trajectory$conditions$course[k]))
-  forces <- c("force", "bar_drag", "triangle_drag", "sphere_drag", "lift_force", "catch_force")
-  for (field in forces) state[[field]] <- turn %*% state[[field]]
-  state$boards$force <- turn %*% state$boards$force
+  state$force <- turn %*% state$force
+  state$forces <- lapply(state$forces, function(force) turn %*% force)
   state$position <- trajectory$position[, , k]
   state$velocity <- trajectory$velocity[, , k]
   state
@@ -128,8 +127,10 @@ vtk_point_data <- function(state, points, corners) {
       held = c(engine$held, logical(none))
     ),
     if (length(knots)) {
-      drag <- sum_by_part(state$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
-        ncol(points) + corners)
+      drag <- sum_by_part(
+        state$forces$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
+        ncol(points) + corners
+      )
       list(knot_drag_N = drag)
     },
     if (!is.null(state$time)) list(velocity_m_per_s = filled(state$velocity))
@@ -172,10 +173,10 @@ vtk_cells <- function(state, points) {
     engine$bars$multiplicity[bar], if (triangles) triangle_bars(engine$triangles), 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
-  data$drag_N <- cbind(state$bar_drag[, bar], state$triangle_drag, pieces$force,
-    state$boards$force)
+  data$drag_N <- cbind(state$forces$bar_drag[, bar], triangle_flow_force(state), pieces$force,
+    state$forces$plate_force)
   if (!is.null(state$si$catch)) {
-    data$catch_force_N <- cbind(zero(count[1L]), state$catch_force, zero(sum(count[3:4])))
+    data$catch_force_N <- cbind(zero(count[1L]), state$forces$pressure_force, zero(sum(count[3:4])))
   }
   list(
     cells = list(
@@ -194,9 +195,9 @@ vtk_pieces <- function(state) {
   sphere <- which(lattice$parts$kind[lattice$sphere_part] == "piece")
   part <- lattice$sphere_part[sphere]
   node <- lattice$engine$spheres$node[sphere]
-  force <- state$sphere_drag[, sphere, drop = FALSE]
+  force <- state$forces$sphere_drag[, sphere, drop = FALSE]
   at <- match(paste(lattice$lift_part, lattice$engine$lifts$node), paste(part, node))
-  force[, at] <- force[, at] + state$lift_force
+  force[, at] <- force[, at] + state$forces$lift_force
   list(part = part, node = node, force = force)
 }
 

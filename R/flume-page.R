@@ -84,8 +84,12 @@ flume_controls <- function() {
     ),
     tags$div(
       id = "plan_drop",
-      shiny::fileInput("plan_file", "Open a plan (or drop its file on the page)",
-        accept = c(".yaml", ".yml"), width = "100%", placeholder = "YAML, at most 2 MB"),
+      # without an id Shiny leaves it alone: the page reads the file and sends what is in it
+      tags$label(
+        "Open a plan (or drop its file on the page)",
+        tags$input(type = "file", class = "form-control plan-file", accept = ".yaml,.yml")
+      ),
+      tags$p(class = "note", "YAML, at most 2 MB"),
       tags$p(id = "plan_file_error", class = "field-error", role = "alert", hidden = NA)
     )
   )

@@ -4,6 +4,12 @@
 # settle: someone is waiting.
 flume_steps <- 1000L
 
+# Most nodes of a design, whatever its plan asks for.
+flume_nodes <- 20000
+
+# Seconds that the answer to one message may take: others wait meanwhile.
+flume_seconds <- 30
+
 # start: list(gear, state, notes) to open with.
 flume_server <- function(start, marked, nodes) {
   function(input, output, session) {
@@ -21,7 +27,7 @@ flume_server <- function(start, marked, nodes) {
 
     # try: what changes the tank. A design that is wrong or does not settle changes nothing.
     attempt <- function(try, where, answers = 0) {
-      problem <- flume_problem(try())
+      problem <- flume_problem(in_time(try()))
       if (is.null(problem)) {
         show(answers)
         return(TRUE)
@@ -42,7 +48,7 @@ flume_server <- function(start, marked, nodes) {
       attempt(function() tank$design(as.list(given$values)), "controls", answers)
     })
     shiny::observeEvent(input$plan_file, {
-      attempt(function() tank$open(read_upload(input$plan_file)), "plan_file")
+      attempt(function() tank$open(read_opened(input$plan_file)), "plan_file")
     })
     shiny::observeEvent(input$plan_text, {
       attempt(function() tank$replace(read_typed(input$plan_text, tank$gear)), "plan_text")
@@ -159,9 +165,11 @@ new_tank <- function(start, marked, nodes) {
   tank
 }
 
-# Settles from a state where it has the same parts, else anew: list(state, notes = warnings).
+# Settles from a state where it has the same parts, else anew: list(state, notes = warnings,
+# then what is worth a look).
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
+  check_lattice_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
   settle_from <- function(from) settle_gear(gear, nodes, NULL, from, flume_steps)
   state <- withCallingHandlers(
     tryCatch(settle_from(from), codend_error_argument = function(e) settle_from(NULL)),
@@ -170,7 +178,7 @@ settle_noted <- function(gear, nodes, from) {
       invokeRestart("muffleWarning")
     }
   )
-  list(state = state, notes = notes)
+  list(state = state, notes = c(notes, finding_sentences(findings(state))))
 }
 
 # NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A
@@ -189,29 +197,37 @@ flume_problem <- function(expression) {
   )
 }
 
-# The gear of an uploaded file, whose messages name the file as its owner does.
-read_upload <- function(upload) {
-  file <- upload$datapath[1]
-  gear <- tryCatch(
-    read_gear(file),
-    codend_error_plan = function(e) {
-      abort_plan(gsub(file, upload$name[1], conditionMessage(e), fixed = TRUE), e$path, e$value)
+# The value of an expression that ends in time.
+in_time <- function(expression, seconds = flume_seconds) {
+  setTimeLimit(elapsed = seconds, transient = TRUE)
+  on.exit(setTimeLimit())
+  tryCatch(expression, error = function(e) {
+    if (!inherits(e, "codend_error") && grepl("time limit", conditionMessage(e), fixed = TRUE)) {
+      abort_flume("This takes longer than {seconds} s, which is all that the tank gives it.",
+        list(seconds = seconds))
     }
-  )
-  # It is nowhere that R code could read it from.
-  gear["file"] <- list(NULL)
-  gear
+    stop(e)
+  })
+}
+
+# The gear of a file that the page has read: list(name, text). The page sends what is in it and never
+# a path, which could be any file of this computer's. It is nowhere that R code could read it from.
+read_opened <- function(given) {
+  given <- as.list(given)
+  name <- if (is_text(given$name)) substr(given$name, 1L, 100L) else "on this page"
+  read_sent(given$text, name)
 }
 
 # The gear of a plan typed on the page; like: the gear whose plan it was.
 read_typed <- function(text, like) {
-  if (!is_text(text)) abort_plan("A plan is text.", NULL)
-  file <- tempfile(fileext = ".yaml")
-  on.exit(unlink(file))
-  writeBin(charToRaw(enc2utf8(text)), file)
-  gear <- read_upload(list(datapath = file, name = "on this page"))
+  gear <- read_sent(text, "on this page")
   gear["file"] <- list(like$file)
   gear
+}
+
+read_sent <- function(text, name) {
+  if (!is_text(text)) abort_plan("A plan is text.", NULL)
+  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), name))
 }
 
 # The first measures of a gear as a sentence, for those who listen.

@@ -73,7 +73,15 @@ expand_longline <- function(fields, plan) {
   out
 }
 
+# Branch lines of a whole longline, at most.
+most_branch_lines <- 3000
+
 check_longline <- function(fields) {
+  branch_lines <- fields$baskets * fields$branch_lines$number
+  if (branch_lines > most_branch_lines) {
+    most <- most_branch_lines %/% fields$branch_lines$number
+    abort_field("baskets", fields$baskets, paste("at most", most, "with so many branch lines in each"))
+  }
   if (fields$floats$held == "ends") {
     float <- fields$floats[setdiff(names(fields$floats), c("held", "added_mass"))]
     if (!length(float)) {

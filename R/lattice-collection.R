@@ -2,8 +2,14 @@
 #
 # Tied points are numbered -1, -2, ... until all nodes are known.
 new_collection <- function(nodes) {
-  kinds <- c("bars", "triangles", "spheres", "lifts", "masses", "ties", "screens")
-  chunks <- setNames(rep(list(list()), length(kinds)), kinds)
+  engine <- c("ties", "bars", "triangles", "spheres", "lifts", "wake_sheets")
+  types <- c(
+    lapply(setNames(engine, engine), function(kind) c(engine_fields_of(kind), list(part = integer()))),
+    list(masses = list(node = integer(), mass = double(), volume = double(), height = double(),
+      surface = double(), area = double()))
+  )
+  types$ties$part <- NULL
+  chunks <- lapply(types, function(fields) list())
   ties <- 0L
   add <- function(kind, ...) {
     chunks[[kind]][[length(chunks[[kind]]) + 1L]] <<- list(...)
@@ -25,36 +31,35 @@ new_collection <- function(nodes) {
     },
     collect = function() {
       points <- nodes + ties
-      join <- function(kind, fields, whole = character()) {
-        out <- lapply(setNames(fields, fields), function(f) {
+      join <- function(kind) {
+        fields <- types[[kind]]
+        out <- lapply(setNames(names(fields), names(fields)), function(f) {
           all <- unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE)
-          if (f %in% whole) as.integer(all) else as.double(all)
+          if (is.null(all)) fields[[f]] else as.vector(all, typeof(fields[[f]]))
         })
         if (!is.null(out$node)) out$node <- point_number(out$node, nodes)
         out
       }
-      masses <- join("masses", c("node", "mass", "volume", "height", "surface", "area"),
-        "node")
-      list(
-        nodes = nodes,
-        ties = join("ties", c("first", "second", "share"), c("first", "second")),
-        bars = join("bars", c("node", "rest", "multiplicity", "height", "material", "part"),
-          c("node", "material", "part")),
-        triangles = join("triangles",
-          c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material",
-            "part"),
-          c("node", "inner", "material", "part")),
-        spheres = join("spheres", c("node", "drag_area", "diameter", "smooth", "added_mass", "height", "part"),
-          c("node", "smooth", "part")),
-        lifts = join("lifts", c("node", "lift_area", "direction", "height", "part"),
-          c("node", "direction", "part")),
-        screens = join("screens", c("node", "twine_area", "part"), c("node", "part")),
-        mass = sum_by(masses$mass, masses$node, points),
-        volume = sum_by(masses$volume, masses$node, points), masses = masses
-      )
+      found <- lapply(setNames(names(types), names(types)), join)
+      c(found, list(
+        nodes = nodes, mass = sum_by(found$masses$mass, found$masses$node, points),
+        volume = sum_by(found$masses$volume, found$masses$node, points)
+      ))
     }
   )
 }
+
+# The engine's fields of a kind of element, from its own table: a named list of empty vectors of their
+# types.
+engine_fields_of <- function(kind) {
+  table <- engine_fields()
+  of <- table$kind == kind
+  empty <- list(number = double(), whole = integer(), mark = logical(), name = character())
+  setNames(empty[table$type[of]], table$name[of])
+}
+
+# Elements of a kind, without what is not the engine's to know.
+engine_elements <- function(elements) elements[setdiff(names(elements), "part")]
 
 # Of masses with volume, area on the ground and height: per point the area and the largest half
 # height.

@@ -168,10 +168,10 @@ skeleton_load <- function(si, skeleton, panels, load) {
   on_pieces <- lapply(seq_along(runs), function(k) {
     piece <- si$pieces[[k]]
     way <- lift_directions[[if (is.na(piece$lift_direction)) "up" else piece$lift_direction]]
-    lift <- push * piece$lift_area * way[2]
+    lift <- push * piece$lift_area * way$sign
     force <- piece$number * c(
-      push * piece$drag_area, if (way[1] == 1) lift else 0,
-      (if (way[1] == 0) lift else 0) - gear_gravity * (piece$mass - density * piece$volume)
+      push * piece$drag_area, if (way$to == "sideways") lift else 0,
+      (if (way$to == "up") lift else 0) - gear_gravity * (piece$mass - density * piece$volume)
     )
     n <- length(runs[[k]])
     matrix(force / n, n, 3L, byrow = TRUE)

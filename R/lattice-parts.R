@@ -33,7 +33,7 @@ add_knots <- function(build, panels, parts, panel, node, count) {
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],
-    diameter = diameter[some], smooth = integer(sum(some)),
+    diameter = diameter[some], smooth = logical(sum(some)),
     added_mass = (0.5 * pi / 6 * diameter^3 * count)[some],
     height = surface_height(diameter, panels$mesh_size[panel] * sqrt(count))[some],
     part = parts[panel][some])
@@ -69,7 +69,8 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
     height = surface_height(twine_width(panels)[found$panel], extent),
     material = part, part = part)
   shading <- which(panels$shielding[found$panel] != "none")
-  build$add("screens", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
+  build$add("wake_sheets", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
+    law = panels$shielding[found$panel][shading],
     twine_area = (found$bars * (2 * found$rest + found$straight) *
       twine_width(panels)[found$panel])[shading])
   third <- rep(found$bars / 3, each = 3L)
@@ -182,12 +183,14 @@ add_bar_screens <- function(build, panels, parts, bars, ends) {
   node <- cbind(below$node, above$node)
   of <- c(below$panel, above$panel)
   area <- 2 * panel_bars(panels) * panels$mesh_size / 2 * twine_width(panels)
-  build$add("screens", node = as.vector(node), part = parts[of],
+  build$add("wake_sheets", node = as.vector(node), part = parts[of], law = panels$shielding[of],
     twine_area = (area / tabulate(of, length(area)))[of])
 }
 
+# Of a plan's directions of lift the engine's and the sign.
 lift_directions <- list(
-  up = c(0L, 1), down = c(0L, -1), starboard = c(1L, 1), port = c(1L, -1)
+  up = list(to = "up", sign = 1), down = list(to = "up", sign = -1),
+  starboard = list(to = "sideways", sign = 1), port = list(to = "sideways", sign = -1)
 )
 
 # The nodes that a piece is spread over: list(node, at), or NULL where it sits at a place.
@@ -227,13 +230,13 @@ add_piece <- function(build, piece, run, places, density, part) {
   build$add("masses", node = node, mass = n * piece$mass, volume = n * piece$volume,
     height = rep(piece$height, k), surface = rep(piece$height, k), area = n * piece$height^2)
   build$add("spheres", node = node, drag_area = n * piece$drag_area,
-    diameter = rep(piece$smooth_diameter, k), smooth = rep(as.integer(piece$smooth_diameter > 0), k),
+    diameter = rep(piece$smooth_diameter, k), smooth = rep(piece$smooth_diameter > 0, k),
     added_mass = if (density > 0) n * piece$added_mass / density else 0 * n,
     height = rep(piece$height, k), part = rep(part, k))
   if (piece$lift_area != 0) {
     way <- lift_directions[[piece$lift_direction]]
-    build$add("lifts", node = node, lift_area = n * piece$lift_area * way[2],
-      direction = rep(as.integer(way[1]), k), height = rep(piece$height, k), part = rep(part, k))
+    build$add("lifts", node = node, lift_area = n * piece$lift_area * way$sign,
+      direction = rep(way$to, k), height = rep(piece$height, k), part = rep(part, k))
   }
 }
 

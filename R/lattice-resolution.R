@@ -110,11 +110,8 @@ piece_counts <- function(of, h, grouping) {
   high[of$class]
 }
 
-at_least_one <- function(x) {
-  x <- as.integer(x)
-  x[x < 1L] <- 1L
-  x
-}
+# What is larger than any lattice stays a whole number.
+at_least_one <- function(x) as.integer(pmin(pmax(x, 1), most_nodes))
 
 # Elements of every rope with its own nodes.
 rope_counts <- function(of, h) {
@@ -125,20 +122,22 @@ rope_counts <- function(of, h) {
   as.integer(count)
 }
 
-# About how many nodes a division at h has.
-count_nodes <- function(of, h) {
+# About how many nodes a division at h has: one number per panel and one per rope.
+node_counts <- function(of, h) {
   grouping <- bar_grouping(of, h)
-  count <- piece_counts(of, h, grouping)
+  count <- as.double(piece_counts(of, h, grouping))
   # pieces are in the order of edges
   reached <- c(0, cumsum(count))[c(1L, cumsum(tabulate(of$edge, 4L * length(of$bars))) + 1L)]
   per_edge <- matrix(diff(reached), 4L)
   in_panels <- per_edge[1L, ] * per_edge[3L, ]
   cells <- (of$upper + of$lower) / 2 * of$deep / grouping$lambda^2
-  in_bars <- cells *
-    ifelse(of$square, 1 + 2 * (grouping$segments - 1), 2 + 4 * (grouping$segments - 1))
+  inner <- grouping$segments - 1
+  in_bars <- cells * ifelse(of$square, 1 + 2 * inner, 2 + 4 * inner)
   in_panels[of$bars] <- in_bars[of$bars]
-  sum(in_panels) + sum(rope_counts(of, h))
+  c(in_panels, rope_counts(of, h))
 }
+
+count_nodes <- function(of, h) sum(node_counts(of, h))
 
 # Whether the plan itself says how every panel and rope is divided.
 is_divided <- function(of) {

@@ -1,7 +1,8 @@
 # What netting of triangles carries besides its twines: drag as a screen, and stiffness of its
 # meshes.
 
-screen_numbers <- c(loland = 0L, aarsnes = 1L, kristiansen_faltinsen = 2L)
+# The laws of netting whose drag is a screen's.
+screen_laws <- function() c("loland", "aarsnes", "kristiansen_faltinsen")
 
 # Netting that must be of triangles: as a screen, with an opening stiffness, or around a catch.
 # bars: which panels are of bars.
@@ -25,12 +26,16 @@ check_triangles_needed <- function(si, bars) {
 # The panel of every triangle, by its number in si$panels.
 triangle_panel <- function(si, lattice) lattice$triangle_part - length(si$ropes)
 
-# list(triangle = numbers of the lattice's triangles, node = 3 each, then as NettingScreens).
+# The lattice's triangles whose `netting_drag` is one of these.
+triangles_with_drag <- function(si, lattice, drag) {
+  which((vapply(si$panels, `[[`, "", "netting_drag") %in% drag)[triangle_panel(si, lattice)])
+}
+
+# As NettingScreens.
 screen_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
-  law <- screen_numbers[vapply(si$panels, `[[`, "", "netting_drag")]
-  some <- which(!is.na(law)[panel])
+  some <- lattice$on_triangle$screens
   of <- si$panels[panel[some]]
   number <- function(field) vapply(of, `[[`, 0, field, USE.NAMES = FALSE)
   cells <- triangle_bars(triangles, some)
@@ -38,23 +43,23 @@ screen_elements <- function(si, lattice) {
   twine <- cells * (number("mesh_size") - number("straight_bar")) * width
   knots <- cells * (1 + (number("straight_bar") > 0))
   list(
-    triangle = some, node = triangles$node[corners_of(some)],
+    node = triangles$node[corners_of(some)],
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = triangles$height[some],
     multiplicity = triangles$multiplicity[some],
-    law = unname(law[panel[some]])
+    law = vapply(of, `[[`, "", "netting_drag", USE.NAMES = FALSE)
   )
 }
 
-# list(triangle, node, twine, rest, multiplicity, material, materials), as BlendedNetting.
+# As BlendedNetting.
 blended_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
-  some <- which(vapply(si$panels, `[[`, "", "netting_drag")[panel] == "blended")
+  some <- lattice$on_triangle$blended
   panels <- if (length(some)) si$panels
   list(
-    triangle = some, node = triangles$node[corners_of(some)],
+    node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
     rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
     height = triangles$height[some],

@@ -1,8 +1,6 @@
 # The lattice: a gear as numbers. Nodes, bars, netting triangles, point pieces and supports, and a
 # crude layout to start from.
 
-law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim = 3L)
-
 # Builds the lattice of a gear.
 #
 # nodes: about how many nodes; netting: "bars" or "triangles" for every panel, or NULL for each
@@ -19,9 +17,7 @@ law_numbers <- c(constant = 0L, takagi = 1L, choo_casarella = 2L, cifuentes_kim 
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
-  bars <- vapply(si$panels, function(p) {
-    identical(first_of(netting, p$netting), "bars") && p$straight_bar == 0
-  }, NA)
+  bars <- panels_of_bars(si, netting)
   check_triangles_needed(si, bars)
   panels <- panel_table(si$panels)
   chains <- gear_chains(si)
@@ -89,18 +85,15 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     load = as.vector(loads),
     mass = collected$mass + board_masses(si, division, length(collected$mass)),
     materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
-    bars = collected$bars[c("node", "rest", "multiplicity", "height", "material")],
-    triangles = collected$triangles[
-      c("node", "twine", "rest", "straight", "inner", "multiplicity", "height", "material")
-    ],
-    spheres = collected$spheres[c("node", "drag_area", "diameter", "smooth", "added_mass", "height")],
-    lifts = collected$lifts[c("node", "lift_area", "direction", "height")],
-    boards = lapply(unname(si$otter_boards), function(board) {
+    bars = engine_elements(collected$bars),
+    triangles = engine_elements(collected$triangles), spheres = engine_elements(collected$spheres),
+    lifts = engine_elements(collected$lifts),
+    plates = lapply(unname(si$otter_boards), function(board) {
       engine_board(board, unname(division$points[board$points]), density)
     }),
     sliding = sliding_ropes(si, collected$bars$part),
     ground = si$ground, contacts = contacts, volumes = volumes,
-    screens = shading_screens(collected$screens, si), wake = numeric()
+    wake_sheets = wake_sheets(collected$wake_sheets), wake = numeric()
   )
   lattice <- structure(
     list(
@@ -114,7 +107,11 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     ),
     class = "codend_lattice"
   )
-  lattice$engine$drag_screens <- screen_elements(si, lattice)
+  lattice$on_triangle <- list(
+    screens = triangles_with_drag(si, lattice, screen_laws()),
+    blended = triangles_with_drag(si, lattice, "blended")
+  )
+  lattice$engine$screens <- screen_elements(si, lattice)
   lattice$engine$blended <- blended_elements(si, lattice)
   lattice$engine$openings <- opening_elements(si, lattice)
   lattice$engine$bends <- bend_elements(si, lattice)
@@ -139,6 +136,23 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice
 }
 
+# Which panels are of bars. netting: "bars" or "triangles" for all, or NULL.
+panels_of_bars <- function(si, netting) {
+  vapply(si$panels, function(panel) {
+    identical(first_of(netting, panel$netting), "bars") && panel$straight_bar == 0
+  }, NA)
+}
+
+# The part of every element of a kind that the engine reports forces of (see reported_forces()).
+element_part <- function(lattice, kind) {
+  switch(kind,
+    bars = lattice$bar_part, triangles = lattice$triangle_part, spheres = lattice$sphere_part,
+    lifts = lattice$lift_part, plates = lattice$board_part,
+    screens = , blended = lattice$triangle_part[lattice$on_triangle[[kind]]],
+    pressure = rep(which(lattice$parts$kind == "catch"), length(lattice$engine$pressure$node) / 3)
+  )
+}
+
 no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
 no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
 
@@ -150,16 +164,12 @@ sliding_ropes <- function(si, bar_part) {
   })
 }
 
-wake_laws <- c(none = 0L, loland = 1L, cheng = 2L)
-
-# The sheets of panels that slow the water behind them, with their law.
-shading_screens <- function(screens, si) {
-  law <- unname(wake_laws[vapply(si$panels, `[[`, "", "shielding")])
-  law <- law[screens$part - length(si$ropes)]
-  some <- law > 0L
+# Of sheets of netting those that slow the water behind them.
+wake_sheets <- function(sheets) {
+  some <- sheets$law != "none"
   list(
-    node = screens$node[rep(some, each = 3L)], twine_area = screens$twine_area[some],
-    law = as.integer(law[some])
+    node = sheets$node[rep(some, each = 3L)], twine_area = sheets$twine_area[some],
+    law = sheets$law[some]
   )
 }
 
@@ -198,8 +208,8 @@ twine_materials <- function(lines, alone = TRUE) {
     given[is.na(given) | screens] <- 0
     given
   }
-  law <- law_numbers[vapply(laws, `[[`, "", "law")]
-  law[screens] <- law_numbers[["constant"]]
+  law <- vapply(laws, `[[`, "", "law", USE.NAMES = FALSE)
+  law[screens] <- "constant"
   added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
   slides <- lengths(lapply(lines, `[[`, "through")) > 0L
   stiffness <- number("axial_stiffness")
@@ -211,8 +221,7 @@ twine_materials <- function(lines, alone = TRUE) {
     diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
-    law = unname(law),
-    strut = vapply(lines, function(line) as.integer(isTRUE(line$strut)), 0L, USE.NAMES = FALSE),
+    law = law, strut = vapply(lines, function(line) isTRUE(line$strut), NA, USE.NAMES = FALSE),
     normal = coefficient("normal"), tangential = coefficient("tangential"),
     skin = coefficient("skin"), tangential_share = rep(1, length(lines)),
     solidity = vapply(lines, function(line) {

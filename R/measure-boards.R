@@ -31,7 +31,7 @@ board_table <- function(state) {
     ground_load_kN = if (is.null(state$si$ground)) {
       rep(0, length(boards))
     } else {
-      in_unit(drop(state$si$ground$normal %*% found$ground_force), "kN")
+      in_unit(drop(state$si$ground$normal %*% state$forces$plate_ground_force), "kN")
     },
     condition = condition
   )

@@ -2,8 +2,8 @@
 
 define_measure("enclosed_volume", "m3",
   "Volume of water that netting hanging from the surface encloses, down to a surface from a rope,
-  such as the lead line, to that rope's middle. A gap between the two ends of the net is closed by an
-  upright wall.",
+  such as the lead line, to that rope's middle. A gap between the two ends of the net is closed by
+  an upright wall.",
   asks_rope, function(state, measure) measure_enclosed_volume(state, measure)
 )
 

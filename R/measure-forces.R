@@ -40,15 +40,15 @@ sum_by_part <- function(force, part, parts) {
 
 # Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
 part_drag <- function(state) {
-  lattice <- state$lattice
-  n <- nrow(lattice$parts)
-  sum_by_part(state$bar_drag, lattice$bar_part, n) +
-    sum_by_part(state$triangle_drag, lattice$triangle_part, n) +
-    sum_by_part(state$sphere_drag, lattice$sphere_part, n) +
-    sum_by_part(state$lift_force, lattice$lift_part, n) +
-    sum_by_part(state$boards$force, lattice$board_part, n) +
-    sum_by_part(state$catch_force, rep(which(lattice$parts$kind == "catch"),
-      ncol(state$catch_force)), n)
+  parts <- nrow(state$lattice$parts)
+  by_flow <- reported_forces("flow")
+  total <- matrix(0, 3L, parts)
+  for (k in seq_len(nrow(by_flow))) {
+    total <- total + sum_by_part(
+      state$forces[[by_flow$name[k]]], element_part(state$lattice, by_flow$kind[k]), parts
+    )
+  }
+  total
 }
 
 # Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
@@ -155,16 +155,11 @@ balance_table <- function(state) {
     weight_in_water = c(0, 0, -sum(part_weight(state)) / 1000),
     loads = loads / 1000,
     sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total / 1000,
-    out_of_water = if (state$si$water$free_surface) out_of_water(state) / 1000
+    out_of_water = if (state$si$water$free_surface) total_force(state, "surface") / 1000
   )
   forces <- rbind(forces, remainder = colSums(forces))
   colnames(forces) <- c("x_kN", "y_kN", "z_kN")
   data.frame(force = rownames(forces), forces, row.names = NULL)
-}
-
-# Buoyancy that is lost above the surface, N.
-out_of_water <- function(state) {
-  rowSums(state$volume_force) + c(0, 0, sum(state$boards$lost_buoyancy))
 }
 
 # Tensions by rope and panel, of one line, kN: largest, exceeded by 1 % of its length, and mean over

@@ -20,8 +20,8 @@ measure_spread <- function(state, measure) {
 }
 
 define_measure("height", "m",
-  "Height of the first place above the second, negative where it lies below. The height of a net's mouth is
-  that of the head line's centre above the footrope's.",
+  "Height of the first place above the second, negative where it lies below. The height of a net's
+  mouth is that of the head line's centre above the footrope's.",
   asks_pair, function(state, measure) measure_height(state, measure)
 )
 
@@ -56,8 +56,9 @@ measure_clearance <- function(state, measure) {
 }
 
 define_measure("area", "m2",
-  "Area enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight tow,
-  along the net's own heading in a turn. A gap between two ropes is closed by a straight line.",
+  "Area enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight
+  tow, along the net's own heading in a turn. A gap between two ropes is closed by a straight
+  line.",
   asks_ropes, function(state, measure) measure_area(state, measure)
 )
 

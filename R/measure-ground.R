@@ -5,8 +5,8 @@
 ground_forces <- function(state) {
   ground <- state$lattice$engine$ground
   lattice <- state$lattice
-  total <- rowSums(state$contact_force) + rowSums(state$boards$ground_force)
-  touching <- unique(lattice$engine$contacts$node[colSums(state$contact_force^2) > 0])
+  total <- total_force(state, "ground")
+  touching <- unique(lattice$engine$contacts$node[colSums(state$forces$contact_force^2) > 0])
   bars <- lattice$engine$bars
   # poles are no ropes
   struts <- vapply(state$si$ropes, `[[`, NA, "strut")

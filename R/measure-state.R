@@ -73,17 +73,3 @@ measure_help <- function() {
     "@section Standard measures:", items(standard_measures, standard_names())
   )
 }
-
-# What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
-# the measures by name.
-state_record <- function(state) {
-  engine <- state$lattice$engine
-  list(
-    converged = state$report$converged, iterations = state$report$iterations,
-    residual = state$report$residual,
-    nodes = engine$nodes, bars = length(engine$bars$rest),
-    triangles = length(engine$triangles$rest),
-    cpu_seconds = state$report$cpu_seconds,
-    measures = as.list(measures(state))
-  )
-}

@@ -94,4 +94,5 @@ check_settle_arguments <- function(gear, nodes, netting) {
       class = c("codend_error_argument", "codend_error"), call = NULL
     )
   }
+  check_lattice_size(gear_si(gear), nodes, netting)
 }

@@ -96,9 +96,9 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   planned <- if (going_on) {
     c(gear["every"], scheme = gear$method$scheme, accuracy = positive_or_null(gear$method$accuracy))
   } else if (inherits(gear, "codend_state")) {
-    plan_tow(gear$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
+    tow_section(gear$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
   } else {
-    plan_tow(checked_gear(gear))
+    tow_section(checked_gear(gear))
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- list(

@@ -121,12 +121,15 @@ check_text <- function(value, node, path) {
   good <- is_text(value) && (is.null(node$enum) || value %in% node$enum) &&
     (is.null(node$minLength) || nchar(value) >= node$minLength) &&
     (is.null(node$const) || value == node$const) &&
-    (is.null(node$pattern) || grepl(node$pattern, value, perl = TRUE))
+    (is.null(node$pattern) || fits(value, node$pattern))
   if (!good) {
     abort_field(path, value, describe(node), hint = if (is_text(value)) nearest(value, node$enum))
   }
   value
 }
+
+# A pattern's end is the end of the text; to PCRE it is also before a line's end there.
+fits <- function(texts, pattern) grepl(pattern, texts, perl = TRUE) & !grepl("\n$", texts)
 
 truth_words <- c(yes = TRUE, Yes = TRUE, YES = TRUE, no = FALSE, No = FALSE, NO = FALSE)
 
@@ -164,7 +167,7 @@ check_list <- function(value, node, path) {
 # Whether texts are all that a node of texts asks for.
 all_text <- function(texts, node) {
   node$shape == "string" && is.null(node$enum) && is.null(node$minLength) && is.null(node$const) &&
-    !anyNA(texts) && (is.null(node$pattern) || all(grepl(node$pattern, texts, perl = TRUE)))
+    !anyNA(texts) && (is.null(node$pattern) || all(fits(texts, node$pattern)))
 }
 
 # last, fields: another map of this node and what it was checked to, or NULL.
@@ -206,7 +209,7 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
 # Which names a schema's rule for names allows.
 may_name <- function(names, rule) {
   good <- !is.na(names) & nzchar(names)
-  if (is.null(rule)) good else good & grepl(rule$pattern, names, perl = TRUE)
+  if (is.null(rule)) good else good & fits(names, rule$pattern)
 }
 
 # The node of a name that is not among the properties of a map.

@@ -7,16 +7,24 @@ plan_values_limit <- 5e4
 plan_marks_limit <- 2e4
 
 # The tree of a YAML plan file.
-read_plan <- function(file) {
-  text <- read_plan_text(file)
+read_plan <- function(file) plan_of_bytes(plan_bytes(file), file)
+
+# The tree of a plan; bytes: of its YAML, raw; file: what messages call it.
+plan_of_bytes <- function(bytes, file) {
+  text <- plan_text_of(bytes, file)
+  # an error in the midst of the parser would be caught by it and told as one of its own
+  warned <- NULL
   tree <- tryCatch(
     withCallingHandlers(
       yaml::yaml.load(text, eval.expr = FALSE, handlers = yaml_handlers),
-      warning = function(w) abort_plan(yaml_problem(file, conditionMessage(w)), NULL)
+      warning = function(w) {
+        warned <<- c(warned, conditionMessage(w))
+        invokeRestart("muffleWarning")
+      }
     ),
-    codend_error = function(e) stop(e),
     error = function(e) abort_plan(yaml_problem(file, conditionMessage(e)), NULL)
   )
+  if (length(warned)) abort_plan(yaml_problem(file, warned[1]), NULL)
   tree <- plain_tree(tree)
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan(
@@ -27,21 +35,27 @@ read_plan <- function(file) {
   tree
 }
 
-read_plan_text <- function(file) {
-  size <- file.info(file)
-  if (is.na(size$size) || size$isdir) {
-    abort_plan(sprintf("\"%s\" is not a plan file.", file), NULL)
-  }
-  if (size$size > plan_bytes_limit) {
-    abort_plan(
-      sprintf("Plan file \"%s\" has %.1f MB; it must have at most 2 MB.", file, size$size / 1024^2),
-      NULL
-    )
-  }
-  bytes <- tryCatch(
-    readBin(file, "raw", plan_bytes_limit + 1),
+# A file's bytes; only a regular one is opened, as a pipe would keep everybody waiting.
+plan_bytes <- function(file) {
+  size <- file_size(file)
+  if (is.na(size)) abort_plan(sprintf("\"%s\" is not a plan file.", file), NULL)
+  check_plan_size(size, file)
+  tryCatch(
+    suppressWarnings(readBin(file, "raw", plan_bytes_limit + 1)),
     error = function(e) abort_plan(sprintf("Plan file \"%s\" cannot be read.", file), NULL)
   )
+}
+
+check_plan_size <- function(size, file) {
+  if (size > plan_bytes_limit) {
+    abort_plan(
+      sprintf("Plan file \"%s\" has %.1f MB; it must have at most 2 MB.", file, size / 1024^2), NULL
+    )
+  }
+}
+
+plan_text_of <- function(bytes, file) {
+  check_plan_size(length(bytes), file)
   if (any(bytes == 0)) {
     abort_plan(sprintf("Plan file \"%s\" is not text: it holds NUL bytes.", file), NULL)
   }
@@ -51,6 +65,7 @@ read_plan_text <- function(file) {
     abort_plan(sprintf("Plan file \"%s\" is not UTF-8 text.", file), NULL)
   }
   check_marks(bytes, text, file)
+  check_one_document(text, file)
   sub("^\ufeff", "", text)
 }
 
@@ -77,6 +92,19 @@ check_marks <- function(bytes, text, file) {
   }
 }
 
+# The parser reads the first document and passes over the others.
+check_one_document <- function(text, file) {
+  lines <- strsplit(text, "\r\n|\r|\n", perl = TRUE)[[1]]
+  begins <- grep("^---([ \t]|$)", lines)
+  if (!length(begins)) return(invisible())
+  before <- utils::head(lines, begins[1] - 1L)
+  if (length(begins) > 1 || !all(grepl("^\ufeff?[ \t]*(#.*)?$|^%", before, perl = TRUE))) {
+    abort_plan(
+      sprintf("Plan file \"%s\" holds several YAML documents; a plan is one.", file), NULL
+    )
+  }
+}
+
 yaml_problem <- function(file, problem) {
   hint <- if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
     " (an edge with a mesh range inside [ ] needs quotes, such as [\"belly.upper[0:6]\"])"
@@ -91,7 +119,9 @@ yaml_problem <- function(file, problem) {
 yaml_handlers <- list(
   "bool#yes" = function(x) if (tolower(x) %in% c("yes", "true")) TRUE else x,
   "bool#no" = function(x) if (tolower(x) %in% c("no", "false")) FALSE else x,
-  "int" = function(x) as.double(x),
+  "int" = function(x) yaml_number(x),
+  "float#fix" = function(x) yaml_number(x),
+  "float#exp" = function(x) yaml_number(x),
   "int#oct" = function(x) x,
   "int#hex" = function(x) x,
   "float#nan" = function(x) NaN,
@@ -99,6 +129,9 @@ yaml_handlers <- list(
   # refused by plain_tree(): an error inside a handler would only be printed
   "expr" = function(x) as.symbol(x)
 )
+
+# YAML 1.1 knows thousands apart by commas, which many write before decimals: such is text.
+yaml_number <- function(text) if (grepl(",", text, fixed = TRUE)) text else as.double(text)
 
 # Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
 # no attributes but names, doubles for integers, a list of several scalars of one type as a vector.

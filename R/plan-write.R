@@ -68,8 +68,8 @@ yaml_scalar <- function(value) {
 
 # Bare words and quantities stay bare; anything that YAML might read otherwise is quoted as JSON.
 yaml_text <- function(text) {
-  word <- "^[\\p{L}](?:[\\p{L}\\p{N} _./%()=+;-]*[\\p{L}\\p{N}_./%()=+-])?$"
-  quantity <- "^-?[0-9]+[.]?[0-9]* [\\p{L}%][\\p{L}0-9/]*$"
+  word <- "^[\\p{L}](?:[\\p{L}\\p{N} _./%()=+;-]*[\\p{L}\\p{N}_./%()=+-])?\\z"
+  quantity <- "^-?[0-9]+[.]?[0-9]* [\\p{L}%][\\p{L}0-9/]*\\z"
   other <- "^(?i:null|yes|no|true|false|on|off|y|n)$"
   bare <- (grepl(word, text, perl = TRUE) && !grepl(other, text, perl = TRUE)) ||
     grepl(quantity, text, perl = TRUE)

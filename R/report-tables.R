@@ -33,6 +33,10 @@ measures_columns <- function(measures) {
   if (any(nzchar(force))) columns else columns[1:3]
 }
 
+finding_columns <- function(found) {
+  list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
+}
+
 trajectory_columns <- function(table) {
   at <- function(value, time) paste0(figures(value), " at ", vapply(time, time_words, "",
     last = max(table$greatest_at_s, table$least_at_s)))

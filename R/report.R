@@ -3,7 +3,7 @@
 #' Write a report
 #'
 #' One HTML page for a skipper or an appendix: the plan of the gear drawn flat
-#' ([plot.codend_gear()]), the conditions, the measures, the gear from above, from the side and from
+#' ([plot.codend_gear()]), the conditions, the measures, what is worth a look ([findings()]), the gear from above, from the side and from
 #' astern and in three dimensions, the tensions by rope with what is left to the breaking load, the
 #' drag by component, slack netting, how well the forces balance and how the solver ended, the
 #' versions of the programs, and the exact plan to copy. That of a trajectory has the measures
@@ -47,6 +47,7 @@ state_report <- function(state) {
     },
     report_section("Measures", report_table(measures_columns(said$measures),
       "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
+    finding_section(said$findings),
     conditions_section(state),
     plan_section(state$gear),
     shape_section(state),
@@ -79,6 +80,7 @@ trajectory_report <- function(trajectory) {
       "The gear in three dimensions, as seen from the vessel; a button plays the tow and a slider",
       "steps through it."
     ))),
+    finding_section(findings(start)),
     conditions_section(start),
     plan_section(trajectory$gear),
     version_section(),
@@ -151,6 +153,13 @@ report_scene <- function(widget, words) {
     tag$figcaption("Turn it with the left mouse button or one finger; click it first to zoom with the
       wheel.")
   )
+}
+
+# Of a tow, what is worth a look at its start.
+finding_section <- function(found) {
+  if (!nrow(found)) return(NULL)
+  report_section("Worth a look", report_table(finding_columns(found), "What lies outside what
+    practice and tests know, and what to try."))
 }
 
 plan_section <- function(gear) {

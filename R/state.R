@@ -5,11 +5,6 @@ new_state <- function(gear, si, lattice, position, report,
                       velocity = numeric(length(position))) {
   found <- engine_evaluate(lattice$engine, position, velocity)
   three <- function(x) matrix(x, 3L)
-  triangle_drag <- three(found$triangle_drag)
-  screens <- lattice$engine$drag_screens$triangle
-  triangle_drag[, screens] <- triangle_drag[, screens] + three(found$screen_force)
-  blended <- lattice$engine$blended$triangle
-  triangle_drag[, blended] <- triangle_drag[, blended] + three(found$blended_force)
   structure(
     list(
       gear = gear, si = si, lattice = lattice, report = report,
@@ -18,16 +13,32 @@ new_state <- function(gear, si, lattice, position, report,
       bar_tension = found$bar_tension, bar_length = found$bar_length,
       u_tension = found$u_tension, u_length = found$u_length,
       v_tension = found$v_tension, v_length = found$v_length,
-      bar_drag = three(found$bar_drag), triangle_drag = triangle_drag,
       straight_tension = found$straight_tension, straight_length = found$straight_length,
-      sphere_drag = three(found$sphere_drag), lift_force = three(found$lift_force),
-      catch_force = three(found$catch_force),
-      boards = c(
-        found$boards[c("attack", "heel", "trim", "lift", "drag", "lost_buoyancy")],
-        lapply(found$boards[c("force", "ground_force")], three)
-      ),
-      contact_force = three(found$contact_force), volume_force = three(found$volume_force)
+      forces = lapply(found$forces, three), boards = found$plates
     ),
     class = "codend_state"
   )
+}
+
+# The forces on elements that the engine reports, from its own table: a data frame with a row per
+# force, `name`, `kind` of element and `cause` ("flow", "ground" or "surface"). cause: of this
+# one alone.
+reported_forces <- function(cause = NULL) {
+  table <- list2DF(engine_forces())
+  if (is.null(cause)) table else table[table$cause == cause, ]
+}
+
+# Sum of all forces on a gear from one cause, 3 numbers, N.
+total_force <- function(state, cause) {
+  rowSums(vapply(state$forces[reported_forces(cause)$name], rowSums, numeric(3)))
+}
+
+# Force of the flow on every triangle, on the whole of it (3 x triangles, N).
+triangle_flow_force <- function(state) {
+  force <- state$forces$triangle_drag
+  for (row in which(reported_forces()$kind %in% names(state$lattice$on_triangle))) {
+    on <- state$lattice$on_triangle[[reported_forces()$kind[row]]]
+    force[, on] <- force[, on] + state$forces[[row]]
+  }
+  force
 }

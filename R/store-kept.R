@@ -14,7 +14,7 @@ write_kept <- function(file, fill) {
 open_kept <- function(file, what, known, unsealed = FALSE) {
   check_netcdf()
   if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
-  if (dir.exists(file)) abort_file(file, "is a folder.")
+  if (is.na(file_size(file))) abort_file(file, "is a folder or no regular file.")
   magic <- readBin(file, "raw", 4L)
   if (!identical(magic, c(charToRaw("CDF"), as.raw(2L)))) {
     abort_file(file, "is no NetCDF file of codend.")
@@ -121,10 +121,7 @@ read_kept_numbers <- function(get) {
 
 gear_of_text <- function(text, file) {
   if (!is_text(text)) stop("it holds no plan")
-  path <- tempfile(fileext = ".yaml")
-  on.exit(unlink(path))
-  writeBin(charToRaw(enc2utf8(text)), path)
-  as_gear(read_plan(path), file = file)
+  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
 }
 
 # Numbers of nodes and parts that a lattice refers to must be there.

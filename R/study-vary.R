@@ -37,6 +37,7 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
     }))
     do.call(update, c(list(gear), fields))
   })
+  for (one in gears) check_lattice_size(gear_si(one), nodes, netting)
   found <- vary_settle(gears, as.matrix(place), nodes, netting)
   fields <- do.call(cbind, lapply(seq_along(axes), function(k) {
     field_columns(axes[[k]], gear)[place[[k]], , drop = FALSE]

@@ -18,8 +18,11 @@
 #'   netting triangle `u_tension`, `u_length`, `v_tension`, `v_length` (of one mesh bar).
 #' - `straight_tension`, `straight_length`: the same of the straight bars of hexagonal meshes, 0 in
 #'   other triangles.
-#' - `bar_drag`, `triangle_drag`, `sphere_drag`, `lift_force` (3 x elements, N): hydrodynamic force
-#'   on every element; `catch_force`: of the catch on every triangle around it.
+#' - `forces`: force on every element (3 x elements, N) by name: from the flow `bar_drag`,
+#'   `triangle_drag`, `screen_force`, `blended_force`, `sphere_drag`, `lift_force`, `plate_force`
+#'   (free otter boards and kites) and `pressure_force` (of the catch); from the sea bed
+#'   `contact_force` and `plate_ground_force`; buoyancy lost above the surface `volume_force`
+#'   and `plate_lost_buoyancy`.
 #'
 #' @param x A state.
 #' @param row.names `NULL` or names for the rows.

@@ -9,6 +9,7 @@
 #'
 #'   - `name` and `conditions` (text);
 #'   - `measures`: named numbers ([measures()]);
+#'   - `findings`: what is worth a look ([findings()]);
 #'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
 #'     by `group` (netting, ropes, otter boards, catch, fittings, total);
 #'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and
@@ -34,7 +35,7 @@ summary.codend_state <- function(object, ...) {
   structure(
     list(
       name = object$si$name, conditions = conditions_text(object$si),
-      measures = measures(object),
+      measures = measures(object), findings = findings(object),
       drag = drag, drag_totals = drag_totals(drag),
       tangential = tangential_sensitivity(object),
       tensions = tension_table(object), slack = slack_table(object),
@@ -61,6 +62,7 @@ format.codend_summary <- function(x, ...) {
   c(
     cli::style_bold(x$name), x$conditions,
     section("Measures", measure_lines(x$measures)),
+    section("Worth a look", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
       tangential_lines(x$tangential)),
@@ -81,6 +83,11 @@ measure_lines <- function(measures) {
   said <- measure_words(measures)
   values <- align_points(figures(plain_measures(measures)))
   align_columns(list(said$words, values, said$unit), left = c(1L, 3L))
+}
+
+finding_lines <- function(found) {
+  sentences <- finding_sentences(found)
+  unlist(lapply(sentences, strwrap, width = 98, indent = 2, exdent = 4))
 }
 
 drag_lines <- function(totals) {

@@ -1,36 +1,36 @@
 # The `tow` section of a plan as the arguments of tow().
 
 # Returns a list by argument; arguments that the plan leaves out are not in it.
-plan_tow <- function(gear) {
+tow_section <- function(gear) {
   # never a plan's section `towing`, which begins alike
   tow <- gear_fields(gear)[["tow"]]
   if (is.null(tow)) return(list())
   for (name in intersect(c("speed", "course", "catch"), names(tow))) {
-    tow[[name]] <- plan_schedule(tow[[name]])
+    tow[[name]] <- schedule_table(tow[[name]])
   }
   if (!is.null(tow$warp_out)) {
     by_rope <- !is.null(names(tow$warp_out))
     tow$warp_out <- if (by_rope) {
-      lapply(tow$warp_out, plan_schedule)
+      lapply(tow$warp_out, schedule_table)
     } else {
-      plan_schedule(tow$warp_out)
+      schedule_table(tow$warp_out)
     }
   }
   if (!is.null(tow$current)) {
     one <- !is.null(names(tow$current))
     layers <- if (one) list(tow$current) else tow$current
-    tow$current <- lapply(layers, lapply, plan_schedule)
+    tow$current <- lapply(layers, lapply, schedule_table)
   }
   tow$heave <- if (!is.null(names(tow$heave))) {
     swell(tow$heave$amplitude, tow$heave$period)
   } else if (!is.null(tow$heave)) {
-    plan_schedule(tow$heave)
+    schedule_table(tow$heave)
   }
   tow
 }
 
 # A number, or a list of list(time, value), as tow() takes it.
-plan_schedule <- function(given) {
+schedule_table <- function(given) {
   if (!is.list(given)) return(given)
   data.frame(
     time = vapply(given, `[[`, 0, "time"), value = vapply(given, `[[`, 0, "value")

@@ -24,7 +24,7 @@ continued_trajectory <- function(trajectory, given, until) {
     abort_schedule(setdiff(new, lost)[1],
       "is given for a trajectory, which goes on in its own schedule.")
   }
-  planned <- Filter(function(value) !is.null(value), plan_tow(trajectory$gear)[setdiff(lost, new)])
+  planned <- Filter(function(value) !is.null(value), tow_section(trajectory$gear)[setdiff(lost, new)])
   trajectory$given[names(planned)] <- planned
   trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
   lost <- setdiff(lost, c(new, names(planned)))

@@ -7,6 +7,7 @@
 #include "engine/march/scheduled_conditions.hpp"
 #include "engine/march/schemes.hpp"
 #include "engine/march/substitution.hpp"
+#include "engine/model/evaluate.hpp"
 
 using namespace binding;
 
@@ -56,21 +57,23 @@ double potential_of(const codend::Model& model, double error) {
 
 [[cpp11::register]] list engine_march(list lattice, doubles position, doubles velocity, double step,
                                       int steps, double tolerance, int substitutions) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  std::vector<double> x = numbers(position), v = numbers(velocity);
-  const codend::SubstitutionReport report = codend::march_by_substitution(
-      assembly, step, steps, tolerance, substitutions, x.data(), v.data(), [] {
-        check_user_interrupt();
-        return true;
-      });
-  return writable::list({
-      "position"_nm = as_doubles(x),
-      "velocity"_nm = as_doubles(v),
-      "converged"_nm = report.converged,
-      "steps"_nm = report.steps,
-      "substitutions"_nm = static_cast<double>(report.substitutions),
+  return guarded([&]() -> list {
+    codend::Model model = read_model(lattice);
+    codend::Assembly assembly(model);
+    std::vector<double> x = of_nodes(position, model, "position"),
+                        v = of_nodes(velocity, model, "velocity");
+    const codend::SubstitutionReport report = codend::march_by_substitution(
+        assembly, step, steps, tolerance, substitutions, x.data(), v.data(), [] {
+          check_user_interrupt();
+          return true;
+        });
+    return writable::list({
+        "position"_nm = as_doubles(x),
+        "velocity"_nm = as_doubles(v),
+        "converged"_nm = report.converged,
+        "steps"_nm = report.steps,
+        "substitutions"_nm = static_cast<double>(report.substitutions),
+    });
   });
 }
 
@@ -83,107 +86,113 @@ double potential_of(const codend::Model& model, double error) {
 [[cpp11::register]] list engine_tow(list lattice, list schedule, list past, list control,
                                     list stops, function keep, function steer, function refill,
                                     function watch) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  codend::Past from;
-  from.now = read_motion(list(past["now"]));
-  from.before = read_motion(list(past["before"]));
-  from.steps = as_cpp<int>(past["steps"]);
-  from.caution = as_cpp<int>(past["caution"]);
-  codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), from.now);
-  conditions.to_time(from.now.time, codend::Side::after, from.now);
-  const bool adaptive = number(control, "accuracy") > 0.0;
-  codend::StepAccuracy accuracy;
-  accuracy.found = number(control, "tolerance");
-  if (adaptive) {
-    accuracy.position = number(control, "accuracy");
-    accuracy.tension = number(control, "tension_accuracy");
-  }
-  const std::unique_ptr<codend::Stepper> scheme =
-      codend::scheme_named(as_cpp<std::string>(control["scheme"]))
-          .make(assembly, accuracy, from.now, values(past, "ordering"));
+  return guarded([&]() -> list {
+    codend::Model model = read_model(lattice);
+    codend::Assembly assembly(model);
+    codend::Past from;
+    from.now = read_motion(list(past["now"]));
+    from.before = read_motion(list(past["before"]));
+    from.steps = as_cpp<int>(past["steps"]);
+    from.caution = as_cpp<int>(past["caution"]);
+    codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), from.now);
+    conditions.to_time(from.now.time, codend::Side::after, from.now);
+    const bool adaptive = number(control, "accuracy") > 0.0;
+    codend::StepAccuracy accuracy;
+    accuracy.found = number(control, "tolerance");
+    if (adaptive) {
+      accuracy.position = number(control, "accuracy");
+      accuracy.tension = number(control, "tension_accuracy");
+    }
+    const std::unique_ptr<codend::Stepper> scheme =
+        codend::scheme_named(as_cpp<std::string>(control["scheme"]))
+            .make(assembly, accuracy, from.now, values(past, "ordering"));
 
-  codend::MarchControl how;
-  how.adaptive = adaptive;
-  how.step = number(past, "step");
-  how.least_step = number(control, "least_step");
-  how.most_step = number(control, "most_step");
-  how.account = as_cpp<bool>(control["account"]);
-  how.energy_floor = adaptive ? potential_of(model, number(control, "energy_error")) : 0.0;
-  std::clock_t shown = std::clock();
-  long long steps = 0;
-  how.watch = [&](const codend::Motion& now) {
-    check_user_interrupt();
-    ++steps;
-    if (std::clock() - shown > CLOCKS_PER_SEC / 10) {
-      shown = std::clock();
-      watch(now.time, static_cast<double>(steps));
-    }
-    return true;
-  };
-  codend::March march(assembly, *scheme, conditions, how, from);
-  march.go_on_from(read_energy(past));
-  auto report = [&] {
-    const codend::MarchReport& r = march.report();
-    const char* const ends[] = {"reached", "stopped", "stuck", "unbalanced"};
-    return writable::list({"end"_nm = ends[static_cast<int>(r.end)],
-                           "steps"_nm = static_cast<double>(r.steps),
-                           "repeated"_nm = static_cast<double>(r.repeated),
-                           "not_found"_nm = static_cast<double>(r.not_found),
-                           "unbalanced"_nm = static_cast<double>(r.unbalanced),
-                           "iterations"_nm = static_cast<double>(r.iterations),
-                           "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-                           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
-  };
-  const doubles straight = straight_bars(lattice);
-  auto frame = [&] {
-    const codend::Motion& now = march.now();
-    const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
-    return writable::list(
-        {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
-         "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
-         "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
-         "energy"_nm = as_doubles(march.energy()),
-         "bar_tension"_nm = as_doubles(e.bar_tension),
-         "u_tension"_nm = family_in_order(straight, e.u_tension, e.hexagon_tension, 1),
-         "v_tension"_nm = family_in_order(straight, e.v_tension, e.hexagon_tension, 2),
-         "straight_tension"_nm = straight_tension(e),
-         "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
-         "report"_nm = report()});
-  };
-  const doubles times(stops["time"]);
-  const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
-      filled(stops["filled"]);
-  for (R_xlen_t k = 0; k < times.size(); ++k) {
-    if (march.to(times[k]) != codend::MarchReport::End::reached) break;
-    if (steered[k] == TRUE) {
-      const doubles speed(steer(frame()));
-      std::vector<codend::GrowingGroup>& groups = conditions.schedule().groups;
-      for (std::size_t g = 0; g < groups.size(); ++g) {
-        groups[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
+    codend::MarchControl how;
+    how.adaptive = adaptive;
+    how.step = number(past, "step");
+    how.least_step = number(control, "least_step");
+    how.most_step = number(control, "most_step");
+    how.account = as_cpp<bool>(control["account"]);
+    how.energy_floor = adaptive ? potential_of(model, number(control, "energy_error")) : 0.0;
+    std::clock_t shown = std::clock();
+    long long steps = 0;
+    how.watch = [&](const codend::Motion& now) {
+      check_user_interrupt();
+      ++steps;
+      if (std::clock() - shown > CLOCKS_PER_SEC / 10) {
+        shown = std::clock();
+        watch(now.time, static_cast<double>(steps));
       }
+      return true;
+    };
+    codend::March march(assembly, *scheme, conditions, how, from);
+    march.go_on_from(read_energy(past));
+    auto report = [&] {
+      const codend::MarchReport& r = march.report();
+      const char* const ends[] = {"reached", "stopped", "stuck", "unbalanced"};
+      return writable::list(
+          {"end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
+           "repeated"_nm = static_cast<double>(r.repeated),
+           "not_found"_nm = static_cast<double>(r.not_found),
+           "unbalanced"_nm = static_cast<double>(r.unbalanced),
+           "iterations"_nm = static_cast<double>(r.iterations),
+           "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
+           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
+    };
+    auto frame = [&] {
+      const codend::Motion& now = march.now();
+      const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
+      // Of the straight bars that there are.
+      std::vector<double> straight_tension;
+      for (std::size_t k = 0; k < e.straight_tension.size(); ++k) {
+        if (model.hexagonal[k]) straight_tension.push_back(e.straight_tension[k]);
+      }
+      return writable::list(
+          {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
+           "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
+           "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
+           "energy"_nm = as_doubles(march.energy()),
+           "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
+           "v_tension"_nm = as_doubles(e.v_tension),
+           "straight_tension"_nm = as_doubles(straight_tension),
+           "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+           "report"_nm = report()});
+    };
+    const doubles times(stops["time"]);
+    const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
+        filled(stops["filled"]);
+    for (R_xlen_t k = 0; k < times.size(); ++k) {
+      if (march.to(times[k]) != codend::MarchReport::End::reached) break;
+      if (steered[k] == TRUE) {
+        const doubles speed(steer(frame()));
+        std::vector<codend::GrowingGroup>& groups = conditions.schedule().groups;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+          groups[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
+        }
+      }
+      if (filled[k] == TRUE) {
+        const list moved(refill(frame()));
+        model.pressure.weight = numbers(moved, "weight");
+        const std::vector<int> node = places(moved, "node");
+        const std::vector<double> mass = numbers(moved, "mass");
+        for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
+      }
+      if (broken[k] == TRUE) march.begin_anew();
+      if (kept[k] == TRUE) keep(frame());
     }
-    if (filled[k] == TRUE) {
-      const list moved(refill(frame()));
-      model.pressure.weight = numbers(moved, "weight");
-      const std::vector<int> node = places(moved, "node");
-      const std::vector<double> mass = numbers(moved, "mass");
-      for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
-    }
-    if (broken[k] == TRUE) march.begin_anew();
-    if (kept[k] == TRUE) keep(frame());
-  }
-  return report();
+    return report();
+  });
 }
 
 // The time schemes by name, and whether they take an accuracy.
 [[cpp11::register]] list engine_schemes() {
-  writable::strings name;
-  writable::logicals adaptive;
-  for (const codend::Scheme& scheme : codend::schemes()) {
-    name.push_back(scheme.name);
-    adaptive.push_back(scheme.adaptive ? TRUE : FALSE);
-  }
-  return writable::list({"name"_nm = name, "adaptive"_nm = adaptive});
+  return guarded([&]() -> list {
+    writable::strings name;
+    writable::logicals adaptive;
+    for (const codend::Scheme& scheme : codend::schemes()) {
+      name.push_back(scheme.name);
+      adaptive.push_back(scheme.adaptive ? TRUE : FALSE);
+    }
+    return writable::list({"name"_nm = name, "adaptive"_nm = adaptive});
+  });
 }

@@ -1,45 +1,104 @@
-// The engine's model from a lattice, which is an R list, and results in the lattice's order.
+// A lattice, an R list of arrays and lists, as a source of the engine's fields (base/read_fields.hpp).
 #pragma once
 
+#include <cpp11.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "binding_errors.hpp"
 #include "binding_numbers.hpp"
-#include "engine/model/evaluate.hpp"
+#include "engine/base/read_fields.hpp"
+#include "engine/model/model.hpp"
 
 namespace binding {
 
-// Copies every array once. The caller connects the model where it comes to lie.
-codend::Model read_model(const list& lattice);
+class ListSource {
+ public:
+  static constexpr int first_place = 1;
 
-// Values of plain triangles (`width` each) and those of hexagonal ones, in the order of the
-// lattice.
-inline doubles in_order(const doubles& straight, std::size_t width, const double* plain,
-                        const double* hexagonal) {
-  std::vector<double> out;
-  out.reserve(width * static_cast<std::size_t>(straight.size()));
-  for (const double bar : straight) {
-    const double*& from = bar > 0.0 ? hexagonal : plain;
-    out.insert(out.end(), from, from + width);
-    from += width;
+  // The list is the caller's to protect.
+  explicit ListSource(SEXP list) : list_(list) {
+    if (TYPEOF(list) != VECSXP) throw std::invalid_argument("must be a list");
   }
-  return as_doubles(out);
+
+  // NULL is as good as nothing.
+  std::vector<std::string> names() const {
+    std::vector<std::string> out;
+    const SEXP names = Rf_getAttrib(list_, R_NamesSymbol);
+    for (R_xlen_t k = 0; k < Rf_xlength(names); ++k) {
+      if (!Rf_isNull(VECTOR_ELT(list_, k))) out.emplace_back(CHAR(STRING_ELT(names, k)));
+    }
+    return out;
+  }
+
+  std::vector<double> numbers(const char* name) const {
+    const SEXP x = get(name);
+    const R_xlen_t n = Rf_xlength(x);
+    if (TYPEOF(x) == REALSXP) return std::vector<double>(REAL(x), REAL(x) + n);
+    std::vector<double> out(static_cast<std::size_t>(n));
+    if (TYPEOF(x) != INTSXP) throw std::invalid_argument("must be numbers");
+    for (R_xlen_t k = 0; k < n; ++k) {
+      out[static_cast<std::size_t>(k)] = INTEGER(x)[k] == NA_INTEGER ? NA_REAL : INTEGER(x)[k];
+    }
+    return out;
+  }
+
+  std::vector<int> whole_numbers(const char* name) const {
+    const SEXP x = get(name);
+    const R_xlen_t n = Rf_xlength(x);
+    if (TYPEOF(x) == INTSXP) return std::vector<int>(INTEGER(x), INTEGER(x) + n);
+    if (TYPEOF(x) == LGLSXP) return std::vector<int>(LOGICAL(x), LOGICAL(x) + n);
+    throw std::invalid_argument("must be whole numbers");
+  }
+
+  std::vector<std::string> words(const char* name) const {
+    const SEXP x = get(name);
+    if (TYPEOF(x) != STRSXP) throw std::invalid_argument("must be names");
+    std::vector<std::string> out;
+    for (R_xlen_t k = 0; k < Rf_xlength(x); ++k) out.emplace_back(CHAR(STRING_ELT(x, k)));
+    return out;
+  }
+
+  ListSource group(const char* name) const { return ListSource(get(name)); }
+
+  std::vector<ListSource> items(const char* name) const {
+    const SEXP x = get(name);
+    if (TYPEOF(x) != VECSXP) throw std::invalid_argument("must be a list of lists");
+    std::vector<ListSource> out;
+    for (R_xlen_t k = 0; k < Rf_xlength(x); ++k) out.emplace_back(VECTOR_ELT(x, k));
+    return out;
+  }
+
+ private:
+  SEXP get(const char* name) const {
+    const SEXP names = Rf_getAttrib(list_, R_NamesSymbol);
+    for (R_xlen_t k = 0; k < Rf_xlength(names); ++k) {
+      if (std::string(CHAR(STRING_ELT(names, k))) == name) return VECTOR_ELT(list_, k);
+    }
+    return R_NilValue;
+  }
+
+  SEXP list_;
+};
+
+// The model of a lattice, ready for use. Copies every array once. Throws InputError.
+inline codend::Model read_model(const cpp11::list& lattice) {
+  codend::Model model = codend::read_fields<codend::Model>(ListSource(lattice));
+  model.prepare();
+  return model;
 }
 
-// Of every triangle the length of its straight bars, 0 of a plain one.
-inline doubles straight_bars(const list& lattice) {
-  const list triangles(lattice["triangles"]);
-  return doubles(triangles["straight"]);
-}
-
-// One family of lines: of plain triangles, and the part of all three of hexagonal ones.
-inline doubles family_in_order(const doubles& straight, const std::vector<double>& plain,
-                               const std::vector<double>& hexagonal, std::size_t which) {
-  return in_order(straight, 1, plain.data(), hexagonal.data() + which * (hexagonal.size() / 3));
-}
-
-// Of the straight bars of hexagonal triangles.
-inline doubles straight_tension(const codend::Evaluation& e) {
-  const auto first = e.hexagon_tension.begin();
-  return as_doubles(std::vector<double>(
-      first, first + static_cast<std::ptrdiff_t>(e.hexagon_tension.size() / 3)));
+// Numbers of all nodes, 3 each, such as positions.
+inline std::vector<double> of_nodes(const cpp11::doubles& values, const codend::Model& model,
+                                    const char* name) {
+  const std::size_t wanted = 3 * static_cast<std::size_t>(model.nodes);
+  if (static_cast<std::size_t>(values.size()) != wanted) {
+    throw codend::InputError(name, std::string(name) + " has " + std::to_string(values.size()) +
+                                       " values, must have " + std::to_string(wanted) +
+                                       " (3 per node)");
+  }
+  return std::vector<double>(REAL(values), REAL(values) + values.size());
 }
 
 }  // namespace binding

@@ -118,58 +118,63 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
 
 // Values of a curve at times (s); at a jump those before it, or after it.
 [[cpp11::register]] doubles engine_curve_at(list curve, doubles time, bool after) {
-  const codend::Curve read = read_curve(curve);
-  const codend::Side side = after ? codend::Side::after : codend::Side::before;
-  writable::doubles out(time.size());
-  for (R_xlen_t k = 0; k < time.size(); ++k) out[k] = read.at(time[k], side);
-  return out;
+  return guarded([&]() -> doubles {
+    const codend::Curve read = read_curve(curve);
+    const codend::Side side = after ? codend::Side::after : codend::Side::before;
+    writable::doubles out(time.size());
+    for (R_xlen_t k = 0; k < time.size(); ++k) out[k] = read.at(time[k], side);
+    return out;
+  });
 }
 
 // What a schedule says of times (s), after their jumps, in columns by time: origin and velocity (m,
 // m/s, 3 each) of what moves the held nodes, its heading (rad), factors of the growing groups, and
 // the current (m/s) along x and y by depth. length: what winches have out then, m, by group.
 [[cpp11::register]] list engine_schedule_at(list schedule, doubles time, doubles length) {
-  codend::Schedule read = read_schedule(schedule);
-  if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
-    stop("one length per time and growing group is needed");
-  }
-  writable::doubles origin, velocity, heading, factor, x, y;
-  R_xlen_t next = 0;
-  for (const double t : time) {
-    for (codend::GrowingGroup& group : read.groups) {
-      group.control.length = length[next++];
-      group.control.since = t;
+  return guarded([&]() -> list {
+    codend::Schedule read = read_schedule(schedule);
+    if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
+      stop("one length per time and growing group is needed");
     }
-    const codend::ScheduledValues values = codend::values_at(read, t, codend::Side::after);
-    for (int k = 0; k < 3; ++k) {
-      origin.push_back(values.origin[k]);
-      velocity.push_back(values.velocity[k]);
+    writable::doubles origin, velocity, heading, factor, x, y;
+    R_xlen_t next = 0;
+    for (const double t : time) {
+      for (codend::GrowingGroup& group : read.groups) {
+        group.control.length = length[next++];
+        group.control.since = t;
+      }
+      const codend::ScheduledValues values = codend::values_at(read, t, codend::Side::after);
+      for (int k = 0; k < 3; ++k) {
+        origin.push_back(values.origin[k]);
+        velocity.push_back(values.velocity[k]);
+      }
+      heading.push_back(values.heading);
+      for (const double one : values.factor) factor.push_back(one);
+      for (const codend::Vector& current : values.current) {
+        x.push_back(current.x());
+        y.push_back(current.y());
+      }
     }
-    heading.push_back(values.heading);
-    for (const double one : values.factor) factor.push_back(one);
-    for (const codend::Vector& current : values.current) {
-      x.push_back(current.x());
-      y.push_back(current.y());
-    }
-  }
-  return writable::list({"origin"_nm = origin, "velocity"_nm = velocity, "heading"_nm = heading,
-                         "factor"_nm = factor, "current_x"_nm = x, "current_y"_nm = y});
+    return writable::list({"origin"_nm = origin, "velocity"_nm = velocity, "heading"_nm = heading,
+                           "factor"_nm = factor, "current_x"_nm = x, "current_y"_nm = y});
+  });
 }
 
 // A lattice's numbers that a schedule changes, as they are at a time (s), after its jumps.
 [[cpp11::register]] list engine_scheduled(list lattice, list schedule, double time) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  codend::Motion motion;
-  motion.time = time;
-  motion.x = motion.v = codend::Values::Zero(3 * model.nodes);
-  codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), motion);
-  conditions.to_time(time, codend::Side::after, motion);
-  return writable::list({"mass"_nm = as_doubles(model.mass), "load"_nm = as_doubles(model.load),
-                         "rest"_nm = as_doubles(model.bars.rest),
-                         "multiplicity"_nm = as_doubles(model.bars.multiplicity),
-                         "drag_area"_nm = as_doubles(model.spheres.drag_area),
-                         "added_mass"_nm = as_doubles(model.spheres.added_mass),
-                         "buoyancy"_nm = as_doubles(model.volumes.buoyancy)});
+  return guarded([&]() -> list {
+    codend::Model model = read_model(lattice);
+    codend::Assembly assembly(model);
+    codend::Motion motion;
+    motion.time = time;
+    motion.x = motion.v = codend::Values::Zero(3 * model.nodes);
+    codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), motion);
+    conditions.to_time(time, codend::Side::after, motion);
+    return writable::list({"mass"_nm = as_doubles(model.mass), "load"_nm = as_doubles(model.load),
+                           "rest"_nm = as_doubles(model.bars.rest),
+                           "multiplicity"_nm = as_doubles(model.bars.multiplicity),
+                           "drag_area"_nm = as_doubles(model.spheres.drag_area),
+                           "added_mass"_nm = as_doubles(model.spheres.added_mass),
+                           "buoyancy"_nm = as_doubles(model.volumes.buoyancy)});
+  });
 }

@@ -7,64 +7,69 @@ using namespace binding;
 
 [[cpp11::register]] list engine_settle(list lattice, doubles start, bool near, doubles strain,
                                        double tolerance, int iterations, function watch) {
-  codend::Model model = read_model(lattice);
-  model.connect();
-  codend::Assembly assembly(model);
-  std::vector<double> x = numbers(start);
-  const std::vector<double> v(x.size(), 0.0);
+  return guarded([&]() -> list {
+    codend::Model model = read_model(lattice);
+    codend::Assembly assembly(model);
+    std::vector<double> x = of_nodes(start, model, "start");
+    const std::vector<double> v(x.size(), 0.0);
 
-  codend::SettleControl control;
-  control.near = near;
-  control.strain.assign(strain.begin(), strain.end());
-  if (near && !control.strain.empty() &&
-      control.strain.size() != static_cast<std::size_t>(model.lines())) {
-    stop("one strain per line is needed");
-  }
-  control.tolerance = tolerance;
-  control.iterations = iterations;
-  control.watch = [&](const codend::SettleProgress& progress) {
-    check_user_interrupt();
-    watch(progress.iteration, progress.residual);
-    return true;
-  };
-  const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
-  std::vector<double> line_strain;
-  assembly.strain(line_strain);
-  line_strain.resize(static_cast<std::size_t>(model.lines()));
-  return writable::list({
-      "position"_nm = as_doubles(x),
-      "strain"_nm = as_doubles(line_strain),
-      "converged"_nm = report.converged,
-      "iterations"_nm = report.iterations,
-      "factorisations"_nm = report.factorisations,
-      "residual"_nm = report.residual,
-      "largest_tension"_nm = report.largest_tension,
-      "shadings"_nm = report.shadings,
-      "upsets"_nm = report.upsets,
-      "upset_at_last"_nm = report.upset_at_last,
-      "shading_change"_nm = report.shading_change,
-      "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
-      "worst_node"_nm = report.worst_node + 1,
-      "worst_force"_nm = report.worst_force,
-      "seconds_forces"_nm = report.seconds_forces,
-      "seconds_jacobian"_nm = report.seconds_jacobian,
-      "seconds_linear"_nm = report.seconds_linear,
-      "seconds_analysis"_nm = report.seconds_analysis,
+    codend::SettleControl control;
+    control.near = near;
+    control.strain.assign(strain.begin(), strain.end());
+    if (near && !control.strain.empty() &&
+        control.strain.size() != static_cast<std::size_t>(model.lines())) {
+      throw codend::InputError("strain", "strain has " + std::to_string(control.strain.size()) +
+                                             " values, must have " + std::to_string(model.lines()) +
+                                             " (1 per line)");
+    }
+    control.tolerance = tolerance;
+    control.iterations = iterations;
+    control.watch = [&](const codend::SettleProgress& progress) {
+      check_user_interrupt();
+      watch(progress.iteration, progress.residual);
+      return true;
+    };
+    const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
+    std::vector<double> line_strain;
+    assembly.strain(line_strain);
+    line_strain.resize(static_cast<std::size_t>(model.lines()));
+    return writable::list({
+        "position"_nm = as_doubles(x),
+        "strain"_nm = as_doubles(line_strain),
+        "converged"_nm = report.converged,
+        "iterations"_nm = report.iterations,
+        "factorisations"_nm = report.factorisations,
+        "residual"_nm = report.residual,
+        "largest_tension"_nm = report.largest_tension,
+        "shadings"_nm = report.shadings,
+        "upsets"_nm = report.upsets,
+        "upset_at_last"_nm = report.upset_at_last,
+        "shading_change"_nm = report.shading_change,
+        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+        "worst_node"_nm = report.worst_node + 1,
+        "worst_force"_nm = report.worst_force,
+        "seconds_forces"_nm = report.seconds_forces,
+        "seconds_jacobian"_nm = report.seconds_jacobian,
+        "seconds_linear"_nm = report.seconds_linear,
+        "seconds_analysis"_nm = report.seconds_analysis,
+    });
   });
 }
 
 [[cpp11::register]] doubles engine_lay_out(logicals held, doubles position, integers ends,
                                            doubles rest, doubles tension, doubles load) {
-  codend::StringNet net;
-  net.held = marks(held);
-  net.ends = places(ends);
-  net.rest = numbers(rest);
-  net.tension = numbers(tension);
-  net.load = numbers(load);
-  std::vector<double> x = numbers(position);
-  codend::lay_out(net, x.data(), [] {
-    check_user_interrupt();
-    return true;
+  return guarded([&]() -> doubles {
+    codend::StringNet net;
+    net.held = marks(held);
+    net.ends = places(ends);
+    net.rest = numbers(rest);
+    net.tension = numbers(tension);
+    net.load = numbers(load);
+    std::vector<double> x = numbers(position);
+    codend::lay_out(net, x.data(), [] {
+      check_user_interrupt();
+      return true;
+    });
+    return as_doubles(x);
   });
-  return as_doubles(x);
 }

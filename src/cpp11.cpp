@@ -69,10 +69,31 @@ extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP veloci
   END_CPP11
 }
 // binding.cpp
-doubles engine_speed_reduction(int law, doubles solidity, doubles cosine);
+list engine_fields();
+extern "C" SEXP _codend_engine_fields() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_fields());
+  END_CPP11
+}
+// binding.cpp
+list engine_forces();
+extern "C" SEXP _codend_engine_forces() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_forces());
+  END_CPP11
+}
+// binding.cpp
+doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
 extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<int>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+  END_CPP11
+}
+// file_sync.cpp
+double file_size(cpp11::strings path);
+extern "C" SEXP _codend_file_size(SEXP path) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(file_size(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(path)));
   END_CPP11
 }
 // file_sync.cpp
@@ -94,6 +115,8 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
+    {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
+    {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
     {"_codend_engine_lay_out",         (DL_FUNC) &_codend_engine_lay_out,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
@@ -103,6 +126,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
+    {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
     {NULL, NULL, 0}
 };

@@ -1,4 +1,4 @@
-// What R cannot do with files: force them to the disk and say why that failed.
+// What R cannot do with files: tell which are regular, force them to the disk and say why that failed.
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -50,6 +50,13 @@ std::string native(cpp11::strings path) {
 }
 
 }  // namespace
+
+// Bytes of a regular file; NA of anything else, such as a folder, a device or a pipe.
+[[cpp11::register]] double file_size(cpp11::strings path) {
+  struct stat about;
+  if (stat(native(path).c_str(), &about) != 0 || (about.st_mode & S_IFMT) != S_IFREG) return NA_REAL;
+  return static_cast<double>(about.st_size);
+}
 
 // Forces a file that was just written to the disk. The writer may have lost bytes to a full disk or
 // a limit of file size without a word (R's devices and connections do), so 64 KiB more are written

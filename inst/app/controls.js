@@ -123,21 +123,32 @@
 
   // ---- plans ------------------------------------------------------------------------------------
 
-  function fits(file) {
-    clearErrors();
-    if (file.size <= largestPlan) return true;
-    show('plan_file_error', '"' + file.name + '" has ' + (file.size / largestPlan * 2).toFixed(1) +
-      ' MB; a plan has at most 2 MB. The gear on screen stays.');
-    return false;
+  function refuse(file, why) {
+    show('plan_file_error', '"' + file.name + '" ' + why + ' The gear on screen stays.');
   }
 
-  // Before Shiny sends it.
+  // Sends what is in a file; its answer comes as any plan's.
+  function open(file) {
+    clearErrors();
+    if (file.size > largestPlan) {
+      refuse(file, 'has ' + (file.size / largestPlan * 2).toFixed(1) +
+        ' MB; a plan has at most 2 MB.');
+      return;
+    }
+    file.arrayBuffer().then(function (bytes) {
+      var text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+      if (text.indexOf('\0') >= 0) throw new TypeError('NUL');
+      Shiny.setInputValue('plan_file', { name: file.name, text: text }, { priority: 'event' });
+    }).catch(function () { refuse(file, 'is not UTF-8 text.'); });
+  }
+
   document.addEventListener('change', function (event) {
     var input = event.target;
-    if (input.id !== 'plan_file' || !input.files.length || fits(input.files[0])) return;
-    event.stopImmediatePropagation();
+    if (!input.classList.contains('plan-file') || !input.files.length) return;
+    open(input.files[0]);
+    // the same file chosen again is read again
     input.value = '';
-  }, true);
+  });
 
   document.addEventListener('dragover', function (event) {
     event.preventDefault();
@@ -149,10 +160,7 @@
   document.addEventListener('drop', function (event) {
     event.preventDefault();
     var files = event.dataTransfer && event.dataTransfer.files;
-    if (!files || !files.length || event.target.id === 'plan_file' || !fits(files[0])) return;
-    var input = find('plan_file');
-    input.files = files;
-    input.dispatchEvent(new Event('change', { bubbles: true }));
+    if (files && files.length) open(files[0]);
   });
 
   // Marks the line of the plan's text that a path names, as well as it can be found.
@@ -193,8 +201,6 @@
 
   function listen() {
     window.codendTank.listen();
-    find('plan_drop').querySelector('[type=text]')
-      .setAttribute('aria-label', 'Name of the plan file');
     Shiny.addCustomMessageHandler('flume_palettes', window.codendTank.palettes);
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
       clearErrors();

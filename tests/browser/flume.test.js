@@ -114,7 +114,7 @@ test('a wrong file, garbage and a file of 50 MB are refused and the gear stays',
   const page = await open(browser, tank.url);
   const error = page.locator('#plan_file_error');
   const refuses = async (name, content, words) => {
-    await page.setInputFiles('#plan_file', file(name, content));
+    await page.setInputFiles('.plan-file', file(name, content));
     await page.waitForFunction((source) => new RegExp(source).test(
       document.getElementById('plan_file_error').textContent), words.source, patience);
     assert.ok(await error.isVisible());
@@ -122,7 +122,7 @@ test('a wrong file, garbage and a file of 50 MB are refused and the gear stays',
   };
   await refuses('wrong.yaml', 'codend: 1\nname: Wrong\ntowing: {sped: 4 knot}\n',
     /towing\.sped.*did you mean `speed`/);
-  await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not text/);
+  await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not UTF-8 text/);
   await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /holds no code/);
   await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
   // nor does the server take what the page would not send

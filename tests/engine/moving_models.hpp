@@ -20,7 +20,7 @@ inline void make_oscillator(Model& model) {
   model.bars.rest = {1.0, 1.0};
   model.bars.multiplicity = {1.0, 1.0};
   model.bars.material = {0, 0};
-  model.connect();
+  model.prepare();
 }
 
 constexpr double oscillator_start[9] = {-1.5, 0.0, 0.0, 0.1, 0.0, 0.0, 1.5, 0.0, 0.0};
@@ -36,7 +36,7 @@ inline void make_sinker(Model& model) {
   model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
   model.spheres.diameter = {0.0};
   model.spheres.added_mass = {0.5 * volume};
-  model.connect();
+  model.prepare();
 }
 
 }  // namespace codend

@@ -31,8 +31,8 @@ class Random {
 struct Ingredients {
   int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0;
   int lifts_up = 0, lifts_sideways = 0;
-  int hexagons = 0, pressed = 0, drag_screens = 0, blended = 0, openings = 0, bends = 0;
-  int boards = 0, contacts = 0, volumes = 0;
+  int hexagons = 0, pressed = 0, screens = 0, blended = 0, openings = 0, bends = 0;
+  int plates = 0, contacts = 0, volumes = 0;
   int sliding = 0;               // ropes that slide through four points
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
@@ -41,7 +41,7 @@ struct Ingredients {
   double damping = 0.0;          // c over L0, N s/m
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
-  int screen_law = 0;
+  NettingScreenLaw screen_law = NettingScreenLaw::loland;
   bool layered = false;          // a current that varies with depth
   bool free_surface = false;
   bool wake = false;             // a flow slowed by netting, differently at every point
@@ -88,12 +88,12 @@ class Specimen {
     fill(random, wanted);
     fill_netting(random, wanted);
     if (wanted.wake) {
-      model.screens.node = {0, 1, 2};
-      model.screens.twine_area = {0.1};
-      model.screens.law = {1};
+      model.wake_sheets.node = {0, 1, 2};
+      model.wake_sheets.twine_area = {0.1};
+      model.wake_sheets.law = {WakeLaw::loland};
       for (int p = 0; p < model.points(); ++p) model.wake.push_back(random.between(0.3, 1.0));
     }
-    model.connect();
+    model.prepare();
     stretch(random);
   }
   Specimen(const Specimen&) = delete;
@@ -128,11 +128,11 @@ class Specimen {
     bed.stiffness = 300.0;
     bed.onset = 0.3;
     bed.slip = 0.2;
-    model.contacts.ground = model.boards.ground = bed;
+    model.ground = bed;
   }
 
-  OtterBoard otter_board(Random& random) {
-    OtterBoard board;
+  LiftingPlate lifting_plate(Random& random) {
+    LiftingPlate board;
     board.attachment[0] = Vector(0.3, random.between(-0.3, -0.1), 0.1);
     board.attachment[1] = Vector(0.9, 0.1, random.between(0.3, 0.5));
     board.attachment[2] = Vector(1.0, 0.0, -0.4);
@@ -208,12 +208,15 @@ class Specimen {
     for (int s = 0; s < wanted.lifts_up + wanted.lifts_sideways; ++s) {
       points(random, 1, model.lifts.node);
       model.lifts.lift_area.push_back(random.between(-0.1, 0.1));
-      model.lifts.direction.push_back(s < wanted.lifts_up ? 0 : 1);
+      model.lifts.direction.push_back(s < wanted.lifts_up ? LiftDirection::up
+                                                             : LiftDirection::sideways);
       model.lifts.height.push_back(random.between(0.5, 2.0));
     }
-    for (int s = 0; s < wanted.boards; ++s) {
-      points(random, 3, model.boards.node);
-      model.boards.board.push_back(otter_board(random));
+    for (int s = 0; s < wanted.plates; ++s) {
+      std::vector<int> node;
+      points(random, 3, node);
+      model.plates.plate.push_back(lifting_plate(random));
+      std::copy(node.begin(), node.end(), model.plates.plate.back().node.begin());
     }
     for (int s = 0; s < wanted.contacts; ++s) {
       points(random, 1, model.contacts.node);
@@ -250,14 +253,14 @@ class Specimen {
       points(random, 3, model.pressure.node);
       for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
     }
-    for (int e = 0; e < wanted.drag_screens; ++e) {
-      points(random, 3, model.drag_screens.node);
+    for (int e = 0; e < wanted.screens; ++e) {
+      points(random, 3, model.screens.node);
       // solidities from some 0.01 to beyond the laws' range
-      model.drag_screens.twine_area.push_back(random.between(0.01, 0.5));
-      model.drag_screens.diameter.push_back(wanted.diameter);
-      model.drag_screens.height.push_back(1.5);
-      model.drag_screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
-      model.drag_screens.law.push_back(wanted.screen_law);
+      model.screens.twine_area.push_back(random.between(0.01, 0.5));
+      model.screens.diameter.push_back(wanted.diameter);
+      model.screens.height.push_back(1.5);
+      model.screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+      model.screens.law.push_back(wanted.screen_law);
     }
     for (int e = 0; e < wanted.blended; ++e) {
       points(random, 3, model.blended.node);
@@ -333,11 +336,11 @@ inline Vector line_drag(const TwineMaterial& material, const Vector& e, const Ve
   model.bars.node = {0, 1};
   model.bars.rest = model.bars.multiplicity = {1.0};
   model.bars.material = {0};
-  model.connect();
+  model.prepare();
   Assembly assembly(model);
   const double x[6] = {0.0, 0.0, 0.0, e.x(), e.y(), e.z()}, v[6] = {};
   const Evaluation found = evaluate(assembly, x, v);
-  return at(found.bar_drag.data(), 0);
+  return at(found.reported("bar_drag").data(), 0);
 }
 
 // The four laws of cylinders, each with its own numbers.

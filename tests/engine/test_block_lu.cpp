@@ -15,6 +15,7 @@
 
 #include "allocation_count.hpp"
 #include "solve/block_lu.hpp"
+#include "solve/flushed_denormals.hpp"
 
 namespace {
 
@@ -331,7 +332,14 @@ TEST_CASE("block LU gives equal bytes with one thread and two") {
   // large enough for two threads, and the last part for a front of its own in both
   const Mesh mesh = apart(sheet(150, 140), tube_with_ring());
   const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 17);
+  std::vector<double> values = random_values(pattern, 17);
+  SUBCASE("of common numbers") {}
+  SUBCASE("of couplings whose products are denormal in single precision") {
+    for (int i = 0; i < pattern.n; ++i)
+      for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
+        for (int k = 0; k < 9; ++k)
+          if (pattern.column[e] != i) values[9 * e + k] *= 1e-20;
+  }
   const std::vector<double> b = random_vector(3 * pattern.n, 18);
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
     std::vector<double> one(b.size()), two(b.size());
@@ -344,6 +352,30 @@ TEST_CASE("block LU gives equal bytes with one thread and two") {
     shared.solve(b.data(), two.data());
     CHECK(one == two);
   }
+}
+
+TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhere else") {
+  const Mesh mesh = chain(2);
+  const BlockPattern pattern = pattern_of(mesh);  // blocks 11, 12, 21, 22
+  std::vector<double> values(36, 0);
+  for (const int block : {0, 3})
+    for (int k = 0; k < 3; ++k) values[9 * block + 4 * k] = 1;
+  values[9] = values[18] = 1e-40;  // the least float of full precision is 1.2e-38
+  const std::vector<double> b = {1e10, 0, 0, 0, 0, 0};
+  const auto second = [&](Precision precision) {
+    BlockLU lu(precision);
+    lu.analyse(pattern, mesh.coordinates.data());
+    const auto before = codend::floating_point_control();
+    REQUIRE(lu.factorise(values.data()));
+    std::vector<double> x(6);
+    lu.solve(b.data(), x.data());
+    CHECK(codend::floating_point_control() == before);
+    return x[3];
+  };
+  CHECK(second(Precision::double_precision) == doctest::Approx(-1e-30));
+#if defined(__SSE2__) || defined(__aarch64__)
+  CHECK(second(Precision::single_precision) == 0.0);
+#endif
 }
 
 TEST_CASE("two threads report a singular matrix") {

@@ -225,8 +225,7 @@ TEST_CASE("drag of knots by Reynolds number, White's fit for spheres") {
   for (const auto& row : table) {
     const double speed = row[0] * water.viscosity / 0.01;
     water.current = {Vector(0.0, speed, 0.0)};
-    Vector force = Vector::Zero();
-    knots.add_element_force(0, {x, v, &water}, force.data());
+    const Vector force = knots.element_force(0, {x, v, &water});
     CHECK(std::abs(force.y() / (0.5 * water.density * 0.5 * speed * speed) - row[1]) < 5.1e-5);
   }
 }

@@ -102,10 +102,11 @@ TEST_CASE("drag in still water takes energy from bodies and knots") {
 
 TEST_CASE("netting screens in still water take energy") {
   Random random(20260425);
-  for (int law = 0; law < 3; ++law) {
+  for (const NettingScreenLaw law : {NettingScreenLaw::loland, NettingScreenLaw::aarsnes,
+                                     NettingScreenLaw::kristiansen_faltinsen}) {
     for (int repeat = 0; repeat < 20; ++repeat) {
       Ingredients wanted = still_water();
-      wanted.drag_screens = 1;
+      wanted.screens = 1;
       wanted.screen_law = law;
       Specimen s(random, wanted);
       CHECK(power(s).total < 0.0);
@@ -123,15 +124,15 @@ TEST_CASE("blended netting in still water takes energy") {
   }
 }
 
-TEST_CASE("boards in still water lose energy, at every angle of attack") {
+TEST_CASE("plates in still water lose energy, at every angle of attack") {
   Random random(20260425);
   for (int repeat = 0; repeat < 50; ++repeat) {
     Ingredients wanted = still_water();
-    wanted.boards = 1;
+    wanted.plates = 1;
     Specimen s(random, wanted);
-    s.model.boards.ground.present = false;
-    s.model.boards.board[0].weight = s.model.boards.board[0].buoyancy = 0.0;
-    s.model.connect();
+    s.model.ground.present = false;
+    s.model.plates.plate[0].weight = s.model.plates.plate[0].buoyancy = 0.0;
+    s.model.prepare();
     CHECK(power(s).total < 0.0);
   }
 }
@@ -142,7 +143,7 @@ TEST_CASE("friction takes energy from what slides, and the ground pushes only ou
     Ingredients wanted = still_water();
     wanted.contacts = 12;
     Specimen s(random, wanted);
-    const Ground& ground = s.model.contacts.ground;
+    const Ground& ground = s.model.ground;
     // Along the ground, where the elastic part does no work.
     for (int n = 0; n < s.model.nodes; ++n) {
       at(s.v.data(), n) -= ground.normal.dot(at(s.v.data(), n)) * ground.normal;
@@ -206,10 +207,10 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
       Ingredients wanted;
       wanted.bars = 10;
       wanted.triangles = 6;
-      wanted.hexagons = wanted.pressed = wanted.drag_screens = wanted.blended = 3;
+      wanted.hexagons = wanted.pressed = wanted.screens = wanted.blended = 3;
       wanted.openings = wanted.bends = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
-      wanted.boards = wanted.contacts = wanted.volumes = 4;
+      wanted.plates = wanted.contacts = wanted.volumes = 4;
       wanted.free_surface = true;
       wanted.law = law;
       wanted.slack = slack;

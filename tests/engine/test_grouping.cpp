@@ -92,7 +92,7 @@ Totals totals(Panel& panel, const CylinderLaw& law, const Vector& current) {
   m.held.assign(m.nodes, 0);
   m.load.assign(panel.x.size(), 0.0);
   m.mass.assign(m.nodes, 0.0);
-  m.connect();
+  m.prepare();
   Assembly assembly(m);
   const std::vector<double> v(panel.x.size(), 0.0);
   std::vector<double> force(panel.x.size()), mass(3 * panel.x.size());

@@ -231,9 +231,9 @@ TEST_CASE("derivatives of netting screens") {
         CAPTURE(law);
         CAPTURE(layered);
         Ingredients wanted;
-        wanted.drag_screens = 8;
+        wanted.screens = 8;
         wanted.diameter = diameter;
-        wanted.screen_law = law;
+        wanted.screen_law = static_cast<NettingScreenLaw>(law);
         wanted.layered = layered;
         // Terms of 1e4 cancel to 1 in the polynomial of Kristiansen and Faltinsen: 1e4 times the
         // rounding above.
@@ -243,12 +243,12 @@ TEST_CASE("derivatives of netting screens") {
   }
 }
 
-TEST_CASE("derivatives of otter boards, level or on the ground") {
+TEST_CASE("derivatives of lifting plates, level or on the ground") {
   for (const bool surface : {false, true}) {
     CAPTURE(surface);
     check_points([surface](Ingredients& i) -> int& {
       i.free_surface = surface;
-      return i.boards;
+      return i.plates;
     });
   }
 }
@@ -306,7 +306,7 @@ TEST_CASE("derivatives in a wake") {
   for (const bool layered : {false, true}) {
     Ingredients wanted;
     wanted.bars = wanted.triangles = wanted.knots = wanted.bodies = wanted.lifts_up = 8;
-    wanted.hexagons = wanted.pressed = wanted.drag_screens = wanted.blended = 4;
+    wanted.hexagons = wanted.pressed = wanted.screens = wanted.blended = 4;
     wanted.wake = true;
     wanted.layered = wanted.free_surface = layered;
     check_derivatives(random, wanted);

@@ -119,7 +119,7 @@ struct String {
     model.bars.rest.assign(bars, rest);
     model.bars.multiplicity.assign(bars, 1.0);
     model.bars.material.assign(bars, 0);
-    model.connect();
+    model.prepare();
     start.x = start.v = Values::Zero(3 * model.nodes);
     for (int n = 0; n < model.nodes; ++n) at(start.x.data(), n).z() = n * rest;
   }
@@ -133,7 +133,7 @@ struct String {
     }
     model.each_line([&](const auto& line) {
       sum += line.multiplicity *
-             twine_energy(*line.material, line.vector(motion.x.data()).norm(), line.rest);
+             twine_energy(model.material(line), line.vector(motion.x.data()).norm(), line.rest);
     });
     return sum;
   }
@@ -265,7 +265,7 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
     net.model.bars.multiplicity.push_back(1.0);
     net.model.bars.material.push_back(0);
   }
-  net.model.connect();
+  net.model.prepare();
   const Vector before = momentum(net.model, net.start);
   const double energy = net.energy(net.start);
   // w h = 0.045 for the fastest swing of a bar. The explicit schemes and the substituted trapezoid
@@ -368,7 +368,7 @@ TEST_CASE("a damper takes the energy out of a swing at its rate") {
   const double ratio = 0.05, rate = 10.0;
   // Two bars of 1 m: 2 c / L0^2 = 2 z w m, and the table holds c/L0.
   o.model.materials[0].damping = ratio * rate;
-  o.model.connect();
+  o.model.prepare();
   MarchControl control;
   control.step = 1e-3;
   const Motion end = march(o.model, o.start, Name::generalised_alpha, 1.0, control);

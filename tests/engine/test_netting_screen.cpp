@@ -28,7 +28,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   screens.twine_area = {0.5 * solidity, 0.5 * solidity};
   screens.diameter = screens.height = {diameter, diameter};
   screens.multiplicity = {1.0, 1.0};
-  screens.law = {law, law};
+  screens.law.assign(2, static_cast<NettingScreenLaw>(law));
   const Field field{x, v, &water};
   const Vector force = screens.element_force(0, field) + screens.element_force(1, field);
   const double unit = 0.5 * water.density * speed * speed;

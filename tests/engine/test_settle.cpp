@@ -61,7 +61,7 @@ struct Structure {
     return nodes;
   }
   const SettleReport& settle(const SettleControl& control = {}) {
-    model.connect();
+    model.prepare();
     Assembly assembly(model);
     const std::vector<double> v(x.size(), 0.0);
     report = codend::settle(assembly, control, v.data(), x.data());
@@ -78,7 +78,7 @@ struct Structure {
   }
   double tension(int bar) const {
     const Line<2> line = model.bars.line(bar);
-    return twine_tension(*line.material, line.vector(x.data()).norm(), line.rest);
+    return twine_tension(model.material(line), line.vector(x.data()).norm(), line.rest);
   }
 };
 
@@ -198,7 +198,7 @@ TEST_CASE("kite on a weightless line without drag") {
   s.model.spheres.added_mass = {0.0};
   s.model.lifts.node = {kite};
   s.model.lifts.lift_area = {1.16};
-  s.model.lifts.direction = {0};
+  s.model.lifts.direction.assign(1, LiftDirection::up);
   REQUIRE(s.settle().converged);
   const Vector place = at(s.x.data(), kite);
   // Half a digit of 73.21017 deg is 1e-7; a net force of 1e-8 of the tension turns the line by as

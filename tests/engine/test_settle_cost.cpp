@@ -36,7 +36,7 @@ struct SquareNet {
         if (row > 0 && column > 0) bar(node - 1, node);
       }
     }
-    model.connect();
+    model.prepare();
   }
 
  private:

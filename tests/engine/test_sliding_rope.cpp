@@ -45,7 +45,7 @@ struct Ellipse {
     rope.axial_stiffness = stiffness;
     rope.bend = bend;
     model.sliding = {rope};
-    model.connect();
+    model.prepare();
     x = {0, 0, 0, 2.0, 0.5, -1.0, span, 0, -drop};
   }
 };

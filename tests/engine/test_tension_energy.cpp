@@ -28,7 +28,7 @@ double strain_energy(Assembly& assembly, const Specimen& s) {
   double total = 0.0;
   assembly.model().each_line([&](const auto& line) {
     const double length = line.rest * (1.0 + strain[static_cast<std::size_t>(line.index)]);
-    total += line.multiplicity * twine_energy(*line.material, length, line.rest);
+    total += line.multiplicity * twine_energy(assembly.model().material(line), length, line.rest);
   });
   const Field field = assembly.field();
   for (int e = 0; e < assembly.model().openings.count(); ++e) {

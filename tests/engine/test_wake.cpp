@@ -10,7 +10,7 @@ namespace {
 using namespace codend;
 
 // A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all.
-void add_sheet(double x, double twine, Screens& screens, std::vector<double>& position) {
+void add_sheet(double x, double twine, WakeSheets& screens, std::vector<double>& position) {
   const int first = static_cast<int>(position.size() / 3);
   for (const double y : {-1.0, 1.0}) {
     for (const double z : {-1.0, 1.0}) position.insert(position.end(), {x, y, z});
@@ -18,7 +18,7 @@ void add_sheet(double x, double twine, Screens& screens, std::vector<double>& po
   for (const int k : {0, 1, 3, 0, 3, 2}) screens.node.push_back(first + k);
   for (int k = 0; k < 2; ++k) {
     screens.twine_area.push_back(0.5 * twine);
-    screens.law.push_back(static_cast<int>(WakeLaw::loland));
+    screens.law.push_back(WakeLaw::loland);
   }
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("speed behind netting is that of the published laws") {
 }
 
 TEST_CASE("only points behind a sheet are in its wake") {
-  Screens screens;
+  WakeSheets screens;
   std::vector<double> x;
   add_sheet(0.0, 0.8, screens, x);  // Sn 0.2
   add_sheet(5.0, 0.8, screens, x);

@@ -134,8 +134,8 @@ test_that("hexagonal meshes and a catch have their numbers", {
   found <- read_raw_vtu(file)
   expect_identical(found$CellData$straight_tension_N[found$CellData$kind == 2],
     state$straight_tension)
-  expect_equal(rowSums(found$CellData$catch_force_N), rowSums(state$catch_force))
-  expect_gt(sum(abs(state$catch_force)), 0)
+  expect_equal(rowSums(found$CellData$catch_force_N), rowSums(state$forces$pressure_force))
+  expect_gt(sum(abs(state$forces$pressure_force)), 0)
   # families without tension out of three
   expect_true(all(round(3 * found$CellData$slack[found$CellData$kind == 2]) ==
     (state$u_tension == 0) + (state$v_tension == 0) + (state$straight_tension == 0)))
@@ -156,7 +156,7 @@ test_that("a free otter board is a plate of its size, where its points are", {
   quad <- which(found$Cells$types == 9)
   expect_identical(found$CellData$part_name[quad], "otter_board")
   expect_equal(found$n_points, ncol(state_points(state)) + 4L)
-  expect_equal(found$CellData$drag_N[, quad], drop(state$boards$force))
+  expect_equal(found$CellData$drag_N[, quad], drop(state$forces$plate_force))
 })
 
 test_that("a trajectory is a series of grids over the ground", {

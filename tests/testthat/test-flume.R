@@ -81,15 +81,13 @@ test_that("a design that does not settle keeps the last shape and says where", {
 
 test_that("files that are no plans are refused by their own name", {
   in_flume("towed_cable", function(session, sent, tank) {
-    upload <- function(content, name = "mine.yaml") {
+    upload <- function(text, name = "mine.yaml") {
       sent("flume_refused")
-      file <- plan_file(content)
-      session$setInputs(plan_file = data.frame(name = name, size = file.size(file), type = "",
-        datapath = file))
+      session$setInputs(plan_file = list(name = name, text = text))
       sent("flume_refused")
     }
-    garbage <- upload(as.raw(c(0, 255, 3)))[[1]]
-    expect_match(garbage$message, "Plan file \"mine.yaml\" is not text", fixed = TRUE)
+    garbage <- upload("\001{")[[1]]
+    expect_match(garbage$message, "Plan file \"mine.yaml\" is not valid YAML", fixed = TRUE)
     expect_identical(garbage$where, "plan_file")
     large <- upload(strrep("a", 3 * 1024^2))[[1]]
     expect_match(large$message, "at most 2 MB")
@@ -111,6 +109,37 @@ test_that("files that are no plans are refused by their own name", {
     expect_identical(tank$pinned$gear, tank$gear)
     expect_match(session$output$controls$html, "Current")
   })
+})
+
+test_that("no message makes the server read a file, or compute for longer than a page may ask", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    before <- tank$state
+    refused <- function(...) {
+      sent("flume_refused")
+      session$setInputs(...)
+      sent("flume_refused")[[1]]$message
+    }
+    there <- system.file("gears", "flat_panel.yaml", package = "codend")
+    forged <- list(
+      data.frame(name = "a", size = 1, type = "", datapath = there),
+      list(name = there, datapath = there), list(list(there)), there
+    )
+    for (message in forged) expect_identical(refused(plan_file = message), "A plan is text.")
+    expect_match(refused(plan_file = list(name = "a", text = there)), "must hold a map")
+    expect_match(refused(plan_text = strrep("a", 3 * 1024^2)), "at most 2 MB")
+
+    divided <- read_gear("flat_panel")
+    divided$plan$panels$netting[c("columns", "rows")] <- list(1000, 1000)
+    expect_match(refused(plan_text = format(divided)),
+      "asks for 1e+06 nodes, which would take about 10 GB of memory; at most 20000", fixed = TRUE)
+    expect_identical(tank$state$position, before$position)
+  })
+  expect_error(in_time({
+    repeat NULL
+  }, 0.2), "longer than 0.2 s", class = "codend_error_argument")
+  # no limit is left behind
+  Sys.sleep(0.3)
+  expect_identical(in_time(1 + 1), 2)
 })
 
 test_that("a typed plan and a marked field take effect", {

@@ -33,7 +33,7 @@ test_that("drag fades with what is in the water", {
         mass_per_length = "3 kg/m", segments = 1),
       water = list(free_surface = free, current = list(speed = "1 m/s", toward = "0 deg"))
     ))
-    state$bar_drag[1, 1]
+    state$forces$bar_drag[1, 1]
   }
   deep <- rope_at(-1, FALSE)
   expect_identical(rope_at(-1, TRUE), deep)

@@ -49,9 +49,9 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
     if (turned) {
       inner <- engine_array(flat, "triangles", "inner")
       flat$x[2, inner] <- flat$x[2, inner] + straight
-      flat[c("triangle_drag", "straight_length", "u_length", "v_length")] <- engine_evaluate(
+      flat[c("forces", "straight_length", "u_length", "v_length")] <- engine_evaluate(
         engine_array(flat), as.vector(flat$x), numeric(length(flat$x))
-      )[c("triangle_drag", "straight_length", "u_length", "v_length")]
+      )[c("forces", "straight_length", "u_length", "v_length")]
     }
     expect_equal(range(flat$straight_length), rep(straight, 2), tolerance = 1e-12)
     expect_equal(range(flat$u_length, flat$v_length), rep(oblique, 2), tolerance = 1e-12)
@@ -78,7 +78,7 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
       bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
       bar(cos(pi / 6) * along - sin(pi / 6) * aside, oblique))
     # the same sum in another order
-    expect_equal(rowSums(matrix(flat$triangle_drag, 3L)), wanted, tolerance = 1e-11)
+    expect_equal(rowSums(matrix(flat$forces$triangle_drag, 3L)), wanted, tolerance = 1e-11)
   }
 })
 
@@ -137,8 +137,8 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
     for (law in names(wanted)) {
       si <- do.call(flat_net, c(list(netting_drag = law), knots))
       flat <- lay_flat(si, across, down, pi / 2 - theta, 0.7)
-      expect_equal(sum(abs(flat$triangle_drag)) + sum(abs(flat$sphere_drag)), 0)
-      force <- rowSums(matrix(flat$screen_force, 3L)) / (0.5 * 1025 * area * 0.7^2)
+      expect_equal(sum(abs(flat$forces$triangle_drag)) + sum(abs(flat$forces$sphere_drag)), 0)
+      force <- rowSums(matrix(flat$forces$screen_force, 3L)) / (0.5 * 1025 * area * 0.7^2)
       # the normal that faces downstream points along x and up, so lift goes up
       expect_equal(force, c(wanted[[law]][1], 0, wanted[[law]][2]), tolerance = 1e-10)
     }
@@ -149,7 +149,7 @@ test_that("blended netting passes from its twines to the screen and back", {
   force <- function(law, ratio, theta) {
     si <- flat_net(netting_drag = law)
     flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
-    rowSums(matrix(c(flat$triangle_drag, flat$screen_force, flat$blended_force), 3L))
+    rowSums(matrix(unlist(flat$forces[c("triangle_drag", "screen_force", "blended_force")]), 3L))
   }
   degrees <- pi / 180
   # the same sums in another order

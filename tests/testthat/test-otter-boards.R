@@ -76,7 +76,8 @@ test_that("forces and moments on a board balance", {
     rest <- engine_array(state, "bars", "rest")[bar]
     line <- state$si$ropes[[rope]]
     weight <- gear_gravity * rest * (line$mass_per_length - 1025 * line$volume_per_length)
-    state$bar_tension[bar] * d / sqrt(sum(d^2)) + state$bar_drag[, bar] / 2 - c(0, 0, weight / 2)
+    pull <- state$bar_tension[bar] * d / sqrt(sum(d^2))
+    pull + state$forces$bar_drag[, bar] / 2 - c(0, 0, weight / 2)
   }
   ropes <- c("warp", "backstrop_upper", "backstrop_lower")
   pulls <- mapply(pull, ropes, nodes_at(state, board$points))

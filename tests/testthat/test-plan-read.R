@@ -53,3 +53,47 @@ test_that("no file and no shipped plan of a name", {
   expect_error(read_gear(tempdir()), class = "codend_error_plan")
   expect_error(read_gear(1), class = "codend_error_argument")
 })
+
+test_that("a plan file is one document", {
+  text <- paste(readLines(shipped_plans()[["towed_cable"]]), collapse = "\n")
+  expect_error(read_text(paste0(text, "\n---\nname: Another\n")), "several YAML documents",
+    class = "codend_error_plan")
+  expect_error(read_text(paste0("---\nname: Another\n---\n", text)), "several YAML documents",
+    class = "codend_error_plan")
+  expect_identical(read_text(paste0("%YAML 1.1\n# one\n---\n", text, "\n...\n"))$plan,
+    read_gear("towed_cable")$plan)
+})
+
+test_that("a comma in a number is told, as a value and as a key", {
+  expect_no_warning({
+    value <- plan_error("length: 100 m", "length: 1,5")
+    key <- text_error(paste0(small_plan, "\n1,5: 3\n"))
+  })
+  expect_match(value$message, "is \"1,5\"; it must be a length", fixed = TRUE)
+  expect_match(key$message, "`1,5` is not known", fixed = TRUE)
+})
+
+test_that("a name may not end in a newline, and texts that do are written as they are", {
+  found <- text_error(paste0(small_plan, "\nmaterials: {\"a\\n\": {density: 900 kg/m3}}\n"))
+  expect_match(found$message, "name that is not allowed", fixed = TRUE)
+  gear <- update(read_gear("towed_cable"), name = "a\n")
+  file <- tempfile(fileext = ".yaml")
+  write_gear(gear, file)
+  expect_identical(read_gear(file)$plan, gear$plan)
+})
+
+test_that("what the parser says is told once", {
+  said <- text_error("a: *x")$message
+  expect_length(gregexpr("not valid YAML", said, fixed = TRUE)[[1]], 1L)
+})
+
+test_that("only regular files are opened", {
+  skip_on_os("windows")
+  pipe <- tempfile()
+  system2("mkfifo", pipe)
+  setTimeLimit(elapsed = 10, transient = TRUE)
+  expect_error(read_gear(pipe), "is not a plan file", class = "codend_error_plan")
+  skip_if_not_installed("RNetCDF")
+  expect_error(read_state(pipe), "no regular file", class = "codend_error_file")
+  setTimeLimit()
+})

@@ -3,8 +3,8 @@ test_that("a summary holds what it prints", {
     state <- shipped_state(name)
     found <- summary(state)
     expect_s3_class(found, "codend_summary")
-    expect_named(found, c("name", "conditions", "measures", "drag", "drag_totals", "tangential",
-      "tensions", "slack", "boards", "reactions", "balance", "report"))
+    expect_named(found, c("name", "conditions", "measures", "findings", "drag", "drag_totals",
+      "tangential", "tensions", "slack", "boards", "reactions", "balance", "report"))
     expect_equal(nrow(found$drag), nrow(parts_of(state)))
     expect_equal(found$report$nodes, ncol(state$position))
   }

@@ -24,9 +24,8 @@ test_that("supports carry the sum of all external forces", {
   cases <- c(lapply(shipped, list), list(list("midwater_trawl", netting = "bars")))
   for (case in cases) {
     state <- do.call(quick, case)
-    external <- rowSums(matrix(engine_array(state, "load"), 3L)) + rowSums(state$bar_drag) +
-      rowSums(state$triangle_drag) + rowSums(state$sphere_drag) + rowSums(state$lift_force) +
-      rowSums(state$contact_force) + rowSums(state$volume_force) + rowSums(state$catch_force)
+    external <- rowSums(matrix(engine_array(state, "load"), 3L)) +
+      rowSums(vapply(state$forces, rowSums, numeric(3)))
     reactions <- -rowSums(state$force[, engine_array(state, "held"), drop = FALSE])
     # every free node may keep 1e-8 of the largest tension, at random signs
     left <- 1e-8 * state$report$largest_tension * sqrt(engine_array(state, "nodes"))

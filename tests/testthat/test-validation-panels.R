@@ -73,8 +73,8 @@ panel_force <- function(gear, ratio, incidence, speed) {
   stopifnot(!anyNA(x))
   found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
   list(
-    twine = rowSums(matrix(c(found$bar_drag, found$triangle_drag), 3L)),
-    knots = rowSums(matrix(found$sphere_drag, 3L))
+    twine = rowSums(matrix(c(found$forces$bar_drag, found$forces$triangle_drag), 3L)),
+    knots = rowSums(matrix(found$forces$sphere_drag, 3L))
   )
 }
 

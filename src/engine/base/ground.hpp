@@ -27,6 +27,15 @@ struct Ground {
   double onset = 0.02;                // h, m
   double slip = 0.02;                 // e, m/s
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("normal", normal);
+    visit("height", height);
+    visit("velocity", velocity);
+    visit("friction", friction);
+    visit("stiffness", stiffness);
+  }
+
   // Normal force (N) at a penetration (m) over an area (m2), and its derivative.
   void press(double penetration, double area, double& force, double& slope) const {
     force = slope = 0.0;

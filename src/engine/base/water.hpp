@@ -19,6 +19,16 @@ struct Water {
   // water reaches everywhere.
   bool free_surface = false;
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("density", density);
+    visit("viscosity", viscosity);
+    visit("free_surface", free_surface);
+    visit("depth", depth);
+    visit.component("x", current, 0);
+    visit.component("y", current, 1);
+  }
+
   // The same current at all depths.
   bool uniform() const { return depth.size() == 1; }
   // Whether a body's drag depends on its height.

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "../base/fields.hpp"
 #include "line.hpp"
 
 namespace codend {
@@ -16,12 +17,20 @@ class Bars {
   std::vector<double> multiplicity;  // lines in parallel
   std::vector<int> material;         // index into materials
   std::vector<double> height;        // over which it leaves the water, m; where there is a surface
-  const std::vector<TwineMaterial>* materials = nullptr;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {2, Among::points});
+    visit("rest", rest);
+    visit("multiplicity", multiplicity);
+    visit("height", height);
+    visit("material", material, {1, Among::materials});
+  }
 
   int count() const { return static_cast<int>(rest.size()); }
   Line<2> line(int bar) const {
     return {&node[2 * static_cast<std::size_t>(bar)], {-1.0, 1.0}, rest[bar], multiplicity[bar],
-            &(*materials)[material[bar]], bar};
+            material[bar], bar};
   }
 
   // Differences between the ends of bars [begin, end) of a quantity x (3 per point), by component

@@ -17,6 +17,12 @@ class Bends : public ElementKind {
   std::vector<int> node;       // 3 per bend: before, at and after it along the line
   std::vector<double> couple;  // B/L, N m
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {3, Among::points});
+    visit("couple", couple);
+  }
+
   int count() const { return static_cast<int>(couple.size()); }
   int nodes_per_element() const override { return 3; }
   const std::vector<int>& nodes() const override { return node; }

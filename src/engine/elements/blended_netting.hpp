@@ -28,6 +28,18 @@ class BlendedNetting : public ElementKind {
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.columns("materials", materials);
+    visit.count(Among::own_materials, materials.size());
+    visit("node", node, {3, Among::points});
+    visit("twine", twine, {6});
+    visit("rest", rest);
+    visit("multiplicity", multiplicity);
+    visit("height", height);
+    visit("material", material, {1, Among::own_materials});
+  }
+
   int count() const { return static_cast<int>(rest.size()); }
   int nodes_per_element() const override { return 3; }
   const std::vector<int>& nodes() const override { return node; }

@@ -11,14 +11,19 @@
 // with b = 0, c = C_f, because C_n |U_n| U_n projects on drag and lift as C_n sin^3, C_n sin^2 cos.
 #pragma once
 
+#include <array>
+
 namespace codend {
 
 enum class CylinderLawKind {
-  constant = 0,        // normal, tangential, skin given
-  takagi = 1,          // Takagi et al. 2004, Fish. Res. 66:235: C_n(Re), C_t 0.1
-  choo_casarella = 2,  // Choo & Casarella 1971, J. Hydronautics 5:126: C_n(Re), C_t(Re)
-  cifuentes_kim = 3    // Cifuentes & Kim 2017: C_n(Re Sn^2), C_t 0
+  constant,        // normal, tangential, skin given
+  takagi,          // Takagi et al. 2004, Fish. Res. 66:235: C_n(Re), C_t 0.1
+  choo_casarella,  // Choo & Casarella 1971, J. Hydronautics 5:126: C_n(Re), C_t(Re)
+  cifuentes_kim    // Cifuentes & Kim 2017: C_n(Re Sn^2), C_t 0
 };
+constexpr std::array<const char*, 4> names_of(CylinderLawKind) {
+  return {"constant", "takagi", "choo_casarella", "cifuentes_kim"};
+}
 
 struct CylinderLaw {
   CylinderLawKind kind = CylinderLawKind::constant;

@@ -2,16 +2,16 @@
 
 namespace codend {
 
-void GroundContacts::add_element_force(int e, const Field& field, double* force) const {
+Vector GroundContacts::element_force(int e, const Field& field) const {
   double slope;
   Matrix by_velocity;
-  at(force, 0) += law(e, field, slope) * per_press(e, field, by_velocity);
+  return law(e, field, slope) * per_press(e, field, by_velocity);
 }
 
 void GroundContacts::add_force(const Field& field, const double* press, double* force) const {
   for (int e = 0; e < count(); ++e) {
     if (!press) {
-      add_element_force(e, field, force + 3 * static_cast<std::ptrdiff_t>(node[e]));
+      at(force, node[e]) += element_force(e, field);
       continue;
     }
     Matrix by_velocity;
@@ -22,6 +22,8 @@ void GroundContacts::add_force(const Field& field, const double* press, double* 
 void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& request,
                                   const double* press, const double* modulus,
                                   const BlockSink& sink) const {
+  if (count() == 0) return;
+  const Ground& ground = *field.ground;
   for (int e = 0; e < count(); ++e) {
     double slope;
     double normal_force = law(e, field, slope);
@@ -38,6 +40,8 @@ void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& req
 }
 
 void GroundContacts::add_drag_scale(const Field& field, double* scale) const {
+  if (count() == 0) return;
+  const Ground& ground = *field.ground;
   for (int e = 0; e < count(); ++e) {
     double slope;
     const double speed = (at(field.velocity, node[e]) - ground.velocity).norm();

@@ -4,7 +4,6 @@
 // alike: it may carry the normal forces as unknowns (CarriedTension), behind those of the lines.
 #pragma once
 
-#include "../base/ground.hpp"
 #include "kind.hpp"
 
 namespace codend {
@@ -14,17 +13,23 @@ class GroundContacts {
   std::vector<int> node;
   std::vector<double> area;       // on the ground, m2
   std::vector<double> clearance;  // from the point to the underside, m
-  Ground ground;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {1, Among::points});
+    visit("area", area);
+    visit("clearance", clearance);
+  }
 
   int count() const { return static_cast<int>(node.size()); }
   double penetration(int e, const Field& field) const {
-    return ground.penetration(at(field.position, node[e]), clearance[e]);
+    return field.ground->penetration(at(field.position, node[e]), clearance[e]);
   }
   // Adds every contact's force (N) to its point; press: carried normal forces (N), null for the
   // law's.
   void add_force(const Field& field, const double* press, double* force) const;
-  // Adds one contact's force (N) to force[0..2].
-  void add_element_force(int e, const Field& field, double* force) const;
+  // Force (N) on one contact, by the law.
+  Vector element_force(int e, const Field& field) const;
   // modulus: of the carried forces (N/m), null for the law's.
   void add_jacobian(const Field& field, const JacobianRequest& request, const double* press,
                     const double* modulus, const BlockSink& sink) const;
@@ -33,11 +38,11 @@ class GroundContacts {
  private:
   // Force of the ground per normal force, and its derivative by velocity.
   Vector per_press(int e, const Field& field, Matrix& by_velocity) const {
-    return ground.per_press(at(field.velocity, node[e]), by_velocity);
+    return field.ground->per_press(at(field.velocity, node[e]), by_velocity);
   }
   double law(int e, const Field& field, double& slope) const {
     double press;
-    ground.press(penetration(e, field), area[e], press, slope);
+    field.ground->press(penetration(e, field), area[e], press, slope);
     return press;
   }
 };

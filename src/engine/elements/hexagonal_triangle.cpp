@@ -30,7 +30,7 @@ Line<4> HexagonalTriangles::line(int triangle, int which) const {
   out.shape[3] = which == 0 ? 1.0 : -1.0;
   out.rest = which == 0 ? straight[e] : oblique[e];
   out.multiplicity = cells_[e] * multiplicity[e];
-  out.material = &(*materials)[material[e]];
+  out.material = material[e];
   out.index = first_line + which * count() + triangle;
   out.point_share = 1.0;
   return out;

@@ -4,13 +4,13 @@
 
 namespace codend {
 
-void ImmersedVolumes::add_element_force(int e, const Field& field, double* force) const {
+Vector ImmersedVolumes::element_force(int e, const Field& field) const {
   const double share = immersion(at(field.position, node[e]).z(), height[e]).share;
-  force[2] -= buoyancy[e] * (1.0 - share);
+  return {0.0, 0.0, -(buoyancy[e] * (1.0 - share))};
 }
 
 void ImmersedVolumes::add_force(const Field& field, double* force) const {
-  for (int e = 0; e < count(); ++e) add_element_force(e, field, force + 3 * node[e]);
+  for (int e = 0; e < count(); ++e) at(force, node[e]) += element_force(e, field);
 }
 
 void ImmersedVolumes::add_jacobian(const Field& field, const JacobianRequest& request,

@@ -12,12 +12,19 @@ class ImmersedVolumes : public ElementKind {
   std::vector<double> buoyancy;  // in full, N
   std::vector<double> height;    // of the body, m
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {1, Among::points});
+    visit("buoyancy", buoyancy);
+    visit("height", height);
+  }
+
   int count() const { return static_cast<int>(node.size()); }
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Adds one element's force (N) to force[0..2].
-  void add_element_force(int e, const Field& field, double* force) const;
+  // Force (N) on one element.
+  Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}

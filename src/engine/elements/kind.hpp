@@ -5,19 +5,25 @@
 #include <vector>
 
 #include "../base/block_sink.hpp"
+#include "../base/fields.hpp"
 #include "../base/geometry.hpp"
+#include "../base/ground.hpp"
 #include "../base/immersion.hpp"
 #include "../base/water.hpp"
 
 namespace codend {
 
-// Where all points are and how they move, in the frame of the gear.
+class Bars;
+
+// Where all points are, how they move in the frame of the gear, and what they move in.
 struct Field {
   const double* position;  // 3 per point, m
   const double* velocity;  // 3 per point, m/s
   const Water* water;
   // Speed of the flow past each point as a share of the free flow's, behind netting; null: 1.
   const double* wake = nullptr;
+  const Ground* ground = nullptr;  // null or not present: none
+  const Bars* bars = nullptr;      // of the model, for elements that are made of bars
 
   // Velocity of the water relative to a body at a point (m/s), and how it changes with height (1/s).
   // Of a body (height in m) that is partly out of the water, reduced so that its square drags the
@@ -58,6 +64,9 @@ class ElementKind {
   virtual void add_added_mass(const Field& field, double* mass) const = 0;
   // Adds the drag's damping per point (N s/m) at the present speed: a scale for pseudo-time.
   virtual void add_drag_scale(const Field& field, double* scale) const = 0;
+  // Whether its elements may stand in an unstable equilibrium, as a plate across the flow does, and so
+  // have to be tried: the size of the least of them, m, by which a perturbation is scaled. 0: no.
+  virtual double unstable_size() const { return 0.0; }
 };
 
 }  // namespace codend

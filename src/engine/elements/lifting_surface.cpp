@@ -35,16 +35,16 @@ void LiftingSurfaces::lift(LiftDirection direction, const Vector& u, Vector& val
                 (speed / (flat * flat * flat)) * (p * horizontal.transpose());
 }
 
-void LiftingSurfaces::add_element_force(int e, const Field& field, double* force) const {
+Vector LiftingSurfaces::element_force(int e, const Field& field) const {
   Vector u, du, value;
   Matrix by_velocity;
   field.relative_velocity(node[e], height[e], u, du);
-  lift(static_cast<LiftDirection>(direction[e]), u, value, by_velocity);
-  at(force, 0) += (0.5 * field.water->density * lift_area[e]) * value;
+  lift(direction[e], u, value, by_velocity);
+  return (0.5 * field.water->density * lift_area[e]) * value;
 }
 
 void LiftingSurfaces::add_force(const Field& field, double* force) const {
-  for (int e = 0; e < count(); ++e) add_element_force(e, field, force + 3 * node[e]);
+  for (int e = 0; e < count(); ++e) at(force, node[e]) += element_force(e, field);
 }
 
 void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& request,
@@ -55,7 +55,7 @@ void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& re
     Vector u, du, value;
     Matrix by_velocity;
     const double own = field.relative_velocity(node[e], height[e], u, du);
-    lift(static_cast<LiftDirection>(direction[e]), u, value, by_velocity);
+    lift(direction[e], u, value, by_velocity);
     by_velocity *= 0.5 * field.water->density * lift_area[e];
     Matrix block = (request.damping * own) * by_velocity;
     block.col(2) -= request.stiffness * (by_velocity * du);

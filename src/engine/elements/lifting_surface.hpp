@@ -1,31 +1,40 @@
-// Bodies at one point whose lift stands across the flow: otter boards, kites, soft canvas,
+// Bodies at one point whose lift stands across the flow: plates, sheets of canvas,
 // depressors, at a fixed angle of attack.
 //
 //   F = 1/2 rho |U|^2 A_L l,  l = (I - u u^T) r / |(I - u u^T) r|,  u = U/|U|
 //
 // with A_L = C_L A the lift area. The direction r is up (0, 0, 1), or sideways, z x u: to starboard
-// of the flow, so that a board keeps pushing outward while the gear turns. Drag is a Sphere's.
+// of the flow, so that a plate keeps pushing outward while the gear turns. Drag is a Sphere's.
 #pragma once
 
 #include "kind.hpp"
 
 namespace codend {
 
-enum class LiftDirection { up = 0, sideways = 1 };
+enum class LiftDirection { up, sideways };
+constexpr std::array<const char*, 2> names_of(LiftDirection) { return {"up", "sideways"}; }
 
 class LiftingSurfaces : public ElementKind {
  public:
   std::vector<int> node;
   std::vector<double> lift_area;  // C_L A, m2; negative: down, or to port
-  std::vector<int> direction;     // LiftDirection
-  std::vector<double> height;     // over which it leaves the water, m
+  std::vector<LiftDirection> direction;
+  std::vector<double> height;  // over which it leaves the water, m
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {1, Among::points});
+    visit("lift_area", lift_area);
+    visit("direction", direction);
+    visit("height", height);
+  }
 
   int count() const { return static_cast<int>(node.size()); }
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Adds one element's force (N) to force[0..2].
-  void add_element_force(int e, const Field& field, double* force) const;
+  // Force (N) on one element.
+  Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}

@@ -14,7 +14,7 @@ struct Line {
   double shape[N];         // a_k
   double rest;             // L0, m
   double multiplicity;     // lines in parallel
-  const TwineMaterial* material;
+  int material;            // place among the model's
   int index;               // among all lines of the model
   double point_share = 1.0 / N;  // of drag, in the arrays of lines
 

@@ -17,10 +17,11 @@ std::size_t column_length(int lines) {
 
 }  // namespace
 
-Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
-             const HexagonalTriangles& hexagons, const Water& water, SlackDrag slack,
-             const LineKernels& kernels)
-    : bars_(bars),
+Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
+             const NettingTriangles& triangles, const HexagonalTriangles& hexagons,
+             const Water& water, SlackDrag slack, const LineKernels& kernels)
+    : materials_(materials),
+      bars_(bars),
       triangles_(triangles),
       hexagons_(hexagons),
       water_(water),
@@ -36,10 +37,7 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
       &a.drag[0], &a.drag[1], &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   bool damped = false;
-  for (const std::vector<TwineMaterial>* materials : {bars.materials, triangles.materials}) {
-    if (!materials) continue;
-    for (const TwineMaterial& m : *materials) damped = damped || m.damping > 0.0;
-  }
+  for (const TwineMaterial& m : materials) damped = damped || m.damping > 0.0;
   if (damped) {
     columns.insert(columns.end(),
                    {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
@@ -61,7 +59,7 @@ Lines::Lines(const Bars& bars, const NettingTriangles& triangles,
 
 template <int N>
 void Lines::describe(const Line<N>& line) {
-  const TwineMaterial& m = *line.material;
+  const TwineMaterial& m = materials_[static_cast<std::size_t>(line.material)];
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
   // Where no line is left, none pulls.

@@ -18,8 +18,9 @@ namespace codend {
 class Lines {
  public:
   // What is passed must outlive this and not change.
-  Lines(const Bars& bars, const NettingTriangles& triangles, const HexagonalTriangles& hexagons,
-        const Water& water, SlackDrag slack, const LineKernels& kernels = line_kernels());
+  Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
+        const NettingTriangles& triangles, const HexagonalTriangles& hexagons, const Water& water,
+        SlackDrag slack, const LineKernels& kernels = line_kernels());
   Lines(const Lines&) = delete;
 
   int count() const { return count_; }
@@ -60,6 +61,7 @@ class Lines {
   template <class Visit>
   static void in_strips(int count, Visit visit);
 
+  const std::vector<TwineMaterial>& materials_;
   const Bars& bars_;
   const NettingTriangles& triangles_;
   const HexagonalTriangles& hexagons_;

@@ -19,6 +19,15 @@ class MeshOpenings : public ElementKind {
   std::vector<double> angle;          // b0, rad
   std::vector<double> multiplicity;   // that of the netting triangle over the bar's length squared
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {3, Among::points});
+    visit("twine", twine, {6});
+    visit("couple", couple);
+    visit("angle", angle);
+    visit("multiplicity", multiplicity);
+  }
+
   int count() const { return static_cast<int>(couple.size()); }
   int nodes_per_element() const override { return 3; }
   const std::vector<int>& nodes() const override { return node; }

@@ -71,7 +71,7 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
 
 ScreenForce NettingScreens::force(int e, const ScreenFlow& flow, const Water& water) const {
   const std::size_t t = static_cast<std::size_t>(e);
-  return screen_force(static_cast<NettingScreenLaw>(law[t]), flow, twine_area[t], diameter[t],
+  return screen_force(law[t], flow, twine_area[t], diameter[t],
                       multiplicity[t], water);
 }
 

@@ -42,7 +42,17 @@ class NettingScreens : public ElementKind {
   std::vector<double> diameter;      // of the twine, m
   std::vector<double> height;        // over which they leave the water, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
-  std::vector<int> law;              // NettingScreenLaw
+  std::vector<NettingScreenLaw> law;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {3, Among::points});
+    visit("twine_area", twine_area);
+    visit("diameter", diameter);
+    visit("height", height);
+    visit("multiplicity", multiplicity);
+    visit("law", law);
+  }
 
   int count() const { return static_cast<int>(law.size()); }
   int nodes_per_element() const override { return 3; }

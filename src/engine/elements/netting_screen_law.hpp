@@ -20,9 +20,14 @@
 // whose least drag is that of 0.04 of the area even without any twine, are in proportion to it.
 #pragma once
 
+#include <array>
+
 namespace codend {
 
-enum class NettingScreenLaw { loland = 0, aarsnes = 1, kristiansen_faltinsen = 2 };
+enum class NettingScreenLaw { loland, aarsnes, kristiansen_faltinsen };
+constexpr std::array<const char*, 3> names_of(NettingScreenLaw) {
+  return {"loland", "aarsnes", "kristiansen_faltinsen"};
+}
 
 // A value and its derivatives by cos theta, solidity and Reynolds number.
 struct ScreenCoefficient {

@@ -22,7 +22,6 @@ class NettingTriangles {
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
   std::vector<double> height;        // over which it leaves the water, m; where there is a surface
-  const std::vector<TwineMaterial>* materials = nullptr;
   int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
 
   // a1 a2 a3 b1 b2 b3, one array each with room for 7 triangles more, and d; from prepare().
@@ -47,7 +46,7 @@ class NettingTriangles {
     const std::size_t e = static_cast<std::size_t>(triangle);
     const std::vector<double>* a = shape + 3 * which;
     return {&node[3 * e], {a[0][e], a[1][e], a[2][e]}, rest[e],
-            0.5 * std::abs(twice_bars[e]) * multiplicity[e], &(*materials)[material[e]],
+            0.5 * std::abs(twice_bars[e]) * multiplicity[e], material[e],
             first_line + which * count() + triangle};
   }
 };

@@ -1,4 +1,4 @@
-// Lift and drag coefficients of a board by its angle of attack, over the full circle.
+// Lift and drag coefficients of a plate by its angle of attack, over the full circle.
 //
 // Between its knots a cubic that takes over values and slopes, so that forces have continuous
 // derivatives.
@@ -16,6 +16,15 @@ class Polar {
  public:
   // Ascending from -pi to pi (rad), where the values are those at the beginning.
   std::vector<double> angle, lift, drag, lift_slope, drag_slope;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("angle", angle);
+    visit("lift", lift);
+    visit("drag", drag);
+    visit("lift_slope", lift_slope);
+    visit("drag_slope", drag_slope);
+  }
 
   // angle in [-pi, pi].
   PolarPoint at_angle(double angle) const;

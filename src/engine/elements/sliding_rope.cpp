@@ -4,8 +4,7 @@
 
 namespace codend {
 
-void SlidingRope::connect(const Bars& bars) {
-  bars_ = &bars;
+void SlidingRope::prepare(const Bars& bars) {
   node_.clear();
   for (const int b : bar) node_.push_back(bars.node[2 * static_cast<std::size_t>(b)]);
   if (!bar.empty()) node_.push_back(bars.node[2 * static_cast<std::size_t>(bar.back()) + 1]);
@@ -25,8 +24,8 @@ SlidingRope::Pull SlidingRope::pull(const Field& field) const {
     double length;
     direction(k, field, length);
     p.length += length;
-    p.rest += bars_->rest[b];
-    whole = whole && bars_->multiplicity[b] > 0.0;
+    p.rest += field.bars->rest[b];
+    whole = whole && field.bars->multiplicity[b] > 0.0;
   }
   if (whole && p.length > p.rest) p.tension = axial_stiffness * (p.length / p.rest - 1.0);
   return p;

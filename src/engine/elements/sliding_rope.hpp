@@ -22,9 +22,15 @@ class SlidingRope : public ElementKind {
   double axial_stiffness = 0.0;  // EA, N
   double bend = 0.02;            // b, m
 
-  // Call once after filling; the bars must outlive this. Their rest lengths may change at any time,
-  // and one whose multiplicity is 0 has parted.
-  void connect(const Bars& bars);
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("bar", bar, {1, Among::bars});
+    visit("axial_stiffness", axial_stiffness);
+  }
+
+  // Call once after filling, with the bars of the model. In use it asks those of the Field, whose rest
+  // lengths may change at any time; one whose multiplicity is 0 has parted.
+  void prepare(const Bars& bars);
   // N.
   double tension(const Field& field) const { return pull(field).tension; }
   // J.
@@ -46,7 +52,6 @@ class SlidingRope : public ElementKind {
   Vector direction(std::size_t k, const Field& field, double& length) const;
   Pull pull(const Field& field) const;
 
-  const Bars* bars_ = nullptr;
   std::vector<int> node_;
 };
 

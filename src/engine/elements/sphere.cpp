@@ -30,16 +30,16 @@ void Spheres::coefficient(int e, double speed, double viscosity, double& value,
   slope = 6.0 / one - 3.0 * root / (one * one) + 0.4;
 }
 
-void Spheres::add_element_force(int e, const Field& field, double* force) const {
+Vector Spheres::element_force(int e, const Field& field) const {
   Vector u, du;
   field.relative_velocity(node[e], height[e], u, du);
   double c, slope;
   coefficient(e, u.norm(), field.water->viscosity, c, slope);
-  at(force, 0) += (0.5 * field.water->density * drag_area[e] * c) * u;
+  return (0.5 * field.water->density * drag_area[e] * c) * u;
 }
 
 void Spheres::add_force(const Field& field, double* force) const {
-  for (int e = 0; e < count(); ++e) add_element_force(e, field, force + 3 * node[e]);
+  for (int e = 0; e < count(); ++e) at(force, node[e]) += element_force(e, field);
 }
 
 void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,

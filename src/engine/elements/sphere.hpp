@@ -1,4 +1,4 @@
-// Bodies without lift at one point: knots, floats, hammers, catch. Drag 1/2 rho A C |U| U.
+// Bodies without lift at one point: knots, balls, weights. Drag 1/2 rho A C |U| U.
 //
 // Knots are spheres with C(Re) = 24/Re + 6/(1 + sqrt Re) + 0.4, Re = |U| d / nu (F. White, Viscous
 // Fluid Flow; good below Re = 2e5). Smooth spheres go through the drag crisis (F. A. Morrison, Data
@@ -21,12 +21,22 @@ class Spheres : public ElementKind {
   std::vector<double> added_mass; // kg at density 1 kg/m3 of water, i.e. m3
   std::vector<double> height;     // over which it leaves the water, m
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {1, Among::points});
+    visit("drag_area", drag_area);
+    visit("diameter", diameter);
+    visit("smooth", smooth);
+    visit("added_mass", added_mass);
+    visit("height", height);
+  }
+
   int count() const { return static_cast<int>(node.size()); }
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Adds one element's force (N) to force[0..2].
-  void add_element_force(int e, const Field& field, double* force) const;
+  // Force (N) on one element.
+  Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field& field, double* mass) const override;

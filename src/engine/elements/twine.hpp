@@ -27,9 +27,27 @@ struct TwineMaterial {
   double added_mass_tangential = 0.0;
   CylinderLaw law;
   bool strut = false;  // also pushes: T = EA (L/L0 - 1) of either sign
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("axial_stiffness", axial_stiffness);
+    visit("damping", damping);
+    visit("diameter", diameter);
+    visit("volume_per_length", volume_per_length);
+    visit("added_mass_normal", added_mass_normal);
+    visit("added_mass_tangential", added_mass_tangential);
+    visit("law", law.kind);
+    visit("normal", law.normal);
+    visit("tangential", law.tangential);
+    visit("skin", law.skin);
+    visit("solidity", law.solidity);
+    visit("tangential_share", law.tangential_share);
+    visit("strut", strut);
+  }
 };
 
-enum class SlackDrag { curved = 0, straight = 1 };
+enum class SlackDrag { curved, straight };
+constexpr std::array<const char*, 2> names_of(SlackDrag) { return {"curved", "straight"}; }
 
 // Tension of one line, N.
 inline double twine_tension(const TwineMaterial& m, double length, double rest) {

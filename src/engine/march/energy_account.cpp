@@ -55,10 +55,10 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
     const int k = line.index;
     const double tension = lines.multiplicity[k] * lines.tension[k];
     const double length = line.rest * (1.0 + lines.strain[k]);
-    moment.elastic += lines.multiplicity[k] * twine_energy(*line.material, length, line.rest);
+    moment.elastic += lines.multiplicity[k] * twine_energy(model.material(line), length, line.rest);
     if (k < model.bars.count()) {
       moment.give[static_cast<std::size_t>(k)] =
-          lines.multiplicity[k] * give(*line.material, length, line.rest);
+          lines.multiplicity[k] * give(model.material(line), length, line.rest);
     }
     if (tension == 0.0) return;
     const double stretching =
@@ -66,7 +66,7 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
         line.vector(field.velocity).dot(Vector(lines.e[0][k], lines.e[1][k], lines.e[2][k]));
     named -= tension * stretching;
     const double spring =
-        lines.multiplicity[k] * twine_tension(*line.material, length, line.rest);
+        lines.multiplicity[k] * twine_tension(model.material(line), length, line.rest);
     moment.damping -= (tension - spring) * stretching;
   });
   for (const SlidingRope& rope : model.sliding) {
@@ -82,9 +82,9 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
   for (int e = 0; e < contacts.count(); ++e) {
     const double penetration = contacts.penetration(e, field);
     double press, slope;
-    contacts.ground.press(penetration, contacts.area[e], press, slope);
-    moment.elastic += pressed(contacts.ground, penetration, contacts.area[e]);
-    named += press * contacts.ground.normal.dot(at(field.velocity, contacts.node[e]));
+    model.ground.press(penetration, contacts.area[e], press, slope);
+    moment.elastic += pressed(model.ground, penetration, contacts.area[e]);
+    named += press * model.ground.normal.dot(at(field.velocity, contacts.node[e]));
   }
   moment.water = all - named;
 }

@@ -39,8 +39,7 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   taut.modulus.assign(lines.stiffness, lines.stiffness + count);
   for (int e = 0; e < assembly.model().contacts.count(); ++e) {
     taut.tension.push_back(0.0);
-    taut.modulus.push_back(assembly.model().contacts.ground.stiffness *
-                           assembly.model().contacts.area[e]);
+    taut.modulus.push_back(assembly.model().ground.stiffness * assembly.model().contacts.area[e]);
   }
   FastestRates rates;
   assembly.jacobian({1.0, 0.0}, values.data(), &taut);

@@ -48,7 +48,7 @@ void LineTensions::prepare() {
   const GroundContacts& contacts = assembly_.model().contacts;
   for (int e = 0; e < contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
-    contacts.ground.press(contacts.penetration(e, assembly_.field()), contacts.area[e],
+    assembly_.model().ground.press(contacts.penetration(e, assembly_.field()), contacts.area[e],
                           current_.tension[k], current_.modulus[k]);
     right_.tension[k] = current_.tension[k];
   }

@@ -10,8 +10,8 @@ Assembly::Assembly(const Model& model)
     : model_(model),
       kinds_(model.kinds()),
       free_(model),
-      lines_(model.bars, model.triangles, model.hexagons, model.water, model.slack),
-      wake_(model.screens, model.points()),
+      lines_(model.materials, model.bars, model.triangles, model.hexagons, model.water, model.slack),
+      wake_(model.wake_sheets, model.points()),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
       load_(position_.size()),
@@ -69,20 +69,20 @@ void Assembly::move_to(const double* x, const double* v) {
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
 }
 
-Vector Assembly::flow_past_screens() const {
+Vector Assembly::flow_past_wake_sheets() const {
   Vector flow = Vector::Zero(), current, slope;
   double height = 0.0;
-  for (const int p : model_.screens.node) {
+  for (const int p : model_.wake_sheets.node) {
     height += at(position_.data(), p).z();
     flow -= at(velocity_.data(), p);
   }
-  const double points = static_cast<double>(model_.screens.node.size());
+  const double points = static_cast<double>(model_.wake_sheets.node.size());
   model_.water.velocity(height / points, current, slope);
   return flow / points + current;
 }
 
 double Assembly::shade(bool search, double tolerance) {
-  const Vector flow = flow_past_screens();
+  const Vector flow = flow_past_wake_sheets();
   // Where they stand still in still water there is no wake.
   if (flow.norm() == 0.0) return 0.0;
   flow_known_ = false;
@@ -90,11 +90,11 @@ double Assembly::shade(bool search, double tolerance) {
 }
 
 void Assembly::shade_over(double time) {
-  const Vector flow = flow_past_screens();
+  const Vector flow = flow_past_wake_sheets();
   const double speed = flow.norm();
   if (speed == 0.0) return;
   double first = 1e300, last = -1e300;
-  for (const int p : model_.screens.node) {
+  for (const int p : model_.wake_sheets.node) {
     const double along = flow.dot(at(position_.data(), p)) / speed;
     first = std::min(first, along);
     last = std::max(last, along);
@@ -235,7 +235,7 @@ const LineChange& Assembly::line_change(const double* dx) {
   const GroundContacts& contacts = model_.contacts;
   for (int e = 0; e < contacts.count(); ++e) {
     change_.strain[static_cast<std::size_t>(lines_.count() + e)] =
-        -contacts.ground.normal.dot(at(moved_.data(), contacts.node[e]));
+        -model_.ground.normal.dot(at(moved_.data(), contacts.node[e]));
   }
   return change_;
 }

@@ -100,12 +100,13 @@ class Assembly {
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
   Field field() const {
-    return {position_.data(), velocity_.data(), &model_.water, shades() ? wake().data() : nullptr};
+    return {position_.data(), velocity_.data(), &model_.water, shades() ? wake().data() : nullptr,
+            &model_.ground,   &model_.bars};
   }
 
  private:
   // The flow past the netting that shades, at its mean height, m/s.
-  Vector flow_past_screens() const;
+  Vector flow_past_wake_sheets() const;
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;

@@ -1,53 +1,127 @@
 #include "evaluate.hpp"
 
-#include <cmath>
+#include <stdexcept>
 
 namespace codend {
 namespace {
 
-// Numbers [first, first + count) of lines whose drag is shared by `points` equal points.
-void read_lines(const LineArrays& lines, int points, int first, int count,
-                std::vector<double>& tension, std::vector<double>& length,
-                std::vector<double>& drag) {
-  tension.assign(lines.tension + first, lines.tension + first + count);
-  length.resize(static_cast<std::size_t>(count));
-  drag.resize(3 * static_cast<std::size_t>(count), 0.0);
+// Drag of lines [first, first + count), 3 each; each is shared by `points` equal points.
+void add_line_drag(const LineArrays& lines, int points, int first, int count,
+                   std::vector<double>& drag) {
   for (int k = 0; k < count; ++k) {
     const int line = first + k;
-    length[k] = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).norm();
     at(drag.data(), k) += points * Vector(lines.drag[0][line], lines.drag[1][line],
                                           lines.drag[2][line]);
   }
 }
 
-// Force of every one-point element: the kind is asked once, with one place per element.
-template <class Kind>
-std::vector<double> point_forces(const Kind& kind, const Field& field) {
-  std::vector<double> out(3 * static_cast<std::size_t>(kind.count()), 0.0);
-  for (int e = 0; e < kind.count(); ++e) kind.add_element_force(e, field, &out[3 * e]);
+std::vector<double> vectors(int count) {
+  return std::vector<double>(3 * static_cast<std::size_t>(count), 0.0);
+}
+
+std::vector<double> bar_drag(const Assembly& assembly) {
+  const int bars = assembly.model().bars.count();
+  std::vector<double> drag = vectors(bars);
+  add_line_drag(assembly.lines(), 2, 0, bars, drag);
+  return drag;
+}
+
+std::vector<double> triangle_drag(const Assembly& assembly) {
+  const Model& model = assembly.model();
+  const int triangles = model.triangles.count(), hexagons = model.hexagons.count();
+  std::vector<double> plain = vectors(triangles), hexagonal = vectors(hexagons);
+  for (int family = 0; family < 2; ++family) {
+    add_line_drag(assembly.lines(), 3, model.triangles.first_line + family * triangles, triangles,
+                  plain);
+  }
+  for (int family = 0; family < 3; ++family) {
+    add_line_drag(assembly.lines(), 1, model.hexagons.first_line + family * hexagons, hexagons,
+                  hexagonal);
+  }
+  return in_list_order(model.hexagonal, 3, plain, hexagonal.data(),
+                       static_cast<std::size_t>(hexagons));
+}
+
+template <auto kind>
+std::vector<double> of_elements(const Assembly& assembly) {
+  const auto& elements = assembly.model().*kind;
+  std::vector<double> out = vectors(elements.count());
+  for (int e = 0; e < elements.count(); ++e) {
+    at(out.data(), e) = elements.element_force(e, assembly.field());
+  }
   return out;
 }
 
-template <class Kind>
-std::vector<double> element_forces(const Kind& kind, const Field& field) {
-  std::vector<double> out(3 * static_cast<std::size_t>(kind.count()));
-  for (int e = 0; e < kind.count(); ++e) at(out.data(), e) = kind.element_force(e, field);
+template <auto force>
+std::vector<double> of_plates(const Assembly& assembly) {
+  const LiftingPlates& plates = assembly.model().plates;
+  std::vector<double> out = vectors(plates.count());
+  for (int p = 0; p < plates.count(); ++p) {
+    at(out.data(), p) = plates.attitude(p, assembly.field()).*force;
+  }
   return out;
 }
 
-void read_hexagons(const Model& model, const LineArrays& lines, Evaluation& out) {
-  const int hexagons = model.hexagons.count(), first = model.hexagons.first_line;
-  std::vector<double> drag;
-  read_lines(lines, 1, first, 3 * hexagons, out.hexagon_tension, out.hexagon_length, drag);
-  out.hexagon_drag.assign(3 * static_cast<std::size_t>(hexagons), 0.0);
-  for (int which = 0; which < 3; ++which) {
-    for (int e = 0; e < hexagons; ++e) {
-      at(out.hexagon_drag.data(), e) += at(drag.data(), which * hexagons + e);
-    }
+// Tensions and lengths of one line of each element.
+void read_lines(const LineArrays& lines, int first, int count, std::vector<double>& tension,
+                std::vector<double>& length) {
+  tension.assign(lines.tension + first, lines.tension + first + count);
+  length.resize(static_cast<std::size_t>(count));
+  for (int k = 0; k < count; ++k) {
+    const int line = first + k;
+    length[k] = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).norm();
   }
 }
 
+void read_triangles(const Model& model, const LineArrays& lines, Evaluation& out) {
+  const int triangles = model.triangles.count(), hexagons = model.hexagons.count();
+  std::vector<double> tension, length, hexagon_tension, hexagon_length;
+  // Plain triangles have no straight bars.
+  auto family = [&](int plain, int hexagonal, std::vector<double>& tensions,
+                    std::vector<double>& lengths) {
+    if (plain < 0) {
+      tension.assign(static_cast<std::size_t>(triangles), 0.0);
+      length = tension;
+    } else {
+      read_lines(lines, model.triangles.first_line + plain * triangles, triangles, tension, length);
+    }
+    read_lines(lines, model.hexagons.first_line + hexagonal * hexagons, hexagons, hexagon_tension,
+               hexagon_length);
+    const std::size_t n = static_cast<std::size_t>(hexagons);
+    tensions = in_list_order(model.hexagonal, 1, tension, hexagon_tension.data(), n);
+    lengths = in_list_order(model.hexagonal, 1, length, hexagon_length.data(), n);
+  };
+  family(-1, 0, out.straight_tension, out.straight_length);
+  family(0, 1, out.u_tension, out.u_length);
+  family(1, 2, out.v_tension, out.v_length);
+}
+
 }  // namespace
+
+const std::vector<ReportedForce>& reported_forces() {
+  static const std::vector<ReportedForce> all = {
+      {"bar_drag", "bars", Cause::flow, bar_drag},
+      {"triangle_drag", "triangles", Cause::flow, triangle_drag},
+      {"screen_force", "screens", Cause::flow, of_elements<&Model::screens>},
+      {"blended_force", "blended", Cause::flow, of_elements<&Model::blended>},
+      {"sphere_drag", "spheres", Cause::flow, of_elements<&Model::spheres>},
+      {"lift_force", "lifts", Cause::flow, of_elements<&Model::lifts>},
+      {"plate_force", "plates", Cause::flow, of_plates<&PlateAttitude::force>},
+      {"pressure_force", "pressure", Cause::flow, of_elements<&Model::pressure>},
+      {"contact_force", "contacts", Cause::ground, of_elements<&Model::contacts>},
+      {"plate_ground_force", "plates", Cause::ground, of_plates<&PlateAttitude::ground_force>},
+      {"volume_force", "volumes", Cause::surface, of_elements<&Model::volumes>},
+      {"plate_lost_buoyancy", "plates", Cause::surface, of_plates<&PlateAttitude::lost_buoyancy>},
+  };
+  return all;
+}
+
+const std::vector<double>& Evaluation::reported(const std::string& name) const {
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    if (name == reported_forces()[k].name) return forces[k];
+  }
+  throw std::out_of_range("no reported force is called " + name);
+}
 
 Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   const Model& model = assembly.model();
@@ -57,25 +131,14 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   assembly.move_to(x, v);
   assembly.residual(out.force.data());
   assembly.mass(out.mass.data());
-  const int bars = model.bars.count(), triangles = model.triangles.count();
-  const LineArrays& lines = assembly.lines();
-  read_lines(lines, 2, 0, bars, out.bar_tension, out.bar_length, out.bar_drag);
+  read_lines(assembly.lines(), 0, model.bars.count(), out.bar_tension, out.bar_length);
   for (const SlidingRope& rope : model.sliding) {
     for (const int bar : rope.bar) out.bar_tension[bar] = rope.tension(assembly.field());
   }
-  read_lines(lines, 3, bars, triangles, out.u_tension, out.u_length, out.triangle_drag);
-  read_lines(lines, 3, bars + triangles, triangles, out.v_tension, out.v_length,
-             out.triangle_drag);
-  read_hexagons(model, lines, out);
-  out.sphere_drag = point_forces(model.spheres, assembly.field());
-  out.lift_force = point_forces(model.lifts, assembly.field());
-  out.catch_force = element_forces(model.pressure, assembly.field());
-  out.screen_force = element_forces(model.drag_screens, assembly.field());
-  out.blended_force = element_forces(model.blended, assembly.field());
-  out.contact_force = point_forces(model.contacts, assembly.field());
-  out.volume_force = point_forces(model.volumes, assembly.field());
-  for (int b = 0; b < model.boards.count(); ++b) {
-    out.boards.push_back(model.boards.attitude(b, assembly.field()));
+  read_triangles(model, assembly.lines(), out);
+  for (const ReportedForce& force : reported_forces()) out.forces.push_back(force.of(assembly));
+  for (int p = 0; p < model.plates.count(); ++p) {
+    out.plates.push_back(model.plates.attitude(p, assembly.field()));
   }
   return out;
 }

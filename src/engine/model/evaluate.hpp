@@ -7,21 +7,34 @@
 
 namespace codend {
 
+// What a force on an element comes from: the flow of the water, the sea bed, or the water's surface
+// (buoyancy that is lost above it).
+enum class Cause { flow, ground, surface };
+constexpr std::array<const char*, 3> names_of(Cause) { return {"flow", "ground", "surface"}; }
+
+// A force that readers are told of, of every element of a kind. Tables of drag, balances and exports go
+// by the list of these, so that a force of a new kind of element is one row more (evaluate.cpp).
+struct ReportedForce {
+  const char* name;
+  const char* kind;  // whose elements, by their name in the model (Model::fields)
+  Cause cause;
+  // N, 3 per element, where the assembly was last moved to.
+  std::vector<double> (*of)(const Assembly& assembly);
+};
+const std::vector<ReportedForce>& reported_forces();
+
 struct Evaluation {
   std::vector<double> force;  // net force per node, N, 3 each
   std::vector<double> mass;   // mass and added mass per node, kg, 9 each
-  // One line of each element: tension N, length m.
+  // One line of each element: tension N, length m. Triangles in the order of their list; the straight
+  // bars of plain ones, which have none, are 0.
   std::vector<double> bar_tension, bar_length;
-  std::vector<double> u_tension, u_length, v_tension, v_length;
-  // Of hexagonal triangles: the straight bars, then those along A, then those along B.
-  std::vector<double> hexagon_tension, hexagon_length;
-  // Hydrodynamic force of each whole element, N, 3 each.
-  std::vector<double> bar_drag, triangle_drag, hexagon_drag, sphere_drag, lift_force, catch_force,
-      screen_force, blended_force;
-  // Force of the ground on each contact, and of the surface on each volume (buoyancy that is lost),
-  // N, 3 each.
-  std::vector<double> contact_force, volume_force;
-  std::vector<BoardAttitude> boards;
+  std::vector<double> u_tension, u_length, v_tension, v_length, straight_tension, straight_length;
+  std::vector<std::vector<double>> forces;  // as reported_forces(), N, 3 per element
+  std::vector<PlateAttitude> plates;
+
+  // One of `forces` by its name; throws std::out_of_range for another.
+  const std::vector<double>& reported(const std::string& name) const;
 };
 
 // x (m), v (m/s): 3 per node.

@@ -7,36 +7,48 @@
 
 #include <vector>
 
+#include "../base/fields.hpp"
+#include "../base/ground.hpp"
 #include "../base/water.hpp"
 #include "../elements/bar.hpp"
 #include "../elements/bending.hpp"
 #include "../elements/blended_netting.hpp"
-#include "../elements/catch_pressure.hpp"
 #include "../elements/ground_contact.hpp"
 #include "../elements/hexagonal_triangle.hpp"
 #include "../elements/immersed_volume.hpp"
+#include "../elements/inner_pressure.hpp"
 #include "../elements/kind.hpp"
+#include "../elements/lifting_plate.hpp"
 #include "../elements/lifting_surface.hpp"
 #include "../elements/mesh_opening.hpp"
 #include "../elements/netting_screen.hpp"
 #include "../elements/netting_triangle.hpp"
-#include "../elements/otter_board.hpp"
 #include "../elements/sliding_rope.hpp"
 #include "../elements/sphere.hpp"
+#include "triangle_list.hpp"
 #include "wake.hpp"
 
 namespace codend {
 
 struct Tie {
-  int first, second;
-  double share;
+  int first = 0, second = 0;
+  double share = 0.0;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("first", first, {1, Among::nodes});
+    visit("second", second, {1, Among::nodes});
+    visit("share", share);
+  }
 };
 
+// Holds no pointer into itself: copies are whole.
 struct Model {
   int nodes = 0;
   std::vector<char> held;  // per node: 1 where its position is given
   std::vector<Tie> ties;
   Water water;
+  Ground ground;
   SlackDrag slack = SlackDrag::curved;
   std::vector<double> load;  // N, 3 per point: weight less buoyancy, and loads of the plan
   std::vector<double> mass;  // kg per point, without added mass
@@ -44,38 +56,77 @@ struct Model {
   Bars bars;
   NettingTriangles triangles;
   HexagonalTriangles hexagons;
+  // Of every triangle of a list in which both kinds stand mixed, whether it is hexagonal; empty: the
+  // plain ones come first.
+  std::vector<char> hexagonal;
   Spheres spheres;
   LiftingSurfaces lifts;
-  CatchPressure pressure;       // of the catch on netting
-  NettingScreens drag_screens;  // netting whose drag is a screen's
+  InnerPressure pressure;
+  NettingScreens screens;  // netting whose drag is a screen's
   BlendedNetting blended;
   MeshOpenings openings;
   Bends bends;  // of ropes that resist bending
-  OtterBoards boards;
+  LiftingPlates plates;
   std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
   ImmersedVolumes volumes;  // empty where water reaches everywhere
-  Screens screens;          // netting that slows the water behind it
+  WakeSheets wake_sheets;   // netting that slows the water behind it
   // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
   std::vector<double> wake;
+
+  // All that is read of a model, by name (fields.hpp). A new kind of element has a line here and one in
+  // kinds().
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("nodes", nodes);
+    visit.count(Among::nodes, static_cast<std::size_t>(nodes));
+    visit.columns("ties", ties);
+    visit.count(Among::points, static_cast<std::size_t>(points()));
+    visit("held", held, {1, Among::numbers, Per::node});
+    visit("load", load, {3, Among::numbers, Per::point});
+    visit("mass", mass, {1, Among::numbers, Per::point});
+    visit("wake", wake, {1, Among::numbers, Per::point, true});
+    visit.group("water", water);
+    ground.present = visit.optional("ground", ground);
+    visit("slack_twine", slack);
+    visit.columns("materials", materials);
+    visit.count(Among::materials, materials.size());
+    visit.group("bars", bars);
+    visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
+    TriangleList list;
+    visit.group("triangles", list);
+    list.divide(triangles, hexagons, hexagonal);
+    visit.group("spheres", spheres);
+    visit.group("lifts", lifts);
+    visit.group("pressure", pressure);
+    visit.group("screens", screens);
+    visit.group("blended", blended);
+    visit.group("openings", openings);
+    visit.group("bends", bends);
+    visit.items("plates", plates.plate);
+    visit.items("sliding", sliding);
+    visit.group("contacts", contacts);
+    visit.group("volumes", volumes);
+    visit.group("wake_sheets", wake_sheets);
+  }
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
   // All elements but lines and contacts.
   std::vector<const ElementKind*> kinds() const {
-    std::vector<const ElementKind*> all = {&spheres,      &lifts,   &boards,   &volumes, &pressure,
-                                           &drag_screens, &blended, &openings, &bends};
+    std::vector<const ElementKind*> all = {&spheres, &lifts,   &plates,   &volumes, &pressure,
+                                           &screens, &blended, &openings, &bends};
     for (const SlidingRope& rope : sliding) all.push_back(&rope);
     return all;
   }
-  // Call once after filling; copies of a Model need it again.
-  void connect() {
-    bars.materials = triangles.materials = hexagons.materials = &materials;
+  // Call once after filling.
+  void prepare() {
     triangles.first_line = bars.count();
     triangles.prepare();
     hexagons.first_line = bars.count() + 2 * triangles.count();
     hexagons.prepare();
-    boards.prepare();
-    for (SlidingRope& rope : sliding) rope.connect(bars);
+    plates.prepare();
+    blended.slack = slack;
+    for (SlidingRope& rope : sliding) rope.prepare(bars);
     // Bodies of unknown height: only asked for at a free surface.
     spheres.height.resize(spheres.node.size(), 1.0);
     spheres.smooth.resize(spheres.node.size(), 0);
@@ -85,6 +136,10 @@ struct Model {
   // lines, then the three families of hexagonal triangles. each_line() visits them in another
   // order; they know their number.
   int lines() const { return bars.count() + 2 * triangles.count() + 3 * hexagons.count(); }
+  template <int N>
+  const TwineMaterial& material(const Line<N>& line) const {
+    return materials[static_cast<std::size_t>(line.material)];
+  }
   // What a solver may carry the force of: lines, then contacts with the ground.
   int carriers() const { return lines() + contacts.count(); }
   template <class Visit>

@@ -16,11 +16,11 @@ constexpr double nearest = 0.1;
 // How far inside the sheets around a point its line of sight begins, of the way to their middle.
 constexpr double inside = 0.1;
 
-// The plane across the flow, divided into cells that list the screens over them.
+// The plane across the flow, divided into cells that list the sheets over them.
 struct Cells {
   double a0, b0, size;
   int columns, rows;
-  std::vector<int> start, screen;
+  std::vector<int> start, sheet;
 
   int column(double a) const {
     return std::clamp(static_cast<int>((a - a0) / size), 0, columns - 1);
@@ -43,7 +43,7 @@ double speed_reduction(WakeLaw law, double solidity, double cosine) {
 }
 
 void Wake::search(const double* position, const Vector& flow) {
-  const int screens = screens_.count(), points = static_cast<int>(share_.size());
+  const int sheets_in_all = sheets_.count(), points = static_cast<int>(share_.size());
   const Vector f = flow.normalized();
   const Vector p = f.unitOrthogonal(), q = f.cross(p);
   std::vector<double> a(points), b(points), along_flow(points);
@@ -57,8 +57,8 @@ void Wake::search(const double* position, const Vector& flow) {
   // count as beside another that covers it.
   std::vector<Vector> around(points, Vector::Zero());
   std::vector<int> sheets(points, 0);
-  for (int e = 0; e < screens; ++e) {
-    const int* n = &screens_.node[3 * static_cast<std::size_t>(e)];
+  for (int e = 0; e < sheets_in_all; ++e) {
+    const int* n = &sheets_.node[3 * static_cast<std::size_t>(e)];
     const Vector middle = (at(position, n[0]) + at(position, n[1]) + at(position, n[2])) / 3.0;
     for (int k = 0; k < 3; ++k) {
       around[n[k]] += middle;
@@ -66,7 +66,7 @@ void Wake::search(const double* position, const Vector& flow) {
     }
   }
   double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
-  for (const int n : screens_.node) {
+  for (const int n : sheets_.node) {
     low[0] = std::min(low[0], a[n]);
     low[1] = std::min(low[1], b[n]);
     high[0] = std::max(high[0], a[n]);
@@ -76,12 +76,12 @@ void Wake::search(const double* position, const Vector& flow) {
   const double wide = std::max(high[0] - low[0], 1e-9), tall = std::max(high[1] - low[1], 1e-9);
   cells.a0 = low[0];
   cells.b0 = low[1];
-  cells.size = std::max(std::sqrt(wide * tall / screens), std::max(wide, tall) / 2000.0);
+  cells.size = std::max(std::sqrt(wide * tall / sheets_in_all), std::max(wide, tall) / 2000.0);
   cells.columns = static_cast<int>(wide / cells.size) + 1;
   cells.rows = static_cast<int>(tall / cells.size) + 1;
   cells.start.assign(static_cast<std::size_t>(cells.columns) * cells.rows + 1, 0);
   auto each_cell = [&](int e, auto visit) {
-    const int* n = &screens_.node[3 * static_cast<std::size_t>(e)];
+    const int* n = &sheets_.node[3 * static_cast<std::size_t>(e)];
     const auto across = std::minmax({a[n[0]], a[n[1]], a[n[2]]});
     const auto up = std::minmax({b[n[0]], b[n[1]], b[n[2]]});
     for (int r = cells.row(up.first); r <= cells.row(up.second); ++r) {
@@ -90,17 +90,17 @@ void Wake::search(const double* position, const Vector& flow) {
       }
     }
   };
-  for (int e = 0; e < screens; ++e) each_cell(e, [&](std::size_t c) { ++cells.start[c + 1]; });
+  for (int e = 0; e < sheets_in_all; ++e) each_cell(e, [&](std::size_t c) { ++cells.start[c + 1]; });
   for (std::size_t c = 1; c < cells.start.size(); ++c) cells.start[c] += cells.start[c - 1];
-  cells.screen.resize(cells.start.back());
+  cells.sheet.resize(cells.start.back());
   std::vector<int> next(cells.start.begin(), cells.start.end() - 1);
-  for (int e = 0; e < screens; ++e) {
-    each_cell(e, [&](std::size_t c) { cells.screen[next[c]++] = e; });
+  for (int e = 0; e < sheets_in_all; ++e) {
+    each_cell(e, [&](std::size_t c) { cells.sheet[next[c]++] = e; });
   }
 
   start_.assign(1, 0);
   crossed_.clear();
-  // Points of regular nets lie exactly behind each other, where screens meet: a little aside each
+  // Points of regular nets lie exactly behind each other, where sheets meet: a little aside each
   // line crosses one of them.
   const double aside_a = 1e-5 * cells.size, aside_b = 0.618e-5 * cells.size;
   for (int n = 0; n < points; ++n) {
@@ -113,8 +113,8 @@ void Wake::search(const double* position, const Vector& flow) {
     if (x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1]) {
       const std::size_t c = static_cast<std::size_t>(cells.row(y)) * cells.columns + cells.column(x);
       for (int k = cells.start[c]; k < cells.start[c + 1]; ++k) {
-        const int e = cells.screen[k];
-        const int* corner = &screens_.node[3 * static_cast<std::size_t>(e)];
+        const int e = cells.sheet[k];
+        const int* corner = &sheets_.node[3 * static_cast<std::size_t>(e)];
         if (corner[0] == n || corner[1] == n || corner[2] == n) continue;
         // Shares of the corners at (x, y).
         double w[3], whole = 0.0;
@@ -138,14 +138,14 @@ double Wake::shade(const double* position, const Vector& flow, bool search_anew,
                    double follow) {
   if (search_anew || start_.empty()) search(position, flow);
   const Vector f = flow.normalized();
-  std::vector<double> r(static_cast<std::size_t>(screens_.count()));
-  for (int e = 0; e < screens_.count(); ++e) {
-    const int* n = &screens_.node[3 * static_cast<std::size_t>(e)];
+  std::vector<double> r(static_cast<std::size_t>(sheets_.count()));
+  for (int e = 0; e < sheets_.count(); ++e) {
+    const int* n = &sheets_.node[3 * static_cast<std::size_t>(e)];
     const Vector x = at(position, n[0]);
     const Vector normal = (at(position, n[1]) - x).cross(at(position, n[2]) - x);
     const double twice = normal.norm();
-    r[e] = twice > 0.0 ? speed_reduction(static_cast<WakeLaw>(screens_.law[e]),
-                                         2.0 * screens_.twine_area[e] / twice,
+    r[e] = twice > 0.0 ? speed_reduction(sheets_.law[e],
+                                         2.0 * sheets_.twine_area[e] / twice,
                                          std::abs(normal.dot(f)) / twice)
                        : 1.0;
   }

@@ -15,17 +15,26 @@
 
 #include <vector>
 
+#include "../base/fields.hpp"
 #include "../base/geometry.hpp"
 
 namespace codend {
 
-enum class WakeLaw { none = 0, loland = 1, cheng = 2 };
+enum class WakeLaw { none, loland, cheng };
+constexpr std::array<const char*, 3> names_of(WakeLaw) { return {"none", "loland", "cheng"}; }
 
-// Sheets of netting as triangles.
-struct Screens {
+// Sheets of netting, as triangles, that slow the water behind them.
+struct WakeSheets {
   std::vector<int> node;           // 3 points each
   std::vector<double> twine_area;  // diameter times length of the twine in each, m2
-  std::vector<int> law;            // WakeLaw
+  std::vector<WakeLaw> law;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {3, Among::points});
+    visit("twine_area", twine_area);
+    visit("law", law);
+  }
   int count() const { return static_cast<int>(law.size()); }
 };
 
@@ -37,12 +46,12 @@ double speed_reduction(WakeLaw law, double solidity, double cosine);
 
 class Wake {
  public:
-  Wake(const Screens& screens, int points) : screens_(screens), share_(points, 1.0) {}
-  bool present() const { return screens_.count() > 0; }
+  Wake(const WakeSheets& sheets, int points) : sheets_(sheets), share_(points, 1.0) {}
+  bool present() const { return sheets_.count() > 0; }
   const std::vector<double>& share() const { return share_; }
   void set_share(const std::vector<double>& share) { share_ = share; }
   // Renews the shares of all points at these positions (m, 3 each) in a flow of this direction (of
-  // any length but zero), if one of them is off by more than a tolerance; search: also which screens
+  // any length but zero), if one of them is off by more than a tolerance; search: also which sheets
   // lie upstream; follow: how far the shares go towards what is found, 1 all the way. Returns by how
   // much they were off at most.
   double shade(const double* position, const Vector& flow, bool search, double tolerance,
@@ -50,9 +59,9 @@ class Wake {
 
  private:
   void search(const double* position, const Vector& flow);
-  const Screens& screens_;
+  const WakeSheets& sheets_;
   std::vector<double> share_;
-  std::vector<int> start_, crossed_;  // screens upstream of point p: crossed_[start_[p] ...)
+  std::vector<int> start_, crossed_;  // sheets upstream of point p: crossed_[start_[p] ...)
 };
 
 }  // namespace codend

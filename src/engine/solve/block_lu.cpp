@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "flushed_denormals.hpp"
+
 namespace codend {
 
 namespace {
@@ -91,17 +93,23 @@ void BlockLU::measure() {
 }
 
 bool BlockLU::factorise(const double* values) {
-  factorised_ = std::visit(
-      [&](const auto& factors) { return factors->factorise(values, second_.get()); }, factors_);
+  if (const auto* factors = std::get_if<0>(&factors_)) {
+    factorised_ = (*factors)->factorise(values, second_.get());
+  } else {
+    const FlushedDenormals flushed;
+    factorised_ = std::get<1>(factors_)->factorise(values, second_.get());
+  }
   return factorised_;
 }
 
 void BlockLU::solve(const double* b, double* x) const {
   if (!factorised_) throw std::logic_error("block LU: no factors to solve with");
-  if (const auto* factors = std::get_if<0>(&factors_))
+  if (const auto* factors = std::get_if<0>(&factors_)) {
     solve_ordered(**factors, tree_.order, b, in_double_, x);
-  else
+  } else {
+    const FlushedDenormals flushed;
     solve_ordered(*std::get<1>(factors_), tree_.order, b, in_single_, x);
+  }
 }
 
 double BlockLU::solve_refined(const BlockPattern& pattern, const double* values, const double* b,

@@ -31,7 +31,7 @@ enum class Precision { double_precision, single_precision };
 class BlockLU {
  public:
   // precision: of the factors. In single precision they take half the memory and about 0.6 of the
-  // time; use solve_refined() then.
+  // time; use solve_refined() then. Denormal numbers in them count as zero.
   // threads: 1 or 2. Patterns of few nodes get one thread, since they gain nothing from two.
   // Throws std::invalid_argument for other numbers.
   explicit BlockLU(Precision precision = Precision::double_precision, int threads = 1);

@@ -1,5 +1,7 @@
 #include "second_thread.hpp"
 
+#include "flushed_denormals.hpp"
+
 namespace codend {
 
 SecondThread::~SecondThread() {
@@ -16,6 +18,7 @@ void SecondThread::run(void (*job)(void* data, int half), void* data) {
     const std::lock_guard<std::mutex> lock(mutex_);
     job_ = job;
     data_ = data;
+    control_ = floating_point_control();
   }
   changed_.notify_all();
   job(data, 0);
@@ -29,6 +32,7 @@ void SecondThread::work() {
     changed_.wait(lock, [this] { return job_ != nullptr || over_; });
     if (over_) return;
     lock.unlock();
+    set_floating_point_control(control_);
     job_(data_, 1);
     lock.lock();
     job_ = nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <thread>
 
@@ -15,6 +16,7 @@ class SecondThread {
   SecondThread& operator=(const SecondThread&) = delete;
 
   // Runs job(data, 0) here and job(data, 1) there; returns when both are done. Neither may throw.
+  // Both treat denormal numbers as the calling thread does.
   void run(void (*job)(void* data, int half), void* data);
 
  private:
@@ -24,6 +26,7 @@ class SecondThread {
   std::condition_variable changed_;
   void (*job_)(void* data, int half) = nullptr;  // null when there is nothing to do
   void* data_ = nullptr;
+  std::uint64_t control_ = 0;  // of the caller's floating-point unit
   bool over_ = false;
   std::thread thread_;
 };

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "block_lu.hpp"
-#include "board_stability.hpp"
+#include "stability.hpp"
 #include "tension_path.hpp"
 
 namespace codend {
@@ -41,10 +41,11 @@ constexpr int attempts = 8;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
 constexpr int shadings = 20, searches = 4;
-// Boards in a balance that does not last are pushed by this share of their chord, and the pseudo time
-// step stays below this share of the time in which their motion grows for so many steps. Tried so often.
-constexpr double push_share = 0.1, push_pace = 0.4;
-constexpr int push_steps = 40, pushes = 4;
+// An unstable equilibrium is perturbed by this share of the least unstable element's size, and the
+// pseudo time step stays below this share of the time in which the motion grows, for so many steps.
+// Tried so often.
+constexpr double perturbation_share = 0.1, perturbed_pace = 0.4;
+constexpr int perturbed_steps = 40, perturbations = 4;
 constexpr double first_pseudo_steps[attempts] = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};
 
 // CPU seconds into a total, from construction to destruction.
@@ -103,12 +104,15 @@ class Settling {
   // Of the shape that was found.
   GrowingMotion growing_motion() {
     Stopwatch watch(report_.seconds_linear);
-    return growing_board_motion(assembly_, *lu_);
+    return codend::growing_motion(assembly_, *lu_);
   }
 
-  // On from a shape that does not last, along the motion that leaves it or, backwards, against it.
+  // Whether an equilibrium may be unstable.
+  bool may_be_unstable() const { return unstable_size_ > 0.0; }
+
+  // On from an unstable shape, along the motion that leaves it or, backwards, against it.
   void leave(const GrowingMotion& from, bool backwards) {
-    const double size = (backwards ? -push_share : push_share) * least_chord();
+    const double size = (backwards ? -perturbation_share : perturbation_share) * unstable_size_;
     assembly_.strain(strain_);
     path_ = TensionPath(assembly_.model(), load_);
     path_.follow(strain_);
@@ -118,10 +122,10 @@ class Settling {
     turning_ = last_turning_ = 1.0;
     on_law_ = false;
     begun_ = true;
-    steps_to_law_ = push_steps;
+    steps_to_law_ = perturbed_steps;
     cycle_ = 0;
-    held_steps_ = push_steps;
-    held_pseudo_step_ = pseudo_step_ = push_pace / from.rate;
+    held_steps_ = perturbed_steps;
+    held_pseudo_step_ = pseudo_step_ = perturbed_pace / from.rate;
   }
 
   // Net forces of the law itself.
@@ -291,14 +295,6 @@ class Settling {
     }
   }
 
-  double least_chord() const {
-    double least = 1e12;
-    for (const OtterBoard& board : assembly_.model().boards.board) {
-      least = std::min(least, board.chord);
-    }
-    return least;
-  }
-
   // Net force (N) that a stiff line shows when its ends move by their rounding.
   double rounding_force() const {
     double far = 0.0;
@@ -308,7 +304,7 @@ class Settling {
       double arm = 0.0;
       for (const double a : line.shape) arm = std::max(arm, std::abs(a));
       stiffest = std::max(stiffest, line.multiplicity * arm * arm *
-                                        line.material->axial_stiffness / line.rest);
+                                        assembly_.model().material(line).axial_stiffness / line.rest);
     });
     return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
   }
@@ -330,6 +326,7 @@ class Settling {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
+  const double unstable_size_ = unstable_size(assembly_.model());  // m
   double load_;  // N
   double rounding_ = rounding_force();  // N
   TensionPath path_;
@@ -379,10 +376,10 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
         steps = 0;
       }
     }
-    if (report.converged && assembly.model().boards.count() > 0) {
+    if (report.converged && settling.may_be_unstable()) {
       const GrowingMotion growing = settling.growing_motion();
       report.upset_at_last = growing.found;
-      if (growing.found && report.upsets < pushes) {
+      if (growing.found && report.upsets < perturbations) {
         settling.leave(growing, report.upsets % 2 == 1);
         ++report.upsets;
         report.converged = false;

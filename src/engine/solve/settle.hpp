@@ -4,8 +4,8 @@
 // part it does not converge), made global in two ways: lines become tension-only along an interior
 // path (solve/tension_path.hpp), and a drag-like damping D/h holds the nodes back, with a pseudo
 // time step h that grows while lines turn little. Near the end both are gone and the step is plain
-// Newton's on the law itself. Free boards that settle where a small push carries them further away
-// (board_stability.hpp) are given that push, and the nodes held back until they have followed it.
+// Newton's on the law itself. An equilibrium that is unstable (stability.hpp) is perturbed, and the
+// nodes are held back until they have followed.
 #pragma once
 
 #include <functional>
@@ -38,8 +38,8 @@ struct SettleReport {
   double residual = 0.0;
   double largest_tension = 0.0;  // N
   int shadings = 0;          // times that wakes were renewed
-  int upsets = 0;            // times that boards were led away from a balance that does not last
-  bool upset_at_last = false;   // whether theirs still does not
+  int upsets = 0;            // times that an unstable equilibrium was perturbed
+  bool upset_at_last = false;   // whether the last one is still unstable
   double shading_change = 0.0;  // of any point's share of the free flow's speed, the last time
   int worst_node = -1;           // where the largest net force acts
   double worst_force = 0.0;      // N

@@ -25,7 +25,7 @@ constexpr double least_product = 1e-2;
 
 TensionPath::TensionPath(const Model& model, double load)
     : lines_(static_cast<std::size_t>(model.lines())),
-      ground_(model.contacts.ground),
+      ground_(model.ground),
       parameter_(first_parameter) {
   const std::size_t lines = static_cast<std::size_t>(model.carriers());
   stiffness_.resize(lines);
@@ -35,10 +35,11 @@ TensionPath::TensionPath(const Model& model, double load)
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
-    stiffness_[line.index] = line.material->axial_stiffness;
-    strut_[line.index] = line.material->strut;
-    scale_[line.index] =
-        line.material->strut ? 0.0 : std::min(0.01 * line.material->axial_stiffness, load);
+    stiffness_[line.index] = model.material(line).axial_stiffness;
+    strut_[line.index] = model.material(line).strut;
+    scale_[line.index] = model.material(line).strut
+                             ? 0.0
+                             : std::min(0.01 * model.material(line).axial_stiffness, load);
   });
   for (int e = 0; e < model.contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);

@@ -1,26 +1,26 @@
-// Motions of boards that grow, against the eigenvalues of the whole dense matrix.
+// Motions of plates that grow, against the eigenvalues of the whole dense matrix.
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "random_model.hpp"
-#include "solve/board_stability.hpp"
+#include "solve/stability.hpp"
 
 using namespace codend;
 
-TEST_CASE("a growing motion of boards is an eigenvector, and none is missed that stands out") {
+TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that stands out") {
   Random random(20260501);
   int found = 0, expected = 0;
   for (int repeat = 0; repeat < 60; ++repeat) {
     Ingredients wanted;
     wanted.bars = 25;
-    wanted.boards = 2;
+    wanted.plates = 2;
     wanted.struts = true;
     wanted.axial_stiffness = 200.0;
     Specimen s(random, wanted);
-    s.model.boards.ground.present = false;
-    s.model.connect();
+    s.model.ground.present = false;
+    s.model.prepare();
     Assembly assembly(s.model);
     assembly.move_to(s.x.data(), s.v.data());
     const BlockPattern& pattern = assembly.pattern();
@@ -57,7 +57,7 @@ TEST_CASE("a growing motion of boards is an eigenvector, and none is missed that
     }
     BlockLU lu(Precision::single_precision);
     lu.analyse(pattern, places.data());
-    const GrowingMotion growing = growing_board_motion(assembly, lu);
+    const GrowingMotion growing = growing_motion(assembly, lu);
     if (growing.found) {
       ++found;
       const Eigen::Map<const Eigen::VectorXd> motion(growing.motion.data(), 3 * pattern.n);
@@ -80,4 +80,18 @@ TEST_CASE("a growing motion of boards is an eigenvector, and none is missed that
   CHECK(found > 0);
   CHECK(found < 60);
   CHECK(expected >= found);
+}
+
+TEST_CASE(
+    "only kinds that may be unstable are tried, and a perturbation has the size of the least") {
+  Random random(7);
+  Ingredients wanted;
+  wanted.bars = 25;
+  Specimen without(random, wanted);
+  CHECK(unstable_size(without.model) == 0.0);
+  wanted.plates = 2;
+  Specimen with(random, wanted);
+  with.model.plates.plate[0].chord = 3.0;
+  with.model.plates.plate[1].chord = 2.0;
+  CHECK(unstable_size(with.model) == 2.0);
 }

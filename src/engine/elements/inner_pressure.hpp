@@ -1,5 +1,5 @@
-// The catch: triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where the
-// catch lies against them (D. Priour, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037;
+// Triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where what they enclose lies
+// against them, such as what gathers in a bag (D. Priour, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037;
 // C_d = 1.4).
 //
 // With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
@@ -12,11 +12,18 @@
 
 namespace codend {
 
-class CatchPressure : public ElementKind {
+class InnerPressure : public ElementKind {
  public:
   std::vector<int> node;          // 3 per triangle
   std::vector<double> weight;     // w_1 w_2 w_3 per triangle, signed
   double drag_coefficient = 1.4;  // C_d
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("node", node, {3, Among::points});
+    visit("weight", weight, {3});
+    visit("drag_coefficient", drag_coefficient);
+  }
 
   int count() const { return static_cast<int>(node.size() / 3); }
   int nodes_per_element() const override { return 3; }

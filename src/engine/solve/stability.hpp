@@ -1,5 +1,5 @@
-// Whether an equilibrium with free otter boards or kites lasts: a board that a small push carries
-// further away stands in a balance that nobody will ever see.
+// Whether an equilibrium is stable: one that a small perturbation grows in is never seen in nature. Tried
+// are the kinds of elements that may stand so (ElementKind::unstable_size).
 //
 // Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
 // forces (-dF/dx) and D the drag-like damping of pseudo time (Assembly::pseudo_damping). A motion
@@ -16,14 +16,18 @@
 
 namespace codend {
 
+// Size (m) of the least element of a model that may stand in an unstable equilibrium; 0: has none.
+double unstable_size(const Model& model);
+
 struct GrowingMotion {
   bool found = false;
-  double rate = 0.0;           // 1/s of pseudo time
-  std::vector<double> motion;  // 3 per free node; its largest at a point of a board is 1 long
+  double rate = 0.0;  // 1/s of pseudo time
+  std::vector<double>
+      motion;  // 3 per free node; its largest at a node of such an element is 1 long
 };
 
-// The motion of boards that grows fastest, at the place that the assembly was last moved to. Changes
-// the factors of `lu`, which must have been analysed for the assembly's pattern.
-GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu);
+// The motion of elements that may be unstable which grows fastest, at the place that the assembly was
+// last moved to. Changes the factors of `lu`, which must have been analysed for the assembly's pattern.
+GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu);
 
 }  // namespace codend

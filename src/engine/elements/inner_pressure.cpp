@@ -1,16 +1,16 @@
-#include "catch_pressure.hpp"
+#include "inner_pressure.hpp"
 
 #include <cmath>
 
 namespace codend {
 namespace {
 
-// Over which netting that holds a catch leaves the water, m.
+// Over which netting that is pushed from inside leaves the water, m.
 constexpr double leaving_height = 0.1;
 
 }  // namespace
 
-CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
+InnerPressure::Push InnerPressure::push(int e, const Field& field) const {
   Push out;
   out.u.setZero();
   for (int k = 0; k < 3; ++k) {
@@ -26,13 +26,13 @@ CatchPressure::Push CatchPressure::push(int e, const Field& field) const {
   return out;
 }
 
-Vector CatchPressure::element_force(int e, const Field& field) const {
+Vector InnerPressure::element_force(int e, const Field& field) const {
   const Push p = push(e, field);
   const double* w = &weight[3 * static_cast<std::size_t>(e)];
   return (w[0] + w[1] + w[2]) * p.pressure * p.area;
 }
 
-void CatchPressure::add_force(const Field& field, double* force) const {
+void InnerPressure::add_force(const Field& field, double* force) const {
   for (int e = 0; e < count(); ++e) {
     const Push p = push(e, field);
     for (int k = 0; k < 3; ++k) {
@@ -42,7 +42,7 @@ void CatchPressure::add_force(const Field& field, double* force) const {
   }
 }
 
-void CatchPressure::add_jacobian(const Field& field, const JacobianRequest& request,
+void InnerPressure::add_jacobian(const Field& field, const JacobianRequest& request,
                                  const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
     const Push p = push(e, field);
@@ -63,7 +63,7 @@ void CatchPressure::add_jacobian(const Field& field, const JacobianRequest& requ
   }
 }
 
-void CatchPressure::add_drag_scale(const Field& field, double* scale) const {
+void InnerPressure::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     const Push p = push(e, field);
     const double speed = p.u.norm();

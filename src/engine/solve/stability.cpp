@@ -1,4 +1,4 @@
-#include "board_stability.hpp"
+#include "stability.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,32 +13,45 @@ constexpr int least_iterations = 10, most_iterations = 100;
 constexpr double tolerance = 0.005;
 // Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
 constexpr double clear_growth = 1.02;
-// Slack netting that drifts carries boards with it by less than this share of its own way.
-constexpr double least_board_share = 0.1;
+// Slack netting that drifts carries other elements with it by less than this share of its own way.
+constexpr double least_share = 0.1;
 constexpr double solve_tolerance = 1e-6;
 
 }  // namespace
 
-GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu) {
+double unstable_size(const Model& model) {
+  double least = 0.0;
+  for (const ElementKind* kind : model.kinds()) {
+    const double size = kind->unstable_size();
+    if (size > 0.0) least = least > 0.0 ? std::min(least, size) : size;
+  }
+  return least;
+}
+
+GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   const Model& model = assembly.model();
   const std::vector<int>& free = assembly.free_nodes();
   const std::size_t n = free.size();
   std::vector<int> place(static_cast<std::size_t>(model.nodes), -1);
-  for (std::size_t i = 0; i < n; ++i) place[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
-  // A first motion that turns every board about all its axes.
+  for (std::size_t i = 0; i < n; ++i)
+    place[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
+  // A first motion that turns every element of three nodes about all its axes.
   std::vector<double> first(3 * n, 0.0);
-  std::vector<int> of_boards;
-  for (std::size_t k = 0; k < model.boards.node.size(); ++k) {
-    const int node = model.boards.node[k];
-    if (node >= model.nodes || place[static_cast<std::size_t>(node)] < 0) continue;
-    const int i = place[static_cast<std::size_t>(node)];
-    of_boards.push_back(i);
-    const double turn = static_cast<double>(k % 3);
-    at(first.data(), i) = Vector(std::cos(1.0 + turn), std::sin(2.0 + 2.0 * turn),
-                                 std::cos(3.0 - turn) + 0.1 * static_cast<double>(k / 3));
+  std::vector<int> tried;  // free nodes of elements that may be unstable
+  for (const ElementKind* kind : model.kinds()) {
+    if (kind->unstable_size() <= 0.0) continue;
+    for (std::size_t k = 0; k < kind->nodes().size(); ++k) {
+      const int node = kind->nodes()[k];
+      if (node >= model.nodes || place[static_cast<std::size_t>(node)] < 0) continue;
+      const int i = place[static_cast<std::size_t>(node)];
+      tried.push_back(i);
+      const double turn = static_cast<double>(k % 3);
+      at(first.data(), i) = Vector(std::cos(1.0 + turn), std::sin(2.0 + 2.0 * turn),
+                                   std::cos(3.0 - turn) + 0.1 * static_cast<double>(k / 3));
+    }
   }
   GrowingMotion out;
-  if (of_boards.empty()) return out;
+  if (tried.empty()) return out;
 
   std::vector<double> stiffness(9 * assembly.pattern().column.size()), values, damping(n),
       right(3 * n), y, next(3 * n);
@@ -67,19 +80,17 @@ GrowingMotion growing_board_motion(Assembly& assembly, BlockLU& lu) {
       y = next;
       if (iteration < least_iterations || off > tolerance) continue;
       if (std::abs(along) > clear_growth) {
-        double most = 0.0, most_of_boards = 0.0;
+        double most = 0.0, most_tried = 0.0;
         for (std::size_t i = 0; i < n; ++i) {
           most = std::max(most, at(y.data(), static_cast<int>(i)).norm());
         }
-        for (const int i : of_boards) {
-          most_of_boards = std::max(most_of_boards, at(y.data(), i).norm());
-        }
+        for (const int i : tried) most_tried = std::max(most_tried, at(y.data(), i).norm());
         const double rate = (1.0 - 1.0 / along) / h;
-        if (most_of_boards > least_board_share * most && rate > out.rate) {
+        if (most_tried > least_share * most && rate > out.rate) {
           out.found = true;
           out.rate = rate;
           out.motion = y;
-          for (double& value : out.motion) value /= most_of_boards;
+          for (double& value : out.motion) value /= most_tried;
         }
       }
       break;

@@ -1,6 +1,7 @@
-#include "otter_board.hpp"
+#include "lifting_plate.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -67,7 +68,7 @@ PressureCentre joessel_pressure_centre(double attack) {
 
 // The three points, and how they move.
 template <class Scalar>
-struct OtterBoards::Motion {
+struct LiftingPlates::Motion {
   Triple<Scalar> x[3], v[3];
   Triple<Scalar> e1, e2, e3, e1_dot, e2_dot, e3_dot;
 
@@ -86,8 +87,7 @@ struct OtterBoards::Motion {
     return v[0] + p.a * e1_dot + p.b * e2_dot + p.c * e3_dot;
   }
   template <class Share>
-  void hand_on(const PartsOf<Share>& p, const Triple<Scalar>& load,
-               Triple<Scalar> force[3]) const {
+  void hand_on(const PartsOf<Share>& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
     const Triple<Scalar> f1 = p.a * load + p.c * cross(e2, load);
     const Triple<Scalar> f2 = p.b * load + p.c * cross(load, e1);
     force[0] += load - f1 - f2;
@@ -96,9 +96,10 @@ struct OtterBoards::Motion {
   }
 };
 
-void OtterBoards::prepare() {
+void LiftingPlates::prepare() {
   fixed_.clear();
-  for (const OtterBoard& b : board) {
+  node_.clear();
+  for (const LiftingPlate& b : plate) {
     Matrix frame;
     frame.col(0) = b.attachment[1] - b.attachment[0];
     frame.col(1) = b.attachment[2] - b.attachment[0];
@@ -109,6 +110,7 @@ void OtterBoards::prepare() {
       return Parts{p.x(), p.y(), p.z()};
     };
     auto place = [&](const Vector& at) { return direction(at - b.attachment[0]); };
+    node_.insert(node_.end(), b.node.begin(), b.node.end());
     Fixed f;
     f.leading = place(Vector::Zero());
     f.chord = direction(Vector::UnitX());
@@ -124,9 +126,9 @@ void OtterBoards::prepare() {
 }
 
 template <class Scalar>
-void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar>& motion,
-                             Triple<Scalar> force[3], BoardAttitude* attitude) const {
-  const OtterBoard& b = board[static_cast<std::size_t>(number)];
+void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scalar>& motion,
+                               Triple<Scalar> force[3], PlateAttitude* attitude) const {
+  const LiftingPlate& b = plate[static_cast<std::size_t>(number)];
   const Fixed& f = fixed_[static_cast<std::size_t>(number)];
   const Water& water = *field.water;
 
@@ -143,7 +145,7 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
                        outward = motion.vector(f.outward);
   Vector current, slope;
   water.velocity(value_of(middle.z()), current, slope);
-  // Of the water relative to a place of the board, and its parts in the board's axes.
+  // Of the water relative to a place of the plate, and its parts in the plate's axes.
   Triple<Scalar> u;
   Scalar along_chord, along_outward, along_span;
   auto meet = [&](const Triple<Scalar>& moving) {
@@ -188,7 +190,8 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
   motion.hand_on(pressed, load, force);
 
   Vector on_ground = Vector::Zero();
-  if (ground.present) {
+  if (field.ground && field.ground->present) {
+    const Ground& ground = *field.ground;
     for (const Parts& shoe : f.shoe) {
       const Triple<Scalar> x = motion.place(shoe), v = motion.velocity(shoe);
       Vector contact;
@@ -223,45 +226,46 @@ void OtterBoards::add_forces(int number, const Field& field, const Motion<Scalar
   attitude->drag = drag_size;
   attitude->force = values(load);
   attitude->ground_force = on_ground;
-  attitude->lost_buoyancy = b.buoyancy * (wet.share - 1.0);
+  attitude->lost_buoyancy = {0.0, 0.0, b.buoyancy * (wet.share - 1.0)};
 }
 
-void OtterBoards::add_force(const Field& field, double* force) const {
+void LiftingPlates::add_force(const Field& field, double* force) const {
   for (int e = 0; e < count(); ++e) {
     Motion<double> motion;
     Vector f[3];
     for (int k = 0; k < 3; ++k) {
-      motion.x[k] = at(field.position, node[3 * e + k]);
-      motion.v[k] = at(field.velocity, node[3 * e + k]);
+      motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
+      motion.v[k] = at(field.velocity, node_[static_cast<std::size_t>(3 * e + k)]);
       f[k].setZero();
     }
     motion.complete();
     add_forces<double>(e, field, motion, f, nullptr);
-    for (int k = 0; k < 3; ++k) at(force, node[3 * e + k]) += f[k];
+    for (int k = 0; k < 3; ++k) at(force, node_[static_cast<std::size_t>(3 * e + k)]) += f[k];
   }
 }
 
-BoardAttitude OtterBoards::attitude(int e, const Field& field) const {
+PlateAttitude LiftingPlates::attitude(int e, const Field& field) const {
   Motion<double> motion;
   Vector f[3] = {Vector::Zero(), Vector::Zero(), Vector::Zero()};
   for (int k = 0; k < 3; ++k) {
-    motion.x[k] = at(field.position, node[3 * e + k]);
-    motion.v[k] = at(field.velocity, node[3 * e + k]);
+    motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
+    motion.v[k] = at(field.velocity, node_[static_cast<std::size_t>(3 * e + k)]);
   }
   motion.complete();
-  BoardAttitude out;
+  PlateAttitude out;
   add_forces<double>(e, field, motion, f, &out);
   return out;
 }
 
-void OtterBoards::add_jacobian(const Field& field, const JacobianRequest& request,
-                               const BlockSink& sink) const {
+void LiftingPlates::add_jacobian(const Field& field, const JacobianRequest& request,
+                                 const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
     Motion<Dual> motion;
     Triple<Dual> f[3];
     for (int k = 0; k < 3; ++k) {
       for (int c = 0; c < 3; ++c) {
-        const std::ptrdiff_t place = 3 * static_cast<std::ptrdiff_t>(node[3 * e + k]) + c;
+        const std::ptrdiff_t place =
+            3 * static_cast<std::ptrdiff_t>(node_[static_cast<std::size_t>(3 * e + k)]) + c;
         motion.x[k][c] = Dual(field.position[place], 18, 3 * k + c);
         motion.v[k][c] = Dual(field.velocity[place], 18, 9 + 3 * k + c);
         f[k][c] = Dual(0.0);
@@ -284,29 +288,39 @@ void OtterBoards::add_jacobian(const Field& field, const JacobianRequest& reques
   }
 }
 
-void OtterBoards::add_added_mass(const Field& field, double* mass) const {
+void LiftingPlates::add_added_mass(const Field& field, double* mass) const {
   for (int e = 0; e < count(); ++e) {
     Motion<double> motion;
     for (int k = 0; k < 3; ++k) {
-      motion.x[k] = at(field.position, node[3 * e + k]);
+      motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
       motion.v[k].setZero();
     }
     motion.complete();
     const Vector across = motion.vector(fixed_[e].outward);
     const Block share =
-        (field.water->density * board[e].added_mass / 3.0) * across * across.transpose();
+        (field.water->density * plate[static_cast<std::size_t>(e)].added_mass / 3.0) * across *
+        across.transpose();
     for (int k = 0; k < 3; ++k) {
-      Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(node[3 * e + k])) += share;
+      Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(
+                                       node_[static_cast<std::size_t>(3 * e + k)])) += share;
     }
   }
 }
 
-void OtterBoards::add_drag_scale(const Field& field, double* scale) const {
+double LiftingPlates::unstable_size() const {
+  double least = plate.empty() ? 0.0 : plate.front().chord;
+  for (const LiftingPlate& one : plate) least = std::min(least, one.chord);
+  return least;
+}
+
+void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, slope;
-    field.relative_velocity(node[3 * e], board[e].height, u, slope);
-    const double share = 0.5 * field.water->density * board[e].area * u.norm() / 3.0;
-    for (int k = 0; k < 3; ++k) scale[node[3 * e + k]] += share;
+    field.relative_velocity(node_[static_cast<std::size_t>(3 * e)],
+                            plate[static_cast<std::size_t>(e)].height, u, slope);
+    const double share =
+        0.5 * field.water->density * plate[static_cast<std::size_t>(e)].area * u.norm() / 3.0;
+    for (int k = 0; k < 3; ++k) scale[node_[static_cast<std::size_t>(3 * e + k)]] += share;
   }
 }
 

@@ -1,0 +1,185 @@
+# Checks of a plan's numbers: sizes that look like a forgotten unit, and edges that do not fit.
+
+# The thickest twine (m) of netting in use, of the front meshes of large midwater trawls; thicker
+# lines between knots are ropes. Thinner than the least is no twine or monofilament that is sold.
+thickest_twine <- 0.024
+thinnest_twine <- 5e-5
+# Twine diameter over bar length: netting of codends and cages has up to 0.11, double twine in small
+# meshes up to 0.2; the largest front meshes in use (14 mm twine, bars of 16 m and more) 0.0003.
+greatest_twine_ratio <- 0.25
+least_twine_ratio <- 1.5e-4
+
+define_finding("twine", "plan",
+  "A twine is thicker than 24 mm or thinner than 0.05 mm, or its diameter is more than a quarter or
+  less than 0.00015 of the bar length: no netting in use is, and a unit may be missing.",
+  function(gear, state) {
+    panels <- gear_si(gear)$panels
+    odd <- Filter(Negate(is.null), lapply(names(panels), function(name) {
+      panel <- panels[[name]]
+      twine <- panel$twine_diameter
+      ratio <- twine / (panel$mesh_size / 2)
+      if (twine <= thickest_twine && twine >= thinnest_twine && ratio <= greatest_twine_ratio &&
+        ratio >= least_twine_ratio) return(NULL)
+      list(panel = name, part = first_of(unless_na(panel$part), name), twine = twine,
+        mesh = panel$mesh_size)
+    }))
+    # panels of one section have one twine
+    once <- odd[!duplicated(lapply(odd, function(x) x[c("part", "twine", "mesh")]))]
+    lapply(once, function(x) {
+      finding(paste("panel", x$panel), 1000 * x$twine, paste(figures(1000 * x$twine), "mm"),
+        sprintf("its twine is %s mm thick in meshes of %s.", figures(1000 * x$twine),
+          format_si(x$mesh, "length")),
+        "Check the unit: a number without one is in metres.")
+    })
+  }
+)
+
+# The largest ropes (m) in use on gear; discs, bobbins and poles are larger.
+thickest_rope <- 0.2
+thickest_body <- 1.5
+thinnest_rope <- 2e-4
+rollers <- c("ground_gear", "footrope", "footrope_extension")
+
+define_finding("rope diameter", "plan",
+  "A rope is thicker than 200 mm (ground gear and poles: 1.5 m) or thinner than 0.2 mm: a unit may
+  be missing.",
+  function(gear, state) {
+    ropes <- gear_si(gear)$ropes
+    odd <- Filter(function(name) {
+      rope <- ropes[[name]]
+      most <- if (rope$strut || rope$role %in% rollers) thickest_body else thickest_rope
+      rope$diameter > most || rope$diameter < thinnest_rope
+    }, names(ropes))
+    lapply(odd, function(name) {
+      shown <- format_si(ropes[[name]]$diameter, "length")
+      finding(paste("rope", name), 1000 * ropes[[name]]$diameter, shown,
+        sprintf("its diameter is %s.", shown), "Check the unit: a number without one is in metres.")
+    })
+  }
+)
+
+# m/s: no fishing gear is towed at 10 knot; survey instruments are, up to about 12.
+greatest_speed <- 6.2
+greatest_current <- 3
+
+define_finding("speed", "plan",
+  "The towing speed is above 12 knot, or a current above 3 m/s: fishing
+  gear is towed at up to 6 knot.",
+  function(gear, state) {
+    si <- gear_si(gear)
+    in_knots <- si$towing$speed / plan_units$speed[["knot"]]
+    knots <- paste(figures(in_knots), "knot")
+    out <- list()
+    if (si$towing$speed > greatest_speed) {
+      out <- list(finding("towing.speed", in_knots, knots, sprintf("the gear is towed at %s.", knots),
+        "Check the unit: a number without one is in m/s."))
+    }
+    current <- sqrt(si$water$current$x^2 + si$water$current$y^2)
+    if (max(current) > greatest_current) {
+      shown <- paste(figures(max(current)), "m/s")
+      out <- c(out, list(finding("water.current", max(current), shown,
+        sprintf("the current runs at %s.", shown),
+        "Check the unit: a number without one is in m/s.")))
+    }
+    out
+  }
+)
+
+# Of boards the largest published is 2.54 (high_lift), of lifting canvas 1.2 and of kites about 1.5.
+greatest_lift <- 3
+greatest_drag <- 2.5
+
+define_finding("lift coefficient", "plan",
+  "A lift coefficient is above 3, or a drag coefficient above 2.5: the largest published of an
+  otter board is 2.54.",
+  function(gear, state) {
+    si <- gear_si(gear)
+    of_pieces <- lapply(si$pieces, function(piece) {
+      c(lift = piece$lift_area, drag = piece$drag_area) / piece$area
+    })
+    of_boards <- lapply(si$otter_boards, function(board) {
+      c(lift = max(board$polar$lift), drag = max(board$polar$drag))
+    })
+    bound <- c(lift = greatest_lift, drag = greatest_drag)
+    of <- c(of_pieces, of_boards)
+    unlist(lapply(names(of), function(name) {
+      odd <- names(bound)[is.finite(of[[name]]) & of[[name]] > bound]
+      lapply(odd, function(force) {
+        value <- of[[name]][[force]]
+        finding(gsub("_", " ", name), value, figures(value),
+          sprintf("its %s coefficient is %s, where tests have up to %s.", force, figures(value),
+            if (force == "lift") "2.5" else "1.5"),
+          "Check the coefficient and the area that it counts with.")
+      })
+    }), recursive = FALSE)
+  }
+)
+
+define_finding("number of panels", "plan",
+  "A trawl's plan leaves out `panels`: a bottom trawl then has 2 panels and a midwater trawl 4.",
+  function(gear, state) {
+    taken <- unstated_panels[first_of(gear$plan$kind, "assembly")]
+    if (is.na(taken) || !is.null(gear$plan$panels)) return(list())
+    list(finding("panels", taken[[1]], paste(taken, "panels"),
+      sprintf("the field is left out, so that this %s is taken to have %d panels.",
+        gsub("_", " ", gear$plan$kind), taken),
+      "Write how many panels the net has."))
+  }
+)
+
+# What the schema takes where a plan says nothing.
+unstated_panels <- c(bottom_trawl = 2L, pair_trawl = 2L, midwater_trawl = 4L)
+
+# Seams take up a few percent; more is gathered netting, as at a bosom, or a miscount.
+greatest_seam_ratio <- 1.2
+
+define_finding("seam", "plan",
+  "The edges that a seam joins differ in stretched length by more than a fifth.",
+  function(gear, state) {
+    si <- gear_si(gear)
+    out <- lapply(names(si$seams), function(name) {
+      seam <- si$seams[[name]]
+      if (!is.null(seam$gathered_at) || length(seam$edges) < 2L) return(NULL)
+      long <- vapply(seam$edges, chain_length, 0, panels = si$panels)
+      if (min(long) <= 0 || max(long) <= greatest_seam_ratio * min(long)) return(NULL)
+      ratio <- max(long) / min(long)
+      finding(paste("seam", name), ratio, sprintf("ratio %s", figures(ratio)),
+        sprintf("it joins edges of %s and %s stretched length.", format_si(min(long), "length"),
+          format_si(max(long), "length")),
+        "Count the meshes along both edges again.")
+    })
+    Filter(Negate(is.null), out)
+  }
+)
+
+# Rope length over stretched netting: from the gathered bosom of a footrope to a rope that is longer
+# than its netting.
+least_hanging <- 0.2
+greatest_hanging <- 1.15
+
+define_finding("hanging ratio", "plan",
+  "A rope is hung on netting with a ratio of its length to the stretched netting below 0.2 or above
+  1.15.",
+  function(gear, state) {
+    si <- gear_si(gear)
+    out <- lapply(names(si$ropes), function(name) {
+      rope <- si$ropes[[name]]
+      if (is.null(rope$along)) return(NULL)
+      netting <- vapply(rope$along, function(edge) chain_length(list(edge), si$panels), 0)
+      ratio <- if (is.null(rope$shares)) {
+        rope$length / sum(netting)
+      } else {
+        (rope$length * rope$shares / netting)[netting > 0]
+      }
+      odd <- ratio[ratio < least_hanging | ratio > greatest_hanging]
+      if (!length(odd)) return(NULL)
+      worst <- odd[which.max(abs(log(odd)))]
+      finding(paste("rope", name), worst, figures(worst),
+        sprintf("it is hung on its netting with a ratio of %s.", figures(worst)),
+        "Check the rope's length and the meshes that it is hung on.")
+    })
+    Filter(Negate(is.null), out)
+  }
+)
+
+unless_na <- function(x) if (is.na(x)) NULL else x

@@ -1,0 +1,179 @@
+# Checks of a settled shape and its forces.
+
+# Height (m) above the bed at which a footrope no longer fishes for what lies on it.
+greatest_footrope_height <- 0.5
+
+define_finding("net off the bed", "state",
+  "The footrope or ground gear of a gear that is towed over a sea bed hangs more than 0.5 m above it
+  everywhere. Not of midwater trawls.",
+  function(gear, state) {
+    si <- state$si
+    if (is.null(si$ground) || identical(gear$plan$kind, "midwater_trawl")) return(list())
+    low <- ropes_of_role(si, c("ground_gear", "footrope"))
+    if (!length(low)) return(list())
+    height <- vapply(low, function(name) {
+      min(height_above_ground(si$ground, state$position[, state$lattice$ropes[[name]]$node]))
+    }, 0)
+    least <- min(height)
+    if (least <= greatest_footrope_height) return(list())
+    shown <- paste(figures(least), "m")
+    list(finding(paste("rope", low[which.min(height)]), least, shown,
+      sprintf("it hangs %s above the sea bed.", shown),
+      "Pay out more warp, tow more slowly, or weigh the footrope or the boards more."))
+  }
+)
+
+# Share of the tension of the bridles of one side. Two bridles of the shipped gear share it 79 to 21,
+# three 52 to 10 at the least.
+greatest_bridle_share <- 0.8
+least_bridle_share <- 0.05
+
+define_finding("bridles", "state",
+  "Of the bridles or hand ropes that start at one place, one carries more than 80 % or less than 5 %
+  of their tension.",
+  function(gear, state) {
+    si <- state$si
+    names <- ropes_of_role(si, c("bridle", "hand_rope"))
+    start <- vapply(names, function(name) bridle_start(si, si$ropes[[name]]$from), "")
+    unlist(lapply(split(names, start), function(together) {
+      if (length(together) < 2L) return(list())
+      pull <- vapply(together, function(name) {
+        mean(state$bar_tension[rope_bars(state$lattice, name)])
+      }, 0)
+      if (sum(pull) <= 0) return(list())
+      share <- pull / sum(pull)
+      odd <- if (max(share) > greatest_bridle_share) which.max(share) else which.min(share)
+      if (share[odd] <= greatest_bridle_share && share[odd] >= least_bridle_share) return(list())
+      percent <- 100 * share[[odd]]
+      shown <- paste(figures(percent), "%")
+      list(finding(paste("rope", together[odd]), percent, shown,
+        sprintf("it carries %s of the tension of the bridles there.", shown),
+        "Lengthen the bridle that carries most, or shorten the others."))
+    }), recursive = FALSE, use.names = FALSE)
+  }
+)
+
+# The place that a bridle starts at: of a free board's backstrops the board.
+bridle_start <- function(si, from) {
+  on <- vapply(si$otter_boards, function(board) from %in% board$points, NA)
+  if (any(on)) names(si$otter_boards)[which(on)[1]] else from
+}
+
+ropes_of_role <- function(si, roles) {
+  names(Filter(function(rope) rope$role %in% roles, si$ropes))
+}
+
+# Share of the meshes of a towed gear that are loose in both directions. Where the netting is stiff,
+# triangles leave one of the two slack however taut the netting is.
+greatest_loose_share <- 0.3
+
+define_finding("slack netting", "state",
+  "More than 30 % of a towed gear's netting hangs loose: neither of its two families of twines
+  carries tension there (netting of bars: that share of its twine).",
+  function(gear, state) {
+    if (!has_towing(state) || !length(state$si$panels)) return(list())
+    loose <- loose_netting(state)
+    if (!is.finite(loose) || loose <= greatest_loose_share) return(list())
+    shown <- paste(figures(100 * loose), "%")
+    slack <- slack_table(state)
+    most <- slack$part[which.max(slack$slack_percent * slack$twine_m)]
+    list(finding("netting", 100 * loose, shown,
+      sprintf("%s of it hangs loose, most of that in panel %s.", shown, most),
+      "Check the speed, the spread, and the ropes that it hangs on: are they shorter than meant?"))
+  }
+)
+
+# Share of netting, by length of twine, whose twines all are slack.
+loose_netting <- function(state) {
+  engine <- state$lattice$engine
+  triangles <- engine$triangles
+  all <- seq_along(triangles$rest)
+  twine <- 2 * triangle_bars(triangles, all) * triangles$rest
+  loose <- state$u_tension == 0 & state$v_tension == 0
+  bars <- state$lattice$parts$kind[state$lattice$bar_part] == "netting"
+  long <- (engine$bars$multiplicity * engine$bars$rest)[bars]
+  (sum(twine[loose]) + sum(long[state$bar_tension[bars] == 0])) / (sum(twine) + sum(long))
+}
+
+# Spread between the upper wing ends over head line length. Trawls in practice have 0.35 to 0.6; a
+# net whose wings are pulled straight has no room to open upward.
+least_spread_ratio <- 0.25
+greatest_spread_ratio <- 0.7
+
+define_finding("spread over head line", "state",
+  "The spread between a trawl's upper wing ends is below 0.25 or above 0.7 of its head line's length
+  (practice: 0.35 to 0.6). Not of beam trawls.",
+  function(gear, state) {
+    si <- state$si
+    line <- ropes_of_role(si, "head_line")
+    if (!has_towing(state) || length(line) != 1L || identical(gear$plan$kind, "beam_trawl")) {
+      return(list())
+    }
+    node <- state$lattice$ropes[[line]]$node
+    ends <- state$position[1:2, c(node[1L], node[length(node)])]
+    ratio <- sqrt(sum((ends[, 2L] - ends[, 1L])^2)) / si$ropes[[line]]$length
+    if (ratio >= least_spread_ratio && ratio <= greatest_spread_ratio) return(list())
+    list(finding(paste("rope", line), ratio, figures(ratio),
+      sprintf("its ends are %s of its length apart.", figures(ratio)),
+      if (ratio < least_spread_ratio) {
+        "Give the boards more area or lift, or shorten the head line."
+      } else {
+        "Give the boards less area or lift, shorten the warp, or lengthen the head line."
+      }))
+  }
+)
+
+# Height (m) above the surface that a wave may lift a float to.
+greatest_freeboard <- 0.5
+
+define_finding("out of the water", "state",
+  "Nodes of the gear stand more than 0.5 m above the surface, apart from ropes that end at a point
+  above the water.",
+  function(gear, state) {
+    lattice <- state$lattice
+    up <- vapply(state$si$points, function(point) {
+      !is.null(point$position) && point$position[3] > 0
+    }, NA)
+    held <- vapply(names(which(up)), function(name) lattice$points[[name]], 0L)
+    led <- lapply(lattice$ropes, function(rope) if (any(held %in% rope$node)) rope$node)
+    above <- which(state$position[3, ] > greatest_freeboard)
+    above <- setdiff(above, c(held, unlist(led)))
+    if (!length(above)) return(list())
+    most <- above[which.max(state$position[3, above])]
+    height <- state$position[3, most]
+    shown <- paste(figures(height), "m")
+    list(finding(describe_node(lattice, most), height, shown,
+      sprintf("it stands %s above the surface, one of %d nodes that do.", shown, length(above)),
+      if (state$si$water$free_surface) {
+        "Check what lifts the gear, and how much warp is out."
+      } else {
+        "Water has no surface in this plan: give `water: {free_surface: yes}`, or more warp or weight."
+      }))
+  }
+)
+
+define_finding("boards", "state",
+  "A free otter board or kite is stalled, back-winded or fallen over, or meets the flow at an angle
+  of attack at which its polar was not tested, by more than 2 deg.",
+  function(gear, state) {
+    boards <- board_table(state)
+    out <- lapply(seq_len(nrow(boards)), function(k) {
+      board <- boards[k, ]
+      polar <- state$si$otter_boards[[k]]$polar
+      tested <- range(polar$attack[polar$published])
+      shown <- paste(figures(board$attack_deg), "deg")
+      beyond <- board$attack_deg < tested[1] - 2 || board$attack_deg > tested[2] + 2
+      if (board$condition == "flying" && !beyond) return(NULL)
+      words <- if (board$condition != "flying") {
+        sprintf("it is %s, at an angle of attack of %s and a heel of %s deg.", board$condition,
+          shown, figures(board$heel_deg))
+      } else {
+        sprintf("it meets the flow at %s, and its polar was tested from %s to %s deg.", shown,
+          figures(tested[1]), figures(tested[2]))
+      }
+      finding(gsub("_", " ", board$board), board$attack_deg, shown, words,
+        "Move the points where warp and backstrops are fastened, or give a polar for that angle.")
+    })
+    Filter(Negate(is.null), out)
+  }
+)

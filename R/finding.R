@@ -1,0 +1,58 @@
+# Worth a look: all findings of a gear or a state.
+
+#' What is worth a look
+#'
+#' A gear can be a valid plan and still be nonsense: a unit that was forgotten, a bridle that
+#' carries nothing, a net that flies above the sea bed. This lists what of a gear or a settled
+#' state lies outside what practice and tests know. [summary()][summary.codend_state], [report()],
+#' [flume()] and the command line show the same list under 'Worth a look'. None of it is an error:
+#' the numbers are computed as the plan asks.
+#'
+#' @eval finding_help()
+#'
+#' @param x A gear ([read_gear()]), of which the plan alone is looked at, or a state ([settle()],
+#'   [state_at()]).
+#' @return A data frame with a row per finding and the columns `check` (its name), `place` (a field
+#'   of the plan, or parts of the gear), `value` (the number that is odd, in the unit of `shown`),
+#'   `shown` (the number with its unit), `words` (what is odd) and `advice` (what to try); without
+#'   rows where nothing is. A wrong `x` is an error of class `codend_error_argument`.
+#' @examples
+#' findings(read_gear("towed_cable"))
+#' findings(update(read_gear("towed_cable"), ropes.cable.diameter = 17.3))
+#' @export
+findings <- function(x) {
+  if (inherits(x, "codend_state")) {
+    found <- lapply(sorted_checks(), found_by, x$gear, x)
+  } else if (inherits(x, "codend_gear")) {
+    of_plan <- Filter(function(check) check$of == "plan", sorted_checks())
+    found <- lapply(of_plan, found_by, x, NULL)
+  } else {
+    cli::cli_abort("{.arg x} must be a gear or a state, not {.cls {class(x)}}.",
+      class = c("codend_error_argument", "codend_error"), call = NULL)
+  }
+  rows <- do.call(rbind, unlist(unname(found), recursive = FALSE))
+  if (!is.null(rows)) return(rows)
+  data.frame(check = character(), place = character(), value = double(), shown = character(),
+    words = character(), advice = character())
+}
+
+sorted_checks <- function() {
+  checks <- mget(sort(ls(finding_checks), method = "radix"), finding_checks)
+  # what the plan tells is the cause of what the shape shows
+  checks[order(vapply(checks, `[[`, "", "of"))]
+}
+
+found_by <- function(check, gear, state) {
+  lapply(check$test(gear, state), function(one) data.frame(check = check$name, one))
+}
+
+# One line a finding, for prints and pages.
+finding_sentences <- function(found) sprintf("%s: %s %s", found$place, found$words, found$advice)
+
+finding_help <- function() {
+  checks <- sorted_checks()
+  c(
+    "@section What is looked at:",
+    paste0("- ", vapply(checks, `[[`, "", "name"), ": ", one_line(vapply(checks, `[[`, "", "words")))
+  )
+}

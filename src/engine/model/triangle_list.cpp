@@ -1,0 +1,69 @@
+#include "triangle_list.hpp"
+
+#include <algorithm>
+
+#include "../base/error.hpp"
+
+namespace codend {
+namespace {
+
+// Appends the numbers of one element.
+template <class Value>
+void copy(const std::vector<Value>& from, std::size_t width, std::size_t element,
+          std::vector<Value>& to) {
+  const auto begin = from.begin() + static_cast<std::ptrdiff_t>(width * element);
+  to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(width));
+}
+
+}  // namespace
+
+void TriangleList::divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
+                          std::vector<char>& hexagonal) const {
+  hexagonal.clear();
+  for (std::size_t e = 0; e < rest.size(); ++e) {
+    hexagonal.push_back(straight[e] > 0.0 ? 1 : 0);
+    if (hexagonal.back()) {
+      if (inner[e] < 0) {
+        throw InputError("triangles.inner",
+                         "triangles.inner has no point for a triangle that has "
+                         "straight bars (triangles.straight)");
+      }
+      copy(node, 3, e, hexagons.node);
+      hexagons.node.push_back(inner[e]);
+      copy(twine, 6, e, hexagons.twine);
+      hexagons.straight.push_back(straight[e]);
+      hexagons.oblique.push_back(rest[e]);
+      hexagons.multiplicity.push_back(multiplicity[e]);
+      hexagons.material.push_back(material[e]);
+      hexagons.height.push_back(height[e]);
+    } else {
+      copy(node, 3, e, plain.node);
+      copy(twine, 6, e, plain.twine);
+      plain.rest.push_back(rest[e]);
+      plain.multiplicity.push_back(multiplicity[e]);
+      plain.material.push_back(material[e]);
+      plain.height.push_back(height[e]);
+    }
+  }
+}
+
+std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
+                                  const std::vector<double>& plain, const double* of_hexagons,
+                                  std::size_t hexagons) {
+  std::vector<double> out;
+  out.reserve(plain.size() + width * hexagons);
+  if (hexagonal.empty()) {
+    out = plain;
+    out.insert(out.end(), of_hexagons, of_hexagons + width * hexagons);
+    return out;
+  }
+  const double* of_plain = plain.data();
+  for (const char is : hexagonal) {
+    const double*& from = is ? of_hexagons : of_plain;
+    out.insert(out.end(), from, from + width);
+    from += width;
+  }
+  return out;
+}
+
+}  // namespace codend

@@ -1,0 +1,133 @@
+# What is worth a look: each check fires on a plan that is wrong in its way, with the number and the
+# place, and none on a gear that ships.
+
+quiet <- function(gear, ...) suppressWarnings(settle(gear, ...))
+
+# The one finding of a check, as list(check, place, value, ...).
+expect_finding <- function(x, check, place) {
+  found <- findings(x)
+  mine <- found[found$check == check, ]
+  expect_gte(nrow(mine), 1L)
+  expect_true(place %in% mine$place, info = paste(mine$place, collapse = ", "))
+  expect_true(all(nzchar(mine$advice)))
+  as.list(mine[match(place, mine$place), ])
+}
+
+test_that("no shipped gear gives a false alarm", {
+  for (name in gears()$name) {
+    expect_identical(findings(read_gear(name))$words, character(), info = name)
+    expect_identical(findings(quiet(name))$words, character(), info = name)
+  }
+})
+
+test_that("a forgotten unit shows", {
+  cable <- update(read_gear("towed_cable"), ropes.cable.diameter = 17.3)
+  expect_equal(expect_finding(cable, "rope diameter", "rope cable")$value, 17300)
+  trawl <- read_gear("poly_noreastern_trawl")
+  thick <- update(trawl, sections.body.twine.diameter = "25 mm")
+  expect_equal(expect_finding(thick, "twine", "panel back_body")$value, 25)
+  # of the panels of one section with one twine the first speaks for all; the belly has its own
+  expect_equal(sum(findings(thick)$check == "twine"), 1)
+  fast <- update(trawl, towing.speed = "40 knot")
+  expect_equal(expect_finding(fast, "speed", "towing.speed")$value, 40)
+  gillnet <- update(read_gear("gillnet"), water.current.speed = "15 m/s")
+  expect_equal(expect_finding(gillnet, "speed", "water.current")$value, 15)
+})
+
+test_that("a coefficient beyond every test shows", {
+  trawl <- read_gear("poly_noreastern_trawl")
+  found <- expect_finding(update(trawl, otter_boards.lift_coefficient = 11), "lift coefficient",
+    "otter board port")
+  expect_equal(found$value, 11)
+  found <- expect_finding(update(trawl, otter_boards.drag_coefficient = 5), "lift coefficient",
+    "otter board port")
+  expect_match(found$words, "drag coefficient is 5")
+})
+
+test_that("a number of panels that is not written shows", {
+  gear <- read_gear("midwater_trawl")
+  found <- expect_finding(update(gear, panels = NULL), "number of panels", "panels")
+  # which is what the plan stands for
+  expect_equal(found$value, length(trawl_rings[["4"]]$panels))
+})
+
+test_that("edges that do not fit show", {
+  plan <- spoil("seams:", "  mat:
+    mesh_size: 100 mm
+    meshes: {upper: 12, lower: 12, deep: 60}
+    twine: {diameter: 2 mm, material: PE}
+seams:
+  side: {edges: [net.right, mat.left]}", plan = spoil("deep: 10", "deep: 75"))
+  found <- expect_finding(read_text(plan), "seam", "seam side")
+  expect_equal(found$value, 75 / 60)
+  even <- read_text(spoil("deep: 60", "deep: 70", plan = plan))
+  expect_false("seam" %in% findings(even)$check)
+  hung <- spoil("panels:", "  line: {along: net.lower, hanging_ratio: 0.1, diameter: 10 mm, material: PP}
+panels:")
+  expect_equal(expect_finding(read_text(hung), "hanging ratio", "rope line")$value, 0.1)
+})
+
+test_that("a bottom trawl that flies shows", {
+  gear <- update(read_gear("poly_noreastern_trawl"), warps.length = "50 m", seabed.depth = "60 m")
+  state <- quiet(gear)
+  found <- expect_finding(state, "net off the bed", "rope footrope")
+  height <- measures(state)[["footrope_height_m"]]
+  # the lowest of it, beside the height of its middle
+  expect_lte(found$value, height)
+  expect_gt(found$value, 0.9 * height)
+})
+
+test_that("a bridle that carries nearly all shows", {
+  state <- quiet(update(read_gear("pair_trawl"), bridles.upper.length = "20.5 m"), nodes = 500)
+  found <- expect_finding(state, "bridles", "rope bridle_lower_port")
+  pull <- measures(state)[c("bridle_upper_tension_kN", "bridle_lower_tension_kN")]
+  # mean along the bridle beside the tension at its end
+  expect_equal(found$value, 100 * pull[[2]] / sum(pull), tolerance = 0.02)
+})
+
+test_that("a spread that is odd for the head line, and loose netting, show", {
+  gear <- read_gear("poly_noreastern_trawl")
+  narrow <- quiet(update(gear, otter_boards.lift_coefficient = 0.1), nodes = 500)
+  found <- expect_finding(narrow, "spread over head line", "rope head_line")
+  spread <- measures(narrow)[["upper_wing_spread_m"]]
+  expect_equal(found$value, spread / narrow$si$ropes$head_line$length)
+  slow <- quiet(update(gear, towing.speed = "0.2 knot"), nodes = 500)
+  found <- expect_finding(slow, "slack netting", "netting")
+  # what hangs loose is part of what is slack
+  expect_lt(found$value, measures(slow)[["slack_netting_percent"]])
+})
+
+test_that("gear above the surface shows", {
+  flying <- quiet(update(read_gear("pair_trawl"), floats.number = 2000), nodes = 500)
+  found <- expect_finding(flying, "out of the water", "rope `head_line`, netting `back_square`")
+  expect_equal(found$value, max(flying$position[3, ]))
+})
+
+test_that("a board at stall, or beyond what was tested, shows", {
+  gear <- read_gear(test_path("plans", "towed_board.yaml"))
+  name <- names(gear$plan$otter_boards)[1]
+  state <- quiet(gear)
+  # the same state with the flow turned beyond the tests, then below them
+  for (case in list(list(deg = 50, words = "stalled"), list(deg = 4, words = "tested from"))) {
+    state$boards$attack[1] <- case$deg * pi / 180
+    found <- expect_finding(state, "boards", gsub("_", " ", name))
+    expect_match(found$words, case$words)
+    expect_equal(found$value, case$deg)
+  }
+})
+
+test_that("findings are told in the summary, the report and the record", {
+  gear <- update(read_gear("towed_cable"), pieces.sphere.lift_coefficient = 11,
+    pieces.sphere.area = 1e-6, pieces.sphere.lift_direction = "up")
+  state <- quiet(gear)
+  lines <- format(summary(state))
+  expect_true("Worth a look" %in% cli::ansi_strip(lines))
+  expect_match(paste(lines, collapse = " "), "its lift coefficient is 11")
+  file <- tempfile(fileext = ".html")
+  report(state, file)
+  expect_match(paste(readLines(file), collapse = " "), "Worth a look.*its lift coefficient is 11")
+  expect_identical(state_record(state)$findings[[1]]$check, "lift coefficient")
+  expect_identical(unname(state_record(state)$findings[[1]]$value), 11)
+  expect_match(settle_noted(gear, 100, NULL)$notes, "lift coefficient is 11")
+  expect_error(findings(1), class = "codend_error_argument")
+})

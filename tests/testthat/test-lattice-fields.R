@@ -1,0 +1,80 @@
+# The engine reads lattices by its own table of fields, and says which field is wrong.
+
+engine_of <- function(name) build_lattice(gear_si(read_gear(name)), nodes = 200)$engine
+
+# The field that the engine complains of, and what it says.
+complaint <- function(engine) {
+  x <- numeric(3L * engine$nodes)
+  error <- tryCatch(engine_evaluate(engine, x, x), codend_error_engine = identity)
+  expect_s3_class(error, "codend_error")
+  c(error$field, conditionMessage(error))
+}
+
+test_that("a lattice has all fields of the engine and no others", {
+  table <- list2DF(engine_fields())
+  for (name in c("midwater_trawl", "beam_trawl")) {
+    engine <- engine_of(name)
+    of_one <- c("", "ground", "plates", "plates.polar", "sliding")
+    for (kind in setdiff(unique(table$kind), of_one)) {
+      elements <- Reduce(`[[`, strsplit(kind, ".", fixed = TRUE)[[1]], engine)
+      inner <- if (kind == "blended") "materials"
+      expect_setequal(names(elements), c(table$name[table$kind == kind], inner))
+    }
+  }
+})
+
+test_that("an array of the wrong length, place or kind is named", {
+  engine <- engine_of("midwater_trawl")
+  bars <- length(engine$bars$rest)
+
+  short <- engine
+  short$bars$rest <- short$bars$rest[-1L]
+  expect_identical(complaint(short)[1], "bars.rest")
+  expect_match(complaint(short)[2], sprintf("has %d values, must have %d", bars - 1L, bars))
+
+  beyond <- engine
+  points <- engine$nodes + length(engine$ties$share)
+  beyond$bars$node[5] <- points + 1L
+  expect_identical(complaint(beyond)[1], "bars.node")
+  expect_match(complaint(beyond)[2],
+    sprintf("bars.node[5] is %d, must be from 1 to %d", points + 1L, points), fixed = TRUE)
+
+  text <- engine
+  text$spheres$diameter <- rep("thick", length(text$spheres$node))
+  expect_match(complaint(text)[2], "spheres.diameter must be numbers", fixed = TRUE)
+
+  lost <- engine
+  lost$mass[3] <- NaN
+  expect_match(complaint(lost)[2], "mass[3] must be a finite number", fixed = TRUE)
+})
+
+test_that("an unknown law is an error, not the first one", {
+  engine <- engine_of("midwater_trawl")
+  engine$materials$law[2] <- "hoerner"
+  expect_identical(complaint(engine)[1], "materials.law")
+  expect_match(complaint(engine)[2], "must be constant, takagi, choo_casarella or cifuentes_kim")
+  expect_error(engine_speed_reduction("lolland", 0.2, 1), class = "codend_error_engine")
+})
+
+test_that("positions of another lattice are refused", {
+  engine <- engine_of("beam_trawl")
+  expect_error(engine_evaluate(engine, numeric(3), numeric(3)), "position has 3 values",
+    class = "codend_error_engine")
+})
+
+test_that("R's own errors pass through the engine as they are", {
+  engine <- engine_of("beam_trawl")
+  start <- as.double(build_lattice(gear_si(read_gear("beam_trawl")), nodes = 200)$start)
+  stop_it <- function(...) rlang::abort("enough", class = "watched")
+  expect_error(engine_settle(engine, start, FALSE, numeric(), 1e-8, 5L, stop_it), class = "watched")
+})
+
+test_that("every reported force has the part of each of its elements", {
+  state <- settled("midwater_trawl", nodes = 400)
+  by_flow <- reported_forces("flow")
+  for (k in seq_len(nrow(by_flow))) {
+    expect_length(element_part(state$lattice, by_flow$kind[k]),
+      ncol(state$forces[[by_flow$name[k]]]))
+  }
+  expect_setequal(names(state$forces), reported_forces()$name)
+})
