@@ -3,11 +3,11 @@
 started_trajectory <- function(state, given, until) {
   state$lattice$let_go <- TRUE
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
-  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0, after = TRUE) - 1) > 1e-6) {
+  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
     abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")
   }
   for (part in what$schedule$growing) {
-    if (abs(curve_at(part$factor, 0, after = TRUE) - 1) > 1e-6) {
+    if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
       abort_schedule("gear", sprintf(
         "is a state whose %s is not what the schedule begins with; give the gear, to settle so.",
         part$name

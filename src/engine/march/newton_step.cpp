@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace codend {
 namespace {
@@ -11,6 +12,7 @@ constexpr int most_iterations = 12;
 constexpr double most_move = 50.0;
 // Net force that may be left on a node, over the sizes of all forces on it.
 constexpr double balance_share = 1e-3;
+constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
 // A step whose error after the first iteration is above what is allowed by this factor is not worth
 // a second one.
 constexpr double hopeless = 1.5;
@@ -79,7 +81,7 @@ void NewtonStep::follow(const Rule& rule, const Motion& now, Motion& next) const
   }
 }
 
-double NewtonStep::imbalance(const Motion& next, int& worst) {
+double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
   assembly_.move_to(next.x.data(), next.v.data());
   assembly_.residual(force_.data());
   assembly_.mass(mass_.data());
@@ -89,8 +91,11 @@ double NewtonStep::imbalance(const Motion& next, int& worst) {
     const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(node)]);
     const Vector inertia = mass * at(next.a.data(), node);
     const double left = (at(force_.data(), node) - inertia).norm();
-    const double ratio =
-        left / (allowed_[static_cast<std::size_t>(node)] + balance_share * inertia.norm());
+    // What rounding of places and velocities makes of accelerations.
+    const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
+                                       rule.p * at(next.v.data(), node).norm());
+    const double ratio = left / (allowed_[static_cast<std::size_t>(node)] +
+                                 balance_share * inertia.norm() + mass.norm() * rounded);
     if (left > 0.0 && !(ratio <= most)) {
       most = ratio;
       worst = node;
@@ -150,7 +155,7 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
   StepOutcome out;
   double moved = 0.0, moved_before = 0.0;
   for (;; ++out.iterations) {
-    const bool balanced = imbalance(next, out.worst_node) <= 1.0;
+    const bool balanced = imbalance(rule, next, out.worst_node) <= 1.0;
     if (out.iterations > 0 && balanced) {
       // What is left after an iteration that shrinks moves by a factor r is r/(1 - r) of its own.
       const double ratio = out.iterations > 1 ? moved / moved_before : 1.0;

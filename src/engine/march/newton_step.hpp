@@ -65,7 +65,7 @@ class NewtonStep : public Stepper {
   Rule set_rule(const Past& past, double h);
   void follow(const Rule& rule, const Motion& now, Motion& next) const;
   // Largest net force over what a node allows.
-  double imbalance(const Motion& next, int& worst);
+  double imbalance(const Rule& rule, const Motion& next, int& worst);
   bool correct(const Rule& rule, const Motion& next, double& share);
   double error(const Rule& rule, const Past& past, const Motion& next, int& worst);
 
