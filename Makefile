@@ -3,6 +3,7 @@
 # make test    every test of the engine and of the package
 # make fast    the engine's tests and the quick ones of the package, in under two minutes
 # make lint    style, format, layers and generated files
+# make fuzz    plans, files, models and messages that nobody would write; SECONDS=... and SEED=...
 # make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
 # make sanitize-threads  the engine's tests under the thread sanitizer
 # make check   R CMD check of the package as it would be published; any note is a failure
@@ -19,7 +20,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint sanitize sanitize-threads check ci browser-test bench bench-tow robust \
+.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-tow robust \
   schema schema-check
 trawl:
 	@tools/setup
@@ -40,6 +41,13 @@ lint:
 ci:
 	@tools/setup --checks
 	@Rscript tools/test.R ci
+
+# A process that asks for more memory than it should gets none.
+SECONDS ?= 3600
+SEED ?= 1000000
+fuzz:
+	@tools/setup --tests
+	@ulimit -v 6000000; exec Rscript tests/fuzz/run.R $(SECONDS) $(SEED)
 
 sanitize sanitize-threads:
 	@tools/setup --tests

@@ -54,13 +54,15 @@ write_settled <- function(state, folder) {
 # the measures by name, and what is worth a look.
 state_record <- function(state) {
   engine <- state$lattice$engine
+  found <- measures(state)
   list(
     converged = state$report$converged, iterations = state$report$iterations,
     residual = state$report$residual,
     nodes = engine$nodes, bars = length(engine$bars$rest),
     triangles = length(engine$triangles$rest),
     cpu_seconds = state$report$cpu_seconds,
-    measures = as.list(measures(state)),
+    measures = as.list(found), errors = as.list(attr(found, "error")),
+    main_error = main_error(found),
     findings = row_records(findings(state))
   )
 }

@@ -24,8 +24,8 @@ engine_scheduled <- function(lattice, schedule, time) {
   .Call(`_codend_engine_scheduled`, lattice, schedule, time)
 }
 
-engine_settle <- function(lattice, start, near, strain, tolerance, iterations, watch) {
-  .Call(`_codend_engine_settle`, lattice, start, near, strain, tolerance, iterations, watch)
+engine_settle <- function(lattice, start, from, strain, tolerance, iterations, watch) {
+  .Call(`_codend_engine_settle`, lattice, start, from, strain, tolerance, iterations, watch)
 }
 
 engine_lay_out <- function(held, position, ends, rest, tension, load) {

@@ -1,8 +1,8 @@
 # Worth a look: what a gear or a state has that practice and measurement do not know, each with its
 # number, its place and what to try. A new check is a new entry in a file `finding-*.R`.
 
-# Every check, by name: list(name, words, of, test) as define_finding() makes them. The files of checks
-# fill it while the package is built.
+# Every check, by name: list(name, words, of, test) as define_finding() makes them. The files of
+# checks fill it while the package is built.
 finding_checks <- new.env(parent = emptyenv())
 
 # name: of the check, in words; words: what is worth a look, in one sentence, with the bounds and

@@ -71,7 +71,8 @@ define_finding("speed", "plan",
     knots <- paste(figures(in_knots), "knot")
     out <- list()
     if (si$towing$speed > greatest_speed) {
-      out <- list(finding("towing.speed", in_knots, knots, sprintf("the gear is towed at %s.", knots),
+      out <- list(finding("towing.speed", in_knots, knots,
+        sprintf("the gear is towed at %s.", knots),
         "Check the unit: a number without one is in m/s."))
     }
     current <- sqrt(si$water$current$x^2 + si$water$current$y^2)

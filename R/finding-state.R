@@ -23,7 +23,7 @@ define_finding("net off the bed", "state",
   }
 )
 
-# Share of the tension of the bridles of one side. Two bridles of the shipped gear share it 79 to 21,
+# Share of the tension of the bridles of one side. Two bridles of shipped gear share it 79 to 21,
 # three 52 to 10 at the least.
 greatest_bridle_share <- 0.8
 least_bridle_share <- 0.05
@@ -147,7 +147,7 @@ define_finding("out of the water", "state",
       if (state$si$water$free_surface) {
         "Check what lifts the gear, and how much warp is out."
       } else {
-        "Water has no surface in this plan: give `water: {free_surface: yes}`, or more warp or weight."
+        "The water has no surface here: give `water: {free_surface: yes}`, or more warp or weight."
       }))
   }
 )

@@ -53,6 +53,7 @@ finding_help <- function() {
   checks <- sorted_checks()
   c(
     "@section What is looked at:",
-    paste0("- ", vapply(checks, `[[`, "", "name"), ": ", one_line(vapply(checks, `[[`, "", "words")))
+    sprintf("- %s: %s", vapply(checks, `[[`, "", "name"),
+      one_line(vapply(checks, `[[`, "", "words")))
   )
 }

@@ -25,11 +25,12 @@ text_rows <- function(table) {
   lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
 }
 
-# Measures of two states beside each other: data frame with measure, unit, now, pinned, change,
-# change_percent (NA where only one of them has the measure, or the pinned one is zero) and definition.
+# Measures of two states beside each other: data frame with measure, unit, now, its error, pinned,
+# change, change_percent (NA where only one of them has the measure, or the pinned one is zero) and definition.
 measure_changes <- function(now, pinned) {
   names <- union(names(now), names(pinned))
   unit <- unname(c(attr(now, "unit"), attr(pinned, "unit"))[names])
+  error <- unname(attr(now, "error")[names])
   definition <- c(
     setNames(definitions_of(now), names(now)), setNames(definitions_of(pinned), names(pinned))
   )[names]
@@ -37,7 +38,7 @@ measure_changes <- function(now, pinned) {
   pinned <- unname(plain_measures(pinned)[names])
   change <- now - pinned
   data.frame(
-    measure = words_of(names, unit), unit = unit, now = now, pinned = pinned, change = change,
+    measure = words_of(names, unit), unit = unit, now = now, error = error, pinned = pinned, change = change,
     change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned)),
     definition = unname(definition)
   )
@@ -76,7 +77,8 @@ measures_html <- function(now, pinned) {
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
   rows <- data.frame(
-    paste0(table$measure, " (", table$unit, ")"), fixed_decimals(table$now, decimals),
+    paste0(table$measure, " (", table$unit, ")"),
+    trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error))),
     fixed_decimals(table$pinned, decimals), change, percent
   )
   html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows),

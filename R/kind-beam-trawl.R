@@ -41,7 +41,7 @@ expand_beam_trawl <- function(fields, plan) {
   for (name in names(plan$ticklers)) {
     ropes[[name]] <- rope("toe_port", "toe_starboard", plan$ticklers[[name]], "tickler")
   }
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$points <- points
   out$ropes <- c(ropes, frame_struts(start), net$ropes)
   out$panels <- net$panels

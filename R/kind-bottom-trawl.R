@@ -14,7 +14,7 @@ expand_bottom_trawl <- function(fields, plan) {
   check_bottom_trawl(fields)
   net <- bottom_trawl_net(fields, plan)
   rig <- bottom_trawl_rig(fields, plan)
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels

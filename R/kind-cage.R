@@ -11,7 +11,7 @@ expand_cage <- function(fields, plan) {
   net <- cage_net(fields, plan, outline)
   frame <- cage_frame(fields, plan, outline)
   moorings <- cage_moorings(fields, plan, outline)
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   if (!fields$collar$held) out$water$free_surface <- TRUE
   out$points <- c(net$points, moorings$points)
   out$panels <- net$panels

@@ -11,7 +11,7 @@ expand_dip_net <- function(fields, plan) {
   outline$level <- -fields$lift_line$length - slope
   net <- cage_net(fields, plan, outline)
   rig <- cage_frame(fields, plan, outline)
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$points <- c(
     list(
       block = list(position = list(0, 0, 0), held = "moved"),

@@ -13,7 +13,7 @@ expand_gillnet <- function(fields, plan) {
   across <- wall$meshes$across
   corner <- function(name, y, z) list(at = paste0("wall.", name), near = list(0, y, z))
 
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$panels <- list(wall = c(own, list(
     meshes = list(upper = across, lower = across, deep = wall$meshes$deep), part = "wall"
   )))

@@ -39,7 +39,7 @@ expand_midwater_trawl <- function(fields, plan) {
   ring <- trawl_rings[[as.character(fields$panels)]]
   net <- trawl_net(fields, plan, ring)
   rig <- trawl_rig(fields, plan, ring)
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels

@@ -23,7 +23,7 @@ expand_pair_trawl <- function(fields, plan) {
       )
     }
   }
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels

@@ -17,7 +17,7 @@ expand_stow_net <- function(fields, plan) {
     list(at = paste0(section_panel_name(panel, first), ".upper_", side),
       near = list(aft, y, top - level * fields$mouth$height))
   }
-  out <- shared_fields(plan)
+  out <- shared_fields(plan, fields)
   out$water$free_surface <- TRUE
   out$panels <- net$panels
   out$seams <- net$seams

@@ -8,15 +8,18 @@
 nothing <- stats::setNames(list(), character())
 
 # Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
-# units.
-shared_fields <- function(plan) {
-  plan[intersect(
+# units. Given or not, it has the law for the drag of netting that its kind takes (fields); netting
+# of bars, which only knows the sum over its twines, takes that where nothing else is asked for.
+shared_fields <- function(plan, fields) {
+  out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
       "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
     ),
     names(plan)
   )]
+  if (is.null(out$netting_drag) && fields$netting != "bars") out$netting_drag <- fields$netting_drag
+  out
 }
 
 # The panel after each one around the net.

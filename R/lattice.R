@@ -124,6 +124,10 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
       stand_on_ground(si, lattice, lay_on_ground(si$ground, start))
     }
   } else if (alike) {
+    # the same sheets of netting in the place of the last shape slow the water as they did
+    if (identical(lattice$engine$wake_sheets, from$lattice$engine$wake_sheets)) {
+      lattice$engine$wake <- from$lattice$engine$wake
+    }
     from$position[, seq_len(lattice$nodes)]
   } else {
     carry_positions(panels, lattice, from$lattice, from$position)

@@ -1,12 +1,13 @@
 # Measures as numbers that keep what they are: each one's unit and kind.
 
-# values: SI, by name; kinds: their entries in the registries.
-new_measures <- function(values, kinds) {
+# values: SI, by name; kinds: their entries in the registries; nodes and levels: of the lattice and of
+# those that it was compared with, see estimate_errors().
+new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   units <- measure_units(kinds)
-  shown <- as.double(mapply(in_unit, values, units))
-  structure(setNames(shown, names(values)), unit = setNames(units, names(values)),
+  shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
+  structure(shown, unit = setNames(units, names(values)),
     kind = setNames(vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE), names(values)),
-    class = c("codend_measures", "numeric"))
+    error = estimate_errors(shown, nodes, levels), class = c("codend_measures", "numeric"))
 }
 
 plain_measures <- function(x) setNames(as.double(x), names(x))
@@ -15,7 +16,7 @@ plain_measures <- function(x) setNames(as.double(x), names(x))
 `[.codend_measures` <- function(x, i) {
   some <- plain_measures(x)[i]
   structure(some, unit = attr(x, "unit")[names(some)], kind = attr(x, "kind")[names(some)],
-    class = class(x))
+    error = attr(x, "error")[names(some)], class = class(x))
 }
 
 #' @export
@@ -36,10 +37,13 @@ print.codend_measures <- function(x, ...) {
   invisible(x)
 }
 
-# What text shows of measures: list(words, unit).
+# What text shows of measures: list(words, unit, error = "\u00b1 0.6" or "").
 measure_words <- function(measures) {
   unit <- unname(attr(measures, "unit"))
-  list(words = words_of(names(measures), unit), unit = unit)
+  list(
+    words = words_of(names(measures), unit), unit = unit,
+    error = error_text(unname(attr(measures, "error")))
+  )
 }
 
 # The definitions of measures, one text each.

@@ -92,7 +92,10 @@ standard_measures <- c(
   ),
   standard_measure("ground_friction", "%",
     "With a sea bed, the share of its friction in the total drag.",
-    function(state, found) if (has_ground(state)) found$ground$along_flow / found$drag
+    function(state, found) {
+      # gear at rest in still water has no drag
+      if (has_ground(state) && found$drag != 0) found$ground$along_flow / found$drag
+    }
   ),
   standard_measure("least_depth", "m",
     "Depth of the highest node of the gear.",

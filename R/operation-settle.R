@@ -29,8 +29,14 @@
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Several times faster than to start anew; where that
-#'   start does not lead to balance the gear is settled anew.
+#'   points, at another speed, warp or design. Many times faster than to start anew where the change is
+#'   small and as many `nodes` are asked for; where that start does not lead to balance the gear is
+#'   settled anew.
+#' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear is
+#'   divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
+#'   are the total drag and the spreads, heights, areas and volumes that the plan asks for, each as
+#'   a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach is a
+#'   warning of class `codend_warning_accuracy`. `NULL` settles at `nodes` and tells the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -44,21 +50,36 @@
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
 #' @export
-settle <- function(gear, nodes = 1500, netting = NULL, from = NULL) {
+settle <- function(gear, nodes = 1500, netting = NULL, from = NULL, accuracy = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
-  settle_gear(gear, nodes, netting, from, settle_iterations)
+  if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
+  if (is.null(accuracy)) return(settle_gear(gear, nodes, netting, from, settle_iterations))
+  state <- settled_state(gear, nodes, netting, from, settle_iterations)
+  state <- settle_accurately(state, accuracy, netting)
+  warn_of_doubts(state)
+  state
 }
 
 # steps: of the solver from a crude start, at most.
 settle_gear <- function(gear, nodes, netting, from, steps) {
+  state <- settled_state(gear, nodes, netting, from, steps)
+  warn_of_doubts(state)
+  state
+}
+
+# As settle_gear(), without its warnings.
+settled_state <- function(gear, nodes, netting, from, steps) {
   started <- cpu_clock()
   si <- gear_si(gear)
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
+    if (!isTRUE(found$report$converged)) {
+      found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    }
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
@@ -73,7 +94,7 @@ settle_gear <- function(gear, nodes, netting, from, steps) {
   report$cpu_seconds <- cpu_clock() - started
   if (!report$converged) abort_not_converged(report, found$lattice, found$position)
   state <- new_state(gear, si, found$lattice, found$position, report)
-  warn_of_boards(state)
+  state$levels <- state_levels(state, found, from)
   state
 }
 
@@ -95,4 +116,10 @@ check_settle_arguments <- function(gear, nodes, netting) {
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)
+}
+
+# Boards that do not fly, and laws outside what they were measured for.
+warn_of_doubts <- function(state) {
+  warn_of_boards(state)
+  warn_of_laws(state)
 }

@@ -260,8 +260,10 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   moved <- what$schedule$track$node
   what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
   start <- lattice_at(what, now)
-  settled <- engine_settle(start$engine, as.double(what$lattice$start), found$report$converged,
-    numeric(), settle_tolerance, settle_iterations, progress)
+  settled <- engine_settle(
+    start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
+    numeric(), settle_tolerance, settle_iterations, progress
+  )
   if (!settled$converged) abort_not_converged(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))

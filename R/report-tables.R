@@ -29,8 +29,8 @@ measures_columns <- function(measures) {
   measures <- plain_measures(measures)
   force <- ifelse(said$unit == "kN", figures(tonnes_force(measures)), "")
   columns <- list(` measure` = said$words, value = single_numbers(measures), ` unit` = said$unit,
-    tonnes = force)
-  if (any(nzchar(force))) columns else columns[1:3]
+    ` error` = said$error, tonnes = force)
+  columns[c(TRUE, TRUE, TRUE, any(nzchar(said$error)), any(nzchar(force)))]
 }
 
 finding_columns <- function(found) {

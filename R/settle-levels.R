@@ -11,12 +11,14 @@ settle_tolerance <- 1e-8
 settle_iterations <- 3200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
-# every line or NULL), or `found`, a shape to begin with or NULL, where coarser ones are of no use:
-# ropes alone settle in a few steps.
+# every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
+# begin with or NULL, where there is none.
 coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
-  if (!length(si$panels)) return(found)
   free <- undivided(si)
-  for (level in coarse_levels(min(nodes, fixed_nodes(si)))) {
+  nodes <- min(nodes, fixed_nodes(si))
+  # Ropes alone need no help on their way, but an error.
+  levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
+  for (level in levels) {
     coarse <- settle_level(
       free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps,
       progress
@@ -25,7 +27,8 @@ coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
     found <- list(
       lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position),
       # Coarse triangles are too stiff for theirs to be of use.
-      strain = if (level > coarsest_nodes) coarse$strain
+      strain = if (level > coarsest_nodes) coarse$strain,
+      si = free, coarser = if (!is.null(found$si)) found
     )
   }
   found
@@ -67,13 +70,14 @@ undivided <- function(si) {
   si
 }
 
-# Settles one lattice: list(lattice, position, strain, report). from: a shape to carry over, or
-# NULL.
+# Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over,
+# or NULL.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
+  begins <- if (is.null(from)) "crude" else if (settled_alike(lattice, from)) "settled" else "near"
   # The factors lie outside R's heap: nothing else makes R release what building left over.
   if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
@@ -82,7 +86,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   }
   solve <- function(lattice) {
     engine_settle(
-      lattice$engine, as.double(lattice$start), !is.null(from), as.double(strain), settle_tolerance,
+      lattice$engine, as.double(lattice$start), begins, as.double(strain), settle_tolerance,
       steps, progress
     )
   }
@@ -97,7 +101,15 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   found$lattice$engine$wake <- report$wake
   report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
-  c(found, list(report = report))
+  c(found, list(report = report, from = from))
+}
+
+# Whether a shape to begin with was settled on the same lattice, whatever its numbers.
+settled_alike <- function(lattice, from) {
+  same <- function(kind) {
+    identical(lattice$engine[[kind]]$node, from$lattice$engine[[kind]]$node)
+  }
+  isTRUE(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("triangles")
 }
 
 # A state's shape, to carry over.
@@ -108,7 +120,7 @@ state_shape <- function(state) {
     state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / triangles$rest - 1,
     state$v_length / triangles$rest - 1, state$straight_length / triangles$straight - 1
   )
-  list(lattice = state$lattice, position = state_points(state), strain = strain)
+  list(lattice = state$lattice, position = state_points(state), strain = strain, settled = TRUE)
 }
 
 # A state's shape, moved to where a gear with other lengths of rope should be found.

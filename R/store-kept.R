@@ -124,7 +124,7 @@ gear_of_text <- function(text, file) {
   as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
 }
 
-# Numbers of nodes and parts that a lattice refers to must be there.
+# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own arrays.
 check_indices <- function(lattice) {
   engine <- lattice$engine
   points <- length(engine$mass)
@@ -137,14 +137,12 @@ check_indices <- function(lattice) {
   if (!identical(as.double(lattice$nodes), as.double(engine$nodes)) || engine$nodes > points) {
     stop("its nodes do not fit")
   }
-  for (name in c("bars", "triangles", "spheres", "lifts", "screens", "contacts", "volumes", "pressure")) {
-    within(engine[[name]]$node, points, name)
-  }
   for (name in c("bar_part", "triangle_part", "sphere_part", "lift_part", "board_part")) {
     within(lattice[[name]], nrow(lattice$parts), name)
   }
   within(unlist(lattice$points), points, "points")
-  materials <- length(engine$materials$diameter)
-  within(engine$bars$material, materials, "bars")
-  within(engine$triangles$material, materials, "triangles")
+  within(unlist(lapply(lattice$ropes, `[[`, "node")), points, "ropes")
+  still <- numeric(3 * engine$nodes)
+  engine_evaluate(engine, still, still)
+  invisible()
 }

@@ -83,6 +83,7 @@ read_state <- function(file) {
     }
     state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
     state$time <- what$time
+    state$levels <- what$levels
     state
   })
 }
@@ -123,7 +124,7 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time")]
+  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time", "levels")]
   c(
     do.call(c, vectors),
     list(

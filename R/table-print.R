@@ -27,7 +27,26 @@ size_text <- function(state) {
 
 measure_text <- function(measures) {
   said <- measure_words(measures)
-  paste(said$words, figures(plain_measures(measures)), said$unit)
+  trimws(paste(said$words, figures(plain_measures(measures)), said$unit, said$error))
+}
+
+# How accurate the lattice makes the main measures, and what to do where that is little; NULL where
+# it is not known.
+accuracy_line <- function(measures) {
+  error <- main_error(measures)
+  if (!is.finite(error)) return(NULL)
+  paste0(
+    "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
+    percent_text(error),
+    if (error > usual_accuracy) {
+      paste0("; settle(accuracy = \"", percent_text(usual_accuracy), "\")")
+    }
+  )
+}
+
+within_text <- function(measures) {
+  error <- main_error(measures)
+  if (is.finite(error)) paste0("; main measures within about ", percent_text(error))
 }
 
 #' @export
@@ -41,7 +60,7 @@ print.codend_state <- function(x, ...) {
       sprintf("Gear \"%s\" at %s s of a tow", x$si$name, format(signif(x$time, 6)))
     },
     paste0("  ", conditions_text(x$si)),
-    paste0("  ", size_text(x)),
+    paste0("  ", size_text(x), within_text(found)),
     paste0("  ", measure_text(found[shown])),
     "  More: summary(), as.data.frame(), plot(), view()",
     sep = "\n"

@@ -36,7 +36,7 @@
 #'     run in parallel) and `slack` (no tension).
 #'   - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (names of the ropes and panels that meet
 #'     there) and `held`.
-#'   - `"measures"`: `measure`, `value` and `unit` ([measures()]).
+#'   - `"measures"`: `measure`, `value`, `unit` and `error` of the lattice ([measures()]).
 #'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`,
 #'     `role`, hydrodynamic force as `drag_kN` (along the flow), `side_kN` (to starboard of it) and
 #'     `lift_kN` (up), and `weight_in_water_kN` (weight less buoyancy).
@@ -122,6 +122,7 @@ node_parts <- function(lattice) {
 measure_table <- function(state) {
   found <- measures(state)
   data.frame(
-    measure = names(found), value = as.double(found), unit = unname(attr(found, "unit"))
+    measure = names(found), value = as.double(found), unit = unname(attr(found, "unit")),
+    error = unname(attr(found, "error"))
   )
 }

@@ -61,7 +61,7 @@ format.codend_summary <- function(x, ...) {
   section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
   c(
     cli::style_bold(x$name), x$conditions,
-    section("Measures", measure_lines(x$measures)),
+    section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures))),
     section("Worth a look", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
@@ -82,7 +82,7 @@ listed_parts <- 6L
 measure_lines <- function(measures) {
   said <- measure_words(measures)
   values <- align_points(figures(plain_measures(measures)))
-  align_columns(list(said$words, values, said$unit), left = c(1L, 3L))
+  align_columns(list(said$words, values, said$unit, said$error), left = c(1L, 3L, 4L))
 }
 
 finding_lines <- function(found) {

@@ -11,6 +11,24 @@ figures <- function(x) {
   as.character(text)
 }
 
+# Errors as text: "\u00b1 0.6", rounded up to one figure, to two where it begins with 1; "" for NA.
+error_text <- function(error) {
+  known <- is.finite(error)
+  text <- rep("", length(error))
+  size <- floor(log10(pmax(error[known], 1e-300)))
+  unit <- 10^ifelse(error[known] < 2 * 10^size, size - 1, size)
+  up <- pmax(ceiling(error[known] / unit * (1 - 1e-9)) * unit, 1e-4)
+  text[known] <- paste(if (cli::is_utf8_output()) "\u00b1" else "+-",
+    format_each(up, decimals = pmin(pmax(-round(log10(unit)), 0), 4)))
+  text[known & error == 0] <- ""
+  text
+}
+
+format_each <- function(x, decimals) {
+  as.character(mapply(formatC, x, digits = decimals,
+    MoreArgs = list(format = "f", decimal.mark = ".")))
+}
+
 # A column of numbers with as many decimals as its largest needs for four figures.
 column_figures <- function(x) {
   size <- max(abs(x), 0, na.rm = TRUE)

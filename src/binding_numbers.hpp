@@ -32,10 +32,11 @@ inline std::vector<int> whole_numbers(const list& from, const char* name) {
   return whole_numbers(integers(from[name]));
 }
 
-// R counts from 1.
+// R counts from 1. NA becomes -1, which is no place.
+inline int place_of(int value) { return value == NA_INTEGER ? -1 : value - 1; }
 inline std::vector<int> places(const integers& values) {
   std::vector<int> out = whole_numbers(values);
-  for (int& place : out) --place;
+  for (int& place : out) place = place_of(place);
   return out;
 }
 
@@ -57,6 +58,7 @@ inline doubles as_doubles(const std::vector<double>& values) {
 }
 
 inline double number(const list& from, const char* name) { return as_cpp<double>(from[name]); }
+inline int place(const list& from, const char* name) { return place_of(as_cpp<int>(from[name])); }
 
 inline codend::Vector vector_of(const list& from, const char* name) {
   const doubles values(from[name]);

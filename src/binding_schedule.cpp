@@ -2,6 +2,7 @@
 #include "binding_schedule.hpp"
 
 #include "binding_model.hpp"
+#include "engine/march/check_schedule.hpp"
 #include "engine/march/scheduled_conditions.hpp"
 
 using namespace binding;
@@ -22,7 +23,7 @@ codend::LengthControl read_winch(const list& from) {
   winch.tension_limit = number(from, "tension_limit");
   winch.near_limit = as_cpp<bool>(from["near_limit"]);
   winch.stiffness = number(from, "stiffness");
-  winch.bar = as_cpp<int>(from["bar"]) - 1;
+  winch.bar = place(from, "bar");
   winch.full_length = number(from, "full_length");
   winch.least_length = number(from, "least_length");
   winch.most_length = number(from, "most_length");
@@ -36,7 +37,7 @@ codend::PrescribedMotion read_track(const list& from) {
   codend::PrescribedMotion motion;
   motion.node = places(from, "node");
   const std::vector<double> place = numbers(from, "place");
-  for (std::size_t k = 0; k < motion.node.size(); ++k) {
+  for (std::size_t k = 0; 3 * k + 2 < place.size(); ++k) {
     motion.place.emplace_back(place[3 * k], place[3 * k + 1], place[3 * k + 2]);
   }
   motion.x = read_curve(list(from["x"]));
@@ -67,10 +68,10 @@ codend::GrowingGroup read_group(const list& from) {
 codend::Rupture read_parting(const list& from) {
   codend::Rupture rupture;
   rupture.bars = places(from, "bars");
-  rupture.at = as_cpp<int>(from["at"]) - 1;
+  rupture.at = place(from, "at");
   rupture.time = number(from, "time");
   rupture.strength = number(from, "strength");
-  rupture.broken = as_cpp<int>(from["parted"]) - 1;
+  rupture.broken = place(from, "parted");
   rupture.broken_at = number(from, "parted_at");
   return rupture;
 }
@@ -120,6 +121,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
 [[cpp11::register]] doubles engine_curve_at(list curve, doubles time, bool after) {
   return guarded([&]() -> doubles {
     const codend::Curve read = read_curve(curve);
+    codend::check_curve(read, "curve");
     const codend::Side side = after ? codend::Side::after : codend::Side::before;
     writable::doubles out(time.size());
     for (R_xlen_t k = 0; k < time.size(); ++k) out[k] = read.at(time[k], side);
@@ -133,6 +135,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
 [[cpp11::register]] list engine_schedule_at(list schedule, doubles time, doubles length) {
   return guarded([&]() -> list {
     codend::Schedule read = read_schedule(schedule);
+    codend::check_schedule(read);
     if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
       stop("one length per time and growing group is needed");
     }

@@ -5,8 +5,21 @@
 
 using namespace binding;
 
-[[cpp11::register]] list engine_settle(list lattice, doubles start, bool near, doubles strain,
-                                       double tolerance, int iterations, function watch) {
+namespace {
+
+codend::Start start_of(const std::string& name) {
+  const auto names = codend::names_of(codend::Start());
+  const auto at = std::find(names.begin(), names.end(), name);
+  if (at == names.end()) throw codend::InputError("from", "no such start: " + name);
+  return static_cast<codend::Start>(at - names.begin());
+}
+
+}  // namespace
+
+// from: what the start is, a name of codend::Start.
+[[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
+                                       doubles strain, double tolerance, int iterations,
+                                       function watch) {
   return guarded([&]() -> list {
     codend::Model model = read_model(lattice);
     codend::Assembly assembly(model);
@@ -14,9 +27,9 @@ using namespace binding;
     const std::vector<double> v(x.size(), 0.0);
 
     codend::SettleControl control;
-    control.near = near;
+    control.start = start_of(from);
     control.strain.assign(strain.begin(), strain.end());
-    if (near && !control.strain.empty() &&
+    if (!control.strain.empty() &&
         control.strain.size() != static_cast<std::size_t>(model.lines())) {
       throw codend::InputError("strain", "strain has " + std::to_string(control.strain.size()) +
                                              " values, must have " + std::to_string(model.lines()) +

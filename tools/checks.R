@@ -6,7 +6,7 @@ checks <- c(
   "style of R (.lintr)" = "Rscript tools/check-style.R",
   "order of R's rooms" = "Rscript tools/check-layers.R",
   "format of C++ (.clang-format)" = "tools/check-format",
-  "objects in src/Makevars" = "tools/makevars.sh --check",
+  "objects in src/Makevars; includes, words and headers of the engine" = "tools/check-engine.sh",
   "schema of plans and its parts" = "make -s schema-check",
   "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
 )

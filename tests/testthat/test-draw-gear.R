@@ -10,14 +10,14 @@ test_that("a trawl's panels stand in columns, like ones once", {
   expect_true(all(layout$columns$symmetric))
   back <- layout$panels[layout$panels$column == 1, ]
   at <- function(name) back[back$name == paste0("back_", name), ]
-  # 12 meshes of 32 m, half of their stretched width; one of them deep
-  expect_equal(at("section_1")$upper, 12 * 32 / 2)
-  expect_equal(at("section_1")$depth, 32)
+  # 16 meshes of 32 m, half of their stretched width; two of them deep, behind wings of three
+  expect_equal(at("section_1")$upper, 16 * 32 / 2)
+  expect_equal(at("section_1")$depth, 2 * 32)
   # the wings stand before the first section, the sections behind each other
   expect_equal(at("wing_left")$y, 0)
-  expect_equal(at("section_1")$y, 32)
-  expect_equal(at("section_2")$y, 32 + 1 * 32)
-  expect_equal(at("codend")$y + at("codend")$depth, sum(back$depth) - 32)
+  expect_equal(at("section_1")$y, 3 * 32)
+  expect_equal(at("section_2")$y, (3 + 2) * 32)
+  expect_equal(at("codend")$y + at("codend")$depth, sum(back$depth) - 3 * 32)
   # each wing over its end of the first section's front edge
   expect_equal(at("wing_left")$x + at("wing_left")$shift, at("section_1")$x)
   expect_equal(
@@ -87,17 +87,17 @@ test_that("the lists hold every rope and piece once, those alike together", {
   ropes <- rope_items(si)
   expect_equal(sum(ropes$count), length(si$ropes))
   warp <- ropes[ropes$name == "warp", ]
-  expect_equal(c(warp$count, warp$length, warp$diameter), c(2, 700, 0.032))
+  expect_equal(c(warp$count, warp$length, warp$diameter), c(2, 600, 0.032))
   expect_identical(warp$material, "steel wire")
   head_line <- ropes[ropes$name == "head line", ]
-  # along two wings' inner edges, 5 meshes of 32 m each: the 12 meshes of the front are all taken
-  expect_equal(head_line$hanging, 170 / (2 * 5 * 32))
+  # along two wings' inner edges, 7 meshes of 32 m each: the 16 meshes of the front are all taken
+  expect_equal(head_line$hanging, 222 / (2 * 7 * 32))
   pieces <- piece_items(si)
   expect_setequal(unlist(pieces$parts), names(si$pieces))
   expect_equal(pieces$count[pieces$name == "hammer"], 2)
-  # 3300 kg of steel less the water that it displaces
-  expect_match(pieces$words[pieces$name == "hammer"], "3300 kg, in water 2870 kgf", fixed = TRUE)
-  expect_equal(3300 * (1 - 1025 / 7850), 2870, tolerance = 1e-3)
+  # 6000 kg of steel less the water that it displaces
+  expect_match(pieces$words[pieces$name == "hammer"], "6000 kg, in water 5220 kgf", fixed = TRUE)
+  expect_equal(6000 * (1 - 1025 / 7850), 5220, tolerance = 1e-3)
 })
 
 test_that("the rigging runs from the towing points to the netting, both sides as one", {
@@ -109,7 +109,7 @@ test_that("the rigging runs from the towing points to the netting, both sides as
   layers <- cbind(nodes$layer[ropes$from], nodes$layer[ropes$to])
   expect_equal(sort(layers[named == "warp", ]), c(0, 1))
   expect_equal(sort(layers[named == "upper hand rope", ]), c(1, 2))
-  expect_equal(ropes$length[named == "warp"], 700)
+  expect_equal(ropes$length[named == "warp"], 600)
   letter <- function(name) figure$pieces$item[figure$pieces$name == name]
   expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
 })

@@ -62,8 +62,8 @@ seams:
   expect_equal(found$value, 75 / 60)
   even <- read_text(spoil("deep: 60", "deep: 70", plan = plan))
   expect_false("seam" %in% findings(even)$check)
-  hung <- spoil("panels:", "  line: {along: net.lower, hanging_ratio: 0.1, diameter: 10 mm, material: PP}
-panels:")
+  hung <- spoil("panels:",
+    "  line: {along: net.lower, hanging_ratio: 0.1, diameter: 10 mm, material: PP}\npanels:")
   expect_equal(expect_finding(read_text(hung), "hanging ratio", "rope line")$value, 0.1)
 })
 
@@ -130,4 +130,19 @@ test_that("findings are told in the summary, the report and the record", {
   expect_identical(unname(state_record(state)$findings[[1]]$value), 11)
   expect_match(settle_noted(gear, 100, NULL)$notes, "lift coefficient is 11")
   expect_error(findings(1), class = "codend_error_argument")
+})
+
+test_that("a law outside what it was measured for warns", {
+  gear <- update(read_gear("poly_noreastern_trawl"), netting_drag = "loland")
+  expect_warning(state <- settle(gear, nodes = 500), class = "codend_warning_drag_law")
+  share <- expect_finding(state, "drag law", "netting_drag")$value
+  # a plane by hand: its normal 80 degrees from the flow
+  tilt <- 80 * pi / 180
+  plane <- list(si = list(towing = list(speed = 1), water = list(current = list(x = 0, y = 0))),
+    lattice = list(engine = list(triangles = list(node = 1:3))),
+    position = cbind(c(0, 0, 0), c(0, 2, 0), c(sin(tilt), 0, cos(tilt))))
+  expect_equal(netting_to_flow(plane, 1L), list(angle = 80, area = 1))
+  expect_gt(share, 50)
+  # across the flow it is used as it was fitted
+  expect_no_warning(settle(read_gear("model_cage")))
 })

@@ -4,10 +4,10 @@ test_that("a gear has controls of what it has, in its own units", {
   expect_identical(labels[1:5],
     c("Towing speed", "Warp out", "Otter board area", "Hammer mass", "Canvas area"))
   speed <- controls[[1]]
-  expect_identical(speed[c("value", "unit")], list(value = 4.5, unit = "knot"))
+  expect_identical(speed[c("value", "unit")], list(value = 4, unit = "knot"))
   expect_equal(speed$units[["m/s"]] / speed$units[["knot"]], 3600 / 1852)
-  # a half to one and a half times 4.5 in steps of a round number
-  expect_equal(c(speed$low, speed$high, speed$step), c(2.2, 6.8, 0.1))
+  # a half to one and a half times 4 in steps of a round number
+  expect_equal(c(speed$low, speed$high, speed$step), c(2, 6, 0.05))
 })
 
 test_that("parts of one role in an assembly move together where they are alike", {

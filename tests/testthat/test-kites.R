@@ -177,7 +177,7 @@ test_that("floats may drag by their Reynolds number", {
   floats <- c(float, list(drag_coefficient = "smooth_sphere"))
   state <- settle(update(trawl, floats = floats, netting = "triangles"), nodes = 300)
   drag <- sum(state$forces$sphere_drag[1, elements_of(state, "sphere", "floats")])
-  speed <- 4.5 * 1852 / 3600
+  speed <- quantity_si(trawl$plan$towing$speed, "speed")
   wanted <- sphere_specimens(speed * 0.3 / 1.19e-6, smooth = TRUE)$drag
   # all ten in the free flow
   expect_equal(drag, 10 * wanted * 0.5 * 1025 * speed^2 * pi / 4 * 0.3^2, tolerance = 1e-6)

@@ -16,7 +16,8 @@ test_that("measures of the plan come first, in its order", {
 })
 
 test_that("a midwater trawl has the field's measures", {
-  found <- measures(shipped_state("midwater_trawl"))
+  # of fewer nodes than this the panels' lattices are no mirror images of each other
+  found <- measures(settled("midwater_trawl"))
   expect_true(all(c(
     "door_spread_m", "net_mouth_height_m", "wing_end_spread_m", "mouth_area_m2", "total_drag_kN",
     "warp_tension_port_kN", "headline_depth_m"

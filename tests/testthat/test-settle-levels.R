@@ -9,8 +9,8 @@ test_that("levels grow by the ratio from the coarsest", {
 
 test_that("coarse to fine ends where the crude start ends", {
   gear <- read_gear("midwater_trawl")
-  state <- settle(gear, nodes = 1000, netting = "bars")
-  crude <- settle_level(gear_si(gear), 1000, "bars", NULL, 800L, function(...) NULL)
+  state <- settle(gear, nodes = 1500, netting = "bars")
+  crude <- settle_level(gear_si(gear), 1500, "bars", NULL, 800L, function(...) NULL)
   expect_true(crude$report$converged)
   # Forces in balance to 1e-8 of the largest tension; slack twine has little to hold it in place.
   expect_equal(crude$position, as.vector(state$position), tolerance = 1e-6)

@@ -84,3 +84,37 @@ test_that("a lattice that refers to what is not there is refused", {
   lattice$bar_part[1] <- 99L
   expect_error(check_indices(lattice), "bar_part")
 })
+
+test_that("a forged file with a right checksum holds no place that is not there", {
+  skip_if_not_installed("RNetCDF")
+  table <- list2DF(engine_fields())
+  table <- table[!table$among %in% c("numbers", ""), ]
+  folder <- test_folder()
+  forged <- 0
+  for (name in c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "t90_codend")) {
+    state <- settled(name, nodes = 100)
+    for (k in seq_len(nrow(table))) {
+      path <- c(strsplit(table$kind[k], ".", fixed = TRUE)[[1]], table$name[k])
+      # plates and sliding ropes are a group each
+      if (path[1] %in% c("plates", "sliding")) path <- append(path, 1L, 1L)
+      places <- tryCatch(state$lattice$engine[[path]], error = function(e) NULL)
+      if (!length(places)) next
+      for (wrong in c(1000000L, -1L)) {
+        bad <- state$lattice
+        bad$engine[[path]][length(places)] <- wrong
+        expect_error(check_indices(bad), label = paste(c(name, path, wrong), collapse = " "))
+        forged <- forged + 1
+      }
+    }
+    # nothing but the reader looks at these
+    for (kind in intersect(c("contacts", "bends", "openings"), names(state$lattice$engine))) {
+      bad <- state
+      if (!length(bad$lattice$engine[[kind]]$node)) next
+      bad$lattice$engine[[kind]]$node[1] <- 1000000L
+      file <- write_state(bad, file.path(folder, "forged.nc"))
+      expect_error(read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file")
+    }
+  }
+  # ties, bars, triangles, bodies, sea bed, boards, ropes that slide or bend, and a catch among them
+  expect_gt(forged, 60)
+})

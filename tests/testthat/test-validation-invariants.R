@@ -3,7 +3,8 @@
 
 shipped <- gears()$name
 quick <- function(name, ...) {
-  nodes <- switch(name, midwater_trawl = 400, purse_seine = 300, 1500)
+  # bars: with fewer, this trawl's lattice is no mirror image of itself (0.15 m at 400 nodes)
+  nodes <- switch(name, purse_seine = 300, 1500)
   settled(name, nodes = nodes, ...)
 }
 
@@ -38,7 +39,7 @@ test_that("a plan written, read and settled again gives the same bytes", {
   for (name in setdiff(shipped, "purse_seine")) {
     file <- tempfile(fileext = ".yaml")
     write_gear(read_gear(name), file)
-    nodes <- if (name == "midwater_trawl") 400 else 1500
+    nodes <- 1500
     first <- settle(read_gear(name), nodes = nodes)
     for (gear in list(read_gear(file), read_gear(name))) {
       again <- settle(gear, nodes = nodes)

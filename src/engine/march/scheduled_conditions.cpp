@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check_schedule.hpp"
+
 namespace codend {
 namespace {
 
@@ -27,6 +29,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
       shaded_at_(start.time),
       factor_(schedule_.groups.size(), 1.0),
       rate_(schedule_.groups.size(), 0.0) {
+  check_schedule(schedule_, model);
   for (const GrowingGroup& group : schedule_.groups) {
     for (std::size_t k = 0; k < group.points.size(); ++k) {
       mass_[group.points[k]] -= group.mass[k];

@@ -16,6 +16,7 @@ class ScheduledConditions : public Conditions {
  public:
   // The model is changed as time goes, the assembly over it told. It is given with all groups at
   // factor 1 and no rope broken. start: where held nodes are that the schedule does not move.
+  // Throws InputError where the schedule does not fit the model (check_schedule()).
   ScheduledConditions(Model& model, Assembly& assembly, Schedule schedule, const Motion& start);
 
   void to_time(double time, Side side, Motion& motion) override;

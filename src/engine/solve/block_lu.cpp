@@ -11,8 +11,9 @@ namespace codend {
 
 namespace {
 
-// Nodes from which on a second thread is worth its start.
-constexpr int nodes_for_two = 20000;
+// Multiplications and additions of a factorisation from which on a second thread is worth waking
+// for it: some milliseconds.
+constexpr double flops_for_two = 1e8;
 constexpr int most_refinements = 10;
 
 template <class T>
@@ -51,7 +52,9 @@ void BlockLU::analyse(const BlockPattern& pattern, const double* coordinates) {
   factorised_ = false;
   factors_ = {};  // its memory is needed for the new ones
   tree_ = assembly_tree(pattern, nested_dissection(pattern, coordinates));
-  const int threads = pattern.n < nodes_for_two ? 1 : threads_;
+  double flops = 0;
+  for (int f = 0; f < tree_.fronts(); ++f) flops += tree_.flops(f);
+  const int threads = flops < flops_for_two ? 1 : threads_;
   if (threads == 1)
     second_.reset();
   else if (!second_)

@@ -32,7 +32,7 @@ class BlockLU {
  public:
   // precision: of the factors. In single precision they take half the memory and about 0.6 of the
   // time; use solve_refined() then. Denormal numbers in them count as zero.
-  // threads: 1 or 2. Patterns of few nodes get one thread, since they gain nothing from two.
+  // threads: 1 or 2. Patterns of little work get one thread, since they gain nothing from two.
   // Throws std::invalid_argument for other numbers.
   explicit BlockLU(Precision precision = Precision::double_precision, int threads = 1);
 
@@ -59,8 +59,8 @@ class BlockLU {
   const BlockLUFigures& figures() const { return figures_; }
 
  private:
-  using Factors = std::variant<std::unique_ptr<FrontFactors<double>>,
-                               std::unique_ptr<FrontFactors<float>>>;
+  using Factors =
+      std::variant<std::unique_ptr<FrontFactors<double>>, std::unique_ptr<FrontFactors<float>>>;
 
   void measure();
 

@@ -4,6 +4,11 @@
 
 namespace codend {
 
+int usable_threads() {
+  static const int threads = std::thread::hardware_concurrency() > 1 ? 2 : 1;
+  return threads;
+}
+
 SecondThread::~SecondThread() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -7,6 +7,9 @@
 
 namespace codend {
 
+// Threads that BlockLU can make use of here: 2, or 1 on a machine or in a share of one with one core.
+int usable_threads();
+
 // A thread that waits to take over half of a job; it sleeps in between.
 class SecondThread {
  public:

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "block_lu.hpp"
+#include "second_thread.hpp"
 #include "stability.hpp"
 #include "tension_path.hpp"
 
@@ -27,6 +28,8 @@ constexpr double law_excess = 100.0;
 constexpr int path_steps = 3, most_path_steps = 48;
 // Steps are solved to this residual over the right side, a measure that more than this makes useless.
 constexpr double solve_tolerance = 1e-4, solve_limit = 0.1;
+// Steps with double-precision factors where single ones were not enough.
+constexpr int first_double_steps = 2, most_double_steps = 64;
 // Below this pseudo time step (s) lines turn little because they are held back, not for want of a
 // way to go: the path goes on slowly.
 constexpr double short_pseudo_step = 1.0;
@@ -38,6 +41,11 @@ constexpr double cycle_turning = 0.1;
 // few wander for ever. A wandering one begins again at another pace, a pseudo time step in s.
 constexpr int attempt_steps = 400;
 constexpr int attempts = 8;
+// From a settled shape under other loads: pseudo time step (s), steps after which this counts as
+// failed, and the residual below which the law itself is tried before any step.
+constexpr double settled_pseudo_step = 1e6;
+constexpr int settled_steps = 30;
+constexpr double settled_law_residual = 1e-3;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
 constexpr int shadings = 20, searches = 4;
@@ -89,14 +97,17 @@ class Settling {
   }
 
   // From a settled shape under loads that have changed: the law itself, and where that does not
-  // close in the path from its beginning.
+  // close in the path from that shape's tensions.
   void resume() {
     on_law_ = true;
     law_steps_done_ = 0;
     residual_on_law_ = report_.residual;
+    residual_before_law_ = std::max(report_.residual, settled_law_residual);
     left_x_.assign(x_, x_ + force_.size());
+    assembly_.strain(strain_);
     left_path_ = TensionPath(assembly_.model(), load_);
-    left_pseudo_step_ = 1.0;
+    left_path_.follow(strain_, TensionPath::settled_parameter);
+    left_pseudo_step_ = settled_pseudo_step;
     turning_ = last_turning_ = found_turning;
     cycle_ = 0;
   }
@@ -115,7 +126,7 @@ class Settling {
     const double size = (backwards ? -perturbation_share : perturbation_share) * unstable_size_;
     assembly_.strain(strain_);
     path_ = TensionPath(assembly_.model(), load_);
-    path_.follow(strain_);
+    path_.follow(strain_, TensionPath::near_parameter);
     for (std::size_t i = 0; i < free_.size(); ++i) {
       at(x_, free_[i]) += size * at(from.motion.data(), static_cast<int>(i));
     }
@@ -152,11 +163,16 @@ class Settling {
 
   // Takes the present positions, measured, as nearly settled, with these strains or its own.
   void stay_near(const std::vector<double>& strain) {
-    assembly_.strain(strain_);
-    std::copy(strain.begin(), strain.end(), strain_.begin());
-    path_.follow(strain_);
+    follow(strain, TensionPath::near_parameter);
     // worth a try of the law at once
     if (report_.residual < law_residual) turning_ = 0.0;
+  }
+
+  // Takes the present positions, measured, as settled under other loads with these strains.
+  void stay_settled(const std::vector<double>& strain) {
+    follow(strain, TensionPath::settled_parameter);
+    pseudo_step_ = settled_pseudo_step;
+    if (report_.residual < settled_law_residual) turning_ = 0.0;
   }
 
   bool found() const { return turning_ < found_turning && held_steps_ == 0; }
@@ -193,12 +209,18 @@ class Settling {
   }
 
  private:
+  void follow(const std::vector<double>& strain, double parameter) {
+    assembly_.strain(strain_);
+    std::copy(strain.begin(), strain.end(), strain_.begin());
+    path_.follow(strain_, parameter);
+  }
+
   // Whether the next step is the law's own or the path's.
   void choose_law() {
     const bool tried = law_steps_done_ >= law_steps;
-    if (on_law_ && (turning_ > law_turning ||
-                    report_.residual > law_excess * residual_before_law_ ||
-                    (tried && !(report_.residual < 0.3 * residual_on_law_)))) {
+    if (on_law_ &&
+        (turning_ > law_turning || report_.residual > law_excess * residual_before_law_ ||
+         (tried && !(report_.residual < 0.3 * residual_on_law_)))) {
       on_law_ = false;
       steps_to_law_ = path_steps_;
       path_steps_ = std::min(2 * path_steps_, most_path_steps);
@@ -240,13 +262,18 @@ class Settling {
       at(coordinates.data(), static_cast<int>(i)) = at(x_, free_[i]);
     }
     precision_ = precision;
-    lu_ = std::make_unique<BlockLU>(precision);
+    lu_.reset();  // its memory is needed for the new one
+    lu_ = std::make_unique<BlockLU>(precision, usable_threads());
     lu_->analyse(assembly_.pattern(), coordinates.data());
   }
 
   // The step of the present matrix and right side; false where the matrix is singular. Factors are
-  // in single precision for as long as refinement makes up for it.
+  // in single precision where refinement makes up for it; where it does not they are double for a
+  // few steps, and for twice as many each time.
   bool solve() {
+    if (precision_ == Precision::double_precision && double_left_-- == 0) {
+      analyse(Precision::single_precision);
+    }
     if (precision_ == Precision::single_precision) {
       Stopwatch watch(report_.seconds_linear);
       ++report_.factorisations;
@@ -256,7 +283,11 @@ class Settling {
         return true;
       }
     }
-    if (precision_ == Precision::single_precision) analyse(Precision::double_precision);
+    if (precision_ == Precision::single_precision) {
+      analyse(Precision::double_precision);
+      double_left_ = double_steps_ - 1;
+      double_steps_ = std::min(2 * double_steps_, most_double_steps);
+    }
     Stopwatch watch(report_.seconds_linear);
     ++report_.factorisations;
     if (!lu_->factorise(values_.data())) return false;
@@ -280,8 +311,8 @@ class Settling {
 
     // Pseudo time in which the step's stiffness alone would make it.
     const double own = driven > damped ? pseudo_step_ * damped / (driven - damped) : 1e12;
-    const bool around = turning_ > cycle_turning && turning_ > 0.6 * last_turning_ &&
-                        pseudo_step_ > 10.0 * own;
+    const bool around =
+        turning_ > cycle_turning && turning_ > 0.6 * last_turning_ && pseudo_step_ > 10.0 * own;
     cycle_ = around ? cycle_ + 1 : 0;
     last_turning_ = turning_;
     pseudo_step_ = std::min(pseudo_step_ * std::clamp(1.0 / turning_, 0.3, 3.0), 1e12);
@@ -303,8 +334,9 @@ class Settling {
     assembly_.model().each_line([&](const auto& line) {
       double arm = 0.0;
       for (const double a : line.shape) arm = std::max(arm, std::abs(a));
-      stiffest = std::max(stiffest, line.multiplicity * arm * arm *
-                                        assembly_.model().material(line).axial_stiffness / line.rest);
+      stiffest =
+          std::max(stiffest, line.multiplicity * arm * arm *
+                                 assembly_.model().material(line).axial_stiffness / line.rest);
     });
     return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
   }
@@ -327,17 +359,18 @@ class Settling {
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
   const double unstable_size_ = unstable_size(assembly_.model());  // m
-  double load_;  // N
-  double rounding_ = rounding_force();  // N
+  double load_;                                                    // N
+  double rounding_ = rounding_force();                             // N
   TensionPath path_;
   Precision precision_ = Precision::single_precision;
+  int double_left_ = 0, double_steps_ = first_double_steps;
   std::unique_ptr<BlockLU> lu_;
   double pseudo_step_ = 1.0;  // s
   double turning_ = 1.0, last_turning_ = 1.0;
-  bool begun_ = false;        // a step has been taken
-  int held_steps_ = 0;        // steps for which the pseudo time step stays short
+  bool begun_ = false;             // a step has been taken
+  int held_steps_ = 0;             // steps for which the pseudo time step stays short
   double held_pseudo_step_ = 0.0;  // s
-  int cycle_ = 0;             // undamped steps in a row that do not close in
+  int cycle_ = 0;                  // undamped steps in a row that do not close in
   bool on_law_ = false;
   int law_steps_done_ = 0, steps_to_law_ = 0;
   int path_steps_ = path_steps;
@@ -358,14 +391,30 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
   }
   const std::vector<double> start(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes));
   Settling settling(assembly, v, x, report);
+  // The last settled shape, while steps go on from there under other loads or wakes.
+  bool closing_in = control.start == Start::settled;
+  std::vector<double> settled = start;
   for (int attempt = 0, steps = 0;; ++report.iterations, ++steps) {
     settling.measure();
-    if (control.near && report.iterations == 0) settling.stay_near(control.strain);
+    if (report.iterations == 0) {
+      if (control.start == Start::near) settling.stay_near(control.strain);
+      if (control.start == Start::settled) settling.stay_settled(control.strain);
+    } else if (closing_in && (steps == settled_steps || !std::isfinite(report.residual))) {
+      std::copy(settled.begin(), settled.end(), x);
+      settling.begin(first_pseudo_steps[attempt]);
+      settling.measure();
+      if (report.shadings == 0) settling.stay_near(control.strain);
+      closing_in = false;
+      steps = 0;
+    }
     if (control.watch && !control.watch({report.iterations, report.residual})) return report;
     report.converged =
         (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
         report.worst_force == 0.0;
-    if (report.converged && assembly.shades()) {
+    // What needs no step from where it was settled was shaded so then.
+    const bool shaded =
+        control.start == Start::settled && report.iterations == 0 && !assembly.model().wake.empty();
+    if (report.converged && assembly.shades() && !shaded) {
       report.shading_change = assembly.shade(report.shadings < searches, shading_tolerance);
       ++report.shadings;
       if (report.shading_change > shading_tolerance) {
@@ -373,6 +422,8 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
         settling.measure();
         if (report.shadings == shadings) return report;
         settling.resume();
+        closing_in = true;
+        settled.assign(x, x + start.size());
         steps = 0;
       }
     }
@@ -381,6 +432,7 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
       report.upset_at_last = growing.found;
       if (growing.found && report.upsets < perturbations) {
         settling.leave(growing, report.upsets % 2 == 1);
+        closing_in = false;
         ++report.upsets;
         report.converged = false;
         settling.measure();

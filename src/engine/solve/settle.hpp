@@ -8,6 +8,7 @@
 // nodes are held back until they have followed.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -20,12 +21,18 @@ struct SettleProgress {
   double residual;  // largest nodal force over largest tension
 };
 
+// Where x begins: anywhere; near the result, as carried over from another lattice; or at what was
+// settled for the same lattice with other numbers. A settled start takes Newton steps that carry the
+// tensions it was settled with, undamped, first; where they do not close in it is a near one.
+enum class Start { crude, near, settled };
+constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
+
 struct SettleControl {
-  double tolerance = 1e-8;   // on the residual; where rounding alone makes more, that is enough
-  int iterations = 500;      // at most
-  bool near = false;         // whether x begins near the result
-  // Strains of all lines in a like state that the tensions begin from, where x is near; empty: those
-  // of x itself.
+  double tolerance = 1e-8;  // on the residual; where rounding alone makes more, that is enough
+  int iterations = 500;     // at most
+  Start start = Start::crude;
+  // Strains of all lines in a like state that the tensions begin from, where x is near or settled;
+  // empty: those of x itself.
   std::vector<double> strain;
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
@@ -37,14 +44,14 @@ struct SettleReport {
   int factorisations = 0;
   double residual = 0.0;
   double largest_tension = 0.0;  // N
-  int shadings = 0;          // times that wakes were renewed
-  int upsets = 0;            // times that an unstable equilibrium was perturbed
-  bool upset_at_last = false;   // whether the last one is still unstable
-  double shading_change = 0.0;  // of any point's share of the free flow's speed, the last time
+  int shadings = 0;              // times that wakes were renewed
+  int upsets = 0;                // times that an unstable equilibrium was perturbed
+  bool upset_at_last = false;    // whether the last one is still unstable
+  double shading_change = 0.0;   // of any point's share of the free flow's speed, the last time
   int worst_node = -1;           // where the largest net force acts
   double worst_force = 0.0;      // N
   double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
-         seconds_linear = 0.0;   // CPU
+         seconds_linear = 0.0;  // CPU
 };
 
 // x: 3 per node (m), the start on entry and the result on return; held nodes stay. v: 3 per node

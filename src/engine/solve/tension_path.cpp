@@ -7,8 +7,6 @@ namespace codend {
 namespace {
 
 constexpr double first_parameter = 1e-2;
-// The same of a start that is nearly settled.
-constexpr double near_parameter = 1e-3;
 constexpr double least_parameter = 1e-24;
 // First tensions over the lines' scales: taut enough that the first steps find the global shape.
 constexpr double first_tension = 10.0;
@@ -52,8 +50,8 @@ TensionPath::TensionPath(const Model& model, double load)
   predicted_ = current_;
 }
 
-void TensionPath::follow(const std::vector<double>& strain) {
-  parameter_ = near_parameter;
+void TensionPath::follow(const std::vector<double>& strain, double parameter) {
+  parameter_ = parameter;
   begun_ = true;
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;

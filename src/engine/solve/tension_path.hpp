@@ -24,9 +24,11 @@ class TensionPath {
   // load: the sum of the loads on the gear, N, which bounds the first guess of tensions.
   TensionPath(const Model& model, double load);
 
-  // Starts from tensions and shortfalls that agree with these strains, for positions that are nearly
-  // settled, instead of pulling every line taut.
-  void follow(const std::vector<double>& strain);
+  // Starts from tensions and shortfalls that agree with these strains at this mu, for positions that
+  // are nearly settled (near_parameter) or were under other loads (settled_parameter), instead of
+  // pulling every line taut.
+  static constexpr double near_parameter = 1e-3, settled_parameter = 1e-9;
+  void follow(const std::vector<double>& strain, double parameter);
 
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.

@@ -1,0 +1,52 @@
+# Checks of the laws for the drag of netting: whether the netting lies as they were measured.
+
+# Angle (deg) between the netting's normal and the flow from which twines stand in each other's
+# wake; cage netting, on which the screens' formulas were fitted, mostly stands across the flow.
+steep_angle <- 70
+# Share of a towed gear's netting that lies steeper than that.
+greatest_steep_share <- 0.5
+constant_screens <- c("loland", "aarsnes")
+
+define_finding("drag law", "state",
+  "More than half of a towed gear's netting with `netting_drag` `loland` or `aarsnes` lies more than
+  70 deg from across the flow. Both have a least drag, fitted to cage netting across the flow, that
+  gives trawls up to four times the drag they have.",
+  function(gear, state) {
+    if (!has_towing(state)) return(list())
+    law <- vapply(state$si$panels, `[[`, "", "netting_drag")
+    if (!any(law %in% constant_screens)) return(list())
+    triangles <- triangles_with_drag(state$si, state$lattice, constant_screens)
+    if (!length(triangles)) return(list())
+    lies <- netting_to_flow(state, triangles)
+    share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
+    if (share <= greatest_steep_share) return(list())
+    shown <- sprintf("%.0f %%", 100 * share)
+    used <- intersect(constant_screens, law)[1]
+    list(finding("netting_drag", 100 * share, shown,
+      sprintf("%s was fitted to netting across the flow; %s of it lies along the flow here, and has
+        too much drag.", used, shown),
+      "Use blended, or twines."))
+  }
+)
+
+# Of triangles by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
+netting_to_flow <- function(state, triangles) {
+  node <- matrix(state$lattice$engine$triangles$node, 3L)[, triangles, drop = FALSE]
+  corner <- function(k) state$position[, node[k, ], drop = FALSE]
+  a <- corner(2L) - corner(1L)
+  b <- corner(3L) - corner(1L)
+  across <- rbind(a[2, ] * b[3, ] - a[3, ] * b[2, ], a[3, ] * b[1, ] - a[1, ] * b[3, ],
+    a[1, ] * b[2, ] - a[2, ] * b[1, ])
+  twice <- sqrt(colSums(across^2))
+  flow <- flow_axes(state$si)[, "flow"]
+  list(angle = acos(pmin(1, abs(drop(flow %*% across)) / pmax(twice, 1e-300))) * 180 / pi,
+    area = twice / 2)
+}
+
+# Warns where a law is used outside what it was measured for.
+warn_of_laws <- function(state) {
+  found <- do.call(rbind, found_by(finding_checks[["drag law"]], state$gear, state))
+  if (is.null(found)) return(invisible())
+  cli::cli_warn(finding_sentences(found)[1],
+    class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
+}

@@ -1,0 +1,93 @@
+# The error that a lattice leaves in measures, from the coarser lattices that a gear was settled on.
+#
+# Richardson's estimate: with an error that falls as the length of elements to the power p, two
+# lattices of m and n nodes, whose measures differ by d, leave |d| / ((n / m)^(p / 2) - 1) in the
+# finer one, as n grows with the square of 1 / length. The power is 1: netting converges with 0.5
+# to 2, edges and slack netting with 1. From three lattices it is the observed one, between these
+# bounds. One difference may vanish by chance: an error is at least half of what is usual, as a
+# share, among the measures of the gear, and at least a floor.
+
+usual_order <- 1
+least_order <- 0.75
+greatest_order <- 1.5
+# Lattices whose nodes differ by less than this factor tell nothing.
+least_ratio <- 1.5
+usual_share <- 0.5
+# Of a measure itself.
+error_floor <- 2e-4
+
+# What is told where it is missed, a share of the main measures.
+usual_accuracy <- 0.01
+
+# Kinds of measures that settle() aims its accuracy at: opening, spread, drag.
+main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
+
+# Errors of measures (named numbers, as shown) of a state on a lattice of so many nodes; NA where
+# no other lattice tells. levels: list of list(nodes, values), coarse to fine.
+estimate_errors <- function(values, nodes, levels) {
+  error <- setNames(rep(NA_real_, length(values)), names(values))
+  ratio <- vapply(levels, function(level) nodes / level$nodes, 0)
+  levels <- levels[pmax(ratio, 1 / ratio) >= least_ratio]
+  if (!length(levels)) return(error)
+  at <- function(level) unname(level$values[names(values)])
+  last <- levels[[length(levels)]]
+  off <- plain(values) - at(last)
+  order <- rep(usual_order, length(values))
+  if (length(levels) > 1L) {
+    before <- levels[[length(levels) - 1L]]
+    off_before <- at(last) - at(before)
+    ratio_before <- last$nodes / before$nodes
+    if (nodes > last$nodes && ratio_before >= least_ratio) {
+      order <- observed_order(off, off_before, nodes / last$nodes, ratio_before)
+      # Where a measure goes to and fro the larger of its ways tells.
+      swings <- which(off * off_before < 0)
+      off[swings] <- pmax(abs(off), abs(off_before) * ratio_before^(-usual_order / 2))[swings]
+    }
+  }
+  error[] <- abs(off) / abs((nodes / last$nodes)^(order / 2) - 1)
+  size <- abs(plain(values))
+  share <- error / size
+  share <- share[is.finite(share) & share > 0]
+  usual <- if (length(share)) stats::median(share) else 0
+  pmax(error, usual_share * usual * size, error_floor * size)
+}
+
+plain <- function(values) unname(as.double(values))
+
+# The power with which differences between lattices fall; ratios: of nodes.
+observed_order <- function(off, off_before, ratio, ratio_before) {
+  # Differences of h^p - (h r)^p: for like ratios their quotient is r^p.
+  found <- 2 * log(abs(off_before / off)) / log(sqrt(ratio * ratio_before))
+  found[!is.finite(found)] <- usual_order
+  found[off * off_before < 0] <- least_order
+  pmin(pmax(found, least_order), greatest_order)
+}
+
+# The levels of a state that began from another gear's: theirs, scaled with its measures. Gears that
+# differ little in shape have like errors, as shares.
+carry_levels <- function(levels, values_from, values) {
+  lapply(levels, function(level) {
+    names <- intersect(intersect(names(level$values), names(values_from)), names(values))
+    old <- plain(values_from[names])
+    now <- plain(values[names])
+    then <- unname(level$values[names])
+    scaled <- now * then / old
+    plainly <- now + (then - old)
+    level$values <- setNames(ifelse(is.finite(scaled), scaled, plainly), names)
+    level
+  })
+}
+
+# The largest error of the main measures, as a share: of the measure itself or, among several of one
+# kind, of the largest. NA where none is known.
+main_error <- function(measures) {
+  kind <- attr(measures, "kind")
+  main <- kind %in% main_kinds
+  error <- attr(measures, "error")[main]
+  size <- abs(plain_measures(measures))[main]
+  share <- unname(error / stats::ave(size, kind[main], FUN = max))
+  share <- share[is.finite(share)]
+  if (length(share)) max(share) else NA_real_
+}
+
+percent_text <- function(share) paste(format(signif(100 * share, 2)), "%")

@@ -1,0 +1,255 @@
+// What a schedule does to a model, against closed forms, and what is said of a wrong one.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "march/check_schedule.hpp"
+#include "march/explicit_step.hpp"
+#include "march/march.hpp"
+#include "march/scheduled_conditions.hpp"
+
+using namespace codend;
+
+namespace {
+
+constexpr double gravity = 9.81;
+
+// From a value at 0 s to another at a time, straight.
+Curve ramp(double from, double to, double time) {
+  const double rate = (to - from) / time;
+  return {{0.0, time}, {from}, {to}, {rate}, {rate}};
+}
+Curve constant(double value) { return {{0.0, 1.0}, {value}, {value}, {0.0}, {0.0}}; }
+
+// Weights of 2 kg (nodes 1 and 2) one below the other on two bars of 1 m, held at node 0, in vacuum;
+// a bar of 1e5 N and 1 m stretches by 4e-4 m under both.
+struct Weights {
+  Model model;
+  Motion start;
+  Weights() {
+    model.nodes = 3;
+    model.held = {1, 0, 0};
+    model.water.density = 0.0;
+    model.mass = {0.0, 2.0, 2.0};
+    model.load = {0.0, 0.0, 0.0, 0.0, 0.0, -2.0 * gravity, 0.0, 0.0, -2.0 * gravity};
+    TwineMaterial material;
+    material.axial_stiffness = stiffness;
+    model.materials = {material};
+    model.bars.node = {0, 1, 1, 2};
+    model.bars.rest = {1.0, 1.0};
+    model.bars.multiplicity = {1.0, 1.0};
+    model.bars.material = {0, 0};
+    model.prepare();
+    start.x = start.v = Values::Zero(9);
+    start.x[5] = -(1.0 + 4.0 * gravity / stiffness);
+    start.x[8] = start.x[5] - (1.0 + 2.0 * gravity / stiffness);
+  }
+  Weights(const Weights&) = delete;
+  static constexpr double stiffness = 1e5;
+
+  Motion march(const Schedule& schedule, double until) {
+    Assembly assembly(model);
+    ScheduledConditions conditions(model, assembly, schedule, start);
+    conditions.to_time(0.0, Side::after, start);
+    RungeKuttaStep stepper(assembly, start);
+    MarchControl control;
+    control.step = 1e-3;
+    Past past;
+    past.now = start;
+    March march(assembly, stepper, conditions, control, past);
+    CHECK(march.to(until) == MarchReport::End::reached);
+    return march.now();
+  }
+};
+
+std::string complaint(const Schedule& schedule) {
+  Weights weights;
+  Assembly assembly(weights.model);
+  try {
+    ScheduledConditions(weights.model, assembly, schedule, weights.start);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("held nodes follow a body that moves and turns") {
+  Weights weights;
+  Schedule schedule;
+  PrescribedMotion& body = schedule.motion;
+  body.node = {0};
+  body.place = {Vector(3.0, 4.0, -1.0)};
+  body.x = ramp(0.0, -20.0, 10.0);
+  body.y = constant(5.0);
+  body.z = ramp(0.0, 1.0, 10.0);
+  body.heading = ramp(0.0, 1.5, 10.0);
+  Assembly assembly(weights.model);
+  ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
+  Motion motion = weights.start, later = weights.start;
+  conditions.to_time(4.0, Side::before, motion);
+  // Clockwise from above, where y is to starboard of x aft: x turns towards -y.
+  const double turn = 0.6, c = std::cos(turn), s = std::sin(turn);
+  CHECK(motion.x[0] == doctest::Approx(-8.0 + 3.0 * c + 4.0 * s).epsilon(1e-12));
+  CHECK(motion.x[1] == doctest::Approx(5.0 - 3.0 * s + 4.0 * c).epsilon(1e-12));
+  CHECK(motion.x[2] == doctest::Approx(0.4 - 1.0).epsilon(1e-12));
+  // Velocities are those of the positions: second order in 1e-4 s, at 0.15 rad/s and 5 m 1e-10 m/s;
+  // rounding of 8 m over 2e-4 s makes 1e-11.
+  conditions.to_time(4.0 - 1e-4, Side::before, motion);
+  conditions.to_time(4.0 + 1e-4, Side::before, later);
+  const Values slope = (later.x - motion.x) / 2e-4;
+  conditions.to_time(4.0, Side::before, motion);
+  CHECK((slope - motion.v).norm() < 1e-9);
+}
+
+TEST_CASE("a group grows with its factor and comes back to what it was") {
+  Weights weights;
+  const Model before = weights.model;
+  Schedule schedule;
+  GrowingGroup group;
+  group.factor = ramp(1.0, 3.0, 10.0);
+  group.bars = {1};
+  group.rest = {1.0};
+  group.points = {1, 2};
+  group.mass = {0.25, 0.75};
+  group.load = {-2.0, -6.0};
+  schedule.groups = {group};
+  Assembly assembly(weights.model);
+  ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
+  Motion motion = weights.start;
+  conditions.to_time(5.0, Side::before, motion);  // factor 2
+  CHECK(weights.model.bars.rest[0] == 1.0);
+  CHECK(weights.model.bars.rest[1] == doctest::Approx(2.0).epsilon(1e-14));
+  CHECK(weights.model.mass[1] == doctest::Approx(2.25).epsilon(1e-14));
+  CHECK(weights.model.mass[2] == doctest::Approx(2.75).epsilon(1e-14));
+  CHECK(weights.model.load[8] == doctest::Approx(-2.0 * gravity - 6.0).epsilon(1e-14));
+  conditions.to_time(0.0, Side::before, motion);
+  CHECK(weights.model.bars.rest == before.bars.rest);
+  CHECK(weights.model.mass == before.mass);
+  CHECK(weights.model.load == before.load);
+}
+
+TEST_CASE("what hangs on a bar that breaks falls freely") {
+  for (const bool by_force : {false, true}) {
+    CAPTURE(by_force);
+    Weights weights;
+    const double from = weights.start.x[8];
+    Schedule schedule;
+    Rupture rupture;
+    rupture.bars = {1};
+    rupture.at = 1;
+    if (by_force) {
+      rupture.strength = 0.9 * 2.0 * gravity;  // at once
+    } else {
+      rupture.time = 0.5;
+    }
+    schedule.ruptures = {rupture};
+    const Motion end = weights.march(schedule, 1.0);
+    // Steps are of 1 ms; a bar that is overloaded breaks after the first.
+    const double falls = by_force ? 1.0 - 1e-3 : 0.5;
+    CHECK(end.x[8] - from == doctest::Approx(-0.5 * gravity * falls * falls).epsilon(1e-3));
+    CHECK(end.v[8] == doctest::Approx(-gravity * falls).epsilon(1e-6));
+    CHECK(weights.model.bars.multiplicity[1] == 0.0);
+  }
+}
+
+TEST_CASE("a node that is not yet released stays, and falls from then on") {
+  Weights weights;
+  weights.start.x[8] = weights.start.x[5];  // slack between the two, which fall side by side
+  weights.start.x[6] = 0.5;
+  const Values from = weights.start.x;
+  Schedule schedule;
+  schedule.release.node = {2};
+  schedule.release.time = {0.3};
+  CHECK(weights.march(schedule, 0.3).x.tail<3>() == from.tail<3>());
+  Weights other;
+  other.start.x = from;
+  const Motion end = other.march(schedule, 0.6);
+  // It begins within the step of 1 ms that ends with its time: 2 x 1 ms / 0.3 s of the way.
+  CHECK(end.x[8] - from[8] == doctest::Approx(-0.5 * gravity * 0.09).epsilon(7e-3));
+}
+
+TEST_CASE("a controlled length follows its target at its speed limit") {
+  LengthControl control;
+  control.target = constant(200.0);
+  control.length = 100.0;
+  control.speed_limit = 2.0;
+  for (int k = 1; k <= 90; ++k) control.choose_speed(0.5 * k, 0.0);
+  // Full speed until 10 m are left: 2 m/s from the first choice, 0.5 s after the start.
+  CHECK(control.length == doctest::Approx(100.0 + 2.0 * 44.5).epsilon(1e-12));
+  for (int k = 91; k <= 400; ++k) control.choose_speed(0.5 * k, 0.0);
+  CHECK(control.length == doctest::Approx(200.0).epsilon(1e-6));  // 11 m exp(-155 s / 5 s)
+  control.most_length = 201.0;
+  control.by_speed = true;
+  control.target_speed = 1.0;
+  for (int k = 401; k <= 420; ++k) control.choose_speed(0.5 * k, 0.0);
+  CHECK(control.speed == 0.0);
+  CHECK(control.length == doctest::Approx(201.0).epsilon(0.5 / 201.0));  // within one choice
+}
+
+TEST_CASE("a rope at its tension limit slips at the speed that its brake says") {
+  LengthControl control;
+  control.target = constant(100.0);
+  control.length = 100.0;
+  control.stiffness = 1e6;
+  control.speed_limit = 2.0;
+  control.tension_limit = 1e4;
+  // T = T_l (1 + v/v_l / 10): 5 % over the limit is half of the speed limit. A constant tension is
+  // closed in on by a factor of h EA/L or less at every choice.
+  for (int k = 1; k <= 4000; ++k) control.choose_speed(0.05 * k, 1.05e4);
+  CHECK(control.near_limit);
+  CHECK(control.longest_step() < 0.1);
+  CHECK(control.speed == doctest::Approx(1.0).epsilon(1e-3));
+  control.choose_speed(200.05, 3e4);
+  for (int k = 1; k <= 4000; ++k) control.choose_speed(200.05 + 0.05 * k, 3e4);
+  CHECK(control.speed == 2.0);
+}
+
+TEST_CASE("a schedule that does not fit its model is refused with the field") {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  CHECK(complaint(Schedule()) == "");
+
+  Schedule moved;
+  moved.motion.node = {7};
+  moved.motion.place = {Vector::Zero()};
+  moved.motion.x = moved.motion.y = moved.motion.z = moved.motion.heading = constant(0.0);
+  CHECK(complaint(moved) == "schedule.motion.node[1] is none of the model's 3 nodes");
+  moved.motion.node = {0, 1};
+  CHECK(complaint(moved) == "schedule.motion.place has 1 values, must have 2");
+  moved.motion.node = {0};
+  moved.motion.heading.end = {none};
+  CHECK(complaint(moved) == "schedule.motion.heading.end[1] must be a finite number");
+  moved.motion.heading = {{1.0, 1.0}, {0.0}, {0.0}, {0.0}, {0.0}};
+  CHECK(complaint(moved) == "schedule.motion.heading.time must grow");
+  moved.motion.heading = Curve();
+  CHECK(complaint(moved) == "schedule.motion.heading must have a piece");
+
+  Schedule grown;
+  grown.groups.resize(1);
+  grown.groups[0].factor = constant(1.0);
+  grown.groups[0].bars = {1, -1};
+  CHECK(complaint(grown) == "schedule.groups[1].rest has 0 values, must have 2");
+  grown.groups[0].rest = {1.0, 1.0};
+  CHECK(complaint(grown) == "schedule.groups[1].bars[2] is none of the model's 2 bars");
+  grown.groups[0].bars = {1, 0};
+  CHECK(complaint(grown) == "");
+  grown.groups[0].controlled = true;
+  grown.groups[0].control.target = constant(1.0);
+  grown.groups[0].control.length = none;
+  CHECK(complaint(grown) == "schedule.groups[1].control.length must be a finite number");
+
+  Schedule broken;
+  broken.ruptures.resize(1);
+  broken.ruptures[0].at = 2;
+  CHECK(complaint(broken) == "schedule.ruptures[1].at is none of the model's 2 bars");
+  broken.ruptures[0].at = 1;
+  broken.ruptures[0].strength = none;
+  CHECK(complaint(broken) == "schedule.ruptures[1].strength must be a number");
+
+  Schedule current;
+  current.current_x = current.current_y = {constant(1.0), constant(2.0)};
+  CHECK(complaint(current) == "schedule.current_x has 2 values, must have 1");
+}

@@ -1,0 +1,190 @@
+# One case: what is tried, and what counts as found.
+
+# Stops the case as a finding.
+found <- function(what, ...) {
+  condition <- list(message = paste0(what, ...), call = NULL)
+  stop(structure(condition, class = c("fuzz_found", "error", "condition")))
+}
+
+# The result of an expression, or NULL where codend refuses it as it should. Anything else that it
+# does is found: an error without a class, a foreign warning, a message with NaN.
+judged <- function(expression) {
+  refused <- function(e) {
+    if (length(class(e)) < 4L) found("no class of its own: ", class(e)[1L])
+    said <- conditionMessage(e)
+    of_plan <- grepl("[\"`][^\"`]*(NaN|NA|NULL)| is (NaN|NA)", said)
+    if (grepl("NaN|\\bNA\\b|character\\(0\\)|NULL", said) && !of_plan) {
+      found("says: ", said)
+    }
+    NULL
+  }
+  withCallingHandlers(
+    tryCatch(expression, codend_error = refused, error = function(e) {
+      if (inherits(e, "fuzz_found")) stop(e)
+      where <- paste(deparse(conditionCall(e))[1L], collapse = "")
+      found("plain error: ", conditionMessage(e), " in ", where)
+    }),
+    warning = function(w) {
+      if (!inherits(w, "codend_warning")) {
+        found("plain warning: ", conditionMessage(w), " in ", deparse(conditionCall(w))[1L])
+      }
+      invokeRestart("muffleWarning")
+    }
+  )
+}
+
+# A gear that was taken must be written and read again the same, whatever the order of its fields.
+check_taken <- function(gear) {
+  text <- judged(format(gear))
+  file <- tempfile(fileext = ".yaml")
+  on.exit(unlink(file))
+  judged(write_gear(gear, file))
+  again <- judged(read_gear(file))
+  if (is.null(again)) found("cannot be read again")
+  if (!identical(again$plan, gear$plan)) found("is read as another plan")
+  turned <- gear$plan[rev(seq_along(gear$plan))]
+  turned <- judged(codend:::as_gear(turned))
+  if (is.null(turned) || !same_numbers(codend:::gear_si(turned), codend:::gear_si(gear))) {
+    found("the order of fields matters")
+  }
+  invisible(text)
+}
+
+same_numbers <- function(a, b) {
+  sorted <- function(x) {
+    if (is.list(x) && !is.null(names(x))) lapply(x[order(names(x))], sorted) else x
+  }
+  parts <- c("water", "ropes", "panels", "pieces")
+  identical(lapply(a[parts], sorted), lapply(b[parts], sorted))
+}
+
+check_settled <- function(gear, nodes) {
+  state <- judged(settle(gear, nodes = nodes))
+  if (is.null(state)) return(FALSE)
+  numbers <- c(state$position, state$force, state$bar_tension, state$u_tension, state$v_tension)
+  if (!all(is.finite(numbers))) found("a settled state holds what is not finite")
+  asked <- judged(measures(state))
+  if (any(is.nan(unlist(asked)))) found("a measure is NaN")
+  judged(utils::capture.output(print(summary(state))))
+  TRUE
+}
+
+# The kinds of case with their shares; each gives what it came to: "refused", "taken" or "settled".
+kinds <- list(
+  plan_changed = list(share = 5, run = function() try_plan(changed_plan())),
+  plan_made = list(share = 5, run = function() try_plan(made_plan())),
+  plan_file = list(share = 2, run = function() {
+    file <- changed_plan_file()
+    on.exit(unlink(file))
+    gear <- judged(read_gear(file))
+    if (is.null(gear)) "refused" else {
+      check_taken(gear)
+      "taken"
+    }
+  }),
+  state_file = list(share = 1, run = function() {
+    file <- changed_kept(one_of(kept()$state), chance(0.7))
+    on.exit(unlink(file))
+    state <- judged(read_state(file))
+    if (is.null(state)) return("refused")
+    # what was read is used: a forged index must not reach the engine
+    judged(measures(state))
+    if (chance(0.2)) judged(settle(state$gear, nodes = 60, from = state))
+    "taken"
+  }),
+  tow_file = list(share = 0.5, run = function() {
+    file <- changed_kept(one_of(kept()$tow), chance(0.7))
+    on.exit(unlink(file))
+    trajectory <- judged(read_trajectory(file))
+    if (is.null(trajectory)) return("refused")
+    if (chance(0.2)) judged(tow(trajectory, until = 22, every = 1))
+    "taken"
+  }),
+  model = list(share = 2, run = function() {
+    model <- one_of(kept()$models)
+    engine <- model$engine
+    for (k in seq_len(1L + stats::rpois(1L, 0.5))) engine <- changed_model(engine)
+    evaluated <- judged(codend:::engine_evaluate(engine, model$start, 0 * model$start))
+    if (is.null(evaluated)) return("refused")
+    quiet <- function(...) NULL
+    judged(codend:::engine_settle(engine, model$start, FALSE, numeric(), 1e-8, 3L, quiet))
+    "taken"
+  }),
+  message = list(share = 2, run = function() try_messages())
+)
+
+try_plan <- function(tree) {
+  gear <- judged(codend:::as_gear(tree))
+  if (is.null(gear)) return("refused")
+  check_taken(gear)
+  if (chance(settle_share) && check_settled(gear, one_of(c(30, 60, 150)))) "settled" else "taken"
+}
+
+# Shares of plans that are settled.
+settle_share <- 0.3
+
+# The files are made once in a process, not by chance.
+kept <- local({
+  made <- NULL
+  function() {
+    if (is.null(made)) {
+      state <- .Random.seed
+      made <<- kept_files()
+      assign(".Random.seed", state, globalenv())
+    }
+    made
+  }
+})
+
+# ---- messages to the tank ------------------------------------------------------------------------
+
+tank <- local({
+  made <- NULL
+  function() {
+    if (is.null(made)) {
+      state <- .Random.seed
+      gear <- read_gear("midwater_trawl")
+      start <- c(list(gear = gear), codend:::settle_noted(gear, 150, NULL))
+      made <<- function() shiny::isolate(codend:::new_tank(start, list(), 150))
+      assign(".Random.seed", state, globalenv())
+    }
+    made()
+  }
+})
+
+try_messages <- function() {
+  tank <- tank()
+  said <- function(try) {
+    problem <- shiny::isolate(codend:::flume_problem(try()))
+    if (!is.null(problem) && grepl("codend failed at this", problem$message)) found(problem$message)
+    is.null(problem)
+  }
+  good <- vapply(1:3, function(k) {
+    said(switch(sample.int(5L, 1L),
+      function() {
+        ids <- c(names(tank$controls), "control_0", "", odd_texts)
+        values <- lapply(1:3, function(k) {
+          value <- if (chance(0.5)) stats::runif(1L, 0, 20) else any_value()
+          unit <- one_of(c("m", "knot", "m2", "kg", odd_texts))
+          if (chance(0.2)) any_value() else list(value = value, unit = unit)
+        })
+        tank$design(stats::setNames(values, vapply(1:3, function(k) one_of(ids), "")))
+      },
+      function() tank$replace(codend:::read_typed(typed_plan(), tank$gear)),
+      function() tank$open(codend:::read_opened(list(name = any_value(), text = typed_plan()))),
+      function() {
+        fields <- codend:::markable_fields(tank$gear$plan)
+        tank$mark(if (chance(0.5)) any_value() else one_of(fields))
+      },
+      function() if (chance(0.5)) tank$pin() else tank$reset()
+    ))
+  }, NA)
+  judged(as.character(codend:::measures_html(tank$measures, tank$pinned$measures)))
+  if (all(good)) "taken" else "refused"
+}
+
+typed_plan <- function() {
+  if (chance(0.2)) return(any_value())
+  bytes <- changed_bytes(one_of(plan_bytes[c("towed_cable", "longline", "flat_panel")]))
+  rawToChar(bytes[bytes != as.raw(0)])
+}

@@ -1,0 +1,62 @@
+# The engine as a program of its own (tests/engine/programs/settle_file.cpp) against settle().
+
+engine_program <- test_path("..", "engine", "build", "optimised", "settle_file")
+
+# An engine's model as the program's text of arrays: see src/engine/base/text_source.hpp.
+model_text <- function(x, name) {
+  if (is.list(x) && (is.null(names(x)) || !length(x))) {
+    items <- Map(model_text, x, paste0(name, ".", seq_along(x)))
+    return(c(paste(name, "list", length(x)), unlist(items)))
+  }
+  if (is.list(x)) return(unlist(Map(model_text, x, paste0(name, ".", names(x)))))
+  if (is.null(x)) return(NULL)
+  type <- switch(typeof(x), double = "number", integer = "whole", logical = "mark", "name")
+  values <- switch(typeof(x), double = sprintf("%.17g", x), logical = as.integer(x), x)
+  paste(c(name, type, length(x), values), collapse = " ")
+}
+
+run_program <- function(text) {
+  file <- tempfile(fileext = ".txt")
+  on.exit(unlink(file))
+  writeLines(text, file)
+  said <- suppressWarnings(
+    system2(engine_program, shQuote(file), stdout = TRUE, stderr = TRUE)
+  )
+  list(said = said, status = c(attr(said, "status"), 0L)[1])
+}
+
+array_of <- function(said, name) {
+  words <- strsplit(paste(said, collapse = " "), " ")[[1]]
+  at <- which(words == name)
+  as.numeric(words[at + 2L + seq_len(as.integer(words[at + 2L]))])
+}
+
+test_that("the engine settles a gear from a file as settle() does", {
+  skip_if_not(file.exists(engine_program), "engine programs: make -C tests/engine programs")
+  # triangles and catch of a trawl, ground and struts of a beam trawl, one body on a cable
+  for (name in c("towed_cable", "beam_trawl", "midwater_trawl")) {
+    state <- if (name == "midwater_trawl") settled(name, nodes = 400) else settled(name)
+    lattice <- state$lattice
+    from <- as.double(lattice$start)
+    run <- run_program(c(
+      model_text(lattice$engine, "model"), model_text(from, "start")
+    ))
+    expect_identical(run$status, 0L, info = name)
+    expect_identical(array_of(run$said, "converged"), 1)
+    found <- matrix(array_of(run$said, "position"), 3L)
+    size <- max(apply(state$position, 1L, function(x) diff(range(x))))
+    # Newton's last step on the law itself leaves both far nearer than the solver's tolerance
+    expect_lt(max(abs(found - state$position)) / size, 1e-9)
+  }
+})
+
+test_that("the program says which field of a file is wrong", {
+  skip_if_not(file.exists(engine_program), "engine programs: make -C tests/engine programs")
+  lattice <- build_lattice(gear_si(read_gear("towed_cable")))
+  lattice$engine$bars$rest[2] <- NaN
+  run <- run_program(c(
+    model_text(lattice$engine, "model"), model_text(as.double(lattice$start), "start")
+  ))
+  expect_identical(run$status, 1L)
+  expect_match(run$said, "model.bars.rest[2] must be a finite number", fixed = TRUE)
+})

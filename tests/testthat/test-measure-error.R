@@ -1,0 +1,84 @@
+# Errors of measures, estimated from coarser lattices.
+
+# Values whose error is c h^p on lattices of so many nodes.
+with_error <- function(nodes, p, share = c(a = 3, b = -0.5), exact = c(a = 10, b = 2)) {
+  list(nodes = nodes, values = exact + share * nodes^(-p / 2))
+}
+fine_values <- function(p) with_error(1600, p)$values
+left <- function(p) unname(abs(fine_values(p) - c(10, 2)))
+
+test_that("an error of first order is found exactly from two lattices", {
+  found <- estimate_errors(fine_values(1), 1600, list(with_error(200, 1)))
+  expect_equal(unname(found), left(1), tolerance = 1e-12)
+  # from a finer lattice too
+  found <- estimate_errors(fine_values(1), 1600, list(with_error(9000, 1)))
+  expect_equal(unname(found), left(1), tolerance = 1e-12)
+})
+
+test_that("three lattices tell the order, within bounds", {
+  three <- function(p) {
+    unname(estimate_errors(fine_values(p), 1600, list(with_error(100, p), with_error(400, p))))
+  }
+  expect_equal(three(1.4), left(1.4), tolerance = 1e-12)
+  # an order of 2 is taken as 1.5: too careful by (4 - 1) / (2^1.5 - 1)
+  expect_equal(three(2), left(2) * 3 / (2^1.5 - 1), tolerance = 1e-12)
+  expect_lt(max(three(0.5) / left(0.5)), 1)
+  # to and fro: as if the larger way were left
+  levels <- list(
+    list(nodes = 100, values = c(a = 9)), list(nodes = 400, values = c(a = 11))
+  )
+  swings <- estimate_errors(c(a = 10.9), 1600, levels)
+  expect_gt(swings[["a"]], 1)
+})
+
+test_that("one measure that hardly moves by chance is as uncertain as half of the usual", {
+  levels <- list(list(nodes = 200, values = c(a = 10, b = 20, c = 30)))
+  found <- estimate_errors(c(a = 10, b = 20.2, c = 30.3), 1600, levels)
+  usual <- 0.01 / 1.01 / (sqrt(8) - 1)
+  expect_equal(unname(found["a"]), 0.5 * usual * 10, tolerance = 1e-12)
+})
+
+test_that("lattices that hardly differ tell nothing, and nothing is NA", {
+  found <- estimate_errors(c(a = 1), 1600, list(list(nodes = 1500, values = c(a = 2))))
+  expect_identical(found, c(a = NA_real_))
+  expect_identical(estimate_errors(c(a = 1), 1600, NULL), c(a = NA_real_))
+})
+
+test_that("finer lattices lie within twice the error that is told", {
+  # The command that measures 30 variations is `make errors`; 90 % is what is asked there.
+  hits <- unlist(lapply(c("gillnet", "beam_trawl", "cage"), function(name) {
+    told <- measures(settle(name, nodes = 550))
+    true <- measures(settle(name, nodes = 4400))
+    error <- attr(told, "error")
+    abs(as.double(told) - as.double(true[names(told)])) <= 2 * error
+  }))
+  expect_gte(mean(hits), 0.9)
+})
+
+test_that("errors go where measures go", {
+  state <- settle("gillnet", nodes = 550)
+  error <- attr(measures(state), "error")
+  expect_true(all(is.finite(error)))
+  table <- as.data.frame(state, what = "measures")
+  expect_identical(table$error, unname(error))
+  expect_match(format(summary(state)), "m +(\u00b1|\\+-) [0-9]", all = FALSE)
+  expect_match(format(summary(state)), "Finer lattices", all = FALSE)
+  expect_identical(attr(measures(state)[2:3], "error"), error[2:3])
+  expect_identical(state_record(state)$errors, as.list(error))
+  # on to another design: the same share
+  near <- settle(update(read_gear("gillnet"), water.current.speed = "0.155 m/s"), nodes = 550,
+    from = state)
+  expect_equal(attr(measures(near), "error") / as.double(measures(near)),
+    error / as.double(measures(state)), tolerance = 1e-9)
+})
+
+test_that("accuracy divides a gear further, or says that it cannot", {
+  coarse <- settle("cage", nodes = 550)
+  wanted <- main_error(measures(coarse)) / 2
+  finer <- settle("cage", nodes = 550, accuracy = wanted)
+  expect_lte(main_error(measures(finer)), wanted)
+  expect_gt(finer$lattice$nodes, 2 * 550 * 0.9)
+  expect_warning(settle("towed_cable", accuracy = "0.0001 %"), class = "codend_warning_accuracy")
+  expect_error(settle("towed_cable", accuracy = "fine"), class = "codend_error_argument")
+  expect_error(settle("towed_cable", accuracy = -1), class = "codend_error_argument")
+})
