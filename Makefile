@@ -11,6 +11,7 @@
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
+# make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
@@ -20,7 +21,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-tow robust \
+.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-loops bench-tow robust \
   schema schema-check
 trawl:
 	@tools/setup
@@ -65,6 +66,10 @@ NODES ?= 100000
 bench:
 	@tools/setup --tests
 	@Rscript bench/bench.R $(NODES)
+
+bench-loops:
+	@tools/setup --tests
+	@Rscript bench/loops.R $(EARLIER)
 
 bench-tow:
 	@tools/setup --tests

@@ -210,8 +210,9 @@ in_time <- function(expression, seconds = flume_seconds) {
   })
 }
 
-# The gear of a file that the page has read: list(name, text). The page sends what is in it and never
-# a path, which could be any file of this computer's. It is nowhere that R code could read it from.
+# The gear of a file that the page has read: list(name, text). The page sends what is in it and
+# never a path, which could be any file of this computer's. It is nowhere that R code could read it
+# from.
 read_opened <- function(given) {
   given <- as.list(given)
   name <- if (is_text(given$name)) substr(given$name, 1L, 100L) else "on this page"

@@ -35,14 +35,14 @@
 #' before it asks again, with the latest values.
 #'
 #' @section As a server for others:
-#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a design
-#' at most 20,000 nodes (or twice `nodes`), and an answer takes at most 30 s, during which the other
-#' browsers wait. The size of a message and how often one comes are not bounded here, there is no
-#' password, and `codend flume` answers this computer alone. To let others in, run it as a service of
-#' a user of its own with a limit of memory (systemd: `DynamicUser=yes`, `MemoryMax=2G`,
-#' `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`, `Restart=on-failure`), behind a proxy
-#' that encrypts, asks who it is, and limits connections and the size and rate of messages. A process
-#' for every few users keeps them from waiting for each other.
+#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a
+#' design at most 20,000 nodes (or twice `nodes`), and an answer takes at most 30 s, during which
+#' the other browsers wait. The size of a message and how often one comes are not bounded here,
+#' there is no password, and `codend flume` answers this computer alone. To let others in, run it
+#' as a service of a user of its own with a limit of memory (systemd: `DynamicUser=yes`,
+#' `MemoryMax=2G`, `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`),
+#' behind a proxy that encrypts, asks who it is, and limits connections and the size
+#' and rate of messages. A process for every few users keeps them from waiting for each other.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param fields Further fields of the plan to have a control each: paths as in

@@ -34,6 +34,9 @@
 #' tells the total drag with it halved and doubled.
 #'
 #' @section Drag of netting:
+#' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where a
+#' plan says nothing, bottom, pair and beam trawls of triangles have `blended`, all else `twines`.
+#'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
 #' normal and the flow and its solidity as the meshes stand open: `loland` (G. Loland, Current

@@ -80,7 +80,8 @@ check_longline <- function(fields) {
   branch_lines <- fields$baskets * fields$branch_lines$number
   if (branch_lines > most_branch_lines) {
     most <- most_branch_lines %/% fields$branch_lines$number
-    abort_field("baskets", fields$baskets, paste("at most", most, "with so many branch lines in each"))
+    abort_field("baskets", fields$baskets,
+      paste("at most", most, "with so many branch lines in each"))
   }
   if (fields$floats$held == "ends") {
     float <- fields$floats[setdiff(names(fields$floats), c("held", "added_mass"))]

@@ -79,7 +79,8 @@ contact_points <- function(masses) {
 immersed_volumes <- function(masses, density) {
   some <- which(masses$volume > 0 & masses$surface > 0)
   # heights that only rounding keeps apart are one
-  height <- signif(masses$surface[some], 12)
+  distinct <- unique(masses$surface[some])
+  height <- signif(distinct, 12)[match(masses$surface[some], distinct)]
   key <- masses$node[some] + (max(0, masses$node) + 1) * match(height, unique(height))
   first <- some[!duplicated(key)]
   list(

@@ -4,7 +4,8 @@
 # Builds the lattice of a gear.
 #
 # nodes: about how many nodes; netting: "bars" or "triangles" for every panel, or NULL for each
-# panel's own; from: NULL for a crude start, or list(lattice, position = 3 x points) of the same parts,
+# panel's own; from: NULL for a crude start, or list(lattice, position = 3 x points, settled = SI
+# numbers of the gear whose settled shape it is, or NULL) of the same parts,
 # whose shape is carried over; as many nodes of the same panels are divided as there, so that two
 # designs can be compared node by node.
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
@@ -17,6 +18,8 @@
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
+  filled <- fill_lattice(si, nodes, netting, from)
+  if (!is.null(filled)) return(filled)
   bars <- panels_of_bars(si, netting)
   check_triangles_needed(si, bars)
   panels <- panel_table(si$panels)
@@ -76,11 +79,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   engine <- list(
     nodes = collected$nodes, held = c(supports$held, rep(FALSE, collected$nodes - division$nodes)),
     ties = collected$ties,
-    water = list(
-      density = density, viscosity = si$water$viscosity, free_surface = si$water$free_surface,
-      depth = si$water$current$depth,
-      x = si$water$current$x + si$towing$speed, y = si$water$current$y
-    ),
+    water = engine_water(si),
     slack_twine = si$slack_twine,
     load = as.vector(loads),
     mass = collected$mass + board_masses(si, division, length(collected$mass)),

@@ -109,7 +109,7 @@ settled_alike <- function(lattice, from) {
   same <- function(kind) {
     identical(lattice$engine[[kind]]$node, from$lattice$engine[[kind]]$node)
   }
-  isTRUE(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("triangles")
+  !is.null(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("triangles")
 }
 
 # A state's shape, to carry over.
@@ -120,7 +120,11 @@ state_shape <- function(state) {
     state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / triangles$rest - 1,
     state$v_length / triangles$rest - 1, state$straight_length / triangles$straight - 1
   )
-  list(lattice = state$lattice, position = state_points(state), strain = strain, settled = TRUE)
+  list(
+    lattice = state$lattice, position = state_points(state), strain = strain,
+    # at a time of a tow nothing is settled
+    settled = if (is.null(state$time)) state$si
+  )
 }
 
 # A state's shape, moved to where a gear with other lengths of rope should be found.

@@ -54,7 +54,8 @@ std::string native(cpp11::strings path) {
 // Bytes of a regular file; NA of anything else, such as a folder, a device or a pipe.
 [[cpp11::register]] double file_size(cpp11::strings path) {
   struct stat about;
-  if (stat(native(path).c_str(), &about) != 0 || (about.st_mode & S_IFMT) != S_IFREG) return NA_REAL;
+  if (stat(native(path).c_str(), &about) != 0 || (about.st_mode & S_IFMT) != S_IFREG)
+    return NA_REAL;
   return static_cast<double>(about.st_size);
 }
 

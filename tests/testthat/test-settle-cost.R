@@ -8,8 +8,8 @@ settling_steps <- data.frame(
     "midwater_trawl", "midwater_trawl"),
   netting = c("bars", "bars", "bars", "triangles", "bars", "triangles", "bars"),
   nodes = c(500, 500, 500, 500, 500, 500, 10000),
-  steps = c(12, 6, 19, 18, 59, 25, 34),
-  most = c(18, 9, 29, 27, 118, 50, 68)
+  steps = c(12, 6, 19, 18, 39, 25, 44),
+  most = c(18, 9, 29, 27, 78, 50, 88)
 )
 
 test_that("shipped gears settle in few steps, with one factorisation a step", {
@@ -34,19 +34,20 @@ test_that("any shipped gear settles from its own state without a step", {
 })
 
 test_that("a small change of a gear takes a few steps from its state, to the same balance", {
-  gear <- read_gear("midwater_trawl")
+  gear <- read_gear(test_path("plans", "trawl_1536.yaml"))
   state <- settle(gear, nodes = 1500)
-  # Steps when this was written: 3, 4, 4, 4, 3, 6, 3, 4.
+  # By 1 % and by 10 % (speed 5 %). Steps when this was written: 5, 7, 5, 7, 6, 6, 9, 9; half as many
+  # again as room.
   change <- list(
-    towing.speed = c("4.545 knot", "4.95 knot"), warps.length = c("707 m", "770 m"),
-    otter_boards.area = c("12.12 m2", "13.2 m2"), otter_boards.mass = c("4.04 tonne", "4.4 tonne")
+    towing.speed = c("4.04 knot", "4.2 knot"), warps.length = c("606 m", "660 m"),
+    otter_boards.area = c("15.15 m2", "16.5 m2"), otter_boards.mass = c("4.545 tonne", "4.95 tonne")
   )
   for (field in names(change)) {
     for (k in 1:2) {
       other <- do.call(update, c(list(gear), stats::setNames(change[[field]][k], field)))
       found <- settle(other, nodes = 1500, from = state)
       label <- paste(field, change[[field]][k])
-      expect_lte(found$report$iterations, c(4, 7)[k], label = label)
+      expect_lte(found$report$iterations, 14, label = label)
       expect_lte(found$report$factorisations, found$report$iterations, label = label)
       # Anew a gear with other lengths is divided otherwise.
       if (field == "warps.length") next

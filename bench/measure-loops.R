@@ -1,0 +1,42 @@
+# One process: what a change of a settled gear takes, from update() to measures(), beside settling
+# anew. Arguments: library that codend is taken from ("" for R's own), nodes, file.
+given <- commandArgs(TRUE)
+library(codend, lib.loc = if (nzchar(given[1])) given[1])
+source("bench/own-process.R")
+nodes <- as.numeric(given[2])
+repeats <- 5
+
+# Change by 1 and by 10 % of fields of shipped gears, as this folder's plans have them, and none.
+fields <- list(
+  midwater_trawl = c("towing.speed", "warps.length", "otter_boards.area", "otter_boards.mass"),
+  poly_noreastern_trawl = c("towing.speed", "warps.length"),
+  cage = "water.current.speed", model_cage = "water.current.speed", gillnet = "water.current.speed"
+)
+if (nodes > 2000) fields <- fields[1:2]
+scaled <- function(gear, field, factor) {
+  value <- Reduce(`[[`, strsplit(field, ".", fixed = TRUE)[[1]], gear$plan)
+  text <- paste(as.numeric(sub(" .*", "", value)) * factor, sub("^[^ ]* ", "", value))
+  do.call(update, c(list(gear), stats::setNames(list(text), field)))
+}
+
+# Median of several; of short ones, for which the clock is too coarse, each several times.
+seconds <- function(work) {
+  times <- if (cpu(work()) < 0.1) 5 else 1
+  stats::median(replicate(repeats, cpu(for (k in seq_len(times)) work()) / times))
+}
+
+rows <- list()
+for (name in names(fields)) {
+  gear <- read_gear(file.path("inst", "gears", paste0(name, ".yaml")))
+  state <- suppressWarnings(settle(gear, nodes))
+  for (field in c("none", fields[[name]])) for (percent in if (field == "none") 0 else c(1, 10)) {
+    change <- function() if (percent == 0) gear else scaled(gear, field, 1 + percent / 100)
+    found <- suppressWarnings(settle(change(), nodes, from = state))
+    rows[[length(rows) + 1L]] <- data.frame(
+      gear = name, nodes = ncol(state$position), field = field, percent = percent,
+      steps = found$report$iterations, factorisations = found$report$factorisations,
+      cpu = seconds(function() suppressWarnings(measures(settle(change(), nodes, from = state))))
+    )
+  }
+}
+jsonlite::write_json(do.call(rbind, rows), given[3], digits = NA)

@@ -1,0 +1,43 @@
+# Lattices filled again equal those built anew.
+
+changed_gear <- function(gear, path, value) {
+  gear_si(do.call(update, c(list(gear), stats::setNames(list(value), path))))
+}
+
+test_that("a lattice filled with other conditions equals the one that is built", {
+  changes <- list(
+    list("midwater_trawl", "towing.speed", "4.7 knot"),
+    list("poly_noreastern_trawl", "towing.speed", "3.3 knot"),
+    list("poly_noreastern_trawl", "seabed.depth", "101 m"),
+    list("model_cage", "water.current.speed", "0.3 m/s"),
+    list("t90_codend", "towing.speed", "1.3 m/s")
+  )
+  for (change in changes) {
+    gear <- read_gear(change[[1]])
+    shape <- state_shape(settle(gear, nodes = 300))
+    si <- changed_gear(gear, change[[2]], change[[3]])
+    filled <- fill_lattice(si, 300, NULL, shape)
+    label <- paste(change[[1]], change[[2]])
+    expect_false(is.null(filled), label = label)
+    shape$settled <- NULL
+    built <- build_lattice(si, 300, NULL, shape)
+    if (!is.null(si$catch)) built <- set_catch_front(built, shape$lattice$catch$blocked)
+    expect_identical(filled$engine, built$engine, label = label)
+    expect_identical(filled$start, built$start, label = label)
+    expect_identical(names(filled), names(built), label = label)
+  }
+})
+
+test_that("a lattice is built anew where more than the conditions has changed", {
+  gear <- read_gear("midwater_trawl")
+  shape <- state_shape(settle(gear, nodes = 300))
+  expect_null(fill_lattice(gear_si(gear), 301, NULL, shape))
+  expect_null(fill_lattice(gear_si(gear), 300, "triangles", shape))
+  for (change in list(
+    list("warps.length", "720 m"), list("otter_boards.mass", "4.1 tonne"),
+    list("water.density", "1000 kg/m3"), list("water.free_surface", FALSE)
+  )) {
+    si <- changed_gear(gear, change[[1]], change[[2]])
+    expect_null(fill_lattice(si, 300, NULL, shape), label = change[[1]])
+  }
+})
