@@ -83,9 +83,7 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
-      settle_level(
-        si, nodes, netting, coarse_shape(si, nodes, netting, progress), steps, progress
-      )
+      settle_from_coarse(si, nodes, netting, steps, progress)
     } else {
       settle_shot(gear, si, nodes, netting, steps, progress)
     }
@@ -96,6 +94,16 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   state <- new_state(gear, si, found$lattice, found$position, report)
   state$levels <- state_levels(state, found, from)
   state
+}
+
+# Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
+# free board may fall over on few nodes: their coarser level only tells of the error.
+settle_from_coarse <- function(si, nodes, netting, steps, progress) {
+  coarse <- coarse_shape(si, nodes, netting, progress)
+  if (length(si$panels)) return(settle_level(si, nodes, netting, coarse, steps, progress))
+  found <- settle_level(si, nodes, netting, NULL, steps, progress)
+  found$from <- coarse
+  found
 }
 
 check_settle_arguments <- function(gear, nodes, netting) {

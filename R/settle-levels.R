@@ -16,7 +16,6 @@ settle_iterations <- 3200L
 coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
   free <- undivided(si)
   nodes <- min(nodes, fixed_nodes(si))
-  # Ropes alone need no help on their way, but an error.
   levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
   for (level in levels) {
     coarse <- settle_level(

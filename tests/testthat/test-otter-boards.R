@@ -136,12 +136,8 @@ test_that("a board does not stay in a balance that a small push ends", {
     state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.8 m")),
     class = "codend_warning_board_stalled"
   )
-  # That balance is met from the crude layout of a fine lattice; coarser levels lead past it.
-  direct <- settle_level(state$si, 1500, NULL, NULL, settle_iterations, function(...) TRUE)
-  expect_gt(direct$report$upsets, 0)
-  expect_false(direct$report$upset_at_last)
-  # Both are found to 1e-8 of the largest tension, on a warp of 100 m.
-  expect_lt(max(abs(direct$position - state$position)), 1e-5)
+  expect_gt(state$report$upsets, 0)
+  expect_false(state$report$upset_at_last)
   # It stands where one beside it stands that settles at once.
   expect_warning(
     beside <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")),
