@@ -67,10 +67,10 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 3L
+trajectory_file_version <- 4L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
-file_ends <- c("interrupted", "reached", "stuck")
+file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
 
 # Numbers that a record has of every node; for those of other things see frame_fields.
 node_variables <- rbind(
@@ -93,12 +93,12 @@ vessel_variables <- rbind(
 resume_numbers <- c("steps", "caution", "step")
 resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
 report_numbers <- c(
-  "steps", "repeated", "not_found", "iterations", "shortest_step", "longest_step", "worst_node",
+  "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step", "worst_node",
   "time"
 )
-report_ends <- c("reached", "stopped", "stuck")
+report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
-motion_vectors <- c("position", "velocity", "acceleration")
+motion_vectors <- c("position", "velocity", "acceleration", "carried_acceleration")
 
 # Writes a file with the frames of a trajectory, whole or not at all, and leaves it open for more.
 # what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
@@ -144,7 +144,7 @@ define_trajectory <- function(nc, what, frame) {
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
     hexagonal_triangle = length(frame$straight_tension), point = length(frame$wake),
-    catch = length(frame$catch_front),
+    catch = length(frame$catch_front), energy = length(energy_parts),
     part = length(names), growing_part = length(frame$done$length),
     parting = length(frame$done$parted), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
@@ -178,6 +178,7 @@ define_trajectory <- function(nc, what, frame) {
   }
   text("time", "axis", "T")
   text("z", "positive", "up")
+  text("energy", "energy_parts", paste(energy_parts, collapse = " "))
   text("end", "flag_meanings", paste(file_ends, collapse = " "))
   RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
   text("NC_GLOBAL", "Conventions", "CF-1.10")

@@ -10,10 +10,14 @@
 #'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share of
 #'   the free flow's speed);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
-#'   (m/s), `course` (rad) and `heave` (m), and the length of each warp that the schedule moves (m);
+#'   (m/s), `course` (rad) and `heave` (m), the length of each warp that the schedule moves (m), and
+#'   since the start `energy_imbalance`, J that the scheme made (positive) or removed, and
+#'   `energy_put_through` (J);
+#' - `energy`: 8 x n, J since the start: gains of kinetic, elastic and potential energy; work of
+#'   supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
-#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
-#'   `iterations`, `shortest_step` and `longest_step` (s);
+#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`, `unbalanced`
+#'   (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].
@@ -60,7 +64,8 @@ by_time <- function(trajectory, table_at) {
 condition_units <- function(conditions) {
   known <- c(
     time = "time_s", x = "x_m", y = "y_m", speed = "speed_m_per_s", course = "course_deg",
-    heave = "heave_m"
+    heave = "heave_m", energy_imbalance = "energy_imbalance_J",
+    energy_put_through = "energy_put_through_J"
   )
   parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
   out <- conditions[c(names(known), parts)]
@@ -113,7 +118,8 @@ print.codend_trajectory <- function(x, ...) {
 #' @param object A trajectory, from [tow()].
 #' @param ... Not used.
 #' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at
-#'   the start and at the end, the least and the greatest, and the times of these (s).
+#'   the start and at the end, the least and the greatest, and the times of these (s). Its attribute
+#'   `energy` holds the `imbalance` at the end and what was `put_through`, J.
 #' @export
 summary.codend_trajectory <- function(object, ...) {
   table <- as.data.frame(object, what = "measures")
@@ -125,7 +131,10 @@ summary.codend_trajectory <- function(object, ...) {
       greatest = max(of$value), greatest_at_s = of$time_s[which.max(of$value)]
     )
   })
-  structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"))
+  n <- length(object$time)
+  structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
+    energy = c(imbalance = object$conditions$energy_imbalance[n],
+      put_through = object$conditions$energy_put_through[n]))
 }
 
 #' @export
@@ -137,5 +146,12 @@ print.codend_trajectory_summary <- function(x, ...) {
   )
   cat(align_columns(columns, left = 1:2), sep = "\n")
   cat("\n")
+  energy <- attr(x, "energy")
+  if (!is.null(energy)) {
+    cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
+      format(signif(abs(energy[["imbalance"]]), 3)),
+      if (energy[["imbalance"]] > 0) "made" else "removed",
+      format(signif(energy[["put_through"]], 3))))
+  }
   invisible(x)
 }

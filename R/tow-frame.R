@@ -5,18 +5,19 @@
 # across: the file's dimension; unit, words: as the file says them.
 frame_fields <- data.frame(
   name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "winch_length", "parted"),
-  within = c("", "", "", "", "", "", "done", "done"),
+    "winch_length", "parted", "energy"),
+  within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "length", "parted"),
+    "length", "parted", "energy"),
   across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
-    "parting"),
-  unit = c("N", "N", "N", "N", "1", "1", "m", "1"),
+    "parting", "energy"),
+  unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
     "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
     "catch in netting: meshes behind its front, and the volume there (m3)",
-    "length that a winch has paid out", "bar that has parted, 0 for none"
+    "length that a winch has paid out", "bar that has parted, 0 for none",
+    "energy since the start, by parts: see the attribute energy_parts"
   )
 )
 
@@ -41,4 +42,16 @@ frame_of_arrays <- function(arrays, k) {
     if (nzchar(of$within)) frame[[of$within]][[of$field]] <- value else frame[[of$field]] <- value
   }
   frame
+}
+
+# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic, elastic and
+# potential energy have gained; work of supports, of winches, of the water and the ground, of damping;
+# and half of the sum of the sizes of all these.
+energy_parts <- c("kinetic", "elastic", "potential", "supports", "winches", "water", "damping",
+  "put_through")
+
+# Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has gained
+# beyond the work done on it. energy: a trajectory's.
+energy_imbalance <- function(energy) {
+  colSums(energy[1:3, , drop = FALSE]) - colSums(energy[4:7, , drop = FALSE])
 }

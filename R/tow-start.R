@@ -3,11 +3,11 @@
 started_trajectory <- function(state, given, until) {
   state$lattice$let_go <- TRUE
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
-  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0, after = TRUE) - 1) > 1e-6) {
+  if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
     abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")
   }
   for (part in what$schedule$growing) {
-    if (abs(curve_at(part$factor, 0, after = TRUE) - 1) > 1e-6) {
+    if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
       abort_schedule("gear", sprintf(
         "is a state whose %s is not what the schedule begins with; give the gear, to settle so.",
         part$name
@@ -68,7 +68,7 @@ add_start <- function(what, position, velocity) {
   speed[, setdiff(which(held), what$schedule$track$node)] <- 0
   motion <- list(
     time = 0, position = as.vector(position), velocity = as.vector(speed),
-    acceleration = numeric(3L * n)
+    acceleration = numeric(3L * n), carried_acceleration = numeric(3L * n)
   )
   winches <- lapply(what$schedule$growing, `[[`, "winch")
   of <- function(field) vapply(winches, function(w) if (is.null(w)) 0 else w[[field]], 0)
@@ -86,7 +86,7 @@ add_start <- function(what, position, velocity) {
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
     wake = engine$wake, catch_front = catch_front(what$lattice, position),
-    report = NULL
+    energy = numeric(length(energy_parts)), report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

@@ -63,8 +63,12 @@ scheduled_table <- function(what, time, found) {
 }
 
 # The same of one time as a list, with the current over the ground (m/s along x and y, by depth) where
-# the schedule has one, and what the winches have out (winch_length, m, by growing part).
-conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule)) {
+# the schedule has one, and what the winches have out (winch_length, m, by growing part). before: at a
+# jump those before it.
+conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule),
+                          before = FALSE) {
+  # the engine tells what is after a jump; so early (s) is before it and otherwise the same
+  if (before) time <- time - 1e-9
   found <- engine_schedule_at(what$schedule, time, as.double(winch_length))
   c(
     as.list(scheduled_table(what, time, found)), found[c("current_x", "current_y")],

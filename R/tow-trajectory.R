@@ -22,6 +22,8 @@ gather_trajectory <- function(what, frames, end) {
     end = end, report = last$report, memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
+  out$conditions$energy_imbalance <- energy_imbalance(out$energy)
+  out$conditions$energy_put_through <- out$energy[8L, ]
   structure(out, class = "codend_trajectory")
 }
 
@@ -34,6 +36,9 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   what$every <- every
   past <- trajectory$memory
   if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
+  # of the start, which a tow that goes on has too
+  past$energy <- trajectory$energy[, length(trajectory$time)]
+  past$ordering <- as.vector(trajectory$position[, , 1L])
   stops <- tow_stops(past$now$time, until, every, what)
   frames <- new.env(parent = emptyenv())
   frames$list <- list()
@@ -70,6 +75,7 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   )
   out <- gather_trajectory(what, c(trajectory_frames(trajectory), frames$list), end)
   if (end == "stuck") abort_stuck(report, out)
+  if (end == "unbalanced") abort_unbalanced(report, out)
   out
 }
 
@@ -184,6 +190,20 @@ abort_stuck <- function(report, trajectory) {
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}."
     ),
     class = c("codend_error_not_converged", "codend_error"), report = report,
+    trajectory = trajectory, call = NULL
+  )
+}
+
+abort_unbalanced <- function(report, trajectory) {
+  where <- describe_node(trajectory$lattice, report$worst_node)
+  cli::cli_abort(
+    c(
+      "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes out:
+      more than 2 % of what is put through, however short the steps.",
+      "x" = "Worst at {where}. What is done is the condition's {.field trajectory}.",
+      "i" = "Ask for a smaller {.arg accuracy}, or another {.arg scheme}."
+    ),
+    class = c("codend_error_energy", "codend_error_not_converged", "codend_error"), report = report,
     trajectory = trajectory, call = NULL
   )
 }

@@ -15,13 +15,42 @@ namespace {
 
 codend::Motion read_motion(const list& from) {
   return {number(from, "time"), values(from, "position"), values(from, "velocity"),
-          values(from, "acceleration")};
+          values(from, "acceleration"), values(from, "carried_acceleration")};
 }
 
 writable::list as_list(const codend::Motion& motion) {
   return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
                          "velocity"_nm = as_doubles(motion.v),
-                         "acceleration"_nm = as_doubles(motion.a)});
+                         "acceleration"_nm = as_doubles(motion.a),
+                         "carried_acceleration"_nm = as_doubles(motion.b)});
+}
+
+// In the order of energy_parts in R/tow-frame.R.
+constexpr double codend::EnergyTotals::*energy_parts[] = {
+    &codend::EnergyTotals::kinetic,  &codend::EnergyTotals::elastic,
+    &codend::EnergyTotals::potential, &codend::EnergyTotals::supports,
+    &codend::EnergyTotals::winches,  &codend::EnergyTotals::water,
+    &codend::EnergyTotals::damping,  &codend::EnergyTotals::put_through};
+
+codend::EnergyTotals read_energy(const list& from) {
+  const doubles given(from["energy"]);
+  codend::EnergyTotals totals;
+  R_xlen_t k = 0;
+  for (auto part : energy_parts) totals.*part = given[k++];
+  return totals;
+}
+
+writable::doubles as_doubles(const codend::EnergyTotals& totals) {
+  writable::doubles out;
+  for (auto part : energy_parts) out.push_back(totals.*part);
+  return out;
+}
+
+// J, what an error of position (m) makes of the potential of all loads.
+double potential_of(const codend::Model& model, double error) {
+  double sum = 0.0;
+  for (int p = 0; p < model.points(); ++p) sum += codend::at(model.load.data(), p).norm();
+  return error * sum;
 }
 
 }  // namespace
@@ -48,7 +77,7 @@ writable::list as_list(const codend::Motion& motion) {
   });
 }
 
-// Marches from `past` through the stops of list(time, kept, broken, steered, filled): times (s,
+// Marches from `past` (its `ordering`: as NewtonStep's) through the stops of list(time, kept, broken, steered, filled): times (s,
 // growing) and at which of them a frame is kept, the motion breaks, winches are steered or the catch's
 // front is moved. keep(frame) gets the motion and tensions, and all that is needed to go on from
 // there; steer(frame) answers with the speed wanted of every growing group; refill(frame) with weight,
@@ -67,15 +96,24 @@ writable::list as_list(const codend::Motion& motion) {
     from.caution = as_cpp<int>(past["caution"]);
     codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), from.now);
     conditions.to_time(from.now.time, codend::Side::after, from.now);
+    const bool adaptive = number(control, "accuracy") > 0.0;
+    codend::StepAccuracy accuracy;
+    accuracy.found = number(control, "tolerance");
+    if (adaptive) {
+      accuracy.position = number(control, "accuracy");
+      accuracy.tension = number(control, "tension_accuracy");
+    }
     const std::unique_ptr<codend::Stepper> scheme =
         codend::scheme_named(as_cpp<std::string>(control["scheme"]))
-            .make(assembly, number(control, "tolerance"), from.now);
+            .make(assembly, accuracy, from.now, values(past, "ordering"));
 
     codend::MarchControl how;
-    how.accuracy = number(control, "accuracy");
+    how.adaptive = adaptive;
     how.step = number(past, "step");
     how.least_step = number(control, "least_step");
     how.most_step = number(control, "most_step");
+    how.account = as_cpp<bool>(control["account"]);
+    how.energy_floor = adaptive ? potential_of(model, number(control, "energy_error")) : 0.0;
     std::clock_t shown = std::clock();
     long long steps = 0;
     how.watch = [&](const codend::Motion& now) {
@@ -88,13 +126,15 @@ writable::list as_list(const codend::Motion& motion) {
       return true;
     };
     codend::March march(assembly, *scheme, conditions, how, from);
+    march.go_on_from(read_energy(past));
     auto report = [&] {
       const codend::MarchReport& r = march.report();
-      const char* const ends[] = {"reached", "stopped", "stuck"};
+      const char* const ends[] = {"reached", "stopped", "stuck", "unbalanced"};
       return writable::list(
           {"end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
            "repeated"_nm = static_cast<double>(r.repeated),
            "not_found"_nm = static_cast<double>(r.not_found),
+           "unbalanced"_nm = static_cast<double>(r.unbalanced),
            "iterations"_nm = static_cast<double>(r.iterations),
            "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
            "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
@@ -111,6 +151,7 @@ writable::list as_list(const codend::Motion& motion) {
           {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
            "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
            "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
+           "energy"_nm = as_doubles(march.energy()),
            "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
            "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),

@@ -22,7 +22,9 @@ TEST_CASE("every scheme has the order of accuracy that it says, on a smooth moti
     auto error = [&](double step) {
       Assembly assembly(model);
       SteadyConditions conditions(model.held, start);
-      const std::unique_ptr<Stepper> stepper = scheme.make(assembly, 1e-13, start);
+      StepAccuracy accuracy;
+      accuracy.found = 1e-13;
+      const std::unique_ptr<Stepper> stepper = scheme.make(assembly, accuracy, start, start.x);
       order = stepper->order();
       MarchControl control;
       control.step = step;

@@ -274,3 +274,19 @@ test_that("a gear that hangs from a fixed point and is not towed can move, and s
   expect_equal(found$position[, , 3], found$position[, , 1], tolerance = 1e-6)
   expect_equal(found$conditions$speed, c(0, 0, 0))
 })
+
+test_that("a jump at time 0 is a jump like any other", {
+  at_once <- tow(short_cable(), until = 10, every = 10,
+    speed = data.frame(time = c(0, 0), value = c(2, 3)))
+  later <- tow(short_cable(), until = 12, every = 6,
+    speed = data.frame(time = c(0, 2, 2), value = c(2, 2, 3)))
+  expect_equal(state_at(at_once, 0)$position, settle(short_cable())$position, tolerance = 1e-6)
+  # the same motion, in other steps of 0.01 m of error each
+  shifted <- state_at(later, 12)$position - state_at(at_once, 10)$position
+  expect_lt(max(abs(shifted)), 0.03)
+  # and not that of a cable which settled at the new speed
+  settled <- settle(update(short_cable(), towing.speed = 3))
+  moved <- tow(short_cable(), until = 1, every = 1,
+    speed = data.frame(time = c(0, 0), value = c(2, 3)))
+  expect_gt(max(abs(state_at(moved, 1)$position - settled$position)), 1)
+})

@@ -45,7 +45,8 @@ struct LineArrays {
 };
 
 // stiffness * (-dF/dx) + damping * (-dF/dv), as JacobianRequest; tension (N) and modulus (N) of one
-// line each, `lines` in all; without modulus, that of the law.
+// line each, `lines` in all; without modulus, that of the law. A line's damper counts where its modulus is
+// not 0.
 struct LineRequest {
   double stiffness, damping;
   const double* tension;

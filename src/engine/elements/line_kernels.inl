@@ -231,21 +231,24 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const std::int64_t left = request.lines - i;
   const Pack tension = load_before_end(request.tension + i, left);
   const Pack stiffness = load(lines.stiffness + i), least = load(lines.least_tension + i);
-  Pack modulus;
+  Pack modulus, taut;
   Triple sideways = {};  // change of the damper's pull when the line turns
   if (request.modulus) {
     modulus = load_before_end(request.modulus + i, left);
-  } else if (lines.damping) {
-    const Pack taut = load(lines.tension + i) > least ? Pack{} + 1.0 : Pack{};
+    taut = modulus > 0.0 ? Pack{} + 1.0 : Pack{};
+  } else {
+    taut = (lines.damping ? load(lines.tension + i) : stiffness * strain) > least ? Pack{} + 1.0
+                                                                                  : Pack{};
+    modulus = taut * stiffness;
+  }
+  if (lines.damping) {
     const Pack damping = taut * load(lines.damping + i);
     const Pack by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
     const Triple e_rate = load(lines.e_rate, i);
-    modulus = taut * stiffness - damping * load(lines.rest_rate + i);
+    modulus = modulus - damping * load(lines.rest_rate + i);
     sideways = (request.stiffness * by_rate * inverse_length) *
                    (e_rate - dot(e_rate, s.t) * s.t) +
                (request.damping * by_rate) * s.t;
-  } else {
-    modulus = stiffness * strain > least ? stiffness : Pack{};
   }
   const Pack across = many * tension * inverse_length;
   out.pull = add_diagonal(across, outer((many * modulus * inverse_rest - across) * s.t, s.t));

@@ -17,8 +17,35 @@ constexpr double least_growth = 1.2;
 // Where Newton's method was slow, or did not end at all, steps do not grow for a while.
 constexpr int many_iterations = 6;
 constexpr int steps_of_caution = 4;
+// A step that was too long is repeated at these shares of its length.
+constexpr double least_repeated = 0.1, most_repeated = 0.9;
+// Exponents of the error by the length of a step: assumed, and what a second try may find.
+constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3.0;
+// Halvings of one step for the sake of its energy, and the share of what is allowed that a step must
+// add to be worth one.
+constexpr int most_halvings = 10;
+constexpr double least_drift = 0.01;
 // Share of the last step with which a motion begins anew.
 constexpr double share_anew = 0.1;
+
+// The last try of a step that was too long.
+struct Rejected {
+  double h = 0.0, error = 0.0;
+
+  // The share of its length with which the step is tried next.
+  double shorter(double tried, double found) {
+    double exponent = assumed_exponent;
+    if (h > 0.0 && found < error) {
+      exponent = std::clamp(std::log(error / found) / std::log(h / tried), least_exponent,
+                            most_exponent);
+    } else if (h > 0.0) {
+      exponent = least_exponent;
+    }
+    h = tried;
+    error = found;
+    return std::clamp(0.9 * std::pow(found, -1.0 / exponent), least_repeated, most_repeated);
+  }
+};
 
 }  // namespace
 
@@ -36,13 +63,32 @@ March::March(Assembly& assembly, Stepper& stepper, Conditions& conditions,
     past_.before = past_.now;
   }
   next_ = past_.now;
+  if (control_.account) account_ = std::make_unique<EnergyAccount>(assembly_);
+}
+
+// Anew at every time that is asked for, so that a march that is taken up there books the same.
+void March::begin_account() {
+  if (!account_) return;
+  next_ = past_.now;
+  conditions_.to_time(next_.time, Side::after, next_);
+  account_->begin(next_);
+}
+
+// Whether a step makes a balance worse that is out of bounds.
+bool March::too_unbalanced(const EnergyTotals& totals) const {
+  const double now = totals.imbalance(), change = now - energy_.imbalance();
+  const double through = totals.put_through - energy_.put_through;
+  const double allowed = control_.energy_share * totals.put_through + control_.energy_floor;
+  return std::abs(now) > allowed && change * now > 0.0 &&
+         std::abs(change) > std::max(control_.energy_share * through, least_drift * allowed);
 }
 
 void March::begin_anew() {
   past_.steps = 0;
   conditions_.to_time(past_.now.time, Side::after, past_.now);
   stepper_.begin(past_.now);
-  if (control_.accuracy > 0.0) step_ = std::max(share_anew * step_, control_.least_step);
+  if (control_.adaptive) step_ = std::max(share_anew * step_, control_.least_step);
+  begin_account();
 }
 
 void March::limit_step() {
@@ -55,7 +101,10 @@ void March::limit_step() {
 }
 
 MarchReport::End March::to(double time) {
-  const bool adaptive = control_.accuracy > 0.0;
+  const bool adaptive = control_.adaptive;
+  Rejected rejected;
+  int halvings = 0;
+  begin_account();
   since_limited_ = 0;  // a march that is taken up again at such a time then goes the same way
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
@@ -67,26 +116,42 @@ MarchReport::End March::to(double time) {
     if (!adaptive && left < (1.0 + 1e-6) * h) h = left;
     const StepOutcome outcome = stepper_.step(past_, h, conditions_, next_);
     report_.iterations += outcome.iterations;
-    if (!outcome.found) {
-      ++report_.not_found;
+    const bool too_long = adaptive && outcome.error > 1.0;
+    if (!outcome.found || too_long) {
+      ++(too_long ? report_.repeated : report_.not_found);
       report_.worst_node = outcome.worst_node;
-      step_ = 0.5 * h;
-      past_.caution = steps_of_caution;
+      if (too_long) {
+        step_ = h * rejected.shorter(h, outcome.error);
+      } else {
+        step_ = 0.5 * h;
+        past_.caution = steps_of_caution;
+        rejected = {};
+      }
       if (step_ < control_.least_step) return report_.end = MarchReport::End::stuck;
       continue;
     }
+    if (account_) {
+      const EnergyTotals totals = account_->after(next_, energy_);
+      if (adaptive && too_unbalanced(totals)) {
+        ++report_.unbalanced;
+        report_.worst_node = outcome.worst_node;
+        step_ = 0.5 * h;
+        past_.caution = steps_of_caution;
+        if (++halvings > most_halvings || step_ < control_.least_step) {
+          return report_.end = MarchReport::End::unbalanced;
+        }
+        continue;
+      }
+      account_->take();
+      energy_ = totals;
+      halvings = 0;
+    }
+    rejected = {};
     double factor = 1.0;
     if (adaptive) {
       const double order = past_.steps == 0 ? 1.0 : stepper_.order();
-      const double ratio = outcome.error / control_.accuracy;
-      factor = std::clamp(0.9 * std::pow(std::max(ratio, 1e-12), -1.0 / (order + 1.0)),
+      factor = std::clamp(0.9 * std::pow(std::max(outcome.error, 1e-12), -1.0 / (order + 1.0)),
                           most_shrinking, most_growth);
-      if (ratio > 1.0 && 0.5 * h > control_.least_step) {
-        ++report_.repeated;
-        report_.worst_node = outcome.worst_node;
-        step_ = h * std::min(factor, 0.9);
-        continue;
-      }
     }
     std::swap(past_.before, past_.now);
     std::swap(past_.now, next_);

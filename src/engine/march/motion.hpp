@@ -11,7 +11,9 @@ using Values = Eigen::VectorXd;
 
 struct Motion {
   double time = 0.0;  // s
-  Values x, v, a;     // m, m/s, m/s2, 3 per node; a is zero where a scheme has no use for it
+  // m, m/s, m/s2, 3 per node; zero where a scheme has no use for it: a, and b, the acceleration that
+  // generalised alpha carries beside it.
+  Values x, v, a, b;
 };
 
 // The last two steps. Where `steps` is 0 there is none before: at the start, or where an event

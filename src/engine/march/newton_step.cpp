@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "accelerate.hpp"
+#include <limits>
 
 namespace codend {
 namespace {
@@ -11,141 +10,250 @@ namespace {
 constexpr int most_iterations = 12;
 // A node that a single iteration throws this far (m) will not come back.
 constexpr double most_move = 50.0;
+// Net force that may be left on a node, over the sizes of all forces on it.
+constexpr double balance_share = 1e-3;
+constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+// A step whose error after the first iteration is above what is allowed by this factor is not worth
+// a second one.
+constexpr double hopeless = 1.5;
+// Spectral radius of generalised alpha at infinite frequency, and its numbers.
+constexpr double radius = 0.6;
+constexpr double alpha_force = radius / (radius + 1.0);
+constexpr double alpha_mass = (2.0 * radius - 1.0) / (radius + 1.0);
+constexpr double gamma = 0.5 + alpha_force - alpha_mass;
+constexpr double beta = 0.25 * (1.0 + alpha_force - alpha_mass) * (1.0 + alpha_force - alpha_mass);
 
 }  // namespace
 
-NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, double tolerance)
+NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccuracy& accuracy,
+                       const Values& ordering)
     : assembly_(assembly),
       scheme_(scheme),
-      tolerance_(tolerance),
+      accuracy_(accuracy),
+      ordering_(ordering),
+      tensions_(assembly),
       force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
       mass_(3 * force_.size()),
       values_(9 * assembly.pattern().column.size()),
-      right_(3 * static_cast<std::size_t>(assembly.unknowns())) {}
-
-void NewtonStep::begin(Motion& motion) {
-  motion.a.setZero(motion.x.size());
-  if (scheme_ != NewtonScheme::trapezoid) return;
-  Acceleration(assembly_, motion.x.data(), motion.v.data())
-      .at_motion(motion.x, motion.v, motion.a);
+      right_(3 * static_cast<std::size_t>(assembly.unknowns())),
+      allowed_(static_cast<std::size_t>(assembly.model().nodes)),
+      dx_(force_.size(), 0.0),
+      answer_(force_.size()) {
+  pull_.tension.resize(static_cast<std::size_t>(assembly.model().carriers()));
 }
 
 NewtonStep::Rule NewtonStep::set_rule(const Past& past, double h) {
   const Motion& now = past.now;
-  if (scheme_ == NewtonScheme::trapezoid) {
-    v_rest_ = -now.v;
-    a_rest_ = -now.a;
-    return {2.0 / h, false};
-  }
+  b_rest_.setZero(now.x.size());
   if (scheme_ == NewtonScheme::backward_euler || past.steps == 0) {
     v_rest_.setZero(now.x.size());
-    a_rest_.setZero(now.x.size());
-    return {1.0 / h, true};
+    a_rest_ = -now.v / h;
+    return {1.0 / h, 1.0 / (h * h), 1.0, 0.5 * h, true};
   }
-  const double w = h / past.last_step();
-  const double q = w * w / ((1.0 + w) * h);
+  const double h_before = past.last_step();
+  if (scheme_ == NewtonScheme::generalised_alpha) {
+    const double b = 1.0 / (beta * h * h);
+    // b1 = b (x1 - x0) + b1_rest
+    const Values b1_rest = -b * (h * now.v + (h * h * (0.5 - beta)) * now.b);
+    v_rest_ = now.v + h * ((1.0 - gamma) * now.b + gamma * b1_rest);
+    const double share = (1.0 - alpha_mass) / (1.0 - alpha_force);
+    a_rest_ = share * b1_rest +
+              (alpha_mass * now.b - alpha_force * now.a) / (1.0 - alpha_force);
+    b_rest_ = (alpha_force * now.a - alpha_mass * now.b) / (1.0 - alpha_mass);
+    return {gamma / (beta * h), share * b, 1.0 / share,
+            2.0 * (beta + 0.5 * (alpha_mass - alpha_force) - 1.0 / 6.0) * h * h * h /
+                (h + h_before),
+            false};
+  }
+  const double w = h / h_before;
+  const double p = (1.0 + 2.0 * w) / ((1.0 + w) * h), q = w * w / ((1.0 + w) * h);
   v_rest_ = -q * (now.x - past.before.x);
-  a_rest_ = -q * (now.v - past.before.v);
-  return {(1.0 + 2.0 * w) / ((1.0 + w) * h), false};
+  a_rest_ = p * (v_rest_ - now.v) - q * (now.v - past.before.v);
+  return {p, p * p, 1.0, h * h * (1.0 + w) / (3.0 * (1.0 + 2.0 * w)), false};
+}
+
+void NewtonStep::follow(const Rule& rule, const Motion& now, Motion& next) const {
+  for (const int node : assembly_.free_nodes()) {
+    const Vector moved = at(next.x.data(), node) - at(now.x.data(), node);
+    at(next.v.data(), node) = rule.p * moved + at(v_rest_.data(), node);
+    at(next.a.data(), node) = rule.m * moved + at(a_rest_.data(), node);
+    at(next.b.data(), node) = rule.b_by_a * at(next.a.data(), node) + at(b_rest_.data(), node);
+  }
+}
+
+double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
+  assembly_.move_to(next.x.data(), next.v.data());
+  assembly_.residual(force_.data());
+  assembly_.mass(mass_.data());
+  assembly_.balance(balance_share, allowed_.data());
+  double most = 0.0;
+  for (const int node : assembly_.free_nodes()) {
+    const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(node)]);
+    const Vector inertia = mass * at(next.a.data(), node);
+    const double left = (at(force_.data(), node) - inertia).norm();
+    // What rounding of places and velocities makes of accelerations.
+    const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
+                                       rule.p * at(next.v.data(), node).norm());
+    const double ratio = left / (allowed_[static_cast<std::size_t>(node)] +
+                                 balance_share * inertia.norm() + mass.norm() * rounded);
+    if (left > 0.0 && !(ratio <= most)) {
+      most = ratio;
+      worst = node;
+    }
+  }
+  return most;
+}
+
+// One step of Newton's method into dx_, and the share of it that turns lines no further than by
+// their own lengths; false where the matrix is singular.
+bool NewtonStep::correct(const Rule& rule, const Motion& next, double& share) {
+  const std::vector<int>& free = assembly_.free_nodes();
+  tensions_.prepare();
+  assembly_.residual(force_.data(), &tensions_.right());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(free[i])]);
+    at(right_.data(), static_cast<int>(i)) =
+        at(force_.data(), free[i]) - mass * at(next.a.data(), free[i]);
+  }
+  assembly_.jacobian({1.0, rule.p}, values_.data(), &tensions_.current());
+  assembly_.add_blocks(mass_.data(), rule.m, values_.data());
+  if (!analysed_) {
+    std::vector<double> places(right_.size());
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      at(places.data(), static_cast<int>(i)) = at(ordering_.data(), free[i]);
+    }
+    lu_.analyse(assembly_.pattern(), places.data());
+    analysed_ = true;
+  }
+  ++factorisations_;
+  if (!lu_.factorise(values_.data())) return false;
+  lu_.solve(right_.data(), right_.data());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    at(dx_.data(), free[i]) = at(right_.data(), static_cast<int>(i));
+  }
+  const LineChange& change = assembly_.line_change(dx_.data());
+  share = change.rotation > 1.0 ? 1.0 / change.rotation : 1.0;
+  tensions_.advance(change.strain, rule.p, share);
+  return true;
 }
 
 StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions, Motion& next) {
   const Motion& now = past.now;
   const std::vector<int>& free = assembly_.free_nodes();
+  conditions.to_time(now.time, Side::after, next);
+  assembly_.move_to(now.x.data(), now.v.data());
+  tensions_.begin();
   next.time = now.time + h;
   conditions.to_time(next.time, Side::before, next);
   const Rule rule = set_rule(past, h);
-  const double p = rule.p;
-  StepOutcome out;
   for (const int node : free) {
     at(next.x.data(), node) = at(now.x.data(), node) + h * at(now.v.data(), node);
   }
   next.a.setZero(next.x.size());
-  auto follow = [&] {
+  next.b.setZero(next.x.size());
+  follow(rule, now, next);
+  StepOutcome out;
+  double moved = 0.0, moved_before = 0.0;
+  for (;; ++out.iterations) {
+    const bool balanced = imbalance(rule, next, out.worst_node) <= 1.0;
+    if (out.iterations > 0 && balanced) {
+      // What is left after an iteration that shrinks moves by a factor r is r/(1 - r) of its own.
+      const double ratio = out.iterations > 1 ? moved / moved_before : 1.0;
+      if (moved <= accuracy_.found ||
+          (ratio < 0.5 && ratio / (1.0 - ratio) * moved <= accuracy_.found)) {
+        out.found = true;
+        out.error = error(rule, past, next, out.worst_node);
+        return out;
+      }
+    }
+    if (free.empty()) {
+      out.found = true;
+      return out;
+    }
+    if (out.iterations == 1) {
+      int worst = -1;
+      out.error = error(rule, past, next, worst);
+      if (!(out.error <= hopeless)) {
+        out.worst_node = worst;
+        return out;
+      }
+      out.error = 0.0;
+    }
+    if (out.iterations == most_iterations) return out;
+    if (out.iterations == 0) tensions_.tighten();
+    double share;
+    if (!correct(rule, next, share)) return out;
+    moved_before = moved;
+    moved = 0.0;
     for (const int node : free) {
-      const Vector v1 = p * (at(next.x.data(), node) - at(now.x.data(), node)) +
-                        at(v_rest_.data(), node);
-      at(next.v.data(), node) = v1;
-      at(next.a.data(), node) = p * (v1 - at(now.v.data(), node)) + at(a_rest_.data(), node);
-    }
-  };
-  follow();
-  if (free.empty()) {
-    out.found = true;
-    return out;
-  }
-  if (!analysed_) {
-    std::vector<double> places(right_.size());
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      at(places.data(), static_cast<int>(i)) = at(now.x.data(), free[i]);
-    }
-    lu_.analyse(assembly_.pattern(), places.data());
-    analysed_ = true;
-  }
-  double last = 0.0;
-  while (out.iterations < most_iterations) {
-    ++out.iterations;
-    assembly_.move_to(next.x.data(), next.v.data());
-    assembly_.residual(force_.data());
-    assembly_.mass(mass_.data());
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(free[i])]);
-      at(right_.data(), static_cast<int>(i)) =
-          at(force_.data(), free[i]) - mass * at(next.a.data(), free[i]);
-    }
-    assembly_.jacobian({1.0, p}, values_.data());
-    assembly_.add_blocks(mass_.data(), p * p, values_.data());
-    ++factorisations_;
-    if (!lu_.factorise(values_.data())) return out;
-    lu_.solve(right_.data(), right_.data());
-    double most = 0.0;
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const Vector dx = at(right_.data(), static_cast<int>(i));
-      at(next.x.data(), free[i]) += dx;
+      const Vector dx = share * at(dx_.data(), node);
+      at(next.x.data(), node) += dx;
       const double size = dx.norm();
-      if (!(size <= most)) {
-        most = size;
-        out.worst_node = free[i];
+      if (!(size <= moved)) {
+        moved = size;
+        out.worst_node = node;
       }
       if (!(size < most_move)) return out;
     }
-    follow();
-    // What is left after an iteration that shrinks moves by a factor r is r/(1 - r) of its own.
-    const double ratio = out.iterations > 1 ? most / last : 1.0;
-    if (most <= tolerance_ || (ratio < 0.5 && ratio / (1.0 - ratio) * most <= tolerance_)) {
-      out.found = true;
-      out.error = estimate(past, next, out.worst_node);
-      return out;
-    }
-    last = most;
+    follow(rule, now, next);
   }
-  return out;
 }
 
-double NewtonStep::estimate(const Past& past, const Motion& next, int& worst) const {
-  const double h = next.time - past.now.time;
-  const bool first = past.steps == 0 || scheme_ == NewtonScheme::backward_euler;
-  const double h_before = past.last_step(), w = first ? 0.0 : h / h_before;
-  const double weight = scheme_ == NewtonScheme::trapezoid
-                            ? h * h * h / 6.0
-                            : h * h * (h + h_before) * (1.0 + w) / (3.0 * (1.0 + 2.0 * w));
-  double most = 0.0;
-  for (const int node : assembly_.free_nodes()) {
+// Over what is allowed.
+double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next, int& worst) {
+  if (!std::isfinite(accuracy_.position) && !std::isfinite(accuracy_.tension)) return 0.0;
+  const double h = next.time - past.now.time, h_before = past.last_step();
+  const std::vector<int>& free = assembly_.free_nodes();
+  for (const int node : free) {
     const Vector change = at(next.v.data(), node) - at(past.now.v.data(), node);
-    double error;
-    if (first && scheme_ == NewtonScheme::trapezoid) {
-      error = h / 6.0 * (change - h * at(past.now.a.data(), node)).norm();
-    } else if (first) {
-      error = 0.5 * h * change.norm();
+    if (rule.first_order) {
+      at(dx_.data(), node) = rule.error * change;
     } else {
       const Vector before = at(past.now.v.data(), node) - at(past.before.v.data(), node);
-      error = weight * (change / h - before / h_before).norm() / (h + h_before);
-    }
-    if (!(error <= most)) {
-      most = error;
-      worst = node;
+      at(dx_.data(), node) = rule.error * (change / h - before / h_before);
     }
   }
+  const LineChange& change = assembly_.line_change(dx_.data());
+  const std::size_t lines = static_cast<std::size_t>(assembly_.model().lines());
+  const std::vector<double>& modulus = tensions_.current().modulus;
+  std::fill(pull_.tension.begin(), pull_.tension.end(), 0.0);
+  assembly_.residual(force_.data(), &pull_);
+  for (std::size_t k = 0; k < lines; ++k) pull_.tension[k] = modulus[k] * change.strain[k];
+  assembly_.residual(answer_.data(), &pull_);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    at(right_.data(), static_cast<int>(i)) =
+        at(answer_.data(), free[i]) - at(force_.data(), free[i]);
+  }
+  lu_.solve(right_.data(), right_.data());
+  double most = 0.0;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    at(dx_.data(), free[i]) += at(right_.data(), static_cast<int>(i));
+    const double size = at(dx_.data(), free[i]).norm() / accuracy_.position;
+    if (!(size <= most)) {
+      most = size;
+      worst = free[i];
+    }
+  }
+  if (!std::isfinite(accuracy_.tension)) return most;
+  // Of bars against the largest pull of a bar, of netting against the largest of one twine.
+  const LineChange& left = assembly_.line_change(dx_.data());
+  const LineArrays& arrays = assembly_.lines();
+  const std::size_t bars = static_cast<std::size_t>(assembly_.model().bars.count());
+  double bar_error = 0.0, twine_error = 0.0, bar_pull = 0.0, twine_pull = 0.0;
+  for (std::size_t k = 0; k < lines; ++k) {
+    const double tension = arrays.tension[k];
+    const double off =
+        modulus[k] > 0.0 ? std::abs(tensions_.change(k, left.strain[k], rule.p)) : 0.0;
+    if (k < bars) {
+      bar_error = std::max(bar_error, arrays.multiplicity[k] * off);
+      bar_pull = std::max(bar_pull, arrays.multiplicity[k] * std::abs(tension));
+    } else {
+      twine_error = std::max(twine_error, off);
+      twine_pull = std::max(twine_pull, std::abs(tension));
+    }
+  }
+  if (bar_pull > 0.0) most = std::max(most, bar_error / (accuracy_.tension * bar_pull));
+  if (twine_pull > 0.0) most = std::max(most, twine_error / (accuracy_.tension * twine_pull));
   return most;
 }
 

@@ -1,63 +1,85 @@
-// Implicit steps by Newton's method: backward Euler, BDF2 and the trapezoid.
+// Implicit steps by Newton's method: backward Euler, BDF2 and generalised alpha.
 //
-// With h the step, x0 v0 a0 at its start, x1 v1 a1 at its end and x- v- one step before:
+// With h the step, x0 v0 a0 at its start, x1 v1 a1 at its end and x- v- one step before, all rules are
+// v1 = p (x1 - x0) + .., a1 = m (x1 - x0) + ..:
 //   backward Euler  v1 = (x1 - x0)/h,          a1 = (v1 - v0)/h
 //   BDF2            v1 = p (x1 - x0) - q (x0 - x-), a1 = p (v1 - v0) - q (v0 - v-),
 //                   p = (1 + 2w)/((1 + w) h), q = w^2/((1 + w) h), w = h over the last step
-//   trapezoid       v1 = 2 (x1 - x0)/h - v0,   a1 = 2 (v1 - v0)/h - a0
-// and F(x1, v1) = M(x1) a1 on every free node. BDF2 damps what is too fast for its steps; the
-// trapezoid keeps it ringing. The first step, and the first after an event, is backward Euler's,
-// but for the trapezoid, which needs no step before.
+//   generalised     x1 = x0 + h v0 + h^2 ((1/2 - B) b0 + B b1), v1 = v0 + h ((1 - G) b0 + G b1),
+//   alpha           (1 - A) b1 + A b0 = (1 - C) a1 + C a0
+// and F(x1, v1) = M(x1) a1 on every free node. BDF2 damps what is too fast for its steps. Generalised
+// alpha (Chung and Hulbert, J. Appl. Mech. 60, 1993; for forces at x1 alone Arnold and Bruels,
+// Multibody Syst. Dyn. 18, 2007) damps what is slower than its steps less and, in every step, all that
+// is much faster by its spectral radius r = 0.6: C = r/(r + 1), A = (2 r - 1)/(r + 1), G = 1/2 + C - A,
+// B = (1 + C - A)^2/4. (r = 1 is the trapezoid, which keeps what is left of stiff swings for ever.)
+// The first step, and the first after an event, is backward Euler's.
 //
-// Newton's matrix is p^2 M - p dF/dv - dF/dx with the full nonsymmetric derivative of F (drag turns
-// with its line). M is that of the present x1; its own change with x1 is not in the matrix. Added
-// mass acts on accelerations of the nodes alone: no force from a line's turning while it moves,
-// none from accelerations of the water.
+// Newton's matrix is m M - p dF/dv - dF/dx with the full nonsymmetric derivative of F (drag turns
+// with its line); tensions are unknowns of their own (march/line_tensions.hpp). M is that of the
+// present x1; its own change with x1 is not in the matrix. Added mass acts on accelerations of the
+// nodes alone: no force from a line's turning while it moves, none from accelerations of the water.
+//
+// A step is found when the forces of the law balance on every node: what is left is a small share of
+// the pulls, drags and loads on that very node (balance_share), and Newton's method has next to nothing
+// left to move.
 //
 // The error of a step comes from the difference of velocities over the last two: v[..], the second
 // divided difference of v, is half of x''' (Hairer, Norsett, Wanner, Solving Ordinary Differential
 // Equations I, III.5):
-//   backward Euler h/2 |v1 - v0|; trapezoid h^3/6 |v[..]|;
-//   BDF2 h^2 (h + h-)(1 + w)/(3 (1 + 2w)) |v[..]|.
+//   backward Euler h/2 (v1 - v0); generalised alpha 2 (B + (A - C)/2 - 1/6) h^3 v[..];
+//   BDF2 h^2 (h + h-)(1 + w)/(3 (1 + 2w)) v[..].
+// It is an error d of a step on its own; the forces answer to it at once, so that what stays of it is
+// e = d - J^-1 K d, J Newton's matrix and K the stiffness of taut lines (after Hosea and Shampine,
+// Appl. Numer. Math. 20, 1996). The error of position is the largest |e|, that of tension what e makes
+// of the lines' strains.
 #pragma once
 
 #include <vector>
 
 #include "../solve/block_lu.hpp"
+#include "line_tensions.hpp"
 #include "stepper.hpp"
 
 namespace codend {
 
-enum class NewtonScheme { backward_euler, bdf2, trapezoid };
+enum class NewtonScheme { backward_euler, bdf2, generalised_alpha };
 
 class NewtonStep : public Stepper {
  public:
-  // tolerance: a step is found when what Newton's method still has to move is less, m.
-  NewtonStep(Assembly& assembly, NewtonScheme scheme, double tolerance);
+  // ordering: 3 per node, m, by which unknowns are eliminated: the same ones give the same bytes.
+  NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccuracy& accuracy,
+             const Values& ordering);
 
   StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) override;
-  void begin(Motion& motion) override;
   int order() const override { return scheme_ == NewtonScheme::backward_euler ? 1 : 2; }
 
   long long factorisations() const { return factorisations_; }
 
  private:
-  // v1 = p (x1 - x0) + v_rest, a1 = p (v1 - v0) + a_rest
+  // v1 = p (x1 - x0) + v_rest, a1 = m (x1 - x0) + a_rest; b1 = b_by_a a1 + b_rest
   struct Rule {
-    double p = 0.0;
+    double p = 0.0, m = 0.0, b_by_a = 1.0;
+    double error = 0.0;  // of a step, over (v1 - v0)/h - (v0 - v-)/h-, or v1 - v0 where first_order
     bool first_order = false;
   };
   Rule set_rule(const Past& past, double h);
-  double estimate(const Past& past, const Motion& next, int& worst) const;
+  void follow(const Rule& rule, const Motion& now, Motion& next) const;
+  // Largest net force over what a node allows.
+  double imbalance(const Rule& rule, const Motion& next, int& worst);
+  bool correct(const Rule& rule, const Motion& next, double& share);
+  double error(const Rule& rule, const Past& past, const Motion& next, int& worst);
 
   Assembly& assembly_;
   NewtonScheme scheme_;
-  double tolerance_;
+  StepAccuracy accuracy_;
+  Values ordering_;
+  LineTensions tensions_;
   BlockLU lu_;
   bool analysed_ = false;
   long long factorisations_ = 0;
-  Values v_rest_, a_rest_;
-  std::vector<double> force_, mass_, values_, right_;
+  Values v_rest_, a_rest_, b_rest_;
+  std::vector<double> force_, mass_, values_, right_, allowed_, dx_, answer_;
+  CarriedTension pull_;
 };
 
 }  // namespace codend

@@ -12,17 +12,19 @@ namespace {
 constexpr int most_substitutions = 200;
 
 template <NewtonScheme scheme>
-std::unique_ptr<Stepper> newton(Assembly& assembly, double tolerance, const Motion&) {
-  return std::make_unique<NewtonStep>(assembly, scheme, tolerance);
+std::unique_ptr<Stepper> newton(Assembly& assembly, const StepAccuracy& accuracy, const Motion&,
+                                const Values& ordering) {
+  return std::make_unique<NewtonStep>(assembly, scheme, accuracy, ordering);
 }
 
-std::unique_ptr<Stepper> by_substitution(Assembly& assembly, double tolerance,
-                                         const Motion& start) {
-  return std::make_unique<SubstitutionStep>(assembly, tolerance, most_substitutions, start);
+std::unique_ptr<Stepper> by_substitution(Assembly& assembly, const StepAccuracy& accuracy,
+                                         const Motion& start, const Values&) {
+  return std::make_unique<SubstitutionStep>(assembly, accuracy.found, most_substitutions, start);
 }
 
 template <class Step>
-std::unique_ptr<Stepper> explicitly(Assembly& assembly, double, const Motion& start) {
+std::unique_ptr<Stepper> explicitly(Assembly& assembly, const StepAccuracy&, const Motion& start,
+                                    const Values&) {
   return std::make_unique<Step>(assembly, start);
 }
 
@@ -31,7 +33,7 @@ std::unique_ptr<Stepper> explicitly(Assembly& assembly, double, const Motion& st
 const std::vector<Scheme>& schemes() {
   static const std::vector<Scheme> all = {
       {"bdf2", true, newton<NewtonScheme::bdf2>},
-      {"trapezoid", true, newton<NewtonScheme::trapezoid>},
+      {"generalised_alpha", true, newton<NewtonScheme::generalised_alpha>},
       {"backward_euler", true, newton<NewtonScheme::backward_euler>},
       {"substitution", false, by_substitution},
       {"symplectic_euler", false, explicitly<SymplecticEulerStep>},

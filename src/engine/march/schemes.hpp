@@ -12,9 +12,9 @@ namespace codend {
 struct Scheme {
   const char* name;
   bool adaptive;  // knows the error of its steps, so that an accuracy says how long they are
-  // tolerance: within which an implicit step is found, m, or by substitution m/s. start: where the
-  // motion begins.
-  std::unique_ptr<Stepper> (*make)(Assembly& assembly, double tolerance, const Motion& start);
+  // start: where the motion begins; ordering: as NewtonStep's.
+  std::unique_ptr<Stepper> (*make)(Assembly& assembly, const StepAccuracy& accuracy,
+                                   const Motion& start, const Values& ordering);
 };
 
 const std::vector<Scheme>& schemes();

@@ -9,9 +9,20 @@
 
 namespace codend {
 
+// What a step is held to.
+struct StepAccuracy {
+  // Errors that one step may make: of any node's position, m, and of any line's tension, as a share
+  // of the gear's largest. Not judged where infinite.
+  double position = std::numeric_limits<double>::infinity();
+  double tension = std::numeric_limits<double>::infinity();
+  double found = 1e-6;  // within which an implicit step is found, m, or by substitution m/s
+};
+
 struct StepOutcome {
   bool found = false;
-  double error = 0.0;  // the step's own error of position, m; 0 where a scheme has no estimate
+  // The step's own error over what is allowed; 0 where a scheme has no estimate. Above 1 in a step
+  // that was not found: given up because it is too long.
+  double error = 0.0;
   int iterations = 0;  // Newton iterations, substitutions or stages
   int worst_node = -1; // where the error, or what was not found, is largest
 };
@@ -24,8 +35,11 @@ class Stepper {
   // long as those of past.now on entry.
   virtual StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) = 0;
 
-  // To be called where a motion begins anew, in its conditions; sets what the scheme needs of a.
-  virtual void begin(Motion& motion) { motion.a.setZero(motion.x.size()); }
+  // To be called where a motion begins anew, in its conditions; sets what the scheme needs of a and b.
+  virtual void begin(Motion& motion) {
+    motion.a.setZero(motion.x.size());
+    motion.b.setZero(motion.x.size());
+  }
 
   // Order of accuracy, with which the error of a step is known to grow: h^(order + 1).
   virtual int order() const = 0;

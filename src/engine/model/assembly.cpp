@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace codend {
 
@@ -113,6 +114,35 @@ void Assembly::residual(double* force, const CarriedTension* carried) {
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
   for (std::size_t n = 0; n < held_back_.size(); ++n) {
     if (held_back_[n]) at(force, static_cast<int>(n)).setZero();
+  }
+}
+
+void Assembly::balance(double share, double* allowed) {
+  // What no node can do without, over the gear's largest tension.
+  constexpr double least = 1e-3;
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  double far = 0.0;
+  for (int n = 0; n < model_.nodes; ++n) {
+    far = std::max(far, at(position_.data(), n).lpNorm<Eigen::Infinity>());
+  }
+  for (int p = 0; p < model_.points(); ++p) {
+    scale_[static_cast<std::size_t>(p)] = share * at(load_.data(), p).norm();
+  }
+  const LineArrays& a = lines();
+  model_.each_line([&](const auto& line) {
+    const int k = line.index;
+    const double pull = a.multiplicity[k] *
+                        (share * std::abs(a.tension[k]) +
+                         rounding * far * a.stiffness[k] * a.inverse_rest[k]);
+    const double drag = share * Vector(a.drag[0][k], a.drag[1][k], a.drag[2][k]).norm();
+    for (std::size_t i = 0; i < std::size(line.shape); ++i) {
+      scale_[static_cast<std::size_t>(line.nodes[i])] += std::abs(line.shape[i]) * pull + drag;
+    }
+  });
+  hand_on(scale_.data(), 1);
+  const double everywhere = share * least * largest_tension();
+  for (int n = 0; n < model_.nodes; ++n) {
+    allowed[n] = scale_[static_cast<std::size_t>(n)] + everywhere;
   }
 }
 

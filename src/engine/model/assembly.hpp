@@ -62,6 +62,11 @@ class Assembly {
   // carried: tensions that a solver carries, instead of the law's.
   void residual(double* force, const CarriedTension* carried = nullptr);
 
+  // Net force (N) that may be left on every node of a motion: `share` of the sizes of the pulls, drags
+  // and loads on it, and of a little of the gear's largest tension, and no less than what rounding of
+  // the positions makes.
+  void balance(double share, double* allowed);
+
   // stiffness * (-dF/dx) + damping * (-dF/dv) on the free nodes, 9 per block of the pattern.
   void jacobian(const JacobianRequest& request, double* values,
                 const CarriedTension* carried = nullptr) const;

@@ -1,0 +1,73 @@
+#include "line_tensions.hpp"
+
+#include <algorithm>
+
+namespace codend {
+
+LineTensions::LineTensions(const Assembly& assembly)
+    : assembly_(assembly),
+      lines_(static_cast<std::size_t>(assembly.model().lines())),
+      taut_(lines_),
+      linear_(lines_) {
+  const std::size_t all = static_cast<std::size_t>(assembly.model().carriers());
+  right_.tension.resize(all);
+  right_.modulus.resize(all);
+  current_ = right_;
+}
+
+void LineTensions::begin() {
+  const LineArrays& lines = assembly_.lines();
+  for (std::size_t k = 0; k < lines_; ++k) {
+    current_.tension[k] = lines.tension[k];
+    taut_[k] = lines.tension[k] > lines.least_tension[k];
+  }
+}
+
+void LineTensions::tighten() {
+  const LineArrays& lines = assembly_.lines();
+  for (std::size_t k = 0; k < lines_; ++k) {
+    taut_[k] = taut_[k] || lines.tension[k] > lines.least_tension[k];
+  }
+}
+
+void LineTensions::prepare() {
+  const LineArrays& lines = assembly_.lines();
+  for (std::size_t k = 0; k < lines_; ++k) {
+    double tension = lines.stiffness[k] * lines.strain[k];
+    if (lines.damping) {
+      const double stretching = lines.e[0][k] * lines.e_rate[0][k] +
+                                lines.e[1][k] * lines.e_rate[1][k] +
+                                lines.e[2][k] * lines.e_rate[2][k];
+      tension += lines.damping[k] * (lines.inverse_length[k] * lines.inverse_rest[k] * stretching -
+                                     (lines.strain[k] + 1.0) * lines.rest_rate[k]);
+    }
+    linear_[k] = tension;
+    right_.tension[k] = taut_[k] ? tension : 0.0;
+    current_.modulus[k] = taut_[k] ? lines.stiffness[k] : 0.0;
+  }
+  const GroundContacts& contacts = assembly_.model().contacts;
+  for (int e = 0; e < contacts.count(); ++e) {
+    const std::size_t k = lines_ + static_cast<std::size_t>(e);
+    assembly_.model().ground.press(contacts.penetration(e, assembly_.field()), contacts.area[e],
+                          current_.tension[k], current_.modulus[k]);
+    right_.tension[k] = current_.tension[k];
+  }
+}
+
+double LineTensions::change(std::size_t k, double strain_change, double p) const {
+  const LineArrays& lines = assembly_.lines();
+  const double damping = lines.damping ? lines.damping[k] * (p - lines.rest_rate[k]) : 0.0;
+  return (lines.stiffness[k] + damping) * strain_change;
+}
+
+void LineTensions::advance(const std::vector<double>& strain_change, double p, double share) {
+  const LineArrays& lines = assembly_.lines();
+  for (std::size_t k = 0; k < lines_; ++k) {
+    const double tension = linear_[k] + change(k, strain_change[k], p);
+    const double least = lines.least_tension[k];
+    taut_[k] = tension > least;
+    current_.tension[k] += share * (std::max(tension, least) - current_.tension[k]);
+  }
+}
+
+}  // namespace codend

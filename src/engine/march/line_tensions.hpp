@@ -1,0 +1,52 @@
+// The tensions of lines as unknowns beside the positions, for Newton's method on a time step.
+//
+// A stiff line that an iteration turns by an angle is stretched by its square, and the law then
+// answers with all of EA times that: Newton's method on positions alone follows stretches that no
+// motion has. Here every line carries a tension that follows the law's linear change, and is taut or
+// slack as that change says (an active set), so that a line neither stiffens by its own turning nor
+// swings between taut and slack:
+//
+//   right side  T_k of a taut line EA s + c ds/dt, not clipped: it may push meanwhile; 0 of a slack one
+//   matrix      geometric stiffness of the carried T_k, modulus EA of a taut line, 0 of a slack one
+//   after dx    l_k = EA (s + ds_k) + c (ds/dt + p ds_k), taut_k = l_k > 0,
+//               T_k += share (max(l_k, 0) - T_k)
+//
+// Where both agree with the law the step is found. Contacts with the ground keep their own law.
+#pragma once
+
+#include <vector>
+
+#include "../model/assembly.hpp"
+
+namespace codend {
+
+class LineTensions {
+ public:
+  explicit LineTensions(const Assembly& assembly);
+
+  // All of the following speak of the assembly's last positions.
+  // Starts from the law's tensions.
+  void begin();
+  // Lines that the law has taut are taut.
+  void tighten();
+  // Before a step of Newton's method: the tensions of its right side and those of its matrix.
+  void prepare();
+  const CarriedTension& right() const { return right_; }
+  const CarriedTension& current() const { return current_; }
+
+  // After the step, of which `share` is taken: changes of strain, to first order, and what a change
+  // of position makes of velocity, 1/s.
+  void advance(const std::vector<double>& strain_change, double p, double share);
+
+  // Change of the tension (N) of line k of the last prepare() by a change of its strain.
+  double change(std::size_t k, double strain_change, double p) const;
+
+ private:
+  const Assembly& assembly_;
+  std::size_t lines_;
+  std::vector<char> taut_;
+  CarriedTension right_, current_;
+  std::vector<double> linear_;  // tensions of the law before it is clipped, N
+};
+
+}  // namespace codend
