@@ -1,7 +1,7 @@
 # Measures as numbers that keep what they are: each one's unit and kind.
 
-# values: SI, by name; kinds: their entries in the registries; nodes and levels: of the lattice and of
-# those that it was compared with, see estimate_errors().
+# values: SI, by name; kinds: their entries in the registries; nodes and levels: of the lattice and
+# of those that it was compared with, see estimate_errors().
 new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   units <- measure_units(kinds)
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))

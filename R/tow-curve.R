@@ -44,7 +44,8 @@ straight_curve <- function(time, value) {
     value <- c(value, value[n])
     n <- n + 1L
   }
-  if (time[1L] == time[2L] && n > 2L) {  # a jump where the tow begins: the first value is that before
+  # a jump where the tow begins: the first value is that before
+  if (time[1L] == time[2L] && n > 2L) {
     time <- c(time[1L] - 1, time)
     value <- c(value[1L], value)
     n <- n + 1L

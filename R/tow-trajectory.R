@@ -198,8 +198,8 @@ abort_unbalanced <- function(report, trajectory) {
   where <- describe_node(trajectory$lattice, report$worst_node)
   cli::cli_abort(
     c(
-      "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes out:
-      more than 2 % of what is put through, however short the steps.",
+      "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes
+      out: more than 2 % of what is put through, however short the steps.",
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}.",
       "i" = "Ask for a smaller {.arg accuracy}, or another {.arg scheme}."
     ),

@@ -1,5 +1,6 @@
-# make bench-loops: what a change of a settled gear takes. Arguments: the most nodes (1e4), then libraries
-# of earlier versions of codend to compare with, as name=path. Writes loops.csv and loops.md to bench/results/.
+# make bench-loops: what a change of a settled gear takes. Arguments: the most nodes (1e4), then
+# libraries of earlier versions of codend to compare with, as name=path. Writes loops.csv and
+# loops.md to bench/results/.
 library(codend)
 for (room in c("own-process", "results")) source(file.path("bench", paste0(room, ".R")))
 

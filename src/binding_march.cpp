@@ -27,10 +27,10 @@ writable::list as_list(const codend::Motion& motion) {
 
 // In the order of energy_parts in R/tow-frame.R.
 constexpr double codend::EnergyTotals::*energy_parts[] = {
-    &codend::EnergyTotals::kinetic,  &codend::EnergyTotals::elastic,
+    &codend::EnergyTotals::kinetic,   &codend::EnergyTotals::elastic,
     &codend::EnergyTotals::potential, &codend::EnergyTotals::supports,
-    &codend::EnergyTotals::winches,  &codend::EnergyTotals::water,
-    &codend::EnergyTotals::damping,  &codend::EnergyTotals::put_through};
+    &codend::EnergyTotals::lengths,   &codend::EnergyTotals::water,
+    &codend::EnergyTotals::damping,   &codend::EnergyTotals::put_through};
 
 codend::EnergyTotals read_energy(const list& from) {
   const doubles given(from["energy"]);
@@ -151,9 +151,8 @@ double potential_of(const codend::Model& model, double error) {
           {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
            "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
            "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
-           "energy"_nm = as_doubles(march.energy()),
-           "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
-           "v_tension"_nm = as_doubles(e.v_tension),
+           "energy"_nm = as_doubles(march.energy()), "bar_tension"_nm = as_doubles(e.bar_tension),
+           "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),
            "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
            "report"_nm = report()});

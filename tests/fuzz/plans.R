@@ -150,7 +150,8 @@ changed_text <- function(text) {
     put <- one_of(c("", "x", "\n", ".", "[1:2]", "_2"))
     return(paste0(substr(text, 1L, at - 1L), put, substring(text, at + chance(0.5))))
   }
-  number <- as.double(found[1L]) * one_of(c(0, -1, 0.3, 0.9, 1.1, 3, 10, 1e3, 1e6, 1e-3, 1e-9, 1e30))
+  number <- as.double(found[1L]) *
+    one_of(c(0, -1, 0.3, 0.9, 1.1, 3, 10, 1e3, 1e6, 1e-3, 1e-9, 1e30))
   unit <- if (chance(0.7)) found[2L] else one_of(unlist(lapply(codend:::plan_units, names)))
   paste0(sprintf("%.6g", number), " ", unit)
 }

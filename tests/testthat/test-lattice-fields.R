@@ -66,7 +66,9 @@ test_that("R's own errors pass through the engine as they are", {
   engine <- engine_of("beam_trawl")
   start <- as.double(build_lattice(gear_si(read_gear("beam_trawl")), nodes = 200)$start)
   stop_it <- function(...) rlang::abort("enough", class = "watched")
-  expect_error(engine_settle(engine, start, "crude", numeric(), 1e-8, 5L, stop_it), class = "watched")
+  expect_error(
+    engine_settle(engine, start, "crude", numeric(), 1e-8, 5L, stop_it), class = "watched"
+  )
 })
 
 test_that("every reported force has the part of each of its elements", {

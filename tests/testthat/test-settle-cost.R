@@ -36,8 +36,8 @@ test_that("any shipped gear settles from its own state without a step", {
 test_that("a small change of a gear takes a few steps from its state, to the same balance", {
   gear <- read_gear(test_path("plans", "trawl_1536.yaml"))
   state <- settle(gear, nodes = 1500)
-  # By 1 % and by 10 % (speed 5 %). Steps when this was written: 5, 7, 5, 7, 6, 6, 9, 9; half as many
-  # again as room.
+  # By 1 % and by 10 % (speed 5 %). Steps when this was written: 5, 7, 5, 7, 6, 6, 9, 9; half as
+  # many again as room.
   change <- list(
     towing.speed = c("4.04 knot", "4.2 knot"), warps.length = c("606 m", "660 m"),
     otter_boards.area = c("15.15 m2", "16.5 m2"), otter_boards.mass = c("4.545 tonne", "4.95 tonne")

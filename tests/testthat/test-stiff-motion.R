@@ -2,8 +2,8 @@
 
 # A chain that hangs from a point, pulled aside lightly and let go after 1 s.
 plucked_chain <- function(diameter, pull_stiffness = 1e6, ...) {
-  free <- list(length = 29.9, diameter = 0.01, axial_stiffness = pull_stiffness, mass_per_length = 0,
-    volume_per_length = 0, coefficients = list(normal = 0), segments = 1)
+  free <- list(length = 29.9, diameter = 0.01, axial_stiffness = pull_stiffness,
+    mass_per_length = 0, volume_per_length = 0, coefficients = list(normal = 0), segments = 1)
   as_gear(list(
     codend = 1, name = "Plucked chain", ...,
     points = list(
@@ -35,7 +35,8 @@ test_that("a plucked chain pulls with its weight, whatever the accuracy and the 
   for (scheme in c("backward_euler", "generalised_alpha")) {
     expect_equal(max(tow(steel_chain(), scheme = scheme)$bar_tension), 821.5, tolerance = 0.05)
   }
-  # in air the weight of ten metres of 10 kg/m but for half a segment at the top; the swing adds little
+  # in air the weight of ten metres of 10 kg/m but for half a segment at the top; the swing adds
+  # little
   expect_equal(max(tow(chain_in_air())$bar_tension), 10 * 9.81 * 9.95, tolerance = 0.05)
 })
 

@@ -103,7 +103,7 @@ EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before
   }
   step.elastic = to_.elastic - from_.elastic;
   for (std::size_t b = 0; b < to_.rest.size(); ++b) {
-    step.winches -= 0.5 * (from_.give[b] + to_.give[b]) * (to_.rest[b] - from_.rest[b]);
+    step.lengths -= 0.5 * (from_.give[b] + to_.give[b]) * (to_.rest[b] - from_.rest[b]);
   }
   auto place = [&](const Moment& moment, int p) -> Vector {
     if (p < model.nodes) return at(moment.x.data(), p);
@@ -123,7 +123,7 @@ EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before
   EnergyTotals out = before;
   for (double EnergyTotals::*part :
        {&EnergyTotals::kinetic, &EnergyTotals::elastic, &EnergyTotals::potential,
-        &EnergyTotals::supports, &EnergyTotals::winches, &EnergyTotals::water,
+        &EnergyTotals::supports, &EnergyTotals::lengths, &EnergyTotals::water,
         &EnergyTotals::damping}) {
     out.*part += step.*part;
     out.put_through += 0.5 * std::abs(step.*part);

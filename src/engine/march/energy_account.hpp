@@ -6,7 +6,7 @@
 //   elastic    change of the strain energy of lines and sliding ropes, and of pressed ground
 //   potential  - sum of (load0 + load1)/2 . (x1 - x0)
 //   supports   work of what holds and moves the held nodes: of - F . v
-//   winches    work of what changes the lengths of bars
+//   lengths    work of what changes the lengths of bars
 //   water      work of drag, lift and friction: of all forces that are not named here
 //   damping    work of the lines' dampers
 // Work done by a power P is h/2 (P0 + P1). What kinetic, elastic and potential energy gain beyond the
@@ -24,11 +24,11 @@ namespace codend {
 // J, since the march began.
 struct EnergyTotals {
   double kinetic = 0.0, elastic = 0.0, potential = 0.0;
-  double supports = 0.0, winches = 0.0, water = 0.0, damping = 0.0;
+  double supports = 0.0, lengths = 0.0, water = 0.0, damping = 0.0;
   double put_through = 0.0;
 
   double imbalance() const {
-    return kinetic + elastic + potential - (supports + winches + water + damping);
+    return kinetic + elastic + potential - (supports + lengths + water + damping);
   }
 };
 

@@ -49,7 +49,7 @@ void LineTensions::prepare() {
   for (int e = 0; e < contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
     assembly_.model().ground.press(contacts.penetration(e, assembly_.field()), contacts.area[e],
-                          current_.tension[k], current_.modulus[k]);
+                                   current_.tension[k], current_.modulus[k]);
     right_.tension[k] = current_.tension[k];
   }
 }
