@@ -13,6 +13,7 @@
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
+# make errors  whether the errors that measures tell hold, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
@@ -21,8 +22,8 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-loops bench-tow robust \
-  schema schema-check
+.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-loops \
+  bench-tow errors robust schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -69,11 +70,15 @@ bench:
 
 bench-loops:
 	@tools/setup --tests
-	@Rscript bench/loops.R $(EARLIER)
+	@Rscript bench/loops.R $(or $(NODES),10000) $(EARLIER)
 
 bench-tow:
 	@tools/setup --tests
 	@Rscript bench/motion.R
+
+errors:
+	@tools/setup --tests
+	@Rscript bench/errors.R
 
 robust:
 	@tools/setup --tests

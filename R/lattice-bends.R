@@ -1,7 +1,7 @@
 # Stiffness of ropes against bending, between every two of their bars.
 
-# list(node = 3 per bend, couple = bending stiffness over the length that bends there, N m), as
-# Bends.
+# list(node = 3 per bend, couple = bending stiffness over the length that bends there, N m,
+# length = that length, m), as Bends.
 bend_elements <- function(si, lattice) {
   stiff <- Filter(function(name) si$ropes[[name]]$bending_stiffness > 0, names(si$ropes))
   bends <- lapply(stiff, function(name) {
@@ -17,11 +17,13 @@ bend_elements <- function(si, lattice) {
     at <- seq_len(max(0L, length(rest) - 1L))
     list(
       node = as.vector(rbind(node[at], node[at + 1L], node[at + 2L])),
-      couple = 2 * rope$bending_stiffness / (rest[at] + rest[at + 1L])
+      couple = 2 * rope$bending_stiffness / (rest[at] + rest[at + 1L]),
+      length = (rest[at] + rest[at + 1L]) / 2
     )
   })
   list(
     node = as.integer(unlist(lapply(bends, `[[`, "node"))),
-    couple = as.double(unlist(lapply(bends, `[[`, "couple")))
+    couple = as.double(unlist(lapply(bends, `[[`, "couple"))),
+    length = as.double(unlist(lapply(bends, `[[`, "length")))
   )
 }

@@ -51,11 +51,14 @@ measure_attitude <- function(state, measure) {
 # Warns of boards that do not fly, or not for long.
 warn_of_boards <- function(state) {
   if (isTRUE(state$report$upset_at_last)) {
+    flies <- length(state$si$otter_boards) > 0L
+    kind <- if (flies) "codend_warning_board_unstable" else "codend_warning_pole_unstable"
+    whose <- if (flies) "the free boards and kites" else "poles and pipes in compression"
     cli::cli_warn(
-      c("The balance that was found for the free boards and kites does not last: a small push
-        carries them further away from it.",
+      c("The balance that was found for {whose} does not last: a small push carries them further
+        away from it.",
         "i" = "Look at {.fn tow} from this state, and where warps and backstrops are fastened."),
-      class = c("codend_warning_board_unstable", "codend_warning"), call = NULL
+      class = c(kind, "codend_warning"), call = NULL
     )
   }
   if (!length(state$si$otter_boards)) return(invisible())

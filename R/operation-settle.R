@@ -29,20 +29,22 @@
 #' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Many times faster than to start anew where the change is
-#'   small and as many `nodes` are asked for; where that start does not lead to balance the gear is
-#'   settled anew.
-#' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear is
-#'   divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
+#'   points, at another speed, warp or design. Many times faster than to start anew where the change
+#'   is small and as many `nodes` are asked for; where that start does not lead to balance the gear
+#'   is settled anew.
+#' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
+#'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag and the spreads, heights, areas and volumes that the plan asks for, each as
-#'   a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach is a
-#'   warning of class `codend_warning_accuracy`. `NULL` settles at `nodes` and tells the error that is left.
+#'   a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach
+#'   is a warning of class `codend_warning_accuracy`. `NULL` settles at `nodes` and tells the error
+#'   that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
-#'   Free otter boards and kites that settle in a balance which a small push would carry them away
-#'   from are pushed and settled again (`upsets` in the report counts how often); where none is
-#'   found that lasts it is a warning of class `codend_warning_board_unstable`. That tells of static
+#'   Free otter boards and kites, and poles in compression, that settle in a balance which a small
+#'   push would carry them away from are pushed and settled again (`upsets` in the report counts how
+#'   often); where none is found that lasts it is a warning of class `codend_warning_board_unstable`,
+#'   or of poles alone `codend_warning_pole_unstable`. That tells of static
 #'   stability only, not of swinging. A free otter board that settles stalled, back-winded or fallen
 #'   over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
 #'   or `codend_warning_board_fallen_over`; see [board_table()].

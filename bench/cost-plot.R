@@ -11,7 +11,7 @@ save_cost_plot <- function(medians, exponents) {
     exponents)
   save <- function(extension, device) {
     file <- file.path(results_folder, paste0("cost.", extension))
-    codend:::write_whole(file, function(path) {
+    codend:::write_file(file, function(path) {
       device(path)
       on.exit(grDevices::dev.off())
       draw()

@@ -1,13 +1,16 @@
-# make bench-loops: what a change of a settled gear takes. Arguments: libraries of earlier versions of
-# codend to compare with, as name=path. Writes loops.csv and loops.md to bench/results/.
+# make bench-loops: what a change of a settled gear takes. Arguments: the most nodes (1e4), then libraries
+# of earlier versions of codend to compare with, as name=path. Writes loops.csv and loops.md to bench/results/.
 library(codend)
 for (room in c("own-process", "results")) source(file.path("bench", paste0(room, ".R")))
 
 given <- commandArgs(TRUE)
+sizes <- c(1500, 1e4)
+sizes <- sizes[sizes <= if (length(given)) as.numeric(given[1]) else 1e4]
+given <- given[-1]
 libraries <- c(stats::setNames(sub("^[^=]*=", "", given), sub("=.*", "", given)), now = "")
 
 rows <- NULL
-for (nodes in c(1500, 1e4)) {
+for (nodes in sizes) {
   for (version in names(libraries)) {
     found <- in_own_process("measure-loops.R", shQuote(libraries[[version]]), nodes)
     if (is.null(found$gear)) stop(version, ": ", found$outcome)

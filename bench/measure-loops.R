@@ -8,11 +8,10 @@ repeats <- 5
 
 # Change by 1 and by 10 % of fields of shipped gears, as this folder's plans have them, and none.
 fields <- list(
-  midwater_trawl = c("towing.speed", "warps.length", "otter_boards.area", "otter_boards.mass"),
-  poly_noreastern_trawl = c("towing.speed", "warps.length"),
-  cage = "water.current.speed", model_cage = "water.current.speed", gillnet = "water.current.speed"
+  midwater_trawl = c("towing.speed", "warps.length", "otter_boards.mass"),
+  cage = "water.current.speed"
 )
-if (nodes > 2000) fields <- fields[1:2]
+if (nodes > 2000) fields <- fields[1]
 scaled <- function(gear, field, factor) {
   value <- Reduce(`[[`, strsplit(field, ".", fixed = TRUE)[[1]], gear$plan)
   text <- paste(as.numeric(sub(" .*", "", value)) * factor, sub("^[^ ]* ", "", value))

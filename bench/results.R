@@ -4,13 +4,13 @@
 results_folder <- file.path("bench", "results")
 
 save_table <- function(table, name) {
-  codend:::write_whole(file.path(results_folder, paste0(name, ".csv")), function(path) {
+  codend:::write_file(file.path(results_folder, paste0(name, ".csv")), function(path) {
     utils::write.csv(table, path, row.names = FALSE)
   })
 }
 
 save_page <- function(lines, name) {
-  codend:::write_whole(file.path(results_folder, paste0(name, ".md")), function(path) {
+  codend:::write_file(file.path(results_folder, paste0(name, ".md")), function(path) {
     writeLines(lines, path)
   })
 }

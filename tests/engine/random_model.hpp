@@ -283,6 +283,7 @@ class Specimen {
     for (int e = 0; e < wanted.bends; ++e) {
       points(random, 3, model.bends.node);
       model.bends.couple.push_back(random.between(0.1, 2.0));
+      model.bends.length.push_back(random.between(0.5, 2.0));
     }
   }
 

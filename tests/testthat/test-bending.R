@@ -44,3 +44,40 @@ test_that("a point is near a place or held at one", {
     "points.a.near", class = "codend_error_plan"
   )
 })
+
+# A pole of 4 m between supports 10 mm nearer to each other.
+pressed_pole <- function(bending_stiffness) {
+  gear("A pole", water = list(density = 0),
+    left = point(position = c(0, 0, 0), held = "fixed"),
+    right = point(position = c(3.99, 0, 0), held = "fixed"),
+    middle = point(at = "pole.middle", load = c(0, 0, 0)),
+    pole = rope("left", "right", length = "4 m", diameter = "40 mm", axial_stiffness = "1 MN",
+      mass_per_length = "1e-6 kg/m", segments = 20, bending_stiffness = bending_stiffness))
+}
+
+test_that("a pole beyond its Euler load buckles", {
+  # Straight it would carry 2.5 kN.
+  state <- settle(pressed_pole("640 N m2"))
+  push <- -1000 * as.data.frame(state, what = "tensions")$tension_kN
+  euler <- pi^2 * 640 / 4^2
+  expect_false(state$report$upset_at_last)
+  # Of n = 20 bars between hinges the load is less by (pi / n)^2 / 12; a shortening of s = 2.1e-3
+  # beyond that raises it by s / 2 (elastica), and the bars in its middle, which are inclined to
+  # it, carry its cosine, 0.5 % less at the ends.
+  expect_equal(max(push), euler, tolerance = 0.005)
+  # One half wave shortens by (pi a / 2)^2 / L: a for what compression does not take up.
+  off <- sqrt(colSums(state$position[2:3, ]^2))
+  expect_equal(max(off), 2 / pi * sqrt(4 * (0.01 - 4 * euler / 1e6)), tolerance = 0.01)
+})
+
+test_that("a pole below its Euler load stays straight", {
+  state <- settle(pressed_pole("6400 N m2"))
+  expect_identical(state$report$upsets, 0L)
+  expect_lt(max(abs(state$position[2:3, ])), 1e-6)
+})
+
+test_that("what is too stiff to have a tension does not settle", {
+  # Rounding of a place 100 m away stretches it by more than its load would.
+  cable <- update(read_gear("towed_cable"), ropes.cable.axial_stiffness = "1e17 N")
+  expect_error(settle(cable), class = "codend_error_not_converged")
+})

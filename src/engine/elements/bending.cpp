@@ -68,4 +68,25 @@ void Bends::add_jacobian(const Field& field, const JacobianRequest& request,
   }
 }
 
+double Bends::unstable_size(const Field& field) const {
+  constexpr double rounding = 1e-9;
+  double least = 0.0;
+  for (int e = 0; e < count(); ++e) {
+    const Bend b = bend(e, field);
+    const double rest = length[static_cast<std::size_t>(e)];
+    if (b.length_u + b.length_v >= 2.0 * rest * (1.0 - rounding)) continue;
+    least = least > 0.0 ? std::min(least, rest) : rest;
+  }
+  return least;
+}
+
+double Bends::unstable_stiffness() const {
+  // Of a bend whose middle moves aside.
+  double most = 0.0;
+  for (std::size_t e = 0; e < couple.size(); ++e) {
+    most = std::max(most, 4.0 * couple[e] / (length[e] * length[e]));
+  }
+  return most;
+}
+
 }  // namespace codend

@@ -16,11 +16,13 @@ class Bends : public ElementKind {
  public:
   std::vector<int> node;       // 3 per bend: before, at and after it along the line
   std::vector<double> couple;  // B/L, N m
+  std::vector<double> length;  // L, half of both bars at rest, m
 
   template <class Visit>
   void fields(Visit& visit) {
     visit("node", node, {3, Among::points});
     visit("couple", couple);
+    visit("length", length);
   }
 
   int count() const { return static_cast<int>(couple.size()); }
@@ -32,6 +34,10 @@ class Bends : public ElementKind {
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
   void add_drag_scale(const Field&, double*) const override {}
+  // The least length where any is in compression: beyond Euler's load it stands straight, but not
+  // for long.
+  double unstable_size(const Field& field) const override;
+  double unstable_stiffness() const override;
 
  private:
   struct Bend {

@@ -64,9 +64,13 @@ class ElementKind {
   virtual void add_added_mass(const Field& field, double* mass) const = 0;
   // Adds the drag's damping per point (N s/m) at the present speed: a scale for pseudo-time.
   virtual void add_drag_scale(const Field& field, double* scale) const = 0;
-  // Whether its elements may stand in an unstable equilibrium, as a plate across the flow does, and so
-  // have to be tried: the size of the least of them, m, by which a perturbation is scaled. 0: no.
-  virtual double unstable_size() const { return 0.0; }
+  // Whether its elements may stand in an unstable equilibrium, as a plate across the flow or a pole
+  // in compression does, and so have to be tried: the size of the least of them, m, by which a
+  // perturbation is scaled. 0: no.
+  virtual double unstable_size(const Field&) const { return 0.0; }
+  // Of these, the greatest stiffness (N/m) with which a point is driven from such an equilibrium;
+  // 0: none but the water's.
+  virtual double unstable_stiffness() const { return 0.0; }
 };
 
 }  // namespace codend

@@ -307,7 +307,7 @@ void LiftingPlates::add_added_mass(const Field& field, double* mass) const {
   }
 }
 
-double LiftingPlates::unstable_size() const {
+double LiftingPlates::unstable_size(const Field&) const {
   double least = plate.empty() ? 0.0 : plate.front().chord;
   for (const LiftingPlate& one : plate) least = std::min(least, one.chord);
   return least;

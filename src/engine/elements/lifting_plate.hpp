@@ -97,7 +97,7 @@ class LiftingPlates : public ElementKind {
                     const BlockSink& sink) const override;
   void add_added_mass(const Field& field, double* mass) const override;
   void add_drag_scale(const Field& field, double* scale) const override;
-  double unstable_size() const override;  // the least chord
+  double unstable_size(const Field&) const override;  // the least chord
   PlateAttitude attitude(int plate, const Field& field) const;
 
  private:

@@ -49,6 +49,8 @@ constexpr double settled_law_residual = 1e-3;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
 constexpr int shadings = 20, searches = 4;
+// Of all loads together, the most that rounding may leave.
+constexpr double greatest_rounding = 1e-3;
 // An unstable equilibrium is perturbed by this share of the least unstable element's size, and the
 // pseudo time step stays below this share of the time in which the motion grows, for so many steps.
 // Tried so often.
@@ -119,7 +121,12 @@ class Settling {
   }
 
   // Whether an equilibrium may be unstable.
-  bool may_be_unstable() const { return unstable_size_ > 0.0; }
+  bool may_be_unstable() {
+    // What settles from its own state was tried there. (Boards cost little: they are tried again.)
+    if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
+    unstable_size_ = unstable_size(assembly_);
+    return unstable_size_ > 0.0;
+  }
 
   // On from an unstable shape, along the motion that leaves it or, backwards, against it.
   void leave(const GrowingMotion& from, bool backwards) {
@@ -170,6 +177,7 @@ class Settling {
 
   // Takes the present positions, measured, as settled under other loads with these strains.
   void stay_settled(const std::vector<double>& strain) {
+    from_settled_ = true;
     follow(strain, TensionPath::settled_parameter);
     pseudo_step_ = settled_pseudo_step;
     if (report_.residual < settled_law_residual) turning_ = 0.0;
@@ -178,7 +186,10 @@ class Settling {
   bool found() const { return turning_ < found_turning && held_steps_ == 0; }
 
   // Whether the net forces are no more than what rounding of the positions makes.
-  bool at_rounding() const { return report_.worst_force <= rounding_; }
+  // What rounds to a force beside which the loads are little is no balance.
+  bool at_rounding() const {
+    return report_.worst_force <= rounding_ && rounding_ <= greatest_rounding * load_;
+  }
 
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step() {
@@ -358,9 +369,10 @@ class Settling {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
-  const double unstable_size_ = unstable_size(assembly_.model());  // m
-  double load_;                                                    // N
-  double rounding_ = rounding_force();                             // N
+  bool from_settled_ = false;           // the start is a settled state
+  double unstable_size_ = 0.0;          // m
+  double load_;                         // N
+  double rounding_ = rounding_force();  // N
   TensionPath path_;
   Precision precision_ = Precision::single_precision;
   int double_left_ = 0, double_steps_ = first_double_steps;

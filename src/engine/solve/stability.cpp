@@ -6,8 +6,9 @@
 namespace codend {
 namespace {
 
-// Pseudo time steps (s): they tell apart motions that grow at 20 /s to 0.002 /s.
-constexpr double steps[] = {0.1, 1.0, 10.0};
+// Pseudo time steps (s): a tenth to ten tell apart motions that grow at 20 /s to 0.002 /s, as those
+// that water drives do. What stiffness drives grows faster: shorter ones, down to about its own.
+constexpr double longest_step = 10.0, shortest_of_water = 0.1, shortest_of_all = 1e-9;
 constexpr int least_iterations = 10, most_iterations = 100;
 // An eigenvector is found when one more iteration leaves it in its direction but for this.
 constexpr double tolerance = 0.005;
@@ -19,10 +20,10 @@ constexpr double solve_tolerance = 1e-6;
 
 }  // namespace
 
-double unstable_size(const Model& model) {
+double unstable_size(const Assembly& assembly) {
   double least = 0.0;
-  for (const ElementKind* kind : model.kinds()) {
-    const double size = kind->unstable_size();
+  for (const ElementKind* kind : assembly.model().kinds()) {
+    const double size = kind->unstable_size(assembly.field());
     if (size > 0.0) least = least > 0.0 ? std::min(least, size) : size;
   }
   return least;
@@ -39,7 +40,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   std::vector<double> first(3 * n, 0.0);
   std::vector<int> tried;  // free nodes of elements that may be unstable
   for (const ElementKind* kind : model.kinds()) {
-    if (kind->unstable_size() <= 0.0) continue;
+    if (kind->unstable_size(assembly.field()) <= 0.0) continue;
     for (std::size_t k = 0; k < kind->nodes().size(); ++k) {
       const int node = kind->nodes()[k];
       if (node >= model.nodes || place[static_cast<std::size_t>(node)] < 0) continue;
@@ -57,7 +58,17 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
       right(3 * n), y, next(3 * n);
   assembly.jacobian({1.0, 0.0}, stiffness.data());
   assembly.pseudo_damping(damping.data());
-  for (const double h : steps) {
+  double stiffest = 0.0;
+  for (const ElementKind* kind : model.kinds()) {
+    if (kind->unstable_size(assembly.field()) <= 0.0) continue;
+    stiffest = std::max(stiffest, kind->unstable_stiffness());
+  }
+  double shortest = shortest_of_water;
+  for (const int i : tried) {
+    shortest = std::min(shortest, damping[static_cast<std::size_t>(i)] / stiffest);
+  }
+  shortest = std::max(shortest, shortest_of_all);
+  for (double h = longest_step; h > 0.3 * shortest; h *= 0.1) {
     std::vector<double> per_step(damping);
     for (double& d : per_step) d /= h;
     values = stiffness;

@@ -16,8 +16,9 @@
 
 namespace codend {
 
-// Size (m) of the least element of a model that may stand in an unstable equilibrium; 0: has none.
-double unstable_size(const Model& model);
+// Size (m) of the least element that may stand in an unstable equilibrium, at the place that the
+// assembly was last moved to; 0: there is none.
+double unstable_size(const Assembly& assembly);
 
 struct GrowingMotion {
   bool found = false;
