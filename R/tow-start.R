@@ -85,7 +85,7 @@ add_start <- function(what, position, velocity) {
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
-    wake = engine$wake, catch_front = catch_front(what$lattice, position),
+    wake = engine$wake, catch_front = catch_front(what$lattice, matrix(position, 3L)),
     energy = numeric(length(energy_parts)), report = NULL
   )
   gather_trajectory(what, list(frame), "reached")

@@ -79,3 +79,23 @@ test_that("catches that cannot be are named", {
   expect_error(tow(settle(gear, nodes = 150), until = 4, catch = full), "when full",
     class = "codend_error_plan")
 })
+
+test_that("a tow with a growing catch starts from a plan, and goes on to the same bytes", {
+  go <- function(until) {
+    tow("t90_codend", nodes = 300, until = until, every = 10,
+      catch = data.frame(time = c(0, 40), value = c(0.5, 1)))
+  }
+  whole <- go(40)
+  half <- tow(go(20), until = 40)
+  expect_identical(half$position, whole$position)
+  expect_identical(half$catch_front, whole$catch_front)
+})
+
+test_that("a trawl that goes on gives the same bytes as one that never stopped", {
+  go <- function(gear, until) tow(gear, until = until, every = 15, nodes = 300)
+  half <- tow(go("midwater_trawl", 15), until = 30)
+  whole <- go("midwater_trawl", 30)
+  for (field in c("position", "velocity", "energy", "memory")) {
+    expect_identical(half[[field]], whole[[field]])
+  }
+})
