@@ -44,8 +44,9 @@
 #'   Free otter boards and kites, and poles in compression, that settle in a balance which a small
 #'   push would carry them away from are pushed and settled again (`upsets` in the report counts how
 #'   often); where none is found that lasts it is a warning of class
-#'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That tells of
-#'   static stability only, not of swinging. A free otter board that settles stalled, back-winded or fallen
+#'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
+#'   tells of static stability only, not of swinging. A free otter board that
+#'   settles stalled, back-winded or fallen
 #'   over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
 #'   or `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
