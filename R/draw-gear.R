@@ -63,7 +63,6 @@ plan_figure <- function(gear) {
 
 plan_margin <- 0.3
 plan_title_height <- 0.42
-plan_foot_height <- 0.42
 # Shares of the page's width for the netting, and of the right column's height for the rigging.
 netting_share <- 0.68
 rigging_share <- 0.45

@@ -119,17 +119,19 @@ define_finding("lift coefficient", "plan",
 define_finding("number of panels", "plan",
   "A trawl's plan leaves out `panels`: a bottom trawl then has 2 panels and a midwater trawl 4.",
   function(gear, state) {
-    taken <- unstated_panels[first_of(gear$plan$kind, "assembly")]
-    if (is.na(taken) || !is.null(gear$plan$panels)) return(list())
-    list(finding("panels", taken[[1]], paste(taken, "panels"),
+    if (!first_of(gear$plan$kind, "") %in% trawls_of_panels || !is.null(gear$plan$panels)) {
+      return(list())
+    }
+    taken <- plan_node(gear$plan)$properties$panels[["default"]]
+    list(finding("panels", taken, paste(taken, "panels"),
       sprintf("the field is left out, so that this %s is taken to have %d panels.",
         gsub("_", " ", gear$plan$kind), taken),
       "Write how many panels the net has."))
   }
 )
 
-# What the schema takes where a plan says nothing.
-unstated_panels <- c(bottom_trawl = 2L, pair_trawl = 2L, midwater_trawl = 4L)
+# Kinds whose field `panels` counts the panels around a section.
+trawls_of_panels <- c("bottom_trawl", "pair_trawl", "midwater_trawl")
 
 # Seams take up a few percent; more is gathered netting, as at a bosom, or a miscount.
 greatest_seam_ratio <- 1.2

@@ -48,5 +48,5 @@ measure_words <- function(measures) {
 
 # The definitions of measures, one text each.
 definitions_of <- function(measures) {
-  measure_texts(c(asked_kinds(), standard_measures)[attr(measures, "kind")])
+  measure_texts(all_kinds()[attr(measures, "kind")])
 }

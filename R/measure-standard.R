@@ -126,15 +126,6 @@ filtered_volume <- function(state, ropes) {
   abs(sum(outline_area(outline) * past))
 }
 
-# Velocity (m/s, along x and y) of the water past the vessel at a depth (m).
-water_velocity <- function(state, depth) {
-  water <- state$lattice$engine$water
-  if (length(water$depth) == 1L) return(c(water$x, water$y))
-  vapply(water[c("x", "y")], function(speed) {
-    stats::approx(water$depth, speed, depth, rule = 2)$y
-  }, 0, USE.NAMES = FALSE)
-}
-
 # Ground (m2/s) that the straight line between two places passes over, the mean over pairs.
 swept_area <- function(state, pairs) {
   # the vessel goes towards -x

@@ -51,7 +51,7 @@ measure_texts <- function(kinds) vapply(kinds, `[[`, "", "definition", USE.NAMES
 #' @rdname measures
 #' @export
 measure_definitions <- function(state = NULL) {
-  kinds <- c(asked_kinds(), standard_measures)
+  kinds <- all_kinds()
   if (is.null(state)) {
     name <- names(kinds)
   } else {
@@ -68,6 +68,8 @@ measure_definitions <- function(state = NULL) {
 
 # The kinds of measures that a plan may ask for, in the order of their names.
 asked_kinds <- function() mget(sort(ls(measure_kinds), method = "radix"), measure_kinds)
+
+all_kinds <- function() c(asked_kinds(), standard_measures)
 
 # The measures' definitions as sections of help.
 measure_help <- function() {

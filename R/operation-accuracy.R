@@ -21,13 +21,13 @@ state_levels <- function(state, found, from) {
     shape <- shape$coarser
   }
   if (length(levels) || is.null(from)) return(levels)
-  before <- measures(from)
   growth <- state$lattice$nodes / from$lattice$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
-    own <- list(nodes = from$lattice$nodes, values = plain_measures(before))
+    own <- list(nodes = from$lattice$nodes, values = plain_measures(measures(from)))
     return(c(from$levels, list(own)))
   }
-  carry_levels(from$levels, plain_measures(before), plain_measures(measures(state)))
+  # without levels to carry neither state is measured
+  carry_levels(from$levels, plain_measures(measures(from)), plain_measures(measures(state)))
 }
 
 # Divides a gear more finely until its main measures are as accurate as asked (a share).

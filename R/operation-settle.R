@@ -57,9 +57,8 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL, accuracy = N
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
-  if (is.null(accuracy)) return(settle_gear(gear, nodes, netting, from, settle_iterations))
   state <- settled_state(gear, nodes, netting, from, settle_iterations)
-  state <- settle_accurately(state, accuracy, netting)
+  if (!is.null(accuracy)) state <- settle_accurately(state, accuracy, netting)
   warn_of_doubts(state)
   state
 }

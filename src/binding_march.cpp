@@ -77,12 +77,12 @@ double potential_of(const codend::Model& model, double error) {
   });
 }
 
-// Marches from `past` (its `ordering`: as NewtonStep's) through the stops of list(time, kept, broken, steered, filled): times (s,
-// growing) and at which of them a frame is kept, the motion breaks, winches are steered or the catch's
-// front is moved. keep(frame) gets the motion and tensions, and all that is needed to go on from
-// there; steer(frame) answers with the speed wanted of every growing group; refill(frame) with weight,
-// node and mass of the catch; watch(time, steps) is called after steps, at most some ten
-// times a second.
+// Marches from `past` (its `ordering`: as NewtonStep's) through the stops of list(time, kept,
+// broken, steered, filled): times (s, growing) and at which of them a frame is kept, the motion
+// breaks, winches are steered or the catch's front is moved. keep(frame) gets the motion and
+// tensions, and all that is needed to go on from there; steer(frame) answers with the speed wanted
+// of every growing group; refill(frame) with weight, node and mass of the catch; watch(time, steps)
+// is called after steps, at most some ten times a second.
 [[cpp11::register]] list engine_tow(list lattice, list schedule, list past, list control,
                                     list stops, function keep, function steer, function refill,
                                     function watch) {

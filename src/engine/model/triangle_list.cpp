@@ -20,6 +20,13 @@ void copy(const std::vector<Value>& from, std::size_t width, std::size_t element
 void TriangleList::divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
                           std::vector<char>& hexagonal) const {
   hexagonal.clear();
+  const auto append = [this](std::size_t e, auto& to) {
+    copy(node, 3, e, to.node);
+    copy(twine, 6, e, to.twine);
+    to.multiplicity.push_back(multiplicity[e]);
+    to.material.push_back(material[e]);
+    to.height.push_back(height[e]);
+  };
   for (std::size_t e = 0; e < rest.size(); ++e) {
     hexagonal.push_back(straight[e] > 0.0 ? 1 : 0);
     if (hexagonal.back()) {
@@ -28,21 +35,13 @@ void TriangleList::divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
                          "triangles.inner has no point for a triangle that has "
                          "straight bars (triangles.straight)");
       }
-      copy(node, 3, e, hexagons.node);
+      append(e, hexagons);
       hexagons.node.push_back(inner[e]);
-      copy(twine, 6, e, hexagons.twine);
       hexagons.straight.push_back(straight[e]);
       hexagons.oblique.push_back(rest[e]);
-      hexagons.multiplicity.push_back(multiplicity[e]);
-      hexagons.material.push_back(material[e]);
-      hexagons.height.push_back(height[e]);
     } else {
-      copy(node, 3, e, plain.node);
-      copy(twine, 6, e, plain.twine);
+      append(e, plain);
       plain.rest.push_back(rest[e]);
-      plain.multiplicity.push_back(multiplicity[e]);
-      plain.material.push_back(material[e]);
-      plain.height.push_back(height[e]);
     }
   }
 }
