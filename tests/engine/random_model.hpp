@@ -33,7 +33,7 @@ struct Ingredients {
   int lifts_up = 0, lifts_sideways = 0;
   int hexagons = 0, pressed = 0, screens = 0, blended = 0, openings = 0, bends = 0;
   int plates = 0, contacts = 0, volumes = 0;
-  int sliding = 0;               // ropes that slide through four points
+  int sliding = 0;  // ropes that slide through four points
   CylinderLaw law;
   SlackDrag slack = SlackDrag::curved;
   double diameter = 0.002;       // m, of lines
@@ -42,10 +42,10 @@ struct Ingredients {
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
   NettingScreenLaw screen_law = NettingScreenLaw::loland;
-  bool layered = false;          // a current that varies with depth
+  bool layered = false;  // a current that varies with depth
   bool free_surface = false;
-  bool wake = false;             // a flow slowed by netting, differently at every point
-  bool struts = false;           // every other bar also pushes
+  bool wake = false;    // a flow slowed by netting, differently at every point
+  bool struts = false;  // every other bar also pushes
 };
 
 // Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
@@ -199,8 +199,8 @@ class Specimen {
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
       // smooth ones from the Stokes flow to beyond the drag crisis
       model.spheres.diameter.push_back(s < wanted.bodies ? 0.0
-                                       : smooth ? std::pow(10.0, random.between(-5.0, 0.0))
-                                                : random.between(1e-5, 1e-2));
+                                       : smooth          ? std::pow(10.0, random.between(-5.0, 0.0))
+                                                         : random.between(1e-5, 1e-2));
       model.spheres.smooth.push_back(smooth ? 1 : 0);
       model.spheres.added_mass.push_back(random.between(0.0, 0.01));
       model.spheres.height.push_back(random.between(0.5, 2.0));
@@ -209,7 +209,7 @@ class Specimen {
       points(random, 1, model.lifts.node);
       model.lifts.lift_area.push_back(random.between(-0.1, 0.1));
       model.lifts.direction.push_back(s < wanted.lifts_up ? LiftDirection::up
-                                                             : LiftDirection::sideways);
+                                                          : LiftDirection::sideways);
       model.lifts.height.push_back(random.between(0.5, 2.0));
     }
     for (int s = 0; s < wanted.plates; ++s) {
@@ -319,8 +319,8 @@ class Specimen {
     const std::size_t hexagons = static_cast<std::size_t>(model.hexagons.count());
     for (std::size_t e = 0; e < hexagons; ++e) {
       model.hexagons.straight[e] = clear({1.0 + strain[first + e]});
-      model.hexagons.oblique[e] = clear(
-          {1.0 + strain[first + hexagons + e], 1.0 + strain[first + 2 * hexagons + e]});
+      model.hexagons.oblique[e] =
+          clear({1.0 + strain[first + hexagons + e], 1.0 + strain[first + 2 * hexagons + e]});
     }
   }
 };

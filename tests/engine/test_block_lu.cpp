@@ -292,12 +292,11 @@ TEST_CASE("block LU in single precision refines to the residual asked for") {
     return (b - matrix * x).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
   };
   for (const double tolerance : {1e-4, 1e-8, 1e-11}) {
-    const double reached =
-        lu.solve_refined(pattern, values.data(), b.data(), tolerance, x.data());
+    const double reached = lu.solve_refined(pattern, values.data(), b.data(), tolerance, x.data());
     CHECK(reached <= tolerance);
     // the two sum up rows in different orders: some ten terms, each as large as |A| |x| at most
-    const double rounding = 10 * 1.1e-16 * greatest_row_sum(matrix) *
-                            x.lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+    const double rounding = 10 * 1.1e-16 * greatest_row_sum(matrix) * x.lpNorm<Eigen::Infinity>() /
+                            b.lpNorm<Eigen::Infinity>();
     CHECK(std::abs(residual() - reached) <= rounding);
   }
   lu.solve(b.data(), x.data());

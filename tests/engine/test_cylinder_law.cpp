@@ -24,9 +24,8 @@ Coefficients at_angle(const CylinderLaw& law, double alpha) {
   const Water water;
   const double speed = 1.7;
   const Vector axis(std::cos(alpha), std::sin(alpha), 0.0);
-  const Vector force =
-      line_drag(material, axis, speed * Vector::UnitX()) /
-      (0.5 * water.density * material.diameter * speed * speed);
+  const Vector force = line_drag(material, axis, speed * Vector::UnitX()) /
+                       (0.5 * water.density * material.diameter * speed * speed);
   CHECK(force.z() == 0.0);
   // Lift is on the side to which the flow pushes the line: here away from its upper end.
   return {force.x(), -force.y()};
@@ -88,14 +87,11 @@ TEST_CASE("coefficients by Reynolds number, Choo and Casarella 1971 and Takagi 2
   // (Fish. Res. 66:235); to four decimals. At Re = 1 and 30 the two branches of C_n meet with a
   // jump, see below.
   const double table[][4] = {
-      {1, NAN, 3.9835, 5.0119},      {3, 4.631, 2.3611, 3.6047},
-      {10, 2.5264, 1.3378, 2.5119},  {30, NAN, 0.8008, 1.8066},
-      {60, 1.6164, 0.581, 1.4674},   {100, 1.5, 0.4593, 1.2589},
-      {200, 1.3828, 0.3346, 1.2},    {300, 1.3309, 0.2784, 1.2},
-      {500, 1.2789, 0.221, 1.2},     {1000, 1.2265, 0.1621, 1.2},
-      {2000, 1.1894, 0.1192, 1.2},   {5000, 1.1566, 0.0797, 1.2},
-      {10000, 1.14, 0.0591, 1.2},    {30000, 1.1231, 0.0369, 1.2},
-      {100000, 1.1126, 0.0223, 1.2},
+      {1, NAN, 3.9835, 5.0119},    {3, 4.631, 2.3611, 3.6047},   {10, 2.5264, 1.3378, 2.5119},
+      {30, NAN, 0.8008, 1.8066},   {60, 1.6164, 0.581, 1.4674},  {100, 1.5, 0.4593, 1.2589},
+      {200, 1.3828, 0.3346, 1.2},  {300, 1.3309, 0.2784, 1.2},   {500, 1.2789, 0.221, 1.2},
+      {1000, 1.2265, 0.1621, 1.2}, {2000, 1.1894, 0.1192, 1.2},  {5000, 1.1566, 0.0797, 1.2},
+      {10000, 1.14, 0.0591, 1.2},  {30000, 1.1231, 0.0369, 1.2}, {100000, 1.1126, 0.0223, 1.2},
   };
   for (const auto& row : table) {
     const double re = row[0];
@@ -127,11 +123,11 @@ TEST_CASE("where the laws leave the printed ones on purpose") {
   CHECK(normal_at(choo, 4.92e5) ==
         doctest::Approx(0.5 * (-3.41e-6 * (4.92e5 - 5.78e5) + high)).epsilon(1e-9));
   // Outside the joins the printed branches.
-  CHECK(normal_at(choo, 0.5) ==
-        doctest::Approx([] {
-          const double t = -0.077215665 + std::log(16.0);
-          return 8.0 * pi / (0.5 * t) * (1.0 - 0.87 / (t * t));
-        }()).epsilon(3e-4));  // Re held above 0.01: (0.01/0.5)^2 / 2 = 2e-4
+  CHECK(normal_at(choo, 0.5) == doctest::Approx([] {
+                                  const double t = -0.077215665 + std::log(16.0);
+                                  return 8.0 * pi / (0.5 * t) * (1.0 - 0.87 / (t * t));
+                                }())
+                                    .epsilon(3e-4));  // Re held above 0.01: (0.01/0.5)^2 / 2 = 2e-4
   CHECK(normal_at(choo, 3e5) == doctest::Approx(-3.41e-6 * (3e5 - 5.78e5)).epsilon(1e-9));
   CHECK(normal_at(choo, 2e6) ==
         doctest::Approx(0.401 * (1.0 - std::exp(-2e6 / 5.99e5))).epsilon(1e-9));
@@ -151,9 +147,9 @@ TEST_CASE("where the laws leave the printed ones on purpose") {
 }
 
 TEST_CASE("coefficients have no jumps and the slopes that they say") {
-  for (const CylinderLawKind kind : {CylinderLawKind::constant, CylinderLawKind::takagi,
-                                     CylinderLawKind::choo_casarella,
-                                     CylinderLawKind::cifuentes_kim}) {
+  for (const CylinderLawKind kind :
+       {CylinderLawKind::constant, CylinderLawKind::takagi, CylinderLawKind::choo_casarella,
+        CylinderLawKind::cifuentes_kim}) {
     CAPTURE(static_cast<int>(kind));
     CylinderLaw law;
     law.kind = kind;

@@ -177,7 +177,7 @@ TEST_CASE("lift in still water does no work") {
 TEST_CASE("forces, derivatives and masses are finite where directions are lost") {
   struct Extreme {
     const char* name;
-    double current;  // m/s
+    double current;                      // m/s
     void (*move)(double* x, double* v);  // of one node
   };
   // 1e-50: cubes of speeds are still numbers.
@@ -228,9 +228,7 @@ TEST_CASE("drag does not jump where a line goes slack or loses its length") {
   const Vector u(0.4, -0.3, 1.0), axis = Vector(1.0, 2.0, -0.5).normalized();
   for (const CylinderLaw& law : cylinder_laws()) {
     material.law = law;
-    auto drag = [&](double length) {
-      return line_drag(material, length * axis, u);
-    };
+    auto drag = [&](double length) { return line_drag(material, length * axis, u); };
     const double size = drag(1.0).norm();
     CHECK((drag(1.0 + 1e-9) - drag(1.0 - 1e-9)).norm() < 1e-8 * size);
     CHECK((drag(1e-9) - drag(0.0)).norm() < 1e-8 * size);

@@ -81,8 +81,11 @@ void check_front(const FrontKernels<Real>& kernels, int k, int b) {
                      MatrixXd(lower.topRows(k).triangularView<Eigen::Upper>());
   for (int p = k; p-- > 0;) product.row(p).swap(product.row(front.exchange[p]));
   CHECK((product - a11).cwiseAbs().maxCoeff() <= allowed);
-  CHECK(lower.topRows(k).triangularView<Eigen::StrictlyLower>().toDenseMatrix()
-            .cwiseAbs().maxCoeff() <= 1 + std::numeric_limits<Real>::epsilon());
+  CHECK(lower.topRows(k)
+            .triangularView<Eigen::StrictlyLower>()
+            .toDenseMatrix()
+            .cwiseAbs()
+            .maxCoeff() <= 1 + std::numeric_limits<Real>::epsilon());
   if (b > 0) {
     const MatrixXd schur = a22 - a21 * a11.partialPivLu().solve(a12);
     CHECK((update.topRows(b) - schur).cwiseAbs().maxCoeff() <= allowed);
@@ -123,8 +126,9 @@ void check_kernels(const FrontKernels<Real>& kernels) {
   for (int k : {3, 6, 9, 12, 15, 24, 27, 93, 96, 99, 195})
     for (int b : {0, 3, 6, 9, 12, 15, 33, 105}) check_front(kernels, k, b);
   check_front(kernels, 12, 393);
-  check_front(kernels, 105, 1035);  // rows of U far enough apart to be packed; large enough to share
-  check_front(kernels, 402, 6);     // a right side large enough to share
+  check_front(kernels, 105,
+              1035);             // rows of U far enough apart to be packed; large enough to share
+  check_front(kernels, 402, 6);  // a right side large enough to share
 
   // a zero matrix is singular, and so is one whose last pivot vanishes
   StoredFront<Real> zero(Matrix<Real>::Zero(9, 9), 6);

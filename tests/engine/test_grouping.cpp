@@ -107,8 +107,8 @@ Totals totals(Panel& panel, const CylinderLaw& law, const Vector& current) {
   for (int b = 0; b < m.bars.count(); ++b) {
     const Line<2> line = m.bars.line(b);
     out.twine += line.multiplicity * line.rest;
-    out.energy += line.multiplicity *
-                  twine_energy(material, line.vector(panel.x.data()).norm(), line.rest);
+    out.energy +=
+        line.multiplicity * twine_energy(material, line.vector(panel.x.data()).norm(), line.rest);
   }
   return out;
 }

@@ -196,16 +196,24 @@ TEST_CASE("derivatives of damped bars that are paid out") {
 }
 
 TEST_CASE("derivatives of bodies and knots") {
-  SUBCASE("bodies") { check_points([](Ingredients& i) -> int& { return i.bodies; }); }
-  SUBCASE("knots") { check_points([](Ingredients& i) -> int& { return i.knots; }); }
+  SUBCASE("bodies") {
+    check_points([](Ingredients& i) -> int& { return i.bodies; });
+  }
+  SUBCASE("knots") {
+    check_points([](Ingredients& i) -> int& { return i.knots; });
+  }
   SUBCASE("smooth spheres") {
     check_points([](Ingredients& i) -> int& { return i.smooth_spheres; });
   }
 }
 
 TEST_CASE("derivatives of lifting surfaces") {
-  SUBCASE("up") { check_points([](Ingredients& i) -> int& { return i.lifts_up; }); }
-  SUBCASE("sideways") { check_points([](Ingredients& i) -> int& { return i.lifts_sideways; }); }
+  SUBCASE("up") {
+    check_points([](Ingredients& i) -> int& { return i.lifts_up; });
+  }
+  SUBCASE("sideways") {
+    check_points([](Ingredients& i) -> int& { return i.lifts_sideways; });
+  }
 }
 
 TEST_CASE("derivatives of the catch's pressure") {

@@ -28,8 +28,9 @@ struct Oscillator {
 };
 
 enum class Name { backward_euler, bdf2, generalised_alpha, substitution, symplectic_euler, rk4 };
-constexpr Name names[] = {Name::backward_euler, Name::bdf2, Name::generalised_alpha, Name::substitution,
-                          Name::symplectic_euler, Name::rk4};
+constexpr Name names[] = {Name::backward_euler,    Name::bdf2,
+                          Name::generalised_alpha, Name::substitution,
+                          Name::symplectic_euler,  Name::rk4};
 
 // accuracy: m, of a step of an implicit scheme; infinite for steps of one length.
 std::unique_ptr<Stepper> stepper(Name name, Assembly& assembly, const Motion& start,
@@ -56,8 +57,8 @@ std::unique_ptr<Stepper> stepper(Name name, Assembly& assembly, const Motion& st
   }
 }
 
-Motion march(const Model& model, const Motion& start, Name name, double until,
-             MarchControl control, MarchReport* report = nullptr,
+Motion march(const Model& model, const Motion& start, Name name, double until, MarchControl control,
+             MarchReport* report = nullptr,
              double accuracy = std::numeric_limits<double>::infinity()) {
   Assembly assembly(model);
   SteadyConditions conditions(model.held, start);
@@ -191,9 +192,9 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
   March march(assembly, *scheme, conditions, control, past);
   int k = 0;
   const double period = 2.0 * half_swing(control.step, 1000, [&] {
-    REQUIRE(march.to(++k * control.step) == MarchReport::End::reached);
-    return march.now().x[0];
-  });
+                          REQUIRE(march.to(++k * control.step) == MarchReport::End::reached);
+                          return march.now().x[0];
+                        });
   const double exact = 2.0 * 3.14159265358979 / (0.5 * 2.404826 * std::sqrt(gravity / length));
   // (w h)^2/12 = 5e-6 of the rule, 1/(4 bars)^2 = 4e-5 of the lumped chain; 1e-3 in all with the
   // linear crossing of zero and the small share of other modes.
@@ -254,9 +255,9 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
   for (int n = 0; n < 13; ++n) {
     const double turn = 2.0 * 3.14159265358979 * n / 13;
     at(net.start.x.data(), n) = Vector(2.4 * std::cos(turn), 2.4 * std::sin(turn), 0.0);
-    at(net.start.v.data(), n) =
-        Vector(1.0, -0.5, 0.3) + 0.8 * Vector(-std::sin(turn), std::cos(turn), 0.0) +
-        random.vector(0.05);
+    at(net.start.v.data(), n) = Vector(1.0, -0.5, 0.3) +
+                                0.8 * Vector(-std::sin(turn), std::cos(turn), 0.0) +
+                                random.vector(0.05);
   }
   for (const int other : {3, 6, 9}) {
     net.model.bars.node.push_back(0);

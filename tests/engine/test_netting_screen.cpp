@@ -15,8 +15,9 @@ constexpr double pi = 3.14159265358979323846;
 // along x, of netting of this solidity; its drag and lift over 1/2 rho A U^2.
 void coefficients(int law, double solidity, double angle, double reynolds, double& drag,
                   double& lift) {
-  const double x[] = {0.0, 0.0, 0.0, -std::sin(angle), std::cos(angle), 0.0,
-                      -std::sin(angle), std::cos(angle), 1.0, 0.0, 0.0, 1.0};
+  const double x[] = {
+      0.0, 0.0, 0.0, -std::sin(angle), std::cos(angle), 0.0, -std::sin(angle), std::cos(angle), 1.0,
+      0.0, 0.0, 1.0};
   const double v[12] = {};
   Water water;
   // Reynolds number by the gaps between the twines, U d / (nu (1 - Sn)).

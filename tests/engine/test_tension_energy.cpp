@@ -48,9 +48,9 @@ void check_gradient(int bars, int triangles, int hexagons, int openings = 0, int
     std::vector<double> force(s.x.size());
     assembly.move_to(s.x.data(), s.v.data());
     assembly.residual(force.data());
-    const double largest =
-        Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<int>(force.size()))
-            .cwiseAbs().maxCoeff();
+    const double largest = Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<int>(force.size()))
+                               .cwiseAbs()
+                               .maxCoeff();
     REQUIRE(largest > 0.0);
     // Fourth order at h = 1e-3 m: rounding 1.5 x 2.2e-16 E / h with E about |F| x 1 m gives 3e-13,
     // ten times that where lines cancel; truncation h^4/30 = 3e-14 over a length of 1 m, and
@@ -111,17 +111,13 @@ TEST_CASE("forces of mesh openings are the gradient of their energy") {
   check_gradient(0, 0, 0, 12);
 }
 
-TEST_CASE("forces of bends are the gradient of their energy") {
-  check_gradient(0, 0, 0, 0, 12);
-}
+TEST_CASE("forces of bends are the gradient of their energy") { check_gradient(0, 0, 0, 0, 12); }
 
 TEST_CASE("tensions of bars have no sum and no moment") { check_momentum(20, 0, 0); }
 
 TEST_CASE("tensions of netting triangles have no sum and no moment") { check_momentum(0, 20, 0); }
 
-TEST_CASE("tensions of hexagonal triangles have no sum and no moment") {
-  check_momentum(0, 0, 12);
-}
+TEST_CASE("tensions of hexagonal triangles have no sum and no moment") { check_momentum(0, 0, 12); }
 
 TEST_CASE("mesh openings have no sum and no moment") { check_momentum(0, 0, 0, 12); }
 

@@ -15,8 +15,7 @@ TEST_CASE("drag of twines is that of a bar of the same twine") {
       const Vector e = random.vector(1.0);
       const Vector u(random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.0);
       const Vector whole = 2.0 * line_drag(material, e, u);  // two ends of a bar of 1 m
-      const Vector found =
-          twine_drag(material, 2.0, 1.0, e, u, Water(), SlackDrag::curved).value;
+      const Vector found = twine_drag(material, 2.0, 1.0, e, u, Water(), SlackDrag::curved).value;
       // the same operations in another order
       CHECK((found - whole).norm() < 1e-13 * whole.norm());
     }

@@ -9,8 +9,8 @@ namespace codend {
 
 // Structurally symmetric, rows sorted, diagonal present.
 struct BlockPattern {
-  int n = 0;                        // nodes
-  std::vector<int64_t> row_start;   // n + 1: row i holds column[row_start[i] .. row_start[i + 1])
+  int n = 0;                       // nodes
+  std::vector<int64_t> row_start;  // n + 1: row i holds column[row_start[i] .. row_start[i + 1])
   std::vector<int> column;
 };
 

@@ -19,13 +19,13 @@ namespace codend {
 
 struct Ground {
   bool present = false;
-  Vector normal = Vector::UnitZ();    // unit vector out of the ground
-  double height = 0.0;                // of the plane along its normal, m: normal . x = height
-  Vector velocity = Vector::Zero();   // of the ground in the frame of the gear, along it, m/s
-  double friction = 0.0;              // mu
-  double stiffness = 3e6;             // k, Pa/m
-  double onset = 0.02;                // h, m
-  double slip = 0.02;                 // e, m/s
+  Vector normal = Vector::UnitZ();   // unit vector out of the ground
+  double height = 0.0;               // of the plane along its normal, m: normal . x = height
+  Vector velocity = Vector::Zero();  // of the ground in the frame of the gear, along it, m/s
+  double friction = 0.0;             // mu
+  double stiffness = 3e6;            // k, Pa/m
+  double onset = 0.02;               // h, m
+  double slip = 0.02;                // e, m/s
 
   template <class Visit>
   void fields(Visit& visit) {

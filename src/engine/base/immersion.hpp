@@ -11,8 +11,8 @@
 namespace codend {
 
 struct Immersion {
-  double share, slope;            // s and ds/dz (1/m)
-  double root, root_slope;        // sqrt(s), its derivative: the share of a speed whose square drags
+  double share, slope;      // s and ds/dz (1/m)
+  double root, root_slope;  // sqrt(s), its derivative: the share of a speed whose square drags
 };
 
 inline Immersion immersion(double z, double height) {
@@ -20,8 +20,7 @@ inline Immersion immersion(double z, double height) {
   if (t >= 1.0) return {1.0, 0.0, 1.0, 0.0};
   if (t <= 0.0) return {0.0, 0.0, 0.0, 0.0};
   const double rest = 3.0 - 2.0 * t, root = std::sqrt(rest);
-  return {t * t * rest, -6.0 * t * (1.0 - t) / height, t * root,
-          -(root - t / root) / height};
+  return {t * t * rest, -6.0 * t * (1.0 - t) / height, t * root, -(root - t / root) / height};
 }
 
 }  // namespace codend

@@ -9,8 +9,8 @@
 namespace codend {
 
 struct Water {
-  double density = 1025.0;      // kg/m3; 0 for a gear in vacuum
-  double viscosity = 1.19e-6;   // kinematic, m2/s
+  double density = 1025.0;     // kg/m3; 0 for a gear in vacuum
+  double viscosity = 1.19e-6;  // kinematic, m2/s
   // Current profile, linear between its points and constant beyond them; depths ascend (m, z down).
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear

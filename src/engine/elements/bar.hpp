@@ -29,8 +29,12 @@ class Bars {
 
   int count() const { return static_cast<int>(rest.size()); }
   Line<2> line(int bar) const {
-    return {&node[2 * static_cast<std::size_t>(bar)], {-1.0, 1.0}, rest[bar], multiplicity[bar],
-            material[bar], bar};
+    return {&node[2 * static_cast<std::size_t>(bar)],
+            {-1.0, 1.0},
+            rest[bar],
+            multiplicity[bar],
+            material[bar],
+            bar};
   }
 
   // Differences between the ends of bars [begin, end) of a quantity x (3 per point), by component

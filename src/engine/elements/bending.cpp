@@ -59,9 +59,9 @@ void Bends::add_jacobian(const Field& field, const JacobianRequest& request,
         -scale / (b.length_u * b.length_v) * (identity - uu_unit - vv_unit + k * cross);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
-        const Matrix block = request.stiffness *
-                             (of_u[i] * of_u[j] * uu + of_v[i] * of_v[j] * vv +
-                              of_u[i] * of_v[j] * uv + of_v[i] * of_u[j] * uv.transpose());
+        const Matrix block =
+            request.stiffness * (of_u[i] * of_u[j] * uu + of_v[i] * of_v[j] * vv +
+                                 of_u[i] * of_v[j] * uv + of_v[i] * of_u[j] * uv.transpose());
         sink.add(e, i, j, block);
       }
     }

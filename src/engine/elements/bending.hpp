@@ -41,7 +41,7 @@ class Bends : public ElementKind {
 
  private:
   struct Bend {
-    Vector u, v;     // unit vectors along the bars before and after the node
+    Vector u, v;  // unit vectors along the bars before and after the node
     double length_u, length_v, cosine;
   };
   Bend bend(int e, const Field& field) const;

@@ -89,13 +89,13 @@ void BlendedNetting::add_force(const Field& field, double* out) const {
 }
 
 void BlendedNetting::add_jacobian(const Field& field, const JacobianRequest& request,
-                                   const BlockSink& sink) const {
+                                  const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
     const Blended s = blended(e, field);
     for (int l = 0; l < 3; ++l) {
       Matrix by = s.force.by_area * area_slope(s.flow, l);
       for (int f = 0; f < 2; ++f) by += s.shape[f][l] * s.by_vector[f];
-      Matrix block = -request.stiffness / 3.0 * by + 
+      Matrix block = -request.stiffness / 3.0 * by +
                      request.damping / 3.0 * s.flow.share[l] * s.force.by_velocity;
       block.col(2) -= request.stiffness / 3.0 * (s.force.by_velocity * s.flow.slope[l]);
       for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);

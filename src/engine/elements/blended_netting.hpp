@@ -24,7 +24,7 @@ class BlendedNetting : public ElementKind {
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
-  std::vector<double> height;        // over which it leaves the water, m
+  std::vector<double> height;  // over which it leaves the water, m
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
 
@@ -55,7 +55,7 @@ class BlendedNetting : public ElementKind {
   struct Blended {
     double shape[2][3];  // the bar vectors are sum_k shape[.][k] x_k
     ScreenFlow flow;
-    ScreenForce force;   // by S and by U
+    ScreenForce force;  // by S and by U
     Matrix by_vector[2];
   };
   double bars(int e) const;  // of one family

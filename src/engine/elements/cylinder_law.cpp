@@ -45,8 +45,7 @@ Slope join(Slope re, double at, Slope below, Slope above) {
   const double s = (std::log(re.value / at) + half) / (2.0 * half);
   if (s <= 0.0) return below;
   if (s >= 1.0) return above;
-  const Slope w{s * s * (3.0 - 2.0 * s),
-                6.0 * s * (1.0 - s) / (2.0 * half) * re.slope / re.value};
+  const Slope w{s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / (2.0 * half) * re.slope / re.value};
   return (constant(1.0) + -1.0 * w) * below + w * above;
 }
 

@@ -34,8 +34,9 @@ void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& req
     if (slope == 0.0 && normal_force == 0.0) continue;
     Matrix by_velocity;
     const Vector direction = per_press(e, field, by_velocity);
-    sink.add(e, 0, 0, Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -
-                             (request.damping * normal_force) * by_velocity));
+    sink.add(e, 0, 0,
+             Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -
+                    (request.damping * normal_force) * by_velocity));
   }
 }
 

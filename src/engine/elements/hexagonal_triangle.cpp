@@ -73,8 +73,8 @@ void HexagonalTriangles::add_jacobian(const double* slopes, const BlockSink& sin
       const Eigen::Map<const Block> pull(s), turn(s + 9), everywhere(s + 18);
       for (int k = 0; k < 4; ++k) {
         for (int l = 0; l < 4; ++l) {
-          blocks[4 * k + l] += bar.shape[k] * bar.shape[l] * pull -
-                               share[k] * bar.shape[l] * turn + share[k] * share[l] * everywhere;
+          blocks[4 * k + l] += bar.shape[k] * bar.shape[l] * pull - share[k] * bar.shape[l] * turn +
+                               share[k] * share[l] * everywhere;
         }
       }
     }

@@ -36,7 +36,7 @@ class HexagonalTriangles {
   std::vector<double> oblique;       // length of the oblique bars, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
-  std::vector<double> height;        // over which it leaves the water, m; where there is a surface
+  std::vector<double> height;  // over which it leaves the water, m; where there is a surface
   int first_line = 0;  // the straight lines' among the model's; then those along A, then along B
 
   // Call once after filling.

@@ -27,8 +27,7 @@ void LiftingSurfaces::lift(LiftDirection direction, const Vector& u, Vector& val
   // |U|^2 (z - u (u.z))/|...| = |U| (|U|^2 z - U U_z) / h with h the horizontal speed
   const double speed = u.norm();
   const Vector p = speed * speed * z - u.z() * u;
-  const Matrix p_by_u =
-      2.0 * z * u.transpose() - u.z() * Matrix::Identity() - u * z.transpose();
+  const Matrix p_by_u = 2.0 * z * u.transpose() - u.z() * Matrix::Identity() - u * z.transpose();
   value = (speed / flat) * p;
   const Vector horizontal(u.x(), u.y(), 0.0);
   by_velocity = (speed / flat) * p_by_u + (p / flat) * (u / speed).transpose() -

@@ -11,11 +11,11 @@ namespace codend {
 template <int N>
 struct Line {
   const int* nodes;
-  double shape[N];         // a_k
-  double rest;             // L0, m
-  double multiplicity;     // lines in parallel
-  int material;            // place among the model's
-  int index;               // among all lines of the model
+  double shape[N];               // a_k
+  double rest;                   // L0, m
+  double multiplicity;           // lines in parallel
+  int material;                  // place among the model's
+  int index;                     // among all lines of the model
   double point_share = 1.0 / N;  // of drag, in the arrays of lines
 
   Vector vector(const double* x) const {

@@ -12,36 +12,36 @@ namespace codend {
 // With e the vector along a line, L its length, L0 its rest length, U the relative velocity.
 struct LineArrays {
   // What the lines are.
-  double* inverse_rest;  // 1/L0, 1/m
-  double* stiffness;     // EA, N
-  double* least_tension; // 0; of struts, which also push, far below it, N
+  double* inverse_rest;   // 1/L0, 1/m
+  double* stiffness;      // EA, N
+  double* least_tension;  // 0; of struts, which also push, far below it, N
   double* multiplicity;
-  double* drag_weight;   // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
+  double* drag_weight;  // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
   double *added_normal, *added_tangential;  // added mass, a point's share, kg
-  double *normal, *tangential, *skin;  // C_n, C_t, C_f
-  double* damping;    // c, N s; null where no line has any
-  double* rest_rate;  // dL0/dt over L0, 1/s; with damping
+  double *normal, *tangential, *skin;       // C_n, C_t, C_f
+  double* damping;                          // c, N s; null where no line has any
+  double* rest_rate;                        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
   double viscosity;  // m2/s
   bool curved;       // SlackDrag::curved
 
   // The flow past them.
-  double *u[3], *speed;       // U and |U|, m/s
-  double *slope[3];           // dU/dz, 1/s; null where it is the same everywhere
-  double* own;                // -dU/dv of the mean velocity v of its points
-  double *loose;              // drag of a curled-up line over U, a point's share, N s/m
-  double *loose_slope;        // its derivative by |U|
-  double *drag_scale;         // drag over U, a point's share, at right angles, N s/m
+  double *u[3], *speed;  // U and |U|, m/s
+  double* slope[3];      // dU/dz, 1/s; null where it is the same everywhere
+  double* own;           // -dU/dv of the mean velocity v of its points
+  double* loose;         // drag of a curled-up line over U, a point's share, N s/m
+  double* loose_slope;   // its derivative by |U|
+  double* drag_scale;    // drag over U, a point's share, at right angles, N s/m
 
-  double* e_rate[3];          // de/dt, m/s; with damping
+  double* e_rate[3];  // de/dt, m/s; with damping
 
   // Where they are.
-  double* e[3];              // m
-  double* inverse_length;    // 1/L; 1/L0 for a line without length
-  double* strain;            // L/L0 - 1
-  double* tension;           // of one line, by the law, N
-  double* drag[3];           // a point's share, N
+  double* e[3];            // m
+  double* inverse_length;  // 1/L; 1/L0 for a line without length
+  double* strain;          // L/L0 - 1
+  double* tension;         // of one line, by the law, N
+  double* drag[3];         // a point's share, N
 };
 
 // stiffness * (-dF/dx) + damping * (-dF/dv), as JacobianRequest; tension (N) and modulus (N) of one

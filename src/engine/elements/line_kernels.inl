@@ -118,8 +118,7 @@ void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Coefficients k = coefficients(lines, i, speed, speed);
     const Pack weight = load(lines.drag_weight + i);
     store(lines.speed + i, speed);
-    store(lines.loose + i,
-          weight * (mean_normal * k.a + mean_tangential * k.b + k.c * speed));
+    store(lines.loose + i, weight * (mean_normal * k.a + mean_tangential * k.b + k.c * speed));
     store(lines.loose_slope + i,
           weight * (mean_normal * k.a_n + mean_tangential * (k.b_n + k.b_t) + k.c));
     store(lines.drag_scale + i, weight * (k.a + k.c * speed));
@@ -128,8 +127,8 @@ void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
 
 // Drag of straight lines over their weight, by_u U + by_t t with t the unit vector along them.
 struct StraightDrag {
-  Triple u, t, across;         // across: U_n
-  Pack speed, along, q_n;      // along: U.t
+  Triple u, t, across;     // across: U_n
+  Pack speed, along, q_n;  // along: U.t
   Coefficients k;
   Pack by_u, by_t;
 };
@@ -192,8 +191,7 @@ double change(const LineArrays& lines, std::int64_t begin, std::int64_t end,
     const Triple d = load(change, i - begin);
     const Pack inverse_rest = load(lines.inverse_rest + i);
     const Pack turning = inverse_rest * inverse_rest * dot(d, d);
-    const Pack longer =
-        load(lines.inverse_length + i) * inverse_rest * dot(load(lines.e, i), d);
+    const Pack longer = load(lines.inverse_length + i) * inverse_rest * dot(load(lines.e, i), d);
     if (end - i >= lanes) {
       largest = turning > largest ? turning : largest;
       store(strain + (i - begin), longer);
@@ -246,8 +244,7 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
     const Pack by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
     const Triple e_rate = load(lines.e_rate, i);
     modulus = modulus - damping * load(lines.rest_rate + i);
-    sideways = (request.stiffness * by_rate * inverse_length) *
-                   (e_rate - dot(e_rate, s.t) * s.t) +
+    sideways = (request.stiffness * by_rate * inverse_length) * (e_rate - dot(e_rate, s.t) * s.t) +
                (request.damping * by_rate) * s.t;
   }
   const Pack across = many * tension * inverse_length;
@@ -270,15 +267,14 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
     along_t = along_t + (slack * (weight * s.by_u - load(lines.loose + i))) * s.u +
               (slack * weight * s.by_t) * s.t;
   }
-  out.turn = add_diagonal(aside, outer(along_t, s.t) +
-                                     outer(turning * (u_slope * s.u + t_slope * s.t), s.across));
+  out.turn = add_diagonal(
+      aside, outer(along_t, s.t) + outer(turning * (u_slope * s.u + t_slope * s.t), s.across));
 
   if (with_everywhere) {
     const Pack straight = share * weight, curled = 1.0 - share;
     const Pack inverse_speed = inverse_or_zero(s.speed);
     const Pack by_identity = straight * s.by_u + curled * load(lines.loose + i);
-    const Pack by_flow =
-        inverse_speed * (straight * s.k.c + curled * load(lines.loose_slope + i));
+    const Pack by_flow = inverse_speed * (straight * s.k.c + curled * load(lines.loose_slope + i));
     const Pack by_axis = straight * (s.k.b + s.k.b_t * size(s.along) - s.k.a);
     const Triple by_across =
         (straight * inverse_q_n) * (s.k.a_n * s.across + (s.k.b_n * s.along) * s.t);
@@ -288,8 +284,7 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
     const Pack none = {};
     out.everywhere = (request.damping * point_share * load(lines.own + i)) * by_velocity;
     if (lines.slope[0]) {
-      const Triple slope =
-          (none - request.stiffness * point_share) * load(lines.slope, i);
+      const Triple slope = (none - request.stiffness * point_share) * load(lines.slope, i);
       out.everywhere.x.z += dot(by_velocity.x, slope);
       out.everywhere.y.z += dot(by_velocity.y, slope);
       out.everywhere.z.z += dot(by_velocity.z, slope);

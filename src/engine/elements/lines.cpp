@@ -29,12 +29,33 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
       kernels_(kernels) {
   LineArrays& a = arrays_;
   const bool by_height = water.varies_with_height();
-  std::vector<double**> columns{
-      &a.inverse_rest, &a.stiffness, &a.least_tension, &a.multiplicity, &a.drag_weight, &a.added_normal,
-      &a.added_tangential, &a.normal, &a.tangential, &a.skin,
-      &a.u[0], &a.u[1], &a.u[2], &a.own, &a.speed, &a.loose, &a.loose_slope, &a.drag_scale,
-      &a.e[0], &a.e[1], &a.e[2], &a.inverse_length, &a.strain, &a.tension,
-      &a.drag[0], &a.drag[1], &a.drag[2]};
+  std::vector<double**> columns{&a.inverse_rest,
+                                &a.stiffness,
+                                &a.least_tension,
+                                &a.multiplicity,
+                                &a.drag_weight,
+                                &a.added_normal,
+                                &a.added_tangential,
+                                &a.normal,
+                                &a.tangential,
+                                &a.skin,
+                                &a.u[0],
+                                &a.u[1],
+                                &a.u[2],
+                                &a.own,
+                                &a.speed,
+                                &a.loose,
+                                &a.loose_slope,
+                                &a.drag_scale,
+                                &a.e[0],
+                                &a.e[1],
+                                &a.e[2],
+                                &a.inverse_length,
+                                &a.strain,
+                                &a.tension,
+                                &a.drag[0],
+                                &a.drag[1],
+                                &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   bool damped = false;
   for (const TwineMaterial& m : materials) damped = damped || m.damping > 0.0;
@@ -151,7 +172,8 @@ void Lines::set_flow(const Field& field) {
     }
     const double height = water_.free_surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
     for (int which = 0; which < 3; ++which) {
-      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z, own, height);
+      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z, own,
+                   height);
     }
   }
   kernels_.flow(arrays_, 0, count_);
@@ -210,8 +232,8 @@ void Lines::add_force(const double* tension, double* force) const {
 }
 
 void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
-                         const double* modulus, const BlockSink& bars,
-                         const BlockSink& triangles, const BlockSink& hexagons) const {
+                         const double* modulus, const BlockSink& bars, const BlockSink& triangles,
+                         const BlockSink& hexagons) const {
   const LineRequest asked{request.stiffness, request.damping, tension, modulus, count_};
   kernels_.add_bar_blocks(arrays_, asked, bars_.count(), bars);
   const double* shape[6];
@@ -264,17 +286,17 @@ double Lines::change(const double* dx, double* strain) const {
   in_strips(triangles, [&](int begin, int end) {
     const std::ptrdiff_t first = bars_.count() + begin, second = first + triangles;
     triangles_.vectors(dx, begin, end, change_u, change_v);
-    largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
-                                                strain + first));
-    largest = std::max(largest, kernels_.change(arrays_, second, second + end - begin, change_v,
-                                                strain + second));
+    largest = std::max(
+        largest, kernels_.change(arrays_, first, first + end - begin, change_u, strain + first));
+    largest = std::max(
+        largest, kernels_.change(arrays_, second, second + end - begin, change_v, strain + second));
   });
   for (int which = 0; which < 3; ++which) {
     in_strips(hexagons_.count(), [&](int begin, int end) {
       const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count() + begin;
       hexagons_.vectors(which, dx, begin, end, change_u);
-      largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
-                                                  strain + first));
+      largest = std::max(
+          largest, kernels_.change(arrays_, first, first + end - begin, change_u, strain + first));
     });
   }
   return std::sqrt(largest);

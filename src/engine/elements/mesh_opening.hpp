@@ -13,11 +13,11 @@ namespace codend {
 
 class MeshOpenings : public ElementKind {
  public:
-  std::vector<int> node;              // 3 per triangle
-  std::vector<double> twine;          // u1 v1 u2 v2 u3 v3 per triangle, m of twine at rest
-  std::vector<double> couple;         // H, N m/rad, of one knot
-  std::vector<double> angle;          // b0, rad
-  std::vector<double> multiplicity;   // that of the netting triangle over the bar's length squared
+  std::vector<int> node;             // 3 per triangle
+  std::vector<double> twine;         // u1 v1 u2 v2 u3 v3 per triangle, m of twine at rest
+  std::vector<double> couple;        // H, N m/rad, of one knot
+  std::vector<double> angle;         // b0, rad
+  std::vector<double> multiplicity;  // that of the netting triangle over the bar's length squared
 
   template <class Visit>
   void fields(Visit& visit) {

@@ -37,8 +37,7 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
   const double cosine = std::min(1.0, std::abs(along) / (area * speed));
   const double solidity = twine_area / (multiplicity * area);
   const double re_per_speed = diameter / water.viscosity;
-  const ScreenCoefficients k =
-      screen_coefficients(law, cosine, solidity, re_per_speed * speed);
+  const ScreenCoefficients k = screen_coefficients(law, cosine, solidity, re_per_speed * speed);
   // F = c (P A |U| U + G |U|^2 sign S) with G = C_L / sin th, P = C_D - G cos th.
   const ScreenCoefficient& g = k.lift_per_sine;
   const double p = k.drag.value - g.value * cosine;
@@ -54,25 +53,24 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
   const Eigen::RowVector3d p_by_area = k.drag.by_cosine * cosine_by_area -
                                        k.drag.by_solidity * solidity / area * normal -
                                        cosine * g_by_area - g.value * cosine_by_area;
-  const Eigen::RowVector3d p_by_velocity =
-      k.drag.by_cosine * cosine_by_velocity + k.drag.by_reynolds * re_per_speed * way -
-      cosine * g_by_velocity - g.value * cosine_by_velocity;
+  const Eigen::RowVector3d p_by_velocity = k.drag.by_cosine * cosine_by_velocity +
+                                           k.drag.by_reynolds * re_per_speed * way -
+                                           cosine * g_by_velocity - g.value * cosine_by_velocity;
   const double c = 0.5 * water.density * multiplicity;
   out.value = c * (p * area * speed * u + g.value * speed * speed * sign * s);
-  out.by_area = c * (speed * u * (area * p_by_area + p * normal) +
-                 speed * speed * sign * s * g_by_area);
+  out.by_area =
+      c * (speed * u * (area * p_by_area + p * normal) + speed * speed * sign * s * g_by_area);
   out.by_area.diagonal().array() += c * g.value * speed * speed * sign;
-  out.by_velocity = c * (area * speed * u * p_by_velocity + p * area * u * way +
-                     speed * speed * sign * s * g_by_velocity +
-                     2.0 * g.value * speed * sign * s * way);
+  out.by_velocity =
+      c * (area * speed * u * p_by_velocity + p * area * u * way +
+           speed * speed * sign * s * g_by_velocity + 2.0 * g.value * speed * sign * s * way);
   out.by_velocity.diagonal().array() += c * p * area * speed;
   return out;
 }
 
 ScreenForce NettingScreens::force(int e, const ScreenFlow& flow, const Water& water) const {
   const std::size_t t = static_cast<std::size_t>(e);
-  return screen_force(law[t], flow, twine_area[t], diameter[t],
-                      multiplicity[t], water);
+  return screen_force(law[t], flow, twine_area[t], diameter[t], multiplicity[t], water);
 }
 
 Vector NettingScreens::element_force(int e, const Field& field) const {

@@ -15,8 +15,7 @@ using Number = ScreenCoefficient;
 Number constant(double value) { return {value, 0.0, 0.0, 0.0}; }
 Number combine(double value, double of_x, Number x, double of_y, Number y) {
   return {value, of_x * x.by_cosine + of_y * y.by_cosine,
-          of_x * x.by_solidity + of_y * y.by_solidity,
-          of_x * x.by_reynolds + of_y * y.by_reynolds};
+          of_x * x.by_solidity + of_y * y.by_solidity, of_x * x.by_reynolds + of_y * y.by_reynolds};
 }
 Number operator+(Number x, Number y) { return combine(x.value + y.value, 1.0, x, 1.0, y); }
 Number operator-(Number x, Number y) { return combine(x.value - y.value, 1.0, x, -1.0, y); }
@@ -62,13 +61,13 @@ ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, doub
       out.lift_per_sine = s * (constant(-0.05) + s * (constant(2.3) - 1.76 * s)) * sine2;
       break;
     case NettingScreenLaw::aarsnes:
-      out.drag = constant(0.04) +
-                 (constant(-0.04) + s * (one + s * (constant(-1.24) + 13.7 * s))) * c;
+      out.drag =
+          constant(0.04) + (constant(-0.04) + s * (one + s * (constant(-1.24) + 13.7 * s))) * c;
       out.lift_per_sine = s * (constant(0.57) + s * (constant(-3.54) + 10.1 * s)) * sine2;
       break;
     case NettingScreenLaw::kristiansen_faltinsen: {
-      const Number re = held(Number{reynolds, 0.0, 0.0, 1.0} / (one - s), least_reynolds,
-                             most_reynolds);
+      const Number re =
+          held(Number{reynolds, 0.0, 0.0, 1.0} / (one - s), least_reynolds, most_reynolds);
       const Number normal45 = 0.5 * cylinder_drag(log10(re)) * s / ((one - s) * (one - s));
       const Number drag0 = normal45 * (constant(2.0) - s);
       const Number tangential45 = pi * normal45 / (constant(8.0) + normal45);

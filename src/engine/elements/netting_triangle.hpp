@@ -21,7 +21,7 @@ class NettingTriangles {
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
-  std::vector<double> height;        // over which it leaves the water, m; where there is a surface
+  std::vector<double> height;  // over which it leaves the water, m; where there is a surface
   int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
 
   // a1 a2 a3 b1 b2 b3, one array each with room for 7 triangles more, and d; from prepare().
@@ -45,9 +45,9 @@ class NettingTriangles {
   Line<3> family(int triangle, int which) const {
     const std::size_t e = static_cast<std::size_t>(triangle);
     const std::vector<double>* a = shape + 3 * which;
-    return {&node[3 * e], {a[0][e], a[1][e], a[2][e]}, rest[e],
-            0.5 * std::abs(twice_bars[e]) * multiplicity[e], material[e],
-            first_line + which * count() + triangle};
+    return {&node[3 * e], {a[0][e], a[1][e], a[2][e]},
+            rest[e],      0.5 * std::abs(twice_bars[e]) * multiplicity[e],
+            material[e],  first_line + which * count() + triangle};
   }
 };
 

@@ -70,8 +70,7 @@ void SlidingRope::add_jacobian(const Field& field, const JacobianRequest& reques
   for (std::size_t i = 0; i < slope.size(); ++i) {
     const Vector pulled = stiffness * slope[i];
     for (std::size_t j = 0; j < slope.size(); ++j) {
-      sink.add(0, static_cast<int>(i), static_cast<int>(j),
-               (pulled * slope[j].transpose()).eval());
+      sink.add(0, static_cast<int>(i), static_cast<int>(j), (pulled * slope[j].transpose()).eval());
     }
   }
 }

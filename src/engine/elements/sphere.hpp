@@ -18,8 +18,8 @@ class Spheres : public ElementKind {
   std::vector<double> drag_area;  // C A where diameter is 0, else projected area A of all knots, m2
   std::vector<double> diameter;   // m; 0: coefficient included in drag_area
   std::vector<char> smooth;       // whether a smooth sphere instead of a knot
-  std::vector<double> added_mass; // kg at density 1 kg/m3 of water, i.e. m3
-  std::vector<double> height;     // over which it leaves the water, m
+  std::vector<double> added_mass;  // kg at density 1 kg/m3 of water, i.e. m3
+  std::vector<double> height;      // over which it leaves the water, m
 
   template <class Visit>
   void fields(Visit& visit) {

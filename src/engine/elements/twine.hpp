@@ -17,7 +17,7 @@
 namespace codend {
 
 struct TwineMaterial {
-  double axial_stiffness = 0.0;    // EA, N
+  double axial_stiffness = 0.0;  // EA, N
   // Damping c over L0, N s/m: a damping ratio z of one line makes z sqrt(EA m), m its mass per
   // length. With half a line's mass at each end z = 1 then damps its own stretching critically.
   double damping = 0.0;

@@ -9,9 +9,9 @@
 namespace codend {
 
 struct TwineDrag {
-  Vector value;         // N
-  Matrix by_vector;     // by the vector along the twine, N/m
-  Matrix by_velocity;   // by the velocity of the water relative to it, N s/m
+  Vector value;        // N
+  Matrix by_vector;    // by the vector along the twine, N/m
+  Matrix by_velocity;  // by the velocity of the water relative to it, N s/m
 };
 
 // Of twines of this many metres in all at their rest length `rest` (m) each, whose vectors are e

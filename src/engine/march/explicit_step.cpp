@@ -36,8 +36,7 @@ StepOutcome SymplecticEulerStep::step(const Past& past, double h, Conditions& co
   return out;
 }
 
-StepOutcome RungeKuttaStep::step(const Past& past, double h, Conditions& conditions,
-                                 Motion& next) {
+StepOutcome RungeKuttaStep::step(const Past& past, double h, Conditions& conditions, Motion& next) {
   constexpr double share[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
   const Motion& now = past.now;
   next.x = now.x;

@@ -36,8 +36,8 @@ struct Rejected {
   double shorter(double tried, double found) {
     double exponent = assumed_exponent;
     if (h > 0.0 && found < error) {
-      exponent = std::clamp(std::log(error / found) / std::log(h / tried), least_exponent,
-                            most_exponent);
+      exponent =
+          std::clamp(std::log(error / found) / std::log(h / tried), least_exponent, most_exponent);
     } else if (h > 0.0) {
       exponent = least_exponent;
     }
@@ -96,8 +96,8 @@ void March::limit_step() {
   since_limited_ = steps_between_limits;
   const double longest = stepper_.longest_step({1.0, 1.0});
   if (!std::isfinite(longest)) return;
-  step_ = std::min(step_,
-                   share_of_limit * stepper_.longest_step(fastest_rates(assembly_, past_.now)));
+  step_ =
+      std::min(step_, share_of_limit * stepper_.longest_step(fastest_rates(assembly_, past_.now)));
 }
 
 MarchReport::End March::to(double time) {

@@ -43,7 +43,7 @@ struct MarchReport {
   long long unbalanced = 0;  // repeated because of their energy
   long long iterations = 0;
   double shortest_step = 0.0, longest_step = 0.0;  // s, of those taken
-  int worst_node = -1;       // where the last step that was not taken failed
+  int worst_node = -1;                             // where the last step that was not taken failed
 };
 
 class March {

@@ -57,13 +57,12 @@ NewtonStep::Rule NewtonStep::set_rule(const Past& past, double h) {
     const Values b1_rest = -b * (h * now.v + (h * h * (0.5 - beta)) * now.b);
     v_rest_ = now.v + h * ((1.0 - gamma) * now.b + gamma * b1_rest);
     const double share = (1.0 - alpha_mass) / (1.0 - alpha_force);
-    a_rest_ = share * b1_rest +
-              (alpha_mass * now.b - alpha_force * now.a) / (1.0 - alpha_force);
+    a_rest_ = share * b1_rest + (alpha_mass * now.b - alpha_force * now.a) / (1.0 - alpha_force);
     b_rest_ = (alpha_force * now.a - alpha_mass * now.b) / (1.0 - alpha_mass);
-    return {gamma / (beta * h), share * b, 1.0 / share,
-            2.0 * (beta + 0.5 * (alpha_mass - alpha_force) - 1.0 / 6.0) * h * h * h /
-                (h + h_before),
-            false};
+    return {
+        gamma / (beta * h), share * b, 1.0 / share,
+        2.0 * (beta + 0.5 * (alpha_mass - alpha_force) - 1.0 / 6.0) * h * h * h / (h + h_before),
+        false};
   }
   const double w = h / h_before;
   const double p = (1.0 + 2.0 * w) / ((1.0 + w) * h), q = w * w / ((1.0 + w) * h);

@@ -20,40 +20,40 @@ namespace codend {
 // Held nodes that move as one rigid body, which stays upright.
 struct PrescribedMotion {
   std::vector<int> node;
-  std::vector<Vector> place;       // m from the body's origin, at heading 0
-  Curve x, y, z;                   // m, of the body's origin
-  Curve heading;                   // rad, clockwise as seen from above
+  std::vector<Vector> place;  // m from the body's origin, at heading 0
+  Curve x, y, z;              // m, of the body's origin
+  Curve heading;              // rad, clockwise as seen from above
 };
 
 // Elements that grow or shrink together by a factor. All numbers are those at factor 1.
 struct GrowingGroup {
-  Curve factor;                    // where its length is not controlled
+  Curve factor;  // where its length is not controlled
   bool controlled = false;
   LengthControl control;
   std::vector<int> bars;
-  std::vector<double> rest;        // m
+  std::vector<double> rest;  // m
   std::vector<int> points;
   std::vector<double> mass, load;  // kg; N, upwards
   std::vector<int> spheres;
   std::vector<double> drag_area, added_mass;  // m2, m3
-  std::vector<int> volumes;        // of the model's immersed volumes
-  std::vector<double> buoyancy;    // N, the group's own in each of them
+  std::vector<int> volumes;                   // of the model's immersed volumes
+  std::vector<double> buoyancy;               // N, the group's own in each of them
 };
 
 // A rope that breaks at a time, or where a bar's tension exceeds its strength.
 struct Rupture {
   std::vector<int> bars;
-  int at = 0;                      // the bar that goes at the time
+  int at = 0;                                                 // the bar that goes at the time
   double time = std::numeric_limits<double>::infinity();      // s
   double strength = std::numeric_limits<double>::infinity();  // N
-  int broken = -1;                 // the bar that went
-  double broken_at = 0.0;          // s
+  int broken = -1;                                            // the bar that went
+  double broken_at = 0.0;                                     // s
 };
 
 // Free nodes that stay where they are until they are released.
 struct Release {
   std::vector<int> node;
-  std::vector<double> time;        // s
+  std::vector<double> time;  // s
 };
 
 struct Schedule {
@@ -66,10 +66,11 @@ struct Schedule {
 
 // What a schedule says of one time.
 struct ScheduledValues {
-  Vector origin = Vector::Zero(), velocity = Vector::Zero();  // m, m/s, of the body that moves nodes
-  double heading = 0.0, turning = 0.0;                        // rad, rad/s
-  std::vector<double> factor, rate;                           // of the groups; 1/s
-  std::vector<Vector> current;                                // m/s, per depth
+  Vector origin = Vector::Zero(),
+         velocity = Vector::Zero();     // m, m/s, of the body that moves nodes
+  double heading = 0.0, turning = 0.0;  // rad, rad/s
+  std::vector<double> factor, rate;     // of the groups; 1/s
+  std::vector<Vector> current;          // m/s, per depth
 };
 ScheduledValues values_at(const Schedule& schedule, double time, Side side);
 

@@ -23,8 +23,8 @@ struct StepOutcome {
   // The step's own error over what is allowed; 0 where a scheme has no estimate. Above 1 in a step
   // that was not found: given up because it is too long.
   double error = 0.0;
-  int iterations = 0;  // Newton iterations, substitutions or stages
-  int worst_node = -1; // where the error, or what was not found, is largest
+  int iterations = 0;   // Newton iterations, substitutions or stages
+  int worst_node = -1;  // where the error, or what was not found, is largest
 };
 
 class Stepper {

@@ -34,10 +34,10 @@ StepOutcome SubstitutionStep::step(const Past& past, double h, Conditions& condi
     acceleration_.at_motion(next.x, next.v, next_a_);
     double most = 0.0;
     for (const int node : free_) {
-      const Vector x = at(now.x.data(), node) +
-                       0.5 * h * (at(now.v.data(), node) + at(next.v.data(), node));
-      const Vector v = at(now.v.data(), node) +
-                       0.5 * h * (at(a_.data(), node) + at(next_a_.data(), node));
+      const Vector x =
+          at(now.x.data(), node) + 0.5 * h * (at(now.v.data(), node) + at(next.v.data(), node));
+      const Vector v =
+          at(now.v.data(), node) + 0.5 * h * (at(a_.data(), node) + at(next_a_.data(), node));
       const double change = std::max((v - at(next.v.data(), node)).cwiseAbs().maxCoeff(),
                                      (x - at(next.x.data(), node)).cwiseAbs().maxCoeff() / h);
       at(next.x.data(), node) = x;

@@ -44,10 +44,10 @@ class SubstitutionStep : public Stepper {
 };
 
 struct SubstitutionReport {
-  bool converged = true;       // every step did
-  int steps = 0;               // done
-  long long substitutions = 0; // of all steps, the one that failed included
-  double time = 0.0;           // s, reached
+  bool converged = true;        // every step did
+  int steps = 0;                // done
+  long long substitutions = 0;  // of all steps, the one that failed included
+  double time = 0.0;            // s, reached
 };
 
 // Marches `steps` steps of length `step` (s). A step is found when a substitution changes no

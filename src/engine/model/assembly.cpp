@@ -10,7 +10,8 @@ Assembly::Assembly(const Model& model)
     : model_(model),
       kinds_(model.kinds()),
       free_(model),
-      lines_(model.materials, model.bars, model.triangles, model.hexagons, model.water, model.slack),
+      lines_(model.materials, model.bars, model.triangles, model.hexagons, model.water,
+             model.slack),
       wake_(model.wake_sheets, model.points()),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
@@ -19,8 +20,10 @@ Assembly::Assembly(const Model& model)
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
   if (!model.wake.empty()) wake_.set_share(model.wake);
-  std::vector<ElementPoints> elements{{2, model.bars.node}, {3, model.triangles.node},
-                                      {4, model.hexagons.node}, {1, model.contacts.node}};
+  std::vector<ElementPoints> elements{{2, model.bars.node},
+                                      {3, model.triangles.node},
+                                      {4, model.hexagons.node},
+                                      {1, model.contacts.node}};
   for (const ElementKind* kind : kinds_) {
     elements.push_back({kind->nodes_per_element(), kind->nodes()});
   }
@@ -55,9 +58,8 @@ void Assembly::hand_on(double* values, int width) const {
 
 void Assembly::move_to(const double* x, const double* v) {
   const std::ptrdiff_t size = 3 * static_cast<std::ptrdiff_t>(model_.nodes);
-  const bool same_flow =
-      flow_known_ && !model_.water.varies_with_height() &&
-      std::equal(v, v + size, velocity_.begin());
+  const bool same_flow = flow_known_ && !model_.water.varies_with_height() &&
+                         std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
   if (!same_flow) {
     spread(v, velocity_);
@@ -131,9 +133,8 @@ void Assembly::balance(double share, double* allowed) {
   const LineArrays& a = lines();
   model_.each_line([&](const auto& line) {
     const int k = line.index;
-    const double pull = a.multiplicity[k] *
-                        (share * std::abs(a.tension[k]) +
-                         rounding * far * a.stiffness[k] * a.inverse_rest[k]);
+    const double pull = a.multiplicity[k] * (share * std::abs(a.tension[k]) +
+                                             rounding * far * a.stiffness[k] * a.inverse_rest[k]);
     const double drag = share * Vector(a.drag[0][k], a.drag[1][k], a.drag[2][k]).norm();
     for (std::size_t i = 0; i < std::size(line.shape); ++i) {
       scale_[static_cast<std::size_t>(line.nodes[i])] += std::abs(line.shape[i]) * pull + drag;

@@ -10,8 +10,8 @@ void add_line_drag(const LineArrays& lines, int points, int first, int count,
                    std::vector<double>& drag) {
   for (int k = 0; k < count; ++k) {
     const int line = first + k;
-    at(drag.data(), k) += points * Vector(lines.drag[0][line], lines.drag[1][line],
-                                          lines.drag[2][line]);
+    at(drag.data(), k) +=
+        points * Vector(lines.drag[0][line], lines.drag[1][line], lines.drag[2][line]);
   }
 }
 

@@ -90,7 +90,8 @@ void Wake::search(const double* position, const Vector& flow) {
       }
     }
   };
-  for (int e = 0; e < sheets_in_all; ++e) each_cell(e, [&](std::size_t c) { ++cells.start[c + 1]; });
+  for (int e = 0; e < sheets_in_all; ++e)
+    each_cell(e, [&](std::size_t c) { ++cells.start[c + 1]; });
   for (std::size_t c = 1; c < cells.start.size(); ++c) cells.start[c] += cells.start[c - 1];
   cells.sheet.resize(cells.start.back());
   std::vector<int> next(cells.start.begin(), cells.start.end() - 1);
@@ -111,7 +112,8 @@ void Wake::search(const double* position, const Vector& flow) {
       y += inside * q.dot(inward);
     }
     if (x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1]) {
-      const std::size_t c = static_cast<std::size_t>(cells.row(y)) * cells.columns + cells.column(x);
+      const std::size_t c =
+          static_cast<std::size_t>(cells.row(y)) * cells.columns + cells.column(x);
       for (int k = cells.start[c]; k < cells.start[c + 1]; ++k) {
         const int e = cells.sheet[k];
         const int* corner = &sheets_.node[3 * static_cast<std::size_t>(e)];
@@ -123,7 +125,8 @@ void Wake::search(const double* position, const Vector& flow) {
           w[i] = (a[j] - x) * (b[l] - y) - (a[l] - x) * (b[j] - y);
           whole += w[i];
         }
-        if (whole == 0.0 || w[0] / whole < 0.0 || w[1] / whole < 0.0 || w[2] / whole < 0.0) continue;
+        if (whole == 0.0 || w[0] / whole < 0.0 || w[1] / whole < 0.0 || w[2] / whole < 0.0)
+          continue;
         double there = 0.0;
         for (int i = 0; i < 3; ++i) there += w[i] / whole * along_flow[corner[i]];
         const Vector side = at(position, corner[1]) - at(position, corner[0]);
@@ -144,8 +147,7 @@ double Wake::shade(const double* position, const Vector& flow, bool search_anew,
     const Vector x = at(position, n[0]);
     const Vector normal = (at(position, n[1]) - x).cross(at(position, n[2]) - x);
     const double twice = normal.norm();
-    r[e] = twice > 0.0 ? speed_reduction(sheets_.law[e],
-                                         2.0 * sheets_.twine_area[e] / twice,
+    r[e] = twice > 0.0 ? speed_reduction(sheets_.law[e], 2.0 * sheets_.twine_area[e] / twice,
                                          std::abs(normal.dot(f)) / twice)
                        : 1.0;
   }

@@ -79,8 +79,8 @@ std::vector<int> merge(const SeparatorTree& tree, const Lists& children, const L
     std::stable_sort(waiting.begin(), waiting.end(),
                      [&](int a, int b) { return boundary.size(a) > boundary.size(b); });
     for (int c : waiting) {
-      const double apart = front_seconds(pivots[c], boundary.size(c)) +
-                           front_seconds(pivots[t], boundary.size(t));
+      const double apart =
+          front_seconds(pivots[c], boundary.size(c)) + front_seconds(pivots[t], boundary.size(t));
       if (front_seconds(pivots[c] + pivots[t], boundary.size(t)) > apart) continue;
       into[c] = t;
       pivots[t] += pivots[c];
@@ -141,8 +141,8 @@ void map_boundaries(AssemblyTree& result) {
           to = mine[i] - result.first_pivot[up];
         } else {
           while (*in_parent != mine[i]) ++in_parent;
-          to = pivots + static_cast<int>(in_parent - result.boundary.data() -
-                                         result.first_boundary[up]);
+          to = pivots +
+               static_cast<int>(in_parent - result.boundary.data() - result.first_boundary[up]);
         }
         // a run ends where the parent's pivots do
         if (i == 0 || to == pivots || result.run.back().to + result.run.back().length != to)

@@ -18,16 +18,16 @@ struct Run {
 // The fronts of a multifrontal factorisation (Duff and Reid 1983), in the order they are
 // eliminated: each after its children. Counts are in nodes.
 struct AssemblyTree {
-  std::vector<int> order;           // order[p] is the node eliminated p-th
-  std::vector<int> position;        // its inverse
-  std::vector<int> first_pivot;     // fronts + 1: front f eliminates positions first_pivot[f] on
-  std::vector<int> parent;          // -1 at a root
-  std::vector<int64_t> first_boundary;   // fronts + 1, into boundary
-  std::vector<int> boundary;        // positions that a front updates but does not eliminate, sorted
-  std::vector<int> first_child;     // fronts + 1, into child
+  std::vector<int> order;        // order[p] is the node eliminated p-th
+  std::vector<int> position;     // its inverse
+  std::vector<int> first_pivot;  // fronts + 1: front f eliminates positions first_pivot[f] on
+  std::vector<int> parent;       // -1 at a root
+  std::vector<int64_t> first_boundary;  // fronts + 1, into boundary
+  std::vector<int> boundary;     // positions that a front updates but does not eliminate, sorted
+  std::vector<int> first_child;  // fronts + 1, into child
   std::vector<int> child;
-  std::vector<int64_t> first_run;   // fronts + 1, into run
-  std::vector<Run> run;             // maps a front's boundary into its parent's front
+  std::vector<int64_t> first_run;  // fronts + 1, into run
+  std::vector<Run> run;            // maps a front's boundary into its parent's front
 
   int fronts() const { return static_cast<int>(parent.size()); }
   int pivots(int front) const { return first_pivot[front + 1] - first_pivot[front]; }

@@ -16,10 +16,10 @@ struct CompressedGraph {
     int node;
     int neighbours[2];  // of the pattern, at the time; the second is -1 where there was one
   };
-  std::vector<int> node;        // of the pattern
-  std::vector<int> weight;      // with their share of what was eliminated
-  std::vector<int> first;       // nodes + 1, into neighbour
-  std::vector<int> neighbour;   // places in node
+  std::vector<int> node;               // of the pattern
+  std::vector<int> weight;             // with their share of what was eliminated
+  std::vector<int> first;              // nodes + 1, into neighbour
+  std::vector<int> neighbour;          // places in node
   std::vector<Eliminated> eliminated;  // in turn
 };
 

@@ -46,7 +46,9 @@ Shares share_fronts(const AssemblyTree& tree, int threads) {
       work[f] += tree.flops(f);
       (tree.parent[f] >= 0 ? work[tree.parent[f]] : total) += work[f];
     }
-    const auto less = [&](int a, int b) { return work[a] < work[b] || (work[a] == work[b] && a < b); };
+    const auto less = [&](int a, int b) {
+      return work[a] < work[b] || (work[a] == work[b] && a < b);
+    };
     std::vector<int> subtree;  // a heap, the largest first
     for (int f = 0; f < fronts; ++f)
       if (tree.parent[f] < 0) subtree.push_back(f);
@@ -77,14 +79,12 @@ Shares share_fronts(const AssemblyTree& tree, int threads) {
     for (int f = fronts - 1; f >= 0; --f)
       if (by[f] < 0 && tree.parent[f] >= 0) by[f] = by[tree.parent[f]];
   }
-  for (int f = 0; f < fronts; ++f)
-    (by[f] < 0 ? shares.above : shares.subtrees[by[f]]).push_back(f);
+  for (int f = 0; f < fronts; ++f) (by[f] < 0 ? shares.above : shares.subtrees[by[f]]).push_back(f);
   return shares;
 }
 
 template <class Real>
-FrontFactors<Real>::FrontFactors(const BlockPattern& pattern, const AssemblyTree& tree,
-                                 int threads)
+FrontFactors<Real>::FrontFactors(const BlockPattern& pattern, const AssemblyTree& tree, int threads)
     : tree_(tree), shares_(share_fronts(tree, threads)) {
   lay_out_factors();
   lay_out_stack();
@@ -121,7 +121,8 @@ void FrontFactors<Real>::lay_out_stack() {
     return aligned<Real>(static_cast<int64_t>(padded<Real>(b)) * b);
   };
   int64_t base = 0;
-  for (const std::vector<int>* list : {&shares_.subtrees[0], &shares_.subtrees[1], &shares_.above}) {
+  for (const std::vector<int>* list :
+       {&shares_.subtrees[0], &shares_.subtrees[1], &shares_.above}) {
     int64_t height[2] = {0, 0};
     int64_t size = 0;
     for (const int f : *list) {
@@ -131,13 +132,12 @@ void FrontFactors<Real>::lay_out_stack() {
         size = std::max(size, height[0] + height[1]);
       }
       for (int c = tree_.first_child[f]; c < tree_.first_child[f + 1]; ++c)
-        if (!shares_.handed_over[tree_.child[c]])
-          height[1 - end[f]] -= update_size(tree_.child[c]);
+        if (!shares_.handed_over[tree_.child[c]]) height[1 - end[f]] -= update_size(tree_.child[c]);
     }
     for (const int f : *list)
       if (!shares_.handed_over[f])
-        layout_[f].update = base + (end[f] == 0 ? layout_[f].update
-                                                : size - layout_[f].update - update_size(f));
+        layout_[f].update =
+            base + (end[f] == 0 ? layout_[f].update : size - layout_[f].update - update_size(f));
     base += size;
   }
   for (int f = 0; f < fronts; ++f)
@@ -211,8 +211,8 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, const Shar
   std::fill_n(front.upper, upper_step * k, Real(0));
   if (!front.fresh) std::fill_n(front.update, upper_step * b, Real(0));
 
-  const int64_t end = f + 1 < tree_.fronts() ? layout_[f + 1].first_entry
-                                             : static_cast<int64_t>(entry_.size());
+  const int64_t end =
+      f + 1 < tree_.fronts() ? layout_[f + 1].first_entry : static_cast<int64_t>(entry_.size());
   for (int64_t e = at.first_entry; e < at.first_upper_entry; ++e) {
     const double* block = values + entry_[e].from;
     Real* to = factor_.data.get() + entry_[e].to;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "assembly_tree.hpp"
 #include "../base/block_pattern.hpp"
+#include "assembly_tree.hpp"
 #include "front_kernels.hpp"
 #include "second_thread.hpp"
 

@@ -16,14 +16,14 @@ constexpr int padded(int boundary) {
 // by zeros up to padded<Real>(boundary).
 template <class Real>
 struct Front {
-  int pivots;          // rows of A11
-  int boundary;        // rows of A22
+  int pivots;        // rows of A11
+  int boundary;      // rows of A22
   Real* lower;       // [A11; A21], a column takes pivots + padded<Real>(boundary)
   Real* upper;       // A12 transposed, so that all long loops run down columns
   Real* update;      // A22
   Real* reciprocal;  // pivots: reciprocals of U's diagonal
-  int* exchange;       // pivots: row that each row of A11 was swapped with in turn
-  bool fresh;          // A22 is zero and `update` not set yet
+  int* exchange;     // pivots: row that each row of A11 was swapped with in turn
+  bool fresh;        // A22 is zero and `update` not set yet
 };
 
 // Two threads for one front: run(threads, job, data) returns when job(data, 0) and job(data, 1) have.
@@ -64,11 +64,17 @@ const FrontKernels<Real>* avx2_front_kernels();
 template <class Real>
 const FrontKernels<Real>& front_kernels();
 
-template <> const FrontKernels<double>& portable_front_kernels<double>();
-template <> const FrontKernels<float>& portable_front_kernels<float>();
-template <> const FrontKernels<double>* avx2_front_kernels<double>();
-template <> const FrontKernels<float>* avx2_front_kernels<float>();
-template <> const FrontKernels<double>& front_kernels<double>();
-template <> const FrontKernels<float>& front_kernels<float>();
+template <>
+const FrontKernels<double>& portable_front_kernels<double>();
+template <>
+const FrontKernels<float>& portable_front_kernels<float>();
+template <>
+const FrontKernels<double>* avx2_front_kernels<double>();
+template <>
+const FrontKernels<float>* avx2_front_kernels<float>();
+template <>
+const FrontKernels<double>& front_kernels<double>();
+template <>
+const FrontKernels<float>& front_kernels<float>();
 
 }  // namespace codend

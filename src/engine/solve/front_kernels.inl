@@ -5,7 +5,8 @@
 // compiled for AVX2 to a processor without it.
 
 using Pack = Real __attribute__((vector_size(sizeof(Real) * lanes)));
-using LoosePack = Real __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
+using LoosePack =
+    Real __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
 
 // A tile of 3 registers by 3 columns (one node) keeps 9 sums in registers.
 constexpr int tile_rows = 3 * lanes;
@@ -81,8 +82,8 @@ inline void update_tile(int count, const Real* a, int64_t a_step, const View& b,
 
 // The same for a tile of `rows` <= tile_rows, a multiple of lanes.
 template <bool fresh = false>
-inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b,
-                        Real* c, int64_t c_step) {
+inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b, Real* c,
+                        int64_t c_step) {
   if (rows == tile_rows)
     update_tile<3, fresh>(count, a, a_step, b, c, c_step);
   else if (rows == 2 * lanes)
@@ -171,8 +172,8 @@ void subtract_product(int rows, int columns, int count, const Real* a, int64_t a
           left_step = tile_rows;
         }
         for (int j = j0; j < j1; j += 3) {
-          const View right = packed ? View{triples + (j - j0) * deep, 3, 1}
-                                    : View{b.at(p, j), b.row, b.column};
+          const View right =
+              packed ? View{triples + (j - j0) * deep, 3, 1} : View{b.at(p, j), b.row, b.column};
           Real* target = c + i + j * c_step;
           if (fresh && p == 0) {
             update_tile<true>(high, deep, left, left_step, right, target, c_step);
@@ -247,8 +248,7 @@ inline void solve_strip(int rows, int columns, Real* x, View u, const Real* reci
 }
 
 // x (rows x columns) := x * inverse(u), u upper triangular; reciprocal as for solve_strip.
-void solve_right(int rows, int columns, Real* x, int64_t x_step, View u,
-                 const Real* reciprocal) {
+void solve_right(int rows, int columns, Real* x, int64_t x_step, View u, const Real* reciprocal) {
   alignas(64) Real strip[tile_rows * depth];
   for (int j = 0; j < columns; j += depth) {
     const int wide = columns - j < depth ? columns - j : depth;
@@ -451,13 +451,12 @@ void extend_add(const Real* child, int boundary, const Run* run, const Run* run_
 }
 
 // y -= a * x over three columns of a
-inline void subtract_columns(int size, const Real* a, int64_t a_step, Real x0, Real x1,
-                             Real x2, Real* y) {
+inline void subtract_columns(int size, const Real* a, int64_t a_step, Real x0, Real x1, Real x2,
+                             Real* y) {
   const Real *first = a, *second = a + a_step, *third = second + a_step;
   int i = 0;
   for (; i + lanes <= size; i += lanes)
-    store(y + i,
-          load(y + i) - load(first + i) * x0 - load(second + i) * x1 - load(third + i) * x2);
+    store(y + i, load(y + i) - load(first + i) * x0 - load(second + i) * x1 - load(third + i) * x2);
   for (; i < size; ++i) y[i] = y[i] - first[i] * x0 - second[i] * x1 - third[i] * x2;
 }
 
@@ -468,8 +467,7 @@ void forward(int pivots, int boundary, const Real* lower, const int* exchange, R
     const Real* l = lower + p + p * step;
     x[p + 1] -= l[1] * x[p];
     x[p + 2] = x[p + 2] - l[2] * x[p] - l[2 + step] * x[p + 1];
-    subtract_columns(pivots + boundary - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2],
-                     x + p + 3);
+    subtract_columns(pivots + boundary - p - 3, l + 3, step, x[p], x[p + 1], x[p + 2], x + p + 3);
   }
 }
 
@@ -486,8 +484,7 @@ inline Real sum_of_products(int size, const Real* a, const Real* x) {
 void backward(int pivots, int boundary, const Real* lower, const Real* upper,
               const Real* reciprocal, Real* x) {
   const int64_t rows = padded_rows(boundary), step = pivots + rows;
-  for (int p = 0; p < pivots; ++p)
-    x[p] -= sum_of_products(boundary, upper + p * rows, x + pivots);
+  for (int p = 0; p < pivots; ++p) x[p] -= sum_of_products(boundary, upper + p * rows, x + pivots);
   for (int p = pivots - 3; p >= 0; p -= 3) {
     const Real* u = lower + p + p * step;
     const Real* r = reciprocal + p;

@@ -7,11 +7,11 @@
 namespace codend {
 
 struct StringNet {
-  std::vector<char> held;           // per node
-  std::vector<int> ends;            // 2 per string
-  std::vector<double> rest;         // length that a string should have at most, m
-  std::vector<double> tension;      // first guess per string, N, > 0
-  std::vector<double> load;         // N, 3 per node
+  std::vector<char> held;       // per node
+  std::vector<int> ends;        // 2 per string
+  std::vector<double> rest;     // length that a string should have at most, m
+  std::vector<double> tension;  // first guess per string, N, > 0
+  std::vector<double> load;     // N, 3 per node
 };
 
 // x: 3 per node (m); held nodes on entry, all on return. Every connected group needs a held node.

@@ -26,12 +26,12 @@ constexpr double least_share = 0.25;
 // A part of the graph under dissection: nodes are numbered as they lie here, which a part's own
 // nodes do without gaps.
 struct Part {
-  std::vector<int> node;      // of the compressed graph
-  std::vector<float> place;   // 3 coordinates
+  std::vector<int> node;     // of the compressed graph
+  std::vector<float> place;  // 3 coordinates
   std::vector<int> weight;
-  std::vector<int> first;     // into neighbour
+  std::vector<int> first;  // into neighbour
   std::vector<int> last;
-  std::vector<int> neighbour; // places in the part
+  std::vector<int> neighbour;  // places in the part
 
   void resize(size_t nodes, size_t edges) {
     node.resize(nodes);

@@ -9,9 +9,9 @@ namespace codend {
 // A tree of separators. Its vertices are numbered so that each comes after its descendants, and a
 // node of the mesh touches only nodes of its own vertex, of that vertex's descendants or ancestors.
 struct SeparatorTree {
-  std::vector<int> parent;       // per vertex, -1 at a root; a disconnected mesh has several roots
-  std::vector<int> first_node;   // vertices + 1: t owns node[first_node[t] .. first_node[t + 1])
-  std::vector<int> node;         // every node of the mesh once
+  std::vector<int> parent;      // per vertex, -1 at a root; a disconnected mesh has several roots
+  std::vector<int> first_node;  // vertices + 1: t owns node[first_node[t] .. first_node[t + 1])
+  std::vector<int> node;        // every node of the mesh once
 };
 
 // Nested dissection (George 1973) of the graph of a pattern, compressed first. Each part is cut

@@ -123,7 +123,8 @@ class Settling {
   // Whether an equilibrium may be unstable.
   bool may_be_unstable() {
     // What settles from its own state was tried there. (Boards cost little: they are tried again.)
-    if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
+    if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0)
+      return false;
     unstable_size_ = unstable_size(assembly_);
     return unstable_size_ > 0.0;
   }

@@ -58,8 +58,7 @@ void VertexCut::find_band(int begin, int end, int64_t total, int layers, double 
 }
 
 // Adds layers to those nodes at the end of the band that have no mark yet, and marks the last one.
-void VertexCut::add_layers(Side mine, int64_t behind, int layers, int64_t least,
-                           const Side* side) {
+void VertexCut::add_layers(Side mine, int64_t behind, int layers, int64_t least, const Side* side) {
   size_t first = end_.size();
   for (size_t v = first; v < band_.size(); ++v) {
     band_place_[band_[v]] = static_cast<int>(v);
