@@ -95,10 +95,11 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
       common, list(straight = numeric(triangles), inner = integer(triangles))
     )
   } else if (law == "blended") {
-    held$engine$blended[names(common)] <- common
+    held$engine$blended[c(names(common), "overlap")] <- c(common, list(numeric(triangles)))
   } else {
     held$engine$screens <- list(
       node = node, twine_area = rep(solidity * side^2 / 2, triangles),
+      overlap = numeric(triangles),
       diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
       height = rep(diameter, triangles), law = rep(law, triangles)
     )

@@ -125,6 +125,7 @@ rope <- constructor("rope", "ropes")
 #'   `"right"`.
 #' @param knotted Whether the netting has knots.
 #' @param knot_diameter Diameter of a knot; twice the twine diameter by default.
+#' @param knot_twine Length of twine in a knot over the twine's diameter; 16 by default.
 #' @param netting `"triangles"` or `"bars"`, instead of the plan's.
 #' @param netting_drag `"twines"`, `"blended"`, `"loland"`, `"aarsnes"` or
 #'   `"kristiansen_faltinsen"`, instead of the plan's; see [netting].

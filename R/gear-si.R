@@ -136,6 +136,11 @@ si_added_mass <- function(added_mass) {
 # across, and models of netting by its spheres take 2.
 usual_knot <- 2
 
+# Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot (sheet
+# bend). The weight of knotted netting over that of knotless in J. Prado and P. Y. Dremiere,
+# Fisherman's Workbook, FAO 1990, is 1 + 16 d / mesh size throughout its table; a mesh has one knot.
+usual_knot_twine <- 16
+
 si_panel <- function(panel, path, fields, law) {
   meshes <- panel$meshes
   if (meshes$upper == 0 && meshes$lower == 0) {
@@ -154,13 +159,13 @@ si_panel <- function(panel, path, fields, law) {
   }
   line <- line_properties(twine, fields$materials, paste0(path, ".twine"))
   count <- if (twine$double) 2 else 1
-  if (!panel$knotted && !is.null(panel$knot_diameter)) {
+  for (field in if (!panel$knotted) intersect(c("knot_diameter", "knot_twine"), names(panel))) {
     abort_plan(
-      sprintf("Plan field `%s.knot_diameter` is given, but `%s.knotted` is no.", path, path),
-      paste0(path, ".knot_diameter"), panel$knot_diameter
+      sprintf("Plan field `%s.%s` is given, but `%s.knotted` is no.", path, field, path),
+      paste0(path, ".", field), panel[[field]]
     )
   }
-  knot <- if (panel$knotted) first_of(panel$knot_diameter, usual_knot * twine$diameter) else 0
+  in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path, fields$netting_drag)
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(
@@ -174,7 +179,8 @@ si_panel <- function(panel, path, fields, law) {
     material = first_of(twine$material, NA_character_),
     orientation = panel$orientation, straight_bar = hexagons,
     taper_left = left, taper_right = 1 - left,
-    knot_diameter = knot,
+    knot_diameter = first_of(panel$knot_diameter, usual_knot * in_knots),
+    knot_twine = first_of(panel$knot_twine, usual_knot_twine) * in_knots,
     netting = first_of(panel$netting, fields$netting),
     shielding = first_of(panel$shielding, fields$shielding),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),

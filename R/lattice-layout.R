@@ -157,7 +157,7 @@ skeleton_load <- function(si, skeleton, panels, load) {
 
   size <- lengths(skeleton$grids)
   panel <- rep.int(seq_along(size), size)
-  twine <- 2 * panel_bars(panels) * panels$mesh_size / 2 / size
+  twine <- panel_bars(panels) * cell_twine_with_knots(panels) / size
   on_panels <- line_load(twine[panel], panels$mass_per_length[panel],
     panels$volume_per_length[panel], panels$twine_diameter[panel])
 

@@ -26,10 +26,18 @@ add_rope <- function(build, rope, along, part) {
     surface = rep(height, each = 2L), area = half * rope$diameter)
 }
 
-# Knots as spheres at nodes of panels; count: knots at each node. Those of a screen drag with it.
+# Knots at nodes of panels, with the mass of their twine, as spheres; count: joins of bars at each node.
+# Those of a screen drag with it.
 add_knots <- function(build, panels, parts, panel, node, count) {
   diameter <- panels$knot_diameter[panel]
   some <- diameter > 0
+  joins <- 1 + (panels$straight_bar > 0)
+  twine <- (count * (panels$knot_twine / joins)[panel])[some]
+  build$add("masses", node = node[some],
+    mass = twine * panels$mass_per_length[panel][some],
+    volume = twine * panels$volume_per_length[panel][some], height = diameter[some],
+    surface = surface_height(diameter, panels$mesh_size[panel] * sqrt(count))[some],
+    area = numeric(sum(some)))
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],

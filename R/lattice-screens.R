@@ -45,11 +45,20 @@ screen_elements <- function(si, lattice) {
   list(
     node = triangles$node[corners_of(some)],
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
+    # of hexagonal netting bars meet and do not cross
+    overlap = crossing_overlap(of),
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = triangles$height[some],
     multiplicity = triangles$multiplicity[some],
     law = vapply(of, `[[`, "", "netting_drag", USE.NAMES = FALSE)
   )
+}
+
+# How much of its twine's share of the area each of some panels (a list) loses where its twines cross
+# without a knot, over that share squared (see netting_screen.hpp). Bars of hexagons meet and do not cross.
+crossing_overlap <- function(panels) {
+  0.25 * vapply(panels, function(p) p$knot_diameter == 0 && p$straight_bar == 0, NA,
+    USE.NAMES = FALSE)
 }
 
 # As BlendedNetting.
@@ -62,7 +71,7 @@ blended_elements <- function(si, lattice) {
     node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
     rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
-    height = triangles$height[some],
+    height = triangles$height[some], overlap = crossing_overlap(si$panels)[panel[some]],
     material = as.integer(panel[some]), materials = twine_materials(panels, alone = FALSE)
   )
 }

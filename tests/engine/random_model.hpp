@@ -257,6 +257,7 @@ class Specimen {
       points(random, 3, model.screens.node);
       // solidities from some 0.01 to beyond the laws' range
       model.screens.twine_area.push_back(random.between(0.01, 0.5));
+      model.screens.overlap.push_back(random.below(2) ? 0.25 : 0.0);
       model.screens.diameter.push_back(wanted.diameter);
       model.screens.height.push_back(1.5);
       model.screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
@@ -268,6 +269,7 @@ class Specimen {
       // some bars taut, some slack
       model.blended.rest.push_back(random.between(0.05, 0.6));
       model.blended.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+      model.blended.overlap.push_back(random.below(2) ? 0.25 : 0.0);
     }
     model.blended.material.assign(wanted.blended, 0);
     model.blended.height.assign(wanted.blended, 1.5);
