@@ -17,12 +17,12 @@
 #'   Element Method for Netting, Springer 2013).
 #'
 #' @section Knots:
-#' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`, twice
-#' the twine's where not given, which drags by its Reynolds number, and has the mass and the volume of
-#' the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a single knot
-#' takes (J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990: knotted netting weighs 1 +
-#' 16 d / mesh size times as much as knotless). Knotless netting has none of this. [netting_table()]
-#' lists the twine that the panels of a gear take.
+#' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
+#' twice the twine's where not given, which drags by its Reynolds number, and has the mass and the
+#' volume of the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a
+#' single knot takes (J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990: knotted netting
+#' weighs 1 + 16 d / mesh size times as much as knotless). Knotless netting has none of this.
+#' [netting_table()] lists the twine that the panels of a gear take.
 #'
 #' @section Drag of twines and ropes:
 #' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last

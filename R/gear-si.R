@@ -136,8 +136,8 @@ si_added_mass <- function(added_mass) {
 # them across, and models of netting by its spheres take 2.
 usual_knot <- 2
 
-# Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot (sheet
-# bend). The weight of knotted netting over that of knotless in J. Prado and P. Y. Dremiere,
+# Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot
+# (sheet bend). The weight of knotted netting over that of knotless in J. Prado and P. Y. Dremiere,
 # Fisherman's Workbook, FAO 1990, is 1 + 16 d / mesh size throughout its table; a mesh has one knot.
 usual_knot_twine <- 16
 

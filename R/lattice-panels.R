@@ -44,8 +44,8 @@ panel_bars <- function(panel) {
 # Twine of a panel for each of these bars, m: that of one cell of its netting.
 cell_twine <- function(panel) panel$mesh_size - panel$straight_bar
 
-# The same with what its knots take, m: a diamond or square cell has one knot. Three bars meet in each
-# of the two joins of a hexagonal cell, which are taken as half a knot.
+# The same with what its knots take, m: a diamond or square cell has one knot. Three bars meet in
+# each of the two joins of a hexagonal cell, which are taken as half a knot.
 cell_twine_with_knots <- function(panel) cell_twine(panel) + panel$knot_twine
 
 # Fields that place a panel's sides.

@@ -26,8 +26,8 @@ add_rope <- function(build, rope, along, part) {
     surface = rep(height, each = 2L), area = half * rope$diameter)
 }
 
-# Knots at nodes of panels, with the mass of their twine, as spheres; count: joins of bars at each node.
-# Those of a screen drag with it.
+# Knots at nodes of panels, with the mass of their twine, as spheres; count: joins of bars at each
+# node. Those of a screen drag with it.
 add_knots <- function(build, panels, parts, panel, node, count) {
   diameter <- panels$knot_diameter[panel]
   some <- diameter > 0

@@ -54,8 +54,9 @@ screen_elements <- function(si, lattice) {
   )
 }
 
-# How much of its twine's share of the area each of some panels (a list) loses where its twines cross
-# without a knot, over that share squared (see netting_screen.hpp). Bars of hexagons meet and do not cross.
+# How much of its twine's share of the area each of some panels (a list) loses where its twines
+# cross without a knot, over that share squared (see netting_screen.hpp). Bars of hexagons meet and
+# do not cross.
 crossing_overlap <- function(panels) {
   0.25 * vapply(panels, function(p) p$knot_diameter == 0 && p$straight_bar == 0, NA,
     USE.NAMES = FALSE)

@@ -2,14 +2,15 @@
 
 #' Twine of a gear's netting
 #'
-#' What every panel of a gear is made of and how much twine it takes, knots included (see [netting]).
+#' What every panel of a gear is made of and how much twine it takes, knots included (see
+#' [netting]).
 #'
 #' @param gear A gear, the name of a shipped plan, a plan file, or a state.
 #' @return A data frame with a row per panel: `panel`, `part`, `material` (`""` where the plan gives
 #'   numbers instead), `mesh_size_mm`, `twine_mm`, `twines` (2 where each bar is double), `meshes`
-#'   (about how many), `knots`, `twine_m` (in bars and knots, of one twine), `in_knots_percent` (share
-#'   of that in knots), `twine_area_m2` (projected area of bars, diameter times length), `mass_kg` (in
-#'   air) and `weight_in_water_kN`. The last columns' sums are those of the gear.
+#'   (about how many), `knots`, `twine_m` (in bars and knots, of one twine), `in_knots_percent`
+#'   (share of that in knots), `twine_area_m2` (projected area of bars, diameter times length),
+#'   `mass_kg` (in air) and `weight_in_water_kN`. The last columns' sums are those of the gear.
 #' @examples
 #' found <- netting_table("t90_codend")
 #' found[c("panel", "twine_m", "in_knots_percent", "mass_kg")]

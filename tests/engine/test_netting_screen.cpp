@@ -27,6 +27,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   NettingScreens screens;
   screens.node = {0, 1, 2, 0, 2, 3};
   screens.twine_area = {0.5 * solidity, 0.5 * solidity};
+  screens.overlap = {0.0, 0.0};
   screens.diameter = screens.height = {diameter, diameter};
   screens.multiplicity = {1.0, 1.0};
   screens.law.assign(2, static_cast<NettingScreenLaw>(law));

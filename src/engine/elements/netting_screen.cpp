@@ -28,8 +28,7 @@ Matrix area_slope(const ScreenFlow& flow, int l) {
 }
 
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double overlap, double diameter, double multiplicity,
-                         const Water& water) {
+                         double overlap, double diameter, double multiplicity, const Water& water) {
   ScreenForce out;
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();

@@ -36,8 +36,7 @@ struct ScreenForce {
 };
 // twine_area (m2), overlap, diameter (m) and multiplicity as of NettingScreens.
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double overlap, double diameter, double multiplicity,
-                         const Water& water);
+                         double overlap, double diameter, double multiplicity, const Water& water);
 
 class NettingScreens : public ElementKind {
  public:
