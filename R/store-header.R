@@ -9,13 +9,14 @@ most_header_entries <- 1000L
 # Bytes of a value of each type that codend writes: characters, integers, doubles.
 header_widths <- c("2" = 1, "4" = 4, "6" = 8)
 
-# wrong(why): stops. A file is good where every count of its header and every variable lies within it.
-check_header <- function(file, wrong) {
+# Stops by wrong(why) unless every count of a file's header and every variable lies within the file.
+# cut: whether its last records may be missing. Returns how many of the records are there.
+whole_records <- function(file, cut, wrong) {
   size <- file_size(file)
   bytes <- readBin(file, "raw", min(size, most_header_bytes))
   at <- 0
   take <- function(n) {
-    if (at + n > length(bytes)) wrong("its header is longer than the file")
+    if (at + n > length(bytes)) wrong("its header does not end")
     at <<- at + n
     bytes[at - n + seq_len(n)]
   }
@@ -62,9 +63,14 @@ check_header <- function(file, wrong) {
   })
   variables <- vapply(variables, identity, c(offset = 0, bytes = 0, growing = 0))
   growing <- variables["growing", ] > 0
-  of_record <- sum(4 * ceiling(variables["bytes", growing] / 4))
-  end <- variables["offset", ] + variables["bytes", ] + growing * max(0, records - 1) * of_record
-  if (records == 0L) end <- end[!growing]
-  if (any(end > size)) wrong("it is shorter than what it says to hold")
-  invisible()
+  begin <- variables["offset", ]
+  bytes <- variables["bytes", ]
+  short <- "it is shorter than what it says to hold"
+  if (any(begin[!growing] + bytes[!growing] > size)) wrong(short)
+  if (!any(growing)) return(0)
+  # a file is padded to whole words, but for its end
+  of_record <- sum(4 * ceiling(bytes[growing] / 4))
+  there <- min(records, floor((size - begin - bytes)[growing] / of_record + 1))
+  if (there < records && !cut) wrong(short)
+  max(0, there)
 }

@@ -9,8 +9,9 @@ write_kept <- function(file, fill) {
   })
 }
 
-# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
-# unsealed: whether one that was not sealed is taken, as a run that was killed leaves it.
+# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it, with the
+# number of its records as an attribute. unsealed: whether one that was not sealed is taken, as a run
+# that was killed leaves it; where the machine stopped too, its last records may be missing.
 open_kept <- function(file, what, known, unsealed = FALSE) {
   check_netcdf()
   if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
@@ -21,7 +22,7 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
   }
   seal <- seal_of(file)
   if (seal == "broken") abort_damaged(file, "its checksum does not fit")
-  check_header(file, function(why) abort_damaged(file, why))
+  records <- whole_records(file, unsealed && seal == "none", function(why) abort_damaged(file, why))
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
     abort_damaged(file, conditionMessage(e))
   })
@@ -42,6 +43,7 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
     RNetCDF::close.nc(nc)
     abort_damaged(file, "it ends without its checksum")
   }
+  attr(nc, "records") <- records
   nc
 }
 
