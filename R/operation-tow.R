@@ -130,7 +130,8 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
   given$control_every <- tow_quantity(control_every, "control_every", "time")
-  check_tow_times(until, c(every = every, control_every = if (!is.null(control)) given$control_every))
+  steered <- if (!is.null(control)) given$control_every
+  check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {

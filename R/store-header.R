@@ -1,6 +1,7 @@
-# The header of a NetCDF file in the classic format with 64-bit offsets, read before the NetCDF library
-# sees it: the library allocates whatever a forged header asks for. The layout is that of the "NetCDF
-# Classic and 64-bit Offset File Formats" specification (Unidata), of which codend writes a part.
+# The header of a NetCDF file in the classic format with 64-bit offsets, read before the NetCDF
+# library sees it: the library allocates whatever a forged header asks for. The layout is that of
+# the "NetCDF Classic and 64-bit Offset File Formats" specification (Unidata), of which codend
+# writes a part.
 
 # More than any file of codend's has: bytes of a header, and entries of one of its lists.
 most_header_bytes <- 2^24
@@ -59,7 +60,8 @@ whole_records <- function(file, cut, wrong) {
     offset <- sum(readBin(take(8L), "integer", 8L, size = 1L, signed = FALSE) * 256^(7:0))
     length <- lengths[across + 1L]
     growing <- length(length) > 0L && length[1L] == 0L
-    c(offset = offset, bytes = width * prod(if (growing) length[-1L] else length), growing = growing)
+    if (growing) length <- length[-1L]
+    c(offset = offset, bytes = width * prod(length), growing = growing)
   })
   variables <- vapply(variables, identity, c(offset = 0, bytes = 0, growing = 0))
   growing <- variables["growing", ] > 0

@@ -9,9 +9,9 @@ write_kept <- function(file, fill) {
   })
 }
 
-# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it, with the
-# number of its records as an attribute. unsealed: whether one that was not sealed is taken, as a run
-# that was killed leaves it; where the machine stopped too, its last records may be missing.
+# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it, with
+# the number of its records as an attribute. unsealed: whether one that was not sealed is taken, as
+# a run that was killed leaves it; where the machine stopped too, its last records may be missing.
 open_kept <- function(file, what, known, unsealed = FALSE) {
   check_netcdf()
   if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")

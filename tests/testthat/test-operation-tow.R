@@ -231,7 +231,7 @@ test_that("wrong arguments are named", {
   wrong("names the rope \"warp\"", until = 1, part = list(list(rope = "warp", time = 1)))
   expect_error(tow(tow(gear, until = 1), until = 1), class = "codend_error_argument")
   expect_error(tow(settle(gear), until = 1, warp_out = 50), class = "codend_error_argument")
-  expect_error(tow("towed_cable", until = "1 year"), "at most", class = "codend_error_argument")
+  expect_error(tow("towed_cable", until = "3000 h"), "at most", class = "codend_error_argument")
   expect_error(tow("towed_cable", until = 1e5, every = 1e-3), "`every`.*1e\\+08 times",
     class = "codend_error_argument")
 })
