@@ -1,9 +1,9 @@
 # Ropes, panels and pieces as elements of a lattice. In the table of parts ropes come first, then
 # panels, then pieces; ropes and panels are also the engine's materials, in that order.
 
-# A line of a lattice stands for all the material around it, so it leaves the water over at least this
-# share of its length. What is thinner would come and go with every millimetre, and a net that lies
-# at the surface would not settle; the finer the lattice, the less it matters.
+# A line of a lattice stands for all the material around it, so it leaves the water over at least
+# this share of its length. What is thinner would come and go with every millimetre, and a net that
+# lies at the surface would not settle; the finer the lattice, the less it matters.
 surface_share <- 0.05
 
 # Height (m) over which lines of these diameters and lengths leave the water.
@@ -39,8 +39,8 @@ add_knots <- function(build, panels, parts, panel, node, count) {
     part = parts[panel][some])
 }
 
-# Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of the
-# element that it is of.
+# Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of
+# the element that it is of.
 add_twine <- function(build, panels, panel, node, length, extent) {
   diameter <- twine_width(panels)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
@@ -157,8 +157,8 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   )
 }
 
-# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a mesh
-# above every knot where two end; each panel's twine is spread evenly over its sheets.
+# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and half
+# a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
 # ends: points at both ends of every segment of a bar.
 add_bar_wake_sheets <- function(build, panels, parts, bars, ends) {
   ends <- matrix(ends, 2L)
@@ -240,7 +240,7 @@ add_piece <- function(build, piece, run, places, density, part) {
   }
 }
 
-# Which nodes are held, where they are, and the plan's loads: list(held, position 3 x n, load 3 x n).
+# Which nodes are held, where they are, and the plan's loads: list(held, position and load 3 x n).
 gear_supports <- function(si, division) {
   held <- logical(division$nodes)
   position <- matrix(0, 3L, division$nodes)

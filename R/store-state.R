@@ -17,9 +17,9 @@
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
 #'
-#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together from.
-#' Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was cut
-#' short or changed is an error of class `codend_error_file`, and so is one of an older format.
+#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together
+#' from. Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was
+#' cut short or changed is an error of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
