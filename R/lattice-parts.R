@@ -157,8 +157,8 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   )
 }
 
-# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and half
-# a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
+# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and
+# half a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
 # ends: points at both ends of every segment of a bar.
 add_bar_wake_sheets <- function(build, panels, parts, bars, ends) {
   ends <- matrix(ends, 2L)
