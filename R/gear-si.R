@@ -26,7 +26,7 @@ check_whole <- function(plan, last = NULL) {
 # last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, measures, share_places). Places stay texts that
+# seams, pieces, otter_boards, ground, shooting, vessel, measures, share_places). Places stay texts that
 # `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from
 # and to as fractions of the edge. What a plan may leave out and has no default is NULL (position,
 # at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
@@ -68,6 +68,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known$pieces <- names(si$pieces)
   known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
+  si$vessel <- if (!is.null(fields$vessel)) si_vessel(fields$vessel, "vessel")
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   si$share_places <- share_places(si)

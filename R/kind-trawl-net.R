@@ -14,7 +14,7 @@ shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
+      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow", "vessel"
     ),
     names(plan)
   )]
