@@ -204,8 +204,7 @@ vtk_pieces <- function(state) {
 # What a state or a trajectory is asked to be; allowed: their names without `codend_`.
 check_exported <- function(x, allowed) {
   if (inherits(x, paste0("codend_", allowed))) return(invisible())
-  cli::cli_abort(
-    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}.",
-    class = c("codend_error_argument", "codend_error"), call = NULL
+  abort_argument(
+    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}."
   )
 }

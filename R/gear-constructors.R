@@ -47,10 +47,7 @@ constructor <- function(part, group) {
 gear <- function(name, ..., kind = "assembly") {
   given <- list(...)
   if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
-    cli::cli_abort(
-      "Every argument of {.fn gear} after the first must be named.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
-    )
+    abort_argument("Every argument of {.fn gear} after the first must be named.")
   }
   tree <- list(codend = 1, name = name, kind = kind)
   for (i in seq_along(given)) {

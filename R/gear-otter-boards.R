@@ -146,7 +146,7 @@ board_masses <- function(si, division, points) {
 
 # Angle of attack of a first shape, rad: of a kite half that of its largest lift.
 first_attack <- function(board) {
-  if (board$level) stall_angle(board) / 2 * pi / 180 else 25 * pi / 180
+  from_unit(if (board$level) stall_angle(board) / 2 else 25, "deg")
 }
 
 # Where a board's points are when it stands upright, or a kite lies level, with its leading edge

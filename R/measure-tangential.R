@@ -13,9 +13,8 @@ tangential_sensitivity <- function(state) {
     engine$materials$tangential_share[] <- share
     engine$blended$materials$tangential_share[] <- share
     found <- engine_evaluate(engine, as.vector(state$position), still)
-    sum(flow * rowSums(matrix(
-      unlist(found$forces[c("bar_drag", "triangle_drag", "blended_force")]), 3L
-    ))) / 1000
+    force <- matrix(unlist(found$forces[c("bar_drag", "triangle_drag", "blended_force")]), 3L)
+    in_unit(sum(flow * rowSums(force)), "kN")
   }
   now <- in_unit(total_drag(state), "kN")
   as_settled <- along(1)

@@ -159,8 +159,7 @@ kept_accuracy <- function(method) {
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {
-    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.")
   }
   implicit <- known$adaptive[known$name == scheme]
   both <- tow_accuracy(accuracy)
@@ -224,10 +223,9 @@ tow_quantity <- function(value, name, dimension) {
     NA_real_
   }
   if (!is.finite(si) || si <= 0) {
-    cli::cli_abort(
+    abort_argument(
       "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
-      {unit_examples(dimension)}).",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      {unit_examples(dimension)})."
     )
   }
   si
@@ -267,7 +265,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
     start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
     numeric(), settle_tolerance, settle_iterations, progress
   )
-  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

@@ -142,10 +142,10 @@ rope_tension_lines <- function(tensions) {
 }
 
 twine_tension_lines <- function(tensions) {
-  highest <- function(group) 1000 * max(group$exceeded_by_1_percent_kN)
+  highest <- function(group) from_unit(max(group$exceeded_by_1_percent_kN), "kN")
   most <- largest_groups(tensions[tensions$kind == "netting", ], highest)
   if (!length(most$groups)) return(NULL)
-  mean <- vapply(most$groups, function(group) 1000 * max(group$mean_kN), 0)
+  mean <- vapply(most$groups, function(group) from_unit(max(group$mean_kN), "kN"), 0)
   align_columns(list(
     c("", names(most$groups)), c("mean N", column_figures(mean)),
     c("1 % of twine above N", column_figures(most$values))

@@ -69,7 +69,7 @@ condition_units <- function(conditions) {
   )
   parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
   out <- conditions[c(names(known), parts)]
-  out$course <- out$course * 180 / pi
+  out$course <- in_unit(out$course, "deg")
   setNames(out, c(known, parts))
 }
 
@@ -89,8 +89,8 @@ part_tensions <- function(trajectory, k) {
   group <- factor(of, levels = here)
   data.frame(
     part = parts$name[here], kind = parts$kind[here], role = parts$role[here],
-    max_kN = as.double(tapply(tension, group, max)) / 1000,
-    mean_kN = as.double(tapply(tension, group, mean)) / 1000
+    max_kN = in_unit(as.double(tapply(tension, group, max)), "kN"),
+    mean_kN = in_unit(as.double(tapply(tension, group, mean)), "kN")
   )
 }
 
