@@ -56,8 +56,8 @@ rope_kind <- function(name, si) {
 
 # A role, with "upper" or "lower" where the name has it: hand ropes differ by it.
 rope_words <- function(name, role) {
-  level <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
-  paste(c(level[!level %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
+  tier <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
+  paste(c(tier[!tier %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
     collapse = " ")
 }
 

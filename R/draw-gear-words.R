@@ -62,8 +62,8 @@ draw_rows <- function(drawn, left, column) {
   }
   moved <- abs(y - middle) > 0.02
   right <- left + sum(drawn$widths)
-  edge <- vapply(rows$y, function(level) {
-    mine <- abs(column$panels$y - level) < 1e-6
+  edge <- vapply(rows$y, function(y) {
+    mine <- abs(column$panels$y - y) < 1e-6
     if (any(mine)) min(((column$panels$ul + column$panels$ll) / 2)[mine]) else NA_real_
   }, 0)
   edge <- column$at[1] + drawn$scale[1] * edge

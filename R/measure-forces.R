@@ -158,7 +158,8 @@ balance_table <- function(state) {
     sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total,
     out_of_water = if (state$si$water$free_surface) total_force(state, "surface")
   )
-  forces <- in_unit(rbind(forces, remainder = colSums(forces)), "kN")
+  forces <- in_unit(forces, "kN")
+  forces <- rbind(forces, remainder = colSums(forces))
   colnames(forces) <- c("x_kN", "y_kN", "z_kN")
   data.frame(force = rownames(forces), forces, row.names = NULL)
 }

@@ -71,7 +71,7 @@
 #'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
 #'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
 #'   with the netting around it.
-#' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
+#' @param breaking Ropes that break: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
 #' @param scheme `"bdf2"` (when `NULL`), `"generalised_alpha"`, `"backward_euler"` (implicit, by
 #'   Newton's method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
@@ -99,7 +99,7 @@
 #' @export
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
+                catch = NULL, breaking = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
   if (!is.null(file)) {
     check_netcdf()
@@ -119,7 +119,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     speed = asked("speed", speed), course = asked("course", course),
     warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
     control = control, current = asked("current", current), heave = asked("heave", heave),
-    catch = asked("catch", catch), part = asked("part", part)
+    catch = asked("catch", catch), breaking = asked("breaking", breaking)
   )
   method <- tow_method(
     first_of(asked("scheme", scheme), "bdf2"),

@@ -117,9 +117,9 @@ schedule_as_done <- function(schedule, done) {
       schedule$growing[[k]]$winch[[field]] <- done[[field]][k]
     }
   }
-  for (k in seq_along(schedule$partings)) {
-    schedule$partings[[k]]$parted <- done$parted[k]
-    schedule$partings[[k]]$parted_at <- done$parted_at[k]
+  for (k in seq_along(schedule$ruptures)) {
+    schedule$ruptures[[k]]$broken <- done$broken[k]
+    schedule$ruptures[[k]]$broken_at <- done$broken_at[k]
   }
   schedule
 }
