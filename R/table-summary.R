@@ -57,7 +57,9 @@ print.codend_summary <- function(x, ...) {
 }
 
 #' @export
-format.codend_summary <- function(x, ...) {
+format.codend_summary <- function(x, ...) with_plain_numbers(summary_lines(x))
+
+summary_lines <- function(x) {
   section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
   c(
     cli::style_bold(x$name), x$conditions,

@@ -98,7 +98,7 @@ part_tensions <- function(trajectory, k) {
 print.codend_trajectory <- function(x, ...) {
   last <- x$time[length(x$time)]
   ended <- if (x$end == "interrupted") ", interrupted" else ""
-  cat(
+  with_plain_numbers(cat(
     sprintf("Tow of \"%s\": %s s, %d states%s", x$si$name, format(signif(last, 6)),
       length(x$time), ended),
     paste0("  ", size_text(x)),
@@ -108,7 +108,7 @@ print.codend_trajectory <- function(x, ...) {
       first_of(x$report$repeated, 0) + first_of(x$report$not_found, 0)),
     "  More: summary(), as.data.frame(), state_at(), measures(state_at())",
     sep = "\n"
-  )
+  ))
   cat("\n")
   invisible(x)
 }
@@ -148,10 +148,10 @@ print.codend_trajectory_summary <- function(x, ...) {
   cat("\n")
   energy <- attr(x, "energy")
   if (!is.null(energy)) {
-    cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
+    with_plain_numbers(cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
       format(signif(abs(energy[["imbalance"]]), 3)),
       if (energy[["imbalance"]] > 0) "made" else "removed",
-      format(signif(energy[["put_through"]], 3))))
+      format(signif(energy[["put_through"]], 3)))))
   }
   invisible(x)
 }
