@@ -148,18 +148,16 @@ most_tow_time <- 1e6
 most_tow_times <- 1e6
 
 check_tow_times <- function(until, every) {
-  refuse <- function(...) {
-    cli::cli_abort(c(...), class = c("codend_error_argument", "codend_error"), call = NULL,
-      .envir = parent.frame())
-  }
   if (until > most_tow_time) {
-    refuse("{.arg until} is {signif(until, 6)} s; it must be at most {most_tow_time} s.")
+    abort_argument("{.arg until} is {signif(until, 6)} s; it must be at most {most_tow_time} s.")
   }
   for (name in names(every)) {
     times <- until / every[[name]]
     if (times > most_tow_times) {
-      refuse("{.arg {name}} is {signif(every[[name]], 6)} s, which gives {signif(times, 2)} times up
-        to {signif(until, 6)} s; it must be at least {until / most_tow_times} s.")
+      abort_argument(
+        "{.arg {name}} is {signif(every[[name]], 6)} s, which gives {signif(times, 2)} times up to
+        {signif(until, 6)} s; it must be at least {until / most_tow_times} s."
+      )
     }
   }
 }
