@@ -26,11 +26,11 @@ check_whole <- function(plan, last = NULL) {
 # last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, vessel, measures, share_places). Places stay texts that
-# `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from
-# and to as fractions of the edge. What a plan may leave out and has no default is NULL (position,
-# at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
-# catch) or, of single numbers and texts, NA.
+# seams, pieces, otter_boards, ground, shooting, vessel, measures, share_places). Places stay texts
+# that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with
+# from and to as fractions of the edge. What a plan may leave out and has no default is NULL
+# (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
+# opening_stiffness, catch) or, of single numbers and texts, NA.
 si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
@@ -219,13 +219,10 @@ si_rope <- function(rope, path, fields, law, known) {
         paste0(path, ".along"), rope$along
       )
     }
-    if (!is.null(rope$lengths)) {
-      if (length(rope$lengths) != length(along)) {
-        abort_field(paste0(path, ".lengths"), rope$lengths,
-          sprintf("one length for each of the %d edges of `along`", length(along)))
-      }
-      length <- sum(rope$lengths)
-      shares <- rope$lengths / length
+    lengths <- edge_lengths(rope, path, along, known$panels)
+    if (!is.null(lengths)) {
+      length <- sum(lengths)
+      shares <- lengths / length
     }
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
@@ -247,6 +244,21 @@ si_rope <- function(rope, path, fields, law, known) {
     strength = line$strength,
     segments = rope$segments, role = first_of(rope$role, NA_character_)
   )
+}
+
+# Lengths (m) of a rope along each of its edges, from its plan's lengths or hanging ratios; NULL
+# where it has neither.
+edge_lengths <- function(rope, path, along, panels) {
+  field <- intersect(c("lengths", "hanging_ratios"), names(rope))
+  if (!length(field)) return(NULL)
+  given <- rope[[field]]
+  if (length(given) != length(along)) {
+    abort_field(paste(path, field, sep = "."), given,
+      sprintf("one %s for each of the %d edges of `along`",
+        if (field == "lengths") "length" else "ratio", length(along)))
+  }
+  if (field == "lengths") return(given)
+  given * vapply(seq_along(along), function(k) chain_length(along[k], panels), 0)
 }
 
 si_seam <- function(seam, path, known) {

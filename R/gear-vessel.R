@@ -2,13 +2,15 @@
 
 #' The vessel's engine
 #'
-#' The plan's field `vessel` says what the vessel can pull and what fuel that takes, for the measures
-#' `engine_power`, `pull_used`, `fuel_rate`, `fuel_per_swept_area`, `fuel_per_filtered_volume` and
-#' `fuel_per_catch` ([measures()]) and for [tow_speed()]. It changes nothing of how the gear settles.
+#' The plan's field `vessel` says what the vessel can pull and what fuel that takes, for the
+#' measures `engine_power`, `pull_used`, `fuel_rate`, `fuel_per_swept_area`,
+#' `fuel_per_filtered_volume` and `fuel_per_catch` ([measures()]) and for [tow_speed()]. It changes
+#' nothing of how the gear settles.
 #'
 #' @section Fields:
 #' - `power`: full power of the engine, on its brake.
-#' - `pull`: a list of `speed` and `pull`: what is left for the gear at full power, as a trial or the
+#' - `pull`: a list of `speed` and `pull`: what is left for the gear at full power, as a trial or
+#' the
 #'   yard gives it, from the bollard pull at speed 0 on. It is straight between rows. Two rows, the
 #'   bollard pull and no pull at the free speed, are a first guess.
 #' - `fuel`: fuel over energy, such as `"210 g/kWh"`, or a list of `load` (share of full power) and
@@ -19,14 +21,14 @@
 #' A propeller's thrust grows with the square of its speed of rotation n and its power with the cube
 #' while the water meets it alike (J. S. Carlton, Marine Propellers and Propulsion, chapter 6: K_T
 #' and K_Q depend on the advance V / (n D) alone). So at full pull the power is `power`, and at a
-#' share s of it `power` s^1.5. That is exact where the vessel stands still; under way a lightly loaded
-#' propeller meets the water faster than that, and a light tow takes somewhat more.
+#' share s of it `power` s^1.5. That is exact where the vessel stands still; under way a lightly
+#' loaded propeller meets the water faster than that, and a light tow takes somewhat more.
 #'
 #' @name vessel
 NULL
 
-# list(power (W), pull = data.frame(speed (m/s), pull (N)), fuel = data.frame(load, consumption (kg/J))
-# or NULL, fuel_density (kg/m3), catch_per_hour (kg, NA)).
+# list(power (W), pull = data.frame(speed (m/s), pull (N)), fuel = data.frame(load, consumption
+# (kg/J)) or NULL, fuel_density (kg/m3), catch_per_hour (kg, NA)).
 si_vessel <- function(vessel, path) {
   column <- function(rows, field) vapply(rows, `[[`, 0, field, USE.NAMES = FALSE)
   rising <- function(field, x) {

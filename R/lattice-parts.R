@@ -246,6 +246,10 @@ add_piece <- function(build, piece, run, places, density, part) {
     build$add("lifts", node = node, lift_area = n * piece$lift_area * way$sign,
       direction = rep(way$to, k), height = rep(piece$height, k), part = rep(part, k))
   }
+  if (piece$upward_lift_area != 0) {
+    build$add("lifts", node = node, lift_area = n * piece$upward_lift_area,
+      direction = rep("up", k), height = rep(piece$height, k), part = rep(part, k))
+  }
 }
 
 # Which nodes are held, where they are, and the plan's loads: list(held, position and load 3 x n).

@@ -2,8 +2,8 @@
 
 has_vessel <- function(state) !is.null(state$si$vessel) && has_towing(state)
 
-# What a vessel can pull (N) at a speed (m/s) and full power. Beyond its table's end the line through
-# the last two rows goes on to 0.
+# What a vessel can pull (N) at a speed (m/s) and full power. Beyond its table's end the line
+# through the last two rows goes on to 0.
 vessel_pull <- function(vessel, speed) {
   of <- vessel$pull
   n <- nrow(of)
@@ -12,8 +12,8 @@ vessel_pull <- function(vessel, speed) {
   max(0, of$pull[n] + slope * (speed - of$speed[n]))
 }
 
-# What a vessel needs to pull a force (N) at a speed (m/s): list(pull_share (of what it can pull there),
-# power (W), fuel (m3/s, NULL where its consumption is not given)). See ?vessel.
+# What a vessel needs to pull a force (N) at a speed (m/s): list(pull_share (of what it can pull
+# there), power (W), fuel (m3/s, NULL where its consumption is not given)). See ?vessel.
 engine_need_at <- function(vessel, force, speed) {
   share <- max(0, force) / vessel_pull(vessel, speed)
   power <- vessel$power * share^1.5

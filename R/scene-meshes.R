@@ -10,7 +10,8 @@ check_colour <- function(colour) {
 }
 
 # The drawing of a state with netting coloured by one of `netting_colours`: list(drawing (see
-# state_drawing(), the netting's `tension` being what its colours show), scales of rope and netting).
+# state_drawing(), the netting's `tension` being what its colours show), scales of rope and
+# netting).
 coloured_drawing <- function(state, colour = "tension") {
   drawing <- state_drawing(state)
   by_tension <- colour == "tension"
@@ -30,8 +31,8 @@ coloured_drawing <- function(state, colour = "tension") {
   )
 }
 
-# Of lines of netting (see new_lines()) the mean of both ends: opening over mesh size, of squares over
-# a bar (%), or mesh angle (deg). Never 0, which stands for slack.
+# Of lines of netting (see new_lines()) the mean of both ends: opening over mesh size, of squares
+# over a bar (%), or mesh angle (deg). Never 0, which stands for slack.
 mesh_values <- function(state, lines, colour) {
   if (!length(lines$tension)) return(numeric())
   panels <- state$si$panels

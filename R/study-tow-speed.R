@@ -10,8 +10,8 @@
 #'   (`"80 %"`); `NULL` for all of it.
 #' @param nodes,netting As [settle()] takes them.
 #' @return The settled state at that speed, whose `si$towing$speed` is the speed (m/s) and whose
-#'   [measures()] have the engine's. The speed is found to 1e-4 of itself. A gear without a vessel, a
-#'   power above full power, or one that does not tow the gear at 0.2 m/s is an error of class
+#'   [measures()] have the engine's. The speed is found to 1e-4 of itself. A gear without a vessel,
+#'   a power above full power, or one that does not tow the gear at 0.2 m/s is an error of class
 #'   `codend_error_argument`.
 #' @export
 #' @examples

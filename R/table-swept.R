@@ -7,8 +7,8 @@
 #' @return A data frame with a row per kept time: `time_s`, `distance_m` (the vessel's way over the
 #'   ground) and, summed up since the start, `swept_volume_m3` (water that flowed through the mouth)
 #'   and `swept_area_m2` (ground that the lines between the wing ends passed over): the integrals of
-#'   `filtered_volume` and `swept_area` ([measures()]) by the trapezoid rule between kept times. `NA`
-#'   where the gear has no such measure.
+#'   `filtered_volume` and `swept_area` ([measures()]) by the trapezoid rule between kept times.
+#'   `NA` where the gear has no such measure.
 #' @seealso [mesh_openings()], the other half of what a model of selection takes.
 #' @export
 swept <- function(trajectory) {

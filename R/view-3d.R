@@ -13,7 +13,8 @@
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
 #'   nothing of the network. It is written whole or not at all.
-#' @param colour What the colours of netting show, as in [plot.codend_state()]; of a trajectory it is
+#' @param colour What the colours of netting show, as in [plot.codend_state()]; of a trajectory it
+#' is
 #'   always tension.
 #' @return An HTML widget, which prints in the viewer or browser; invisibly where `file` is given.
 #'   A wrong argument is an error of class `codend_error_argument`.

@@ -1,8 +1,8 @@
 #' Plot the meshes along a net
 #'
 #' Two figures against distance aft: the mean opening of the meshes as a share of their size, and
-#' the mean angle between their bars. Each line is what lies between two seams along the net, such as
-#' the back or the belly, through all parts.
+#' the mean angle between their bars. Each line is what lies between two seams along the net, such
+#' as the back or the belly, through all parts.
 #'
 #' @param x Meshes, from [mesh_openings()].
 #' @inheritParams plot.codend_rope_tensions
@@ -39,10 +39,11 @@ plot.codend_mesh_openings <- function(x, file = NULL, width = 10, height = NULL,
   invisible(x)
 }
 
-# Which line along the net every row belongs to: its panel's name without that of its part.
+# Which line along the net every row belongs to: its panel's name without that of its part, a wing
+# with the panel that it is joined to.
 mesh_sides <- function(x) {
   out <- mapply(function(panel, part) {
     if (nzchar(part)) sub(paste0("_?", part, "$"), "", panel) else panel
   }, x$panel, x$part, USE.NAMES = FALSE)
-  ifelse(nzchar(out), out, x$panel)
+  sub("_(wing|jib)(_(left|right))?$", "", ifelse(nzchar(out), out, x$panel))
 }

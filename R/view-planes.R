@@ -14,7 +14,8 @@
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
 #'   or `.svg`. It is written whole or not at all.
 #' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the gear.
-#' @param colour What the colours of netting show: `"tension"` of one twine, `"mesh_opening"` (opening
+#' @param colour What the colours of netting show: `"tension"` of one twine, `"mesh_opening"`
+#' (opening
 #'   over mesh size) or `"mesh_angle"`, as in [mesh_openings()].
 #' @param ... Not used.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
