@@ -171,7 +171,8 @@ skeleton_load <- function(si, skeleton, panels, load) {
     lift <- push * piece$lift_area * way$sign
     force <- piece$number * c(
       push * piece$drag_area, if (way$to == "sideways") lift else 0,
-      (if (way$to == "up") lift else 0) + push * piece$upward_lift_area - gear_gravity * (piece$mass - density * piece$volume)
+      (if (way$to == "up") lift else 0) + push * piece$upward_lift_area -
+        gear_gravity * (piece$mass - density * piece$volume)
     )
     n <- length(runs[[k]])
     matrix(force / n, n, 3L, byrow = TRUE)

@@ -72,8 +72,8 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   # Each place stands for half the way to its neighbours.
   thick <- ((rows$t[below] - rows$t[above]) / 2)[row] * own$deep
   data.frame(
-    panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)), angle = angle,
-    meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ], u_z = u[3, ], v_x = v[1, ],
+    panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
+    angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ], u_z = u[3, ], v_x = v[1, ],
     v_y = v[2, ], v_z = v[3, ], x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
   )
 }
@@ -93,7 +93,8 @@ define_measure("mesh_opening", "mm",
 
 define_measure("mesh_angle", "deg",
   "Angle between the bars of the meshes of panels, the mean over their meshes: 0 where diamonds are
-  closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the panel.",
+  closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
+  panel.",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
 )
 

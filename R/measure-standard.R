@@ -62,9 +62,9 @@ standard_measures <- c(
     }
   ),
   standard_measure("engine_power", "kW",
-    "With a `vessel`, the power that its engine gives to tow the gear at this speed: full power times
-    the share of the pull there that the gear takes, to the power 3/2. Above full power the vessel
-    cannot tow it so fast.",
+    "With a `vessel`, the power that its engine gives to tow the gear at this speed: full power
+    times the share of the pull there that the gear takes, to the power 3/2. Above full power the
+    vessel cannot tow it so fast.",
     function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$power
   ),
   standard_measure("pull_used", "%",

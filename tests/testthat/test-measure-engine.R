@@ -60,7 +60,8 @@ test_that("what a tow swept is the integral of its measures", {
   expect_equal(swept$time_s, c(0, 10, 20))
   speed <- trawl$si$towing$speed
   expect_equal(swept$distance_m, speed * c(0, 10, 20), tolerance = 1e-6)
-  # a beam holds its width: what it passes over is that times the way (the shoes sway by less than 1 %)
+  # a beam holds its width: what it passes over is that times the way; its shoes sway by less than
+  # 1 %
   width <- measures(trawl)[["wing_end_spread_m"]]
   expect_equal(swept$swept_area_m2[3], width * speed * 20, tolerance = 0.01)
   expect_true(all(is.na(swept$swept_volume_m3)) || all(diff(swept$swept_volume_m3) > 0))
