@@ -8,9 +8,9 @@ frame_fields <- data.frame(
     "winch_length", "parted", "energy"),
   within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "length", "parted", "energy"),
+    "length", "broken", "energy"),
   across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
-    "parting", "energy"),
+    "rope_break", "energy"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",

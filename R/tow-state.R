@@ -77,7 +77,7 @@ conditions_at <- function(what, time, winch_length = winches_at_start(what$sched
 }
 
 winches_at_start <- function(schedule) {
-  vapply(schedule$growing, function(part) first_of(part$winch$length, 0), 0)
+  vapply(schedule$growing, function(part) first_of(part$control$length, 0), 0)
 }
 
 # The gear's numbers at one time: towing speed, warps and current as they are, in the vessel's axes.
@@ -121,11 +121,11 @@ lattice_at <- function(what, now) {
 scheduled_engine <- function(engine, schedule, now) {
   if (!length(schedule$growing) && !any(now$parted > 0)) return(engine)
   still <- numeric(length(now$winch_length))
-  parted <- integer(length(schedule$partings))
-  parted[seq_along(now$parted)] <- as.integer(now$parted)
+  broken <- integer(length(schedule$breaks))
+  broken[seq_along(now$parted)] <- as.integer(now$parted)
   done <- list(
-    length = now$winch_length, since = still + now$time, speed = still, speed_wanted = still,
-    near_limit = still > 0, parted = parted, parted_at = 0 * parted
+    length = now$winch_length, since = still + now$time, speed = still, target_speed = still,
+    near_limit = still > 0, broken = broken, broken_at = 0 * broken
   )
   found <- engine_scheduled(engine, schedule_as_done(schedule, done), now$time)
   engine[c("mass", "load")] <- found[c("mass", "load")]

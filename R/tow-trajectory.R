@@ -109,17 +109,17 @@ tow_stops <- function(begun, until, every, what) {
   )
 }
 
-# The schedule with its winches and ropes as they are.
+# The schedule with its controlled lengths and ropes as they are.
 schedule_as_done <- function(schedule, done) {
   for (k in seq_along(schedule$growing)) {
-    if (is.null(schedule$growing[[k]]$winch)) next
-    for (field in c("length", "since", "speed", "speed_wanted", "near_limit")) {
-      schedule$growing[[k]]$winch[[field]] <- done[[field]][k]
+    if (is.null(schedule$growing[[k]]$control)) next
+    for (field in c("length", "since", "speed", "target_speed", "near_limit")) {
+      schedule$growing[[k]]$control[[field]] <- done[[field]][k]
     }
   }
-  for (k in seq_along(schedule$partings)) {
-    schedule$partings[[k]]$parted <- done$parted[k]
-    schedule$partings[[k]]$parted_at <- done$parted_at[k]
+  for (k in seq_along(schedule$breaks)) {
+    schedule$breaks[[k]]$broken <- done$broken[k]
+    schedule$breaks[[k]]$broken_at <- done$broken_at[k]
   }
   schedule
 }

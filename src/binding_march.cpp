@@ -15,14 +15,14 @@ namespace {
 
 codend::Motion read_motion(const list& from) {
   return {number(from, "time"), values(from, "position"), values(from, "velocity"),
-          values(from, "acceleration"), values(from, "carried_acceleration")};
+          values(from, "acceleration"), values(from, "algorithmic_acceleration")};
 }
 
 writable::list as_list(const codend::Motion& motion) {
   return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
                          "velocity"_nm = as_doubles(motion.v),
                          "acceleration"_nm = as_doubles(motion.a),
-                         "carried_acceleration"_nm = as_doubles(motion.b)});
+                         "algorithmic_acceleration"_nm = as_doubles(motion.b)});
 }
 
 // In the order of energy_parts in R/tow-frame.R.
@@ -164,17 +164,17 @@ double potential_of(const codend::Model& model, double error) {
       if (march.to(times[k]) != codend::MarchReport::End::reached) break;
       if (steered[k] == TRUE) {
         const doubles speed(steer(frame()));
-        std::vector<codend::GrowingGroup>& groups = conditions.schedule().groups;
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-          groups[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
+        std::vector<codend::GrowingGroup>& growing = conditions.schedule().growing;
+        for (std::size_t g = 0; g < growing.size(); ++g) {
+          growing[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
         }
       }
       if (filled[k] == TRUE) {
         const list moved(refill(frame()));
-        model.pressure.weight = numbers(moved, "weight");
+        conditions.model().set_pressure_weight(numbers(moved, "weight"));
         const std::vector<int> node = places(moved, "node");
         const std::vector<double> mass = numbers(moved, "mass");
-        for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
+        for (std::size_t p = 0; p < node.size(); ++p) conditions.model().set_mass(node[p], mass[p]);
       }
       if (broken[k] == TRUE) march.begin_anew();
       if (kept[k] == TRUE) keep(frame());

@@ -7,8 +7,8 @@
 
 namespace codend {
 
-LinearStep::LinearStep(const Assembly& assembly, const LinearControl& control,
-                       SettleReport& report, const double* x)
+LinearStep::LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
+                       const double* x)
     : assembly_(assembly),
       control_(control),
       report_(report),

@@ -28,9 +28,8 @@ void PseudoTime::advance(double rotation, double damped, double driven) {
                       step_ > control_.cycle_excess * own;
   cycle_ = around ? cycle_ + 1 : 0;
   last_rotation_ = rotation_;
-  step_ = std::min(
-      step_ * std::clamp(1.0 / rotation_, control_.least_factor, control_.most_factor),
-      control_.longest);
+  step_ = std::min(step_ * std::clamp(1.0 / rotation_, control_.least_factor, control_.most_factor),
+                   control_.longest);
   if (cycle_ == control_.cycle_steps) {
     step_ = std::max(control_.cycle_return * own, control_.cycle_least);
     cycle_ = 0;

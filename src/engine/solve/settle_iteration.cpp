@@ -159,10 +159,9 @@ void SettleIteration::step() {
 void SettleIteration::choose_law() {
   const LawControl& law = control_.law;
   const bool tried = law_steps_ >= law.steps;
-  if (on_law_ &&
-      (pseudo_time_.rotation() > law.rotation ||
-       report_.residual > law.excess * residual_before_law_ ||
-       (tried && !(report_.residual < law.closing * residual_on_law_)))) {
+  if (on_law_ && (pseudo_time_.rotation() > law.rotation ||
+                  report_.residual > law.excess * residual_before_law_ ||
+                  (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
              report_.residual < law.residual) {
