@@ -145,10 +145,9 @@ mesh_openings <- function(state, parts = NULL) {
   panels <- state$si$panels
   part <- vapply(panels, `[[`, "", "part")
   known <- unique(c(names(panels), part[!is.na(part)]))
-  if (!length(panels)) abort_meshes("The gear has no netting.")
+  if (!length(panels)) abort_argument("The gear has no netting.")
   if (!is.null(parts) && !(is.character(parts) && length(parts) && all(parts %in% known))) {
-    abort_meshes("{.arg parts} is {.val {parts}}; it must be any of {.val {known}}.",
-      list(parts = parts, known = known))
+    abort_argument("{.arg parts} is {.val {parts}}; it must be any of {.val {known}}.")
   }
   some <- names(panels)[is.null(parts) | names(panels) %in% parts | part %in% parts]
   found <- mesh_places(state, some)
@@ -188,9 +187,4 @@ mesh_openings <- function(state, parts = NULL) {
     class = c("codend_mesh_openings", "data.frame"), gear_name = state$gear$plan$name,
     conditions = state_conditions(state)
   )
-}
-
-abort_meshes <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment(abort_meshes)))
 }

@@ -5,8 +5,8 @@ netting_colours <- c("tension", "mesh_opening", "mesh_angle")
 
 check_colour <- function(colour) {
   if (is_text(colour) && colour %in% netting_colours) return(invisible())
-  abort_view("{.arg colour} is {.val {colour}}; it must be one of {.val {known}}.",
-    list(colour = colour, known = netting_colours))
+  known <- netting_colours
+  abort_argument("{.arg colour} is {.val {colour}}; it must be one of {.val {known}}.")
 }
 
 # The drawing of a state with netting coloured by one of `netting_colours`: list(drawing (see

@@ -26,7 +26,7 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   vessel <- gear_si(gear)$vessel
-  if (is.null(vessel)) abort_tow_speed("{.arg gear} has no {.field vessel} in its plan.")
+  if (is.null(vessel)) abort_argument("{.arg gear} has no {.field vessel} in its plan.")
   share <- power_share(power, vessel)
   state <- NULL
   # How much more than the power asked for the gear takes, as a share of what the vessel pulls.
@@ -49,7 +49,7 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
     high <- low
     at_high <- at_low
     if (low <= least) {
-      abort_tow_speed("{.arg power} does not tow the gear at {least} m/s.", list(least = least))
+      abort_argument("{.arg power} does not tow the gear at {least} m/s.")
     }
     low <- max(least, low / 1.15)
     at_low <- excess(low)
@@ -69,14 +69,9 @@ power_share <- function(power, vessel) {
   share <- if (known) quantity_si(power, "power") / vessel$power else NA
   if (is.na(share) && known) share <- quantity_si(power, "number")
   if (is.na(share) || share <= 0 || share > 1 + 1e-9) {
-    abort_tow_speed("{.arg power} is {.val {power}}; it must be a power above 0, at most the
-      vessel's {format_si(full, 'power')}, or a share of it such as {.val 80 %}.",
-      list(power = power, full = vessel$power))
+    full <- format_si(vessel$power, "power")
+    abort_argument("{.arg power} is {.val {power}}; it must be a power above 0, at most the
+      vessel's {full}, or a share of it such as {.val 80 %}.")
   }
   share
-}
-
-abort_tow_speed <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment(abort_tow_speed)))
 }

@@ -19,9 +19,8 @@
 netting_table <- function(gear) {
   if (is.character(gear)) gear <- read_gear(gear)
   if (!inherits(gear, c("codend_state", "codend_gear"))) {
-    cli::cli_abort(
-      "{.arg gear} must be a gear, the name of a plan or a state, not {.cls {class(gear)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg gear} must be a gear, the name of a plan or a state, not {.cls {class(gear)}}."
     )
   }
   si <- if (inherits(gear, "codend_state")) gear$si else gear_si(gear)
