@@ -73,8 +73,9 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   thick <- ((rows$t[below] - rows$t[above]) / 2)[row] * own$deep
   data.frame(
     panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
-    angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ], u_z = u[3, ], v_x = v[1, ],
-    v_y = v[2, ], v_z = v[3, ], x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
+    angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ],
+    u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
+    x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
   )
 }
 
