@@ -65,8 +65,8 @@ data_bytes <- function(nc) {
 
 abort_damaged <- function(file, why) abort_file(file, "is damaged: {why}.", why = why)
 
-# Reads with a function(get) of an open file's variables; closes it. Whatever does not fit is told as
-# damage.
+# Reads with a function(get) of an open file's variables; closes it. Whatever does not fit is told
+# as damage.
 read_kept <- function(nc, file, read) {
   on.exit(RNetCDF::close.nc(nc))
   tryCatch(read(file_getter(nc)), error = function(e) {
@@ -124,7 +124,8 @@ gear_of_text <- function(text, file) {
   as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
 }
 
-# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own arrays.
+# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own
+# arrays.
 check_indices <- function(lattice) {
   engine <- lattice$engine
   points <- length(engine$mass)

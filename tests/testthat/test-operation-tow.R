@@ -141,8 +141,8 @@ test_that("at the time of a jump a state is that after it, as the motion goes on
 })
 
 test_that("a curve is the same number on both sides of the engine's jumps", {
-  # value = 1 + t up to 1 s, then Hermite's cubic from 5 at rate 0 to 6 at rate 1.5: (5 + 6) / 2 - 2 * 1.5 / 8
-  # in its middle
+  # value = 1 + t up to 1 s, then Hermite's cubic from 5 at rate 0 to 6 at rate 1.5: (5 + 6) / 2 - 2
+  # * 1.5 / 8 in its middle
   curve <- list(time = c(0, 1, 3), begin = c(1, 5), end = c(2, 6), begin_rate = c(1, 0),
     end_rate = c(1, 1.5))
   expect_equal(curve_at(curve, c(-1, 0, 0.5, 1, 3, 9)), c(1, 1, 1.5, 2, 6, 6))

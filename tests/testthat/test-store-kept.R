@@ -36,11 +36,11 @@ damaged <- function(file, change) {
 test_that("a state's or a tow's file that was cut short or changed is one clear error", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
+  state <- settled("panel_in_current", nodes = 200)
+  trajectory <- tow("towed_cable", until = 20, every = 5)
   kept <- list(
-    list(file = write_state(settled("panel_in_current", nodes = 200), file.path(folder, "s.nc")),
-      read = read_state),
-    list(file = write_trajectory(tow("towed_cable", until = 20, every = 5), file.path(folder, "t.nc")),
-      read = read_trajectory)
+    list(file = write_state(state, file.path(folder, "s.nc")), read = read_state),
+    list(file = write_trajectory(trajectory, file.path(folder, "t.nc")), read = read_trajectory)
   )
   for (one in kept) {
     size <- file.size(one$file)
@@ -112,7 +112,9 @@ test_that("a forged file with a right checksum holds no place that is not there"
       if (!length(bad$lattice$engine[[kind]]$node)) next
       bad$lattice$engine[[kind]]$node[1] <- 1000000L
       file <- write_state(bad, file.path(folder, "forged.nc"))
-      expect_error(read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file")
+      expect_error(
+        read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
+      )
     }
   }
   # ties, bars, triangles, bodies, sea bed, boards, ropes that slide or bend, and a catch among them
