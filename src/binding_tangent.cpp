@@ -31,7 +31,7 @@ using namespace binding;
         "converged"_nm = report.converged,
         "steps"_nm = report.steps,
         "residual"_nm = report.residual,
-        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+        "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
     });
   });
 }

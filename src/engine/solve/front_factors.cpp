@@ -270,10 +270,9 @@ void FrontFactors<Real>::solve(Real* x) const {
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   for (int f = 0; f < tree_.fronts(); ++f) {
     gather(x, f);
-    kernels.forward(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
-                    factor_.data.get() + layout_[f].lower,
-                    exchange_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]),
-                    local_.data());
+    kernels.forward(
+        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
+        exchange_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
     scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {
@@ -291,11 +290,10 @@ void FrontFactors<Real>::solve_transposed(Real* x) const {
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   for (int f = 0; f < tree_.fronts(); ++f) {
     gather(x, f);
-    kernels.forward_transposed(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
-                               factor_.data.get() + layout_[f].lower,
-                               factor_.data.get() + layout_[f].upper,
-                               reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]),
-                               local_.data());
+    kernels.forward_transposed(
+        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
+        factor_.data.get() + layout_[f].upper,
+        reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
     scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {

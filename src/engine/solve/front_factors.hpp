@@ -71,8 +71,8 @@ class FrontFactors {
   void lay_out_stack();
   void map_entries(const BlockPattern& pattern);
   bool factorise_front(int front, const double* values, const Sharing* sharing);
-  void gather(const Real* x, int front) const;   // its part of x into local_
-  void scatter(Real* x, int front) const;        // and back
+  void gather(const Real* x, int front) const;  // its part of x into local_
+  void scatter(Real* x, int front) const;       // and back
 
   const AssemblyTree& tree_;
   Shares shares_;

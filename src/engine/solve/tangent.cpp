@@ -63,9 +63,9 @@ ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, doubl
   double before = 0.0;
   for (;; ++report.steps) {
     other.move_to(x, rest.data());
-    if (other.shades()) {
+    if (other.has_wake()) {
       // The same sheets upstream throughout: what differences between two shapes need.
-      report.shading_change = other.shade(report.steps == 0, 0.0);
+      report.wake_change = other.renew_wake(report.steps == 0, 0.0);
       other.move_to(x, rest.data());
     }
     other.residual(force.data());
@@ -83,7 +83,7 @@ ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, doubl
     const bool closes_in = report.steps == 0 || largest <= closing_in * before;
     if (smallest || !closes_in || report.steps == steps) {
       report.converged = report.residual <= tolerance && (smallest || !closes_in) &&
-                         report.shading_change <= shading_tolerance;
+                         report.wake_change <= wake_tolerance;
       return report;
     }
     for (std::size_t k = 0; k < size_; ++k) x[k] += step[k];

@@ -22,8 +22,8 @@ namespace codend {
 struct ChordReport {
   bool converged = false;
   int steps = 0;
-  double residual = 0.0;        // largest nodal force over largest tension
-  double shading_change = 0.0;  // of any point's share of the free flow's speed, in the last step
+  double residual = 0.0;     // largest nodal force over largest tension
+  double wake_change = 0.0;  // of any point's share of the free flow's speed, in the last step
 };
 
 class Tangent {
