@@ -130,6 +130,8 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
   given$control_every <- tow_quantity(control_every, "control_every", "time")
+  steered <- if (!is.null(control)) given$control_every
+  check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {
@@ -139,6 +141,27 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   march_trajectory(trajectory, until, every, method, measures, record)
+}
+
+# More than any tow needs, s and times, and few enough to be held.
+most_tow_time <- 1e6
+most_tow_times <- 1e6
+
+check_tow_times <- function(until, every) {
+  refuse <- function(...) {
+    cli::cli_abort(c(...), class = c("codend_error_argument", "codend_error"), call = NULL,
+      .envir = parent.frame())
+  }
+  if (until > most_tow_time) {
+    refuse("{.arg until} is {signif(until, 6)} s; it must be at most {most_tow_time} s.")
+  }
+  for (name in names(every)) {
+    times <- until / every[[name]]
+    if (times > most_tow_times) {
+      refuse("{.arg {name}} is {signif(every[[name]], 6)} s, which gives {signif(times, 2)} times up
+        to {signif(until, 6)} s; it must be at least {until / most_tow_times} s.")
+    }
+  }
 }
 
 checked_gear <- function(gear) {

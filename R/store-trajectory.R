@@ -58,7 +58,10 @@ read_trajectory <- function(file) {
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
-    n <- complete_records(get)
+    n <- min(complete_records(get), attr(nc, "records"))
+    # the last from which a tow can go on
+    resumed <- get("resume_record")
+    n <- max(0L, resumed[resumed >= 1 & resumed <= n])
     if (n == 0L) abort_file(file, "holds no complete record.")
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
