@@ -40,10 +40,6 @@ engine_balance <- function(tangent, lattice, position, tolerance, steps) {
   .Call(`_codend_engine_balance`, tangent, lattice, position, tolerance, steps)
 }
 
-engine_tangent_solve <- function(tangent, right, transposed) {
-  .Call(`_codend_engine_tangent_solve`, tangent, right, transposed)
-}
-
 engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }

@@ -12,6 +12,7 @@ print.codend_sensitivities <- function(x, ...) {
     if (!is.null(attr(x, "gear_name"))) paste0(" of \"", attr(x, "gear_name"), "\""), "\n", sep = "")
   for (field in unique(x$field)) {
     rows <- x[x$field == field & is.finite(x$slope) & x$slope != 0, ]
+    if (!nrow(rows)) next
     cat("\n", field, " (", trimws(paste(format(signif(rows$value[1L], 6)), rows$unit[1L])), ")\n",
       sep = "")
     rows <- rows[order(-abs(rows$elasticity)), ]

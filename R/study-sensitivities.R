@@ -4,25 +4,27 @@
 #' masses matter, and how much. The slopes are exact, and one matrix is factorised for all of them.
 #'
 #' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
-#' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). `dF/dp` is the
-#' difference of forces at the same shape between the field's value 1e-5 smaller and larger; wakes
-#' follow their netting. Slopes agree with differences of settled shapes to 1e-6.
+#' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
+#' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are in
+#' balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
+#' Slopes agree with differences of settled shapes to 1e-6 where these are smooth.
 #'
 #' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
 #' table of coefficients turns. So the gear is also settled at 1 % less and 1 % more of each field,
 #' from this state, and the slopes of these two secants stand beside the tangent's. `smooth` tells
-#' whether the slope holds that far: whether the secants' mean is within 0.5 % of it, and the slopes
-#' on both sides at the state itself too. (Of an elasticity below 0.01, within 0.5 % of that.) Where
-#' small steps do not lead to balance, such as with much slack netting, or the field is at the end of
-#' its range, the slope is the secants' and not called smooth. Of fields of whole numbers it is the
-#' mean of the secants to one less and one more, smooth where these differ by no more than three
-#' times as much as the field, as shares.
+#' whether the slope holds that far: whether the secants' mean is within 0.5 % of it, the secants
+#' differ by less than a fifth of it and the slopes on both sides at the state itself by 0.5 %. (Of
+#' an elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as
+#' with much slack netting, or the field is at the end of its range, the slope is the secants' and
+#' not called smooth. Of fields of whole numbers it is the mean of the secants to one less and one
+#' more, smooth where these differ by no more than three times as much as the field, as shares.
 #'
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as [measures()] has them; all when `NULL`.
 #' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a list
 #'   may hold several paths, of parts that are alike: their fields change together. `NULL` takes those
-#'   that people change first, a dozen at most; `"all"` every number that the plan gives.
+#'   that people change first, a dozen at most; `"all"` every number that the plan gives beside those
+#'   that divide it into meshes and segments.
 #' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
 #'   `smooth` speaks of the state itself alone.
 #' @return A data frame of class `codend_sensitivities` with a row per measure and field:
@@ -33,7 +35,8 @@
 #'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the measure
 #'     is 0;
 #'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
-#'     numbers: one less and one more); `NA` where they were not asked for or do not settle;
+#'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
+#'     other nodes;
 #'   - `smooth`, as told above.
 #'
 #'   The attribute `factorisations` counts what it cost. A field that the plan has not, that is no
@@ -80,17 +83,18 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   )
 }
 
-# Shares of a field's value: by which lattices are filled for the tangent, along which measures are
-# compared on it (farther: tensions of stiff ropes are differences of positions), and of secants.
-tangent_share <- 1e-5
-along_share <- 3e-4
+# Shares of a field's value: of the tangent, as large as it holds (tensions of stiff ropes are
+# differences of positions, which round), and of secants.
+tangent_shares <- c(1e-4, 1e-5)
 secant_share <- 0.01
-# Chord steps at most, and the net force over the largest tension that they end at.
+# Steps of one matrix at most, how often it is made again, and the net force over the largest tension that they end at.
 chord_steps <- 20L
+most_renewals <- 3L
 chord_tolerance <- 1e-8
-# Of a slope, what two one-sided slopes or the secants' mean may differ by; and the least slope, as an
-# elasticity, that this is a share of.
+# Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what the
+# secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005
+most_bend <- 0.2
 least_elasticity <- 0.01
 # Fields that are taken where none are asked for, and how those begin that are not among the usual.
 most_slope_fields <- 12L
@@ -108,6 +112,8 @@ slope_fields <- function(gear, to) {
     }
     groups <- unique(c(unname(lapply(usual_of_plan(gear$plan), `[[`, "paths")), every))
     found <- Filter(is.list, lapply(groups, function(paths) slope_field(gear, paths)))
+    # other counts divide the gear otherwise
+    found <- Filter(function(field) !field$whole || grepl("[.]number$", field$name), found)
     seen <- character()
     found <- Filter(function(field) {
       fresh <- !any(field$paths %in% seen)
@@ -204,9 +210,9 @@ tangent_work <- function(state) {
   work
 }
 
-# A gear on the state's lattice: list(gear, si, lattice, start = the state's positions, where nodes that
-# are held have their own), or NULL where it needs another one.
-filled <- function(work, gear) {
+# A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice (with the
+# wakes of the new shape), position, values), or NULL.
+balanced <- function(work, gear) {
   if (is.null(gear)) return(NULL)
   si <- gear_si(gear)
   lattice <- build_lattice(si, work$nodes, work$netting, work$shape)
@@ -214,29 +220,26 @@ filled <- function(work, gear) {
   if (!is.null(si$catch)) {
     lattice <- set_catch_front(lattice, work$shape$lattice$catch$blocked)
   }
-  held <- rep(lattice$engine$held, each = 3L)
   start <- as.double(lattice$start)
-  if (!is.null(work$position)) start[!held] <- work$position[!held]
-  list(gear = gear, si = si, lattice = lattice, start = start)
-}
-
-# A gear brought to balance by chord steps from the state: what filled() gives, its lattice with the
-# wakes of the new shape, and position; and at the state's own shape its net forces and measures:
-# force, values. Or NULL.
-balanced <- function(work, gear) {
-  out <- filled(work, gear)
-  if (is.null(out)) return(NULL)
-  found <- engine_balance(
-    work$factors, out$lattice$engine, out$start, chord_tolerance, chord_steps
-  )
+  if (!is.null(work$position)) {
+    free <- !rep(lattice$engine$held, each = 3L)
+    start[free] <- work$position[free]
+  }
+  found <- engine_balance(work$factors, lattice$engine, start, chord_tolerance, chord_steps)
+  # Lines that are all but slack turn the matrix with every step: it is made again.
+  for (again in seq_len(if (is.null(work$position)) 0L else most_renewals)) {
+    if (found$converged || !all(is.finite(found$position))) break
+    factors <- engine_tangent(lattice$engine, found$position)
+    work$cost$factorisations <- work$cost$factorisations + 1L
+    if (is.null(factors)) break
+    found <- engine_balance(factors, lattice$engine, found$position, chord_tolerance, chord_steps)
+  }
   if (!found$converged) return(NULL)
-  out$lattice$engine$wake <- found$wake
-  out$position <- found$position
-  # the state itself stays where the steps end
-  at <- if (is.null(work$position)) found$position else out$start
-  out$force <- engine_evaluate(out$lattice$engine, at, numeric(length(at)))$force
-  out$values <- values_at(work, gear, out$si, out$lattice, at)
-  out
+  lattice$engine$wake <- found$wake
+  list(
+    lattice = lattice, position = found$position,
+    values = values_at(work, gear, si, lattice, found$position)
+  )
 }
 
 values_at <- function(work, gear, si, lattice, position) {
@@ -255,9 +258,11 @@ field_slopes <- function(work, field, secants) {
   if (secants) {
     sides <- secant_slopes(work, field, secant_share)
     found[names(sides)] <- sides
-    off <- abs((sides$below + sides$above) / 2 - found$slope)
+    scale <- slope_scale(work, found$slope)
+    off <- abs((sides$below + sides$above) / 2 - found$slope) / scale
+    bend <- abs(sides$above - sides$below) / scale
     # what does not settle on both sides is not smooth
-    found$smooth <- found$smooth & !is.na(off) & off <= kink_share * slope_scale(work, found$slope)
+    found$smooth <- found$smooth & !is.na(off) & off <= kink_share & bend <= most_bend
   }
   found
 }
@@ -267,29 +272,23 @@ slope_scale <- function(work, slope) {
   pmax(abs(slope), least_elasticity * abs(work$values), .Machine$double.xmin)
 }
 
-# By the tangent; NULL where steps along it do not lead to balance on both sides.
+# By the tangent, over the largest share at which steps of the factors lead to balance on both sides;
+# NULL where there is none.
 tangent_slopes <- function(work, field) {
-  side <- function(way) balanced(work, scaled_gear(work$state$gear, field, way * tangent_share))
-  up <- side(1)
-  down <- if (!is.null(up)) side(-1)
+  side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
+  for (share in tangent_shares) {
+    up <- side(share)
+    down <- if (!is.null(up)) side(-share)
+    if (!is.null(down)) break
+  }
   if (is.null(down)) return(NULL)
-  way <- engine_tangent_solve(work$factors, (up$force - down$force) / (2 * tangent_share), FALSE)
-  slope <- (up$values - down$values) / (2 * tangent_share) +
-    (moved_values(work, along_share * way) - moved_values(work, -along_share * way)) /
-      (2 * along_share)
-  scale <- slope_scale(work, slope)
+  slope <- (up$values - down$values) / (2 * share)
   # where a kink lies at the state itself, slopes on both sides differ
-  at_end <- function(end) values_at(work, end$gear, end$si, end$lattice, end$position)
-  turn <- abs(at_end(up) + at_end(down) - 2 * work$values) / tangent_share
+  turn <- abs(up$values + down$values - 2 * work$values) / share
   list(
-    slope = slope, below = NA * slope, above = NA * slope, smooth = turn <= kink_share * scale
+    slope = slope, below = NA * slope, above = NA * slope,
+    smooth = turn <= kink_share * slope_scale(work, slope)
   )
-}
-
-# The state's measures with its nodes moved (m).
-moved_values <- function(work, way) {
-  state <- work$state
-  values_at(work, state$gear, state$si, work$lattice, work$position + way)
 }
 
 # By gears settled at both sides: list(below, above).

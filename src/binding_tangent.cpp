@@ -35,24 +35,3 @@ using namespace binding;
     });
   });
 }
-
-// Displacements (m, 3 per node) that net forces (N, 3 per node) make, by factors that engine_tangent()
-// gave; transposed: what forces do to a function, by its change per displacement.
-[[cpp11::register]] doubles engine_tangent_solve(SEXP tangent, doubles right, bool transposed) {
-  return guarded([&]() -> doubles {
-    const external_pointer<codend::Tangent> factors(tangent);
-    const std::vector<double> given = numbers(right);
-    if (given.size() != factors->size()) {
-      throw codend::InputError("right", "right has " + std::to_string(given.size()) +
-                                            " values, must have " +
-                                            std::to_string(factors->size()) + " (3 per node)");
-    }
-    std::vector<double> found(given.size(), 0.0);
-    if (transposed) {
-      factors->solve_transposed(given.data(), found.data());
-    } else {
-      factors->solve(given.data(), found.data());
-    }
-    return as_doubles(found);
-  });
-}

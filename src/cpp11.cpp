@@ -75,13 +75,6 @@ extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position
     return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
   END_CPP11
 }
-// binding_tangent.cpp
-doubles engine_tangent_solve(SEXP tangent, doubles right, bool transposed);
-extern "C" SEXP _codend_engine_tangent_solve(SEXP tangent, SEXP right, SEXP transposed) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_tangent_solve(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<doubles>>(right), cpp11::as_cpp<cpp11::decay_t<bool>>(transposed)));
-  END_CPP11
-}
 // binding.cpp
 list engine_evaluate(list lattice, doubles position, doubles velocity);
 extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
@@ -147,7 +140,6 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
-    {"_codend_engine_tangent_solve",   (DL_FUNC) &_codend_engine_tangent_solve,   3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
