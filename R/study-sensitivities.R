@@ -50,17 +50,16 @@
 sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
-    abort_sensitivities("{.arg state} must be settled, not a moment of a tow.")
+    abort_argument("{.arg state} must be settled, not a moment of a tow.")
   }
   if (!isTRUE(secants) && !isFALSE(secants)) {
-    abort_sensitivities("{.arg secants} must be TRUE or FALSE.")
+    abort_argument("{.arg secants} must be TRUE or FALSE.")
   }
   base <- measures(state)
   known <- names(base)
   if (is.null(of)) of <- known
   if (!(is.character(of) && length(of) && all(of %in% known))) {
-    abort_sensitivities("{.arg of} is {.val {of}}; it must be any of {.val {known}}.",
-      list(of = of, known = known))
+    abort_argument("{.arg of} is {.val {of}}; it must be any of {.val {known}}.")
   }
   fields <- slope_fields(state$gear, to)
   work <- tangent_work(state)
@@ -120,20 +119,20 @@ slope_fields <- function(gear, to) {
       seen <<- c(seen, field$paths)
       fresh
     }, found)
-    if (!length(found)) abort_sensitivities("The plan gives no field of a number.")
+    if (!length(found)) abort_argument("The plan gives no field of a number.")
     return(if (is.null(to)) utils::head(found, most_slope_fields) else found)
   }
   groups <- as.list(to)
   if (!length(groups) || !all(vapply(groups, is.character, NA)) || !all(lengths(groups) > 0L) ||
     anyNA(unlist(groups))) {
-    abort_sensitivities("{.arg to} must be paths of plan fields, such as {.val towing.speed}, or a
+    abort_argument("{.arg to} must be paths of plan fields, such as {.val towing.speed}, or a
       list of such paths that change together.")
   }
   lapply(groups, function(paths) {
     found <- slope_field(gear, paths)
     if (is.list(found)) return(found)
-    abort_sensitivities("{.arg to} holds {.val {path}}, which {why}.",
-      list(path = paste(paths, collapse = " + "), why = found))
+    path <- paste(paths, collapse = " + ")
+    abort_argument("{.arg to} holds {.val {path}}, which {found}.")
   })
 }
 
@@ -325,8 +324,3 @@ slopes_of_secants <- function(work, sides, curvature) {
 
 # How many times as much a slope may change as its field, to be a curve's.
 most_curvature <- 3
-
-abort_sensitivities <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment(abort_sensitivities)))
-}

@@ -20,8 +20,7 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
   known <- unique(x$measure[is.finite(x$elasticity) & x$elasticity != 0])
   if (is.null(measures)) measures <- known
   if (!(is.character(measures) && length(measures) && all(measures %in% known))) {
-    abort_view("{.arg measures} is {.val {measures}}; it must be any of {.val {known}}.",
-      list(measures = measures, known = known))
+    abort_argument("{.arg measures} is {.val {measures}}; it must be any of {.val {known}}.")
   }
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
@@ -55,8 +54,10 @@ draw_tornados <- function(x, measures, title, page) {
   rows <- ceiling(length(measures) / columns)
   above <- series_title + key_row
   if ((page[2L] - above) / rows < 1.2) {
-    abort_view("A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it
-      larger or choose fewer.", list(page = round(page, 1), n = length(measures)))
+    page <- round(page, 1)
+    n <- length(measures)
+    abort_argument("A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it
+      larger or choose fewer.")
   }
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
