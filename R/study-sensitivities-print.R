@@ -9,7 +9,8 @@ print.codend_sensitivities <- function(x, ...) {
     return(invisible(x))
   }
   cat("Slopes of ", length(unique(x$measure)), " measures by ", length(unique(x$field)), " fields",
-    if (!is.null(attr(x, "gear_name"))) paste0(" of \"", attr(x, "gear_name"), "\""), "\n", sep = "")
+    if (!is.null(attr(x, "gear_name"))) paste0(" of \"", attr(x, "gear_name"), "\""), "\n",
+    sep = "")
   for (field in unique(x$field)) {
     rows <- x[x$field == field & is.finite(x$slope) & x$slope != 0, ]
     if (!nrow(rows)) next

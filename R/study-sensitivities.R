@@ -5,7 +5,8 @@
 #'
 #' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
 #' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
-#' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are in
+#' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are
+#' in
 #' balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
 #' Slopes agree with differences of settled shapes to 1e-6 where these are smooth.
 #'
@@ -21,9 +22,12 @@
 #'
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as [measures()] has them; all when `NULL`.
-#' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a list
-#'   may hold several paths, of parts that are alike: their fields change together. `NULL` takes those
-#'   that people change first, a dozen at most; `"all"` every number that the plan gives beside those
+#' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a
+#' list
+#'   may hold several paths, of parts that are alike: their fields change together. `NULL` takes
+#'   those
+#'   that people change first, a dozen at most; `"all"` every number that the plan gives beside
+#'   those
 #'   that divide it into meshes and segments.
 #' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
 #'   `smooth` speaks of the state itself alone.
@@ -32,7 +36,8 @@
 #'   - `measure`, and the `field` by its path (several are joined by ` + `);
 #'   - `value` of the field with its `unit` in the plan (the SI unit of a bare number);
 #'   - `slope`, in `slope_unit`: the measure's change per unit of the field;
-#'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the measure
+#'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the
+#'   measure
 #'     is 0;
 #'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
 #'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
@@ -86,11 +91,13 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
 # differences of positions, which round), and of secants.
 tangent_shares <- c(1e-4, 1e-5)
 secant_share <- 0.01
-# Steps of one matrix at most, how often it is made again, and the net force over the largest tension that they end at.
+# Steps of one matrix at most, how often it is made again, and the net force over the largest
+# tension that they end at.
 chord_steps <- 20L
 most_renewals <- 3L
 chord_tolerance <- 1e-8
-# Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what the
+# Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
+# the
 # secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005
 most_bend <- 0.2
@@ -183,7 +190,8 @@ scaled_gear <- function(gear, field, share) {
 
 # ---- slopes --------------------------------------------------------------------------------------
 
-# What all fields share: the state with its factors and, where steps of these hold it in balance, its
+# What all fields share: the state with its factors and, where steps of these hold it in balance,
+# its
 # lattice, position and measures as they leave it.
 tangent_work <- function(state) {
   asked <- state$lattice$counts$asked
@@ -209,7 +217,8 @@ tangent_work <- function(state) {
   work
 }
 
-# A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice (with the
+# A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice
+# (with the
 # wakes of the new shape), position, values), or NULL.
 balanced <- function(work, gear) {
   if (is.null(gear)) return(NULL)
@@ -271,7 +280,8 @@ slope_scale <- function(work, slope) {
   pmax(abs(slope), least_elasticity * abs(work$values), .Machine$double.xmin)
 }
 
-# By the tangent, over the largest share at which steps of the factors lead to balance on both sides;
+# By the tangent, over the largest share at which steps of the factors lead to balance on both
+# sides;
 # NULL where there is none.
 tangent_slopes <- function(work, field) {
   side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
@@ -312,7 +322,8 @@ settled_values <- function(work, gear) {
   values_at(work, gear, si, found$lattice, found$position)
 }
 
-# The slope between two secants, or one. curvature: by which share of it they may differ if the field
+# The slope between two secants, or one. curvature: by which share of it they may differ if the
+# field
 # is of whole numbers, else 0: nothing is called smooth.
 slopes_of_secants <- function(work, sides, curvature) {
   slope <- (sides$below + sides$above) / 2

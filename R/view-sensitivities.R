@@ -1,8 +1,10 @@
 #' Plot slopes of measures
 #'
 #' Small figures beside one another, a tornado for each measure: how much it changes with every
-#' field, in percent per percent, the fields that matter most on top. Bars are filled where the slope
-#' is smooth and open where it is not; there the two ticks show the secants to 1 % less and 1 % more.
+#' field, in percent per percent, the fields that matter most on top. Bars are filled where the
+#' slope
+#' is smooth and open where it is not; there the two ticks show the secants to 1 % less and 1 %
+#' more.
 #'
 #' @param x Slopes, from [sensitivities()].
 #' @param measures Names of measures, as [measures()] has them; all that change at all when `NULL`.
@@ -70,8 +72,8 @@ draw_tornados <- function(x, measures, title, page) {
   draw_head(title, list(missing = NULL), page)
   graphics::text(
     0.12, page[2L] - series_title - 0.05, adj = c(0, 0.5), cex = 0.95,
-    paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are slopes",
-      "to 1 % less and 1 % more.")
+    paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
+      "slopes to 1 % less and 1 % more.")
   )
 }
 

@@ -49,7 +49,8 @@ test_that("slopes of a towed sphere are those of its closed form", {
   drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2
   weight <- 9.81 * (200 - 0.01 * 1025)
   pull <- sqrt(drag^2 + weight^2)
-  # A line of 12 MN stretches by 1.6e-4 of its length, which the closed form leaves out of the angle,
+  # A line of 12 MN stretches by 1.6e-4 of its length, which the closed form leaves out of the
+  # angle,
   # not of the forces: those are the sphere's alone.
   of <- function(measure, field) slope_of(found, measure, field)$slope
   expect_equal(of("total_drag_kN", "towing.speed"), drag / 1000, tolerance = 1e-8)
@@ -163,8 +164,9 @@ test_that("fields go by themselves, together and by default", {
   every <- sensitivities(state, of = "total_drag_kN", to = "all", secants = FALSE)
   expect_true(all(c("ropes.cable.diameter", "pieces.sphere.volume") %in% every$field))
   expect_false("ropes.cable.segments" %in% every$field)
-  # Two fields together have the sum of their slopes, as shares: 1.9 times the drag of each.
-  gear <- update(state$gear, pieces.sphere.drag_coefficient = 1.5, ropes.cable.coefficients.normal = 1.5)
+  # Two fields together have the sum of their slopes, as shares.
+  gear <- update(state$gear, pieces.sphere.drag_coefficient = 1.5,
+    ropes.cable.coefficients.normal = 1.5)
   state <- settle(gear)
   paths <- c("pieces.sphere.drag_coefficient", "ropes.cable.coefficients.normal")
   both <- sensitivities(state, of = "total_drag_kN", to = list(paths), secants = FALSE)
