@@ -150,7 +150,7 @@ new_tank <- function(start, marked, nodes) {
     if (kind == "plan_file") tank$pin()
   }
   tank$mark <- function(path) {
-    if (!is_text(path)) abort_flume("A field is marked by its path.")
+    if (!is_text(path)) abort_argument("A field is marked by its path.")
     marked <<- c(marked, check_marked(path, tank$gear$plan))
     lay_out()
   }

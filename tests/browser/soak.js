@@ -85,7 +85,9 @@ async function use(url, name, end) {
     if (!await opened) { wrong.push(`${name}: no picture`); tank.close(); continue; }
     const text = tank.wait(['flume_plan']);
     tank.set({ shown: 'Plan' });
-    const plan = (await text).text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
+    const sent = await text;
+    if (!sent) { wrong.push(`${name}: no plan`); tank.close(); continue; }
+    const plan = sent.text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
     const named = tank.wait(['flume_picture', 'flume_refused']);
     tank.set({ 'plan_text': plan });
     const own = await named;
@@ -122,8 +124,8 @@ async function trouble(url, end) {
     await opened;
     const text = tank.wait(['flume_plan']);
     tank.set({ shown: 'Plan' });
-    const plan = (await text).text;
-    tank.set({ 'plan_text': plan + '\nresolution: {nodes: 20000}\n' });
+    const sent = await text;
+    if (sent) tank.set({ 'plan_text': sent.text + '\nresolution: {nodes: 20000}\n' });
     tank.set({ 'plan_text': 'x'.repeat(3e6) });
     await sleep(5e3);
     tank.close();
