@@ -35,7 +35,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
     name = fields$name, kind = "assembly",
-    water = si_water(fields$water), towing = fields$towing,
+    water = si_water(fields$water, fields$seabed), towing = fields$towing,
     netting = fields$netting, slack_twine = fields$slack_twine
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
@@ -82,7 +82,7 @@ map_named <- function(parts, group, convert, ...) {
   stats::setNames(out, as.character(names(parts)))
 }
 
-si_water <- function(water) {
+si_water <- function(water, seabed = NULL) {
   layers <- water$current
   if (is.null(layers)) layers <- list(speed = 0, toward = 0)
   if (!is.null(names(layers))) layers <- list(c(layers, depth = 0))
@@ -95,11 +95,13 @@ si_water <- function(water) {
     )
   }
   list(
-    density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
+    density = water$density, viscosity = water$viscosity,
+    free_surface = water$free_surface || !is.null(water$waves),
     current = list2DF(list(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
-    ))
+    )),
+    waves = if (!is.null(water$waves)) si_waves(water$waves, seabed)
   )
 }
 

@@ -26,9 +26,11 @@ fill_lattice <- function(si, nodes, netting, from) {
 
 # The engine's water: the current as the gear meets it, which is towed along -x.
 engine_water <- function(si) {
-  list(
+  water <- list(
     density = si$water$density, viscosity = si$water$viscosity,
     free_surface = si$water$free_surface, depth = si$water$current$depth,
     x = si$water$current$x + si$towing$speed, y = si$water$current$y
   )
+  water$waves <- engine_waves(si$water$waves)
+  water
 }

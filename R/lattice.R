@@ -70,11 +70,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   loads <- cbind(loads, matrix(0, 3L, length(collected$mass) - ncol(loads)))
   loads[3, ] <- loads[3, ] - gear_gravity * (collected$mass - density * collected$volume)
   contacts <- if (!is.null(si$ground)) contact_points(collected$masses) else no_contacts
-  volumes <- if (si$water$free_surface) {
-    immersed_volumes(collected$masses, density)
-  } else {
-    no_volumes
-  }
+  volumes <- immersed_volumes(collected$masses, density)
 
   engine <- list(
     nodes = collected$nodes, held = c(supports$held, rep(FALSE, collected$nodes - division$nodes)),
@@ -157,7 +153,6 @@ element_part <- function(lattice, kind) {
 }
 
 no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
-no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
 
 # Ropes that slide through places: their bars carry weight and drag alone, the whole pulls.
 sliding_ropes <- function(si, bar_part) {

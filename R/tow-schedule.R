@@ -48,7 +48,8 @@ tow_schedule <- function(si, lattice, given, until) {
     breaks = sort(unique(c(
       curve_breaks(speed, FALSE), curve_breaks(course, FALSE), curve_breaks(heave, FALSE),
       unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
-      unlist(lapply(c(current$x, current$y), curve_breaks, kinks = FALSE)),
+      # the water's acceleration jumps where a current's rate does
+      unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
       vapply(partings, `[[`, 0, "time")
     )))
   )
@@ -170,7 +171,7 @@ growing_warp <- function(si, lattice, rope, curve, given) {
 }
 
 # Where a group's buoyancy (N, of bodies that leave the water over these heights at these points) is
-# among the lattice's volumes at a free surface; nowhere in a lattice that knows none.
+# among the lattice's volumes.
 own_volumes <- function(lattice, point, height, buoyancy) {
   known <- lattice$engine$volumes
   at <- match(paste(point, height), paste(known$node, known$height))
@@ -194,13 +195,16 @@ growing_catch <- function(si, lattice, part, curve) {
   node <- lattice$engine$spheres$node[spheres]
   n <- length(node)
   each <- piece$number / max(n, 1L)
-  list(
-    name = lattice$parts$name[part], factor = curve, winch = NULL, bars = integer(),
-    rest = numeric(), points = node, mass = rep(each * piece$mass, n),
-    load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
-    spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
-    added_mass = lattice$engine$spheres$added_mass[spheres],
-    volumes = integer(), buoyancy = numeric()
+  c(
+    list(
+      name = lattice$parts$name[part], factor = curve, winch = NULL, bars = integer(),
+      rest = numeric(), points = node, mass = rep(each * piece$mass, n),
+      load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
+      spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
+      added_mass = lattice$engine$spheres$added_mass[spheres]
+    ),
+    own_volumes(lattice, node, rep(piece$height, n),
+      rep(gear_gravity * si$water$density * each * piece$volume, n))
   )
 }
 

@@ -109,6 +109,8 @@ lattice_at <- function(what, now) {
   lattice$engine <- scheduled_engine(lattice$engine, what$schedule, now)
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
+  lattice$engine$water$waves <-
+    waves_from_vessel(lattice$engine$water$waves, now$time, c(now$x, now$y), now$course)
   if (!is.null(now$wake)) lattice$engine$wake <- now$wake
   if (length(now$catch_front)) lattice <- set_catch_front(lattice, now$catch_front[1L])
   if (!is.null(lattice$engine$ground)) {

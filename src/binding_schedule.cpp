@@ -44,6 +44,13 @@ codend::PrescribedMotion read_track(const list& from) {
   motion.y = read_curve(list(from["y"]));
   motion.z = read_curve(list(from["heave"]));
   motion.heading = read_curve(list(from["course"]));
+  if (Rf_isNull(from["swing"])) return motion;
+  const list swing(from["swing"]);
+  const std::vector<double> centre = numbers(swing, "centre");
+  motion.swing.centre = codend::Vector(centre.at(0), centre.at(1), centre.at(2));
+  for (const list curve : list(swing["by_time"])) motion.swing.by_time.push_back(read_curve(curve));
+  motion.swing.even = numbers(swing, "even");
+  motion.swing.odd = numbers(swing, "odd");
   return motion;
 }
 

@@ -95,8 +95,6 @@ TEST_CASE("every scheme has its order on a smooth motion") {
 
 namespace {
 
-constexpr double gravity = 9.81;
-
 // A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
 // end of a bar; in vacuum unless told.
 struct String {

@@ -17,7 +17,7 @@ struct LineArrays {
   double* least_tension;  // 0; of struts, which also push, far below it, N
   double* multiplicity;
   double* drag_weight;  // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
-  double *added_normal, *added_tangential;  // added mass, a point's share, kg
+  double *added_normal, *added_tangential;  // added mass in the water, a point's share, kg
   double *normal, *tangential, *skin;       // C_n, C_t, C_f
   double* damping;                          // c, N s; null where no line has any
   double* rest_rate;                        // dL0/dt over L0, 1/s; with damping
@@ -30,6 +30,7 @@ struct LineArrays {
   double *u[3], *speed;  // U and |U|, m/s
   double* slope[3];      // dU/dz, 1/s; null where it is the same everywhere
   double* own;           // -dU/dv of the mean velocity v of its points
+  double* wet;           // share that is in the water; null without a free surface
   double* loose;         // drag of a curled-up line over U, a point's share, N s/m
   double* loose_slope;   // its derivative by |U|
   double* drag_scale;    // drag over U, a point's share, at right angles, N s/m

@@ -17,12 +17,26 @@
 
 namespace codend {
 
-// Held nodes that move as one rigid body, which stays upright.
+// How a vessel swings about its way: surge (forwards), sway (to starboard), heave (up), m, and roll
+// (starboard down), pitch (bow up), yaw (bow to starboard), rad, in this order. Turns are made in the
+// order yaw, pitch, roll about a place of the body.
+struct Swing {
+  Vector centre = Vector::Zero();  // m from the body's origin
+  std::vector<Curve> by_time;      // six, or none
+  // Answers to the elevation of the model's waves at the body's origin (Waves::respond()), six per
+  // wave, m/m and rad/m; or none.
+  std::vector<double> even, odd;
+
+  bool present() const { return !by_time.empty() || !even.empty(); }
+};
+
+// Held nodes that move as one rigid body, which stays upright but for its swing.
 struct PrescribedMotion {
   std::vector<int> node;
   std::vector<Vector> place;  // m from the body's origin, at heading 0
   Curve x, y, z;              // m, of the body's origin
   Curve heading;              // rad, clockwise as seen from above
+  Swing swing;
 };
 
 // Elements that grow or shrink together by a factor. All numbers are those at factor 1.
@@ -67,10 +81,10 @@ struct Schedule {
 // What a schedule says of one time.
 struct ScheduledValues {
   Vector origin = Vector::Zero(),
-         velocity = Vector::Zero();     // m, m/s, of the body that moves nodes
-  double heading = 0.0, turning = 0.0;  // rad, rad/s
-  std::vector<double> factor, rate;     // of the groups; 1/s
-  std::vector<Vector> current;          // m/s, per depth
+         velocity = Vector::Zero();           // m, m/s, of the body that moves nodes
+  double heading = 0.0, turning = 0.0;        // rad, rad/s
+  std::vector<double> factor, rate;           // of the groups; 1/s
+  std::vector<Vector> current, current_rate;  // m/s, m/s2, per depth
 };
 ScheduledValues values_at(const Schedule& schedule, double time, Side side);
 

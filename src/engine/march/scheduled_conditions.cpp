@@ -67,12 +67,59 @@ void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
     at(motion.v.data(), body.node[k]) =
         values.velocity + values.turning * (p.y() * forth - p.x() * aside);
   }
+  model_.water.waves.time = time;
+  if (body.swing.present()) swing_body(time, side, values, motion);
   for (std::size_t k = 0; k < values.current.size(); ++k) {
     model_.water.current[k] = values.current[k];
   }
+  const bool steady = std::all_of(values.current_rate.begin(), values.current_rate.end(),
+                                  [](const Vector& rate) { return rate.isZero(0.0); });
+  model_.water.current_rate = steady ? std::vector<Vector>() : values.current_rate;
   grow(values);
   release(time);
   assembly_.update();
+}
+
+void ScheduledConditions::swing_body(double time, Side side, const ScheduledValues& values,
+                                     Motion& motion) const {
+  const PrescribedMotion& body = schedule_.motion;
+  const Swing& swing = body.swing;
+  double value[6] = {}, rate[6] = {};
+  if (!swing.even.empty()) {
+    model_.water.waves.respond(values.origin, values.velocity, swing.even, swing.odd, value, rate);
+  }
+  for (std::size_t j = 0; j < swing.by_time.size(); ++j) {
+    double more, more_rate;
+    swing.by_time[j].at(time, side, more, more_rate);
+    value[j] += more;
+    rate[j] += more_rate;
+  }
+  // The body's x is aft, its y to starboard.
+  const Vector shift(-value[0], value[1], value[2]), shift_rate(-rate[0], rate[1], rate[2]);
+  auto turn = [](double angle, const Vector& axis, Matrix& out, Matrix& slope) {
+    out = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    Matrix across;
+    across << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
+    slope = across * out;
+  };
+  Matrix roll, pitch, yaw, roll_slope, pitch_slope, yaw_slope;
+  turn(-value[3], Vector::UnitX(), roll, roll_slope);
+  turn(value[4], Vector::UnitY(), pitch, pitch_slope);
+  turn(-value[5], Vector::UnitZ(), yaw, yaw_slope);
+  const Matrix turned = yaw * pitch * roll;
+  const Matrix turning = -rate[5] * yaw_slope * pitch * roll + rate[4] * yaw * pitch_slope * roll -
+                         rate[3] * yaw * pitch * roll_slope;
+  const double c = std::cos(values.heading), s = std::sin(values.heading);
+  const Vector forth(c, -s, 0.0), aside(s, c, 0.0);
+  for (std::size_t k = 0; k < body.node.size(); ++k) {
+    const Vector arm = body.place[k] - swing.centre;
+    const Vector p = swing.centre + shift + turned * arm, v = shift_rate + turning * arm;
+    at(motion.x.data(), body.node[k]) =
+        values.origin + p.x() * forth + p.y() * aside + p.z() * Vector::UnitZ();
+    at(motion.v.data(), body.node[k]) = values.velocity + v.x() * forth + v.y() * aside +
+                                        v.z() * Vector::UnitZ() +
+                                        values.turning * (p.y() * forth - p.x() * aside);
+  }
 }
 
 void ScheduledConditions::release(double time) {

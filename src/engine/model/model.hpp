@@ -69,7 +69,7 @@ struct Model {
   LiftingPlates plates;
   std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
-  ImmersedVolumes volumes;  // empty where water reaches everywhere
+  ImmersedVolumes volumes;  // what displaces water but plates
   WakeSheets wake_sheets;   // netting that slows the water behind it
   // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
   std::vector<double> wake;
@@ -124,6 +124,7 @@ struct Model {
     triangles.prepare();
     hexagons.first_line = bars.count() + 2 * triangles.count();
     hexagons.prepare();
+    water.waves.prepare();
     plates.prepare();
     blended.slack = slack;
     for (SlidingRope& rope : sliding) rope.prepare(bars);
