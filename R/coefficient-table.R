@@ -17,15 +17,16 @@
 #' | `sphere` | none | projected area |
 #' | `wake` | between the normal and the flow | `speed`: of the flow behind over that before it |
 #'
-#' Twines across the flow (90 deg) and spheres are also given by their Reynolds number. Netting is square and knotless, of twine of 2 mm; `twines` and `blended` sum over
-#' twines of the set `bessonneau_marichal`.
+#' Twines across the flow (90 deg) and spheres are also given by their Reynolds number. Netting is
+#' square and knotless, of twine of 2 mm; `twines` and `blended` sum over twines of the set
+#' `bessonneau_marichal`.
 #'
 #' @section What is published:
 #' Formulas: the values of the same formulas in H. Cheng's program (github.com/hui-aqua/hydromodel),
 #' which share no code with codend. `takagi` is printed with a jump at a Reynolds number of 200 and
 #' `choo_casarella` with small ones at 1, 30 and 2.33e5, which codend does without. Otter boards and
-#' kites: see [board_polar()]; of some only the largest lift is printed. Spheres: measured ones, whose
-#' drag falls beyond a Reynolds number of 2e5; codend's knots never reach that.
+#' kites: see [board_polar()]; of some only the largest lift is printed. Spheres: measured ones,
+#' whose drag falls beyond a Reynolds number of 2e5; codend's knots never reach that.
 #'
 #' @param reynolds Reynolds number of twines and netting by angle, on the twine's diameter and the
 #'   free flow.

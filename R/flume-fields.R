@@ -100,7 +100,9 @@ new_control <- function(label, paths, field) {
   about <- list(label = label, paths = paths, help = first_of(node$description, ""))
   if (is.null(node)) return(NULL)
   if (node$shape %in% c("quantity", "number", "integer")) return(c(about, number_control(field)))
-  if (node$shape == "boolean") return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
+  if (node$shape == "boolean") {
+    return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
+  }
   if (node$shape == "string" && !is.null(node$enum)) {
     return(c(about, list(kind = "choice", value = field$value, choices = node$enum)))
   }

@@ -27,10 +27,10 @@ constructor <- function(part, group) {
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan.
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`, `kite()`,
-#'   `seam()` and `measure()`, each under its name; and further fields of the plan (`water`, `towing`,
-#'   `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch` ([catch]), `shooting`,
-#'   `tow`, `materials`, `notes`, `sources`) as lists or text.
+#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`,
+#'   `kite()`, `seam()` and `measure()`, each under its name; and further fields of the plan
+#'   (`water`, `towing`, `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch`
+#'   ([catch]), `shooting`, `tow`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
 #' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
 #'   wrong plan is an error of class `codend_error_plan`.
@@ -86,8 +86,8 @@ point <- constructor("point", "points")
 #'   a rope's name): an edge such as `"belly.left"`, a range of its meshes such as
 #'   `"belly.upper[0:6]"`, backwards such as `"-belly.right"`, or several of these end to end.
 #' @param through Places that a rope slides through, in order from its start, such as rings or
-#'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in equal
-#'   shares from place to place.
+#'   blocks: one tension throughout, without friction. Its weight and drag are spread along it in
+#'   equal shares from place to place.
 #' @param length Unstretched length of a rope.
 #' @param hanging_ratio Rope length over the stretched length of the netting edge.
 #' @param lengths Unstretched length of a rope along each edge of `along`, instead of one for all.
@@ -156,8 +156,8 @@ seam <- constructor("seam", "seams")
 #' @param buoyancy Net upward force in water of each, instead of mass and volume.
 #' @param area Area that the coefficients act on.
 #' @param drag_coefficient,drag_area Drag coefficient, or its product with the area; or
-#'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls to
-#'   a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
+#'   `"smooth_sphere"`, that of a smooth sphere of its diameter by its Reynolds number. That falls
+#'   to a fifth where Re passes 3e5; lugs and netting on a float keep it from falling so far.
 #' @param attack Angle of attack that a piece is held at, with its `polar`.
 #' @param lift_coefficient,lift_area Lift coefficient, or its product with the area.
 #' @param lift_direction `"up"`, `"down"`, `"port"` or `"starboard"`.

@@ -60,13 +60,14 @@ published_polars <- list(
 #'
 #' | name | tested | at (deg) |
 #' |---|---|---|
-#' | `low_aspect_cambered` | low-aspect vertical cambered otter board (doi 10.3724/SP.J.1231.2013.38768) | 15, 30 |
-#' | `krill_cambered` | hollow vertical cambered otter board of high aspect ratio, krill trawl | 10, 30 |
+#' | `low_aspect_cambered` | low, cambered (doi 10.3724/SP.J.1231.2013.38768) | 15, 30 |
+#' | `krill_cambered` | high, hollow and cambered, of a krill trawl | 10, 30 |
 #' | `high_lift` | high lift otter board H2, aspect ratio 1.4 | 10, 27.5 |
-#' | `flat_plate` | flat plate, aspect ratio 2 (Pelletier and Mueller, Journal of Aircraft 37, 2000) | 3 to 25 |
+#' | `flat_plate` | flat plate, aspect ratio 2 (Pelletier and Mueller, 2000) | 3 to 25 |
 #' | `square_plate` | flat plate, aspect ratio 1 (the same) | 3 to 28 |
-#' | `fabric_kite` | soft kite with inflated edges (Fechner et al., Renewable Energy 83, 2015) | 0, 20, 40 |
+#' | `fabric_kite` | soft kite with inflated edges (Fechner et al., 2015) | 0, 20, 40 |
 #'
+#' A. Pelletier and T. J. Mueller: Journal of Aircraft 37. U. Fechner et al.: Renewable Energy 83.
 #' The otter boards are printed at two angles only, the higher that of the largest lift, beyond
 #' which they count as stalled. The plates' values were read from diagrams. No test of a trawl's own
 #' kite with printed angles was found: the fabric kite is one for the air. [force_coefficients()]

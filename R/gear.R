@@ -12,7 +12,8 @@ as_gear <- function(tree, file = NULL, like = NULL) {
 
 # What the check made of a gear's plan; checked again where somebody changed the plan by hand.
 gear_checked <- function(gear) {
-  if (identical(gear$checked$plan, gear$plan)) gear$checked else check_whole(gear$plan, gear$checked)
+  if (identical(gear$checked$plan, gear$plan)) return(gear$checked)
+  check_whole(gear$plan, gear$checked)
 }
 
 # The checked fields, in SI, of the assembly that a gear is or stands for.
@@ -28,8 +29,9 @@ gear_si <- function(gear) gear_checked(gear)$si
 #'
 #' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
 #' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
-#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of class `codend_error_plan`, with
-#'   the path and the value of the first wrong field as `path` and `value`.
+#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of
+#'   class `codend_error_plan`, with the path and the value of the first wrong field as `path` and
+#'   `value`.
 #' @seealso [gear()] for the same without a file, [write_gear()].
 #' @export
 #' @examples

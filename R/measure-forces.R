@@ -1,7 +1,8 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
 define_measure("tension", "kN",
-  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its outermost bar.",
+  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its
+  outermost bar.",
   asks_rope_place, function(state, measure) measure_tension(state, measure)
 )
 
@@ -119,9 +120,9 @@ drag_totals <- function(drag) {
   data.frame(group = rownames(total), total, row.names = NULL)
 }
 
-# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points forward,
-# so its x is negative. What pulls at an edge held between two points they share as the supports of
-# a beam do.
+# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points
+# forward, so its x is negative. What pulls at an edge held between two points they share as the
+# supports of a beam do.
 support_forces <- function(state) {
   held <- names(Filter(function(point) !is.na(point$held), state$si$points))
   node <- vapply(held, function(name) state$lattice$points[[name]], 0L)

@@ -13,19 +13,20 @@
 #'
 #' @details
 #' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`,
-#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
-#' `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension` (N,
-#' of one twine), and `straight_tension` per triangle of hexagonal meshes, which are those that
+#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and
+#' bar `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension`
+#' (N, of one twine), and `straight_tension` per triangle of hexagonal meshes, which are those that
 #' `hexagonal_triangle` numbers; with `shielding`, `wake` per point (the nodes, then the points that
-#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
-#' `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part` and
-#' `triangle_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
-#' gear's plan as text. Read only times at which `complete` is 1.
+#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y`
+#' (m), `vessel_speed` (m/s) and `course` (rad). `bar_node` and `triangle_node` say which nodes they
+#' join, counted from 1, `bar_part` and `triangle_part` which of the parts in `part_name` they
+#' belong to. The attribute `plan` is the gear's plan as text. Read only times at which `complete`
+#' is 1.
 #'
-#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates nothing.
-#' Functions of the schedule and of its control are not kept: give them again to go on. A file that
-#' was closed ends in a checksum of all bytes before it; one that was cut short or changed is an error
-#' of class `codend_error_file`, and so is one of an older format.
+#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates
+#' nothing. Functions of the schedule and of its control are not kept: give them again to go on. A
+#' file that was closed ends in a checksum of all bytes before it; one that was cut short or changed
+#' is an error of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
@@ -57,7 +58,10 @@ read_trajectory <- function(file) {
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
-    n <- complete_records(get)
+    n <- min(complete_records(get), attr(nc, "records"))
+    # the last from which a tow can go on
+    resumed <- get("resume_record")
+    n <- max(0L, resumed[resumed >= 1 & resumed <= n])
     if (n == 0L) abort_file(file, "holds no complete record.")
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
@@ -93,8 +97,8 @@ vessel_variables <- rbind(
 resume_numbers <- c("steps", "caution", "step")
 resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
 report_numbers <- c(
-  "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step", "worst_node",
-  "time"
+  "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
+  "worst_node", "time"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")

@@ -7,8 +7,8 @@
 #' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
 #'   line), `u_tension` and `v_tension` (netting triangles x n) and `straight_tension` (triangles of
-#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share of
-#'   the free flow's speed);
+#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share
+#'   of the free flow's speed);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
 #'   (m/s), `course` (rad) and `heave` (m), the length of each warp that the schedule moves (m), and
 #'   since the start `energy_imbalance`, J that the scheme made (positive) or removed, and
@@ -16,8 +16,8 @@
 #' - `energy`: 8 x n, J since the start: gains of kinetic, elastic and potential energy; work of
 #'   supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
-#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`, `unbalanced`
-#'   (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
+#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
+#'   `unbalanced` (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].

@@ -1,5 +1,5 @@
-# What a trajectory holds of every kept time beside places and velocities. Its arrays, the frames that
-# the engine hands over and their file are made from this table.
+# What a trajectory holds of every kept time beside places and velocities. Its arrays, the frames
+# that the engine hands over and their file are made from this table.
 #
 # name: of the trajectory's array; field: of the frame, and within which of its lists, "" for none;
 # across: the file's dimension; unit, words: as the file says them.
@@ -44,14 +44,14 @@ frame_of_arrays <- function(arrays, k) {
   frame
 }
 
-# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic, elastic and
-# potential energy have gained; work of supports, of winches, of the water and the ground, of damping;
-# and half of the sum of the sizes of all these.
+# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic,
+# elastic and potential energy have gained; work of supports, of winches, of the water and the
+# ground, of damping; and half of the sum of the sizes of all these.
 energy_parts <- c("kinetic", "elastic", "potential", "supports", "winches", "water", "damping",
   "put_through")
 
-# Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has gained
-# beyond the work done on it. energy: a trajectory's.
+# Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has
+# gained beyond the work done on it. energy: a trajectory's.
 energy_imbalance <- function(energy) {
   colSums(energy[1:3, , drop = FALSE]) - colSums(energy[4:7, , drop = FALSE])
 }

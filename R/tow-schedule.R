@@ -1,8 +1,8 @@
 # A tow as the engine reads it: what of the lattice moves, grows and parts with time.
 
 # given: the arguments of tow(), as the user gave them; until: s.
-# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope, catch,
-# breaks = times (s) at which the motion breaks).
+# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope,
+# catch, breaks = times (s) at which the motion breaks).
 tow_schedule <- function(si, lattice, given, until) {
   curve <- function(name, dimension, otherwise) {
     if (is.null(given[[name]])) return(constant_curve(otherwise))

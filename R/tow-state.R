@@ -62,9 +62,9 @@ scheduled_table <- function(what, time, found) {
   table
 }
 
-# The same of one time as a list, with the current over the ground (m/s along x and y, by depth) where
-# the schedule has one, and what the winches have out (winch_length, m, by growing part). before: at a
-# jump those before it.
+# The same of one time as a list, with the current over the ground (m/s along x and y, by depth)
+# where the schedule has one, and what the winches have out (winch_length, m, by growing part).
+# before: at a jump those before it.
 conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule),
                           before = FALSE) {
   # the engine tells what is after a jump; so early (s) is before it and otherwise the same

@@ -144,7 +144,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
     codend::Schedule read = read_schedule(schedule);
     codend::check_schedule(read);
     if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
-      stop("one length per time and growing group is needed");
+      throw codend::InputError("length", "one length per time and growing group is needed");
     }
     writable::doubles origin, velocity, heading, factor, x, y;
     R_xlen_t next = 0;
