@@ -17,6 +17,18 @@ water_velocity <- function(state, depth) {
 
 # Such as "towed at 3 knot".
 state_conditions <- function(state) {
+  paste0(still_conditions(state), wave_conditions(state))
+}
+
+# Waves move a gear in a tow; settled it is in their mean.
+wave_conditions <- function(state) {
+  waves <- state$si$water$waves
+  if (is.null(waves)) return("")
+  if (is.null(state$time)) return(sprintf(", in the mean of %s", wave_words(waves)))
+  sprintf(", in %s", wave_words(waves))
+}
+
+still_conditions <- function(state) {
   knots <- state$si$towing$speed / plan_units$speed[["knot"]]
   flow <- flow_past(state)
   if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))

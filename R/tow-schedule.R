@@ -15,7 +15,7 @@ tow_schedule <- function(si, lattice, given, until) {
   }
   heave <- curve("heave", "length", 0)
   moved <- names(held_points(si))[held_points(si) == "moved"]
-  for (name in c("speed", "course", "heave")) {
+  for (name in c("speed", "course", "heave", "vessel_motion")) {
     if (!length(moved) && !is.null(given[[name]])) {
       abort_schedule(name, "needs a point that is moved ({.code held: moved}); this gear has none.")
     }
@@ -31,6 +31,7 @@ tow_schedule <- function(si, lattice, given, until) {
 
   towed <- moved_nodes(si, lattice, moved)
   track <- vessel_track(speed, course, until)
+  track$swing <- vessel_swing(given$vessel_motion, si$water$waves)
   growing <- c(
     lapply(names(warps), function(rope) growing_warp(si, lattice, rope, warps[[rope]], given)),
     if (!is.null(given$catch)) {

@@ -101,6 +101,8 @@ codend::Schedule binding::read_schedule(const list& from) {
   for (const list parting : list(from["partings"])) {
     schedule.ruptures.push_back(read_parting(parting));
   }
+  schedule.sticking.present = as_cpp<bool>(from["stick"]);
+  schedule.sticking.anchor = numbers(from, "anchor");
   return schedule;
 }
 
@@ -121,7 +123,8 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
                          "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
-                         "parted"_nm = parted, "parted_at"_nm = parted_at});
+                         "parted"_nm = parted, "parted_at"_nm = parted_at,
+                         "anchor"_nm = as_doubles(schedule.sticking.anchor)});
 }
 
 // Values of a curve at times (s); at a jump those before it, or after it.

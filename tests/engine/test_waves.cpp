@@ -149,8 +149,7 @@ TEST_CASE("the motion of waves keeps volume, follows its surface and has its own
     CHECK((rate - small.acceleration).norm() < 1e-5 * rate.norm());
     const Vector surface(3.0, -2.0, 0.0);
     waves.rising = before.rising = after.rising = 1.0;  // risen
-    const double rises =
-        (after.at(surface).elevation - before.at(surface).elevation) / (2.0 * h);
+    const double rises = (after.at(surface).elevation - before.at(surface).elevation) / (2.0 * h);
     CHECK(waves.at(surface).velocity.z() == doctest::Approx(rises).epsilon(1e-5));
   }
 }
@@ -217,7 +216,8 @@ TEST_CASE("the force of waves on a fixed pile is Morison's") {
     for (int n = 0; n < model.nodes; ++n) sum += at(force.data(), n);
     return sum;
   };
-  const double inertia = 1025.0 * 1.9 * pile.volume_per_length * amplitude * gravity * std::tanh(kd);
+  const double inertia =
+      1025.0 * 1.9 * pile.volume_per_length * amplitude * gravity * std::tanh(kd);
   const double drag = 0.5 * 1025.0 * 1.05 * diameter * std::pow(amplitude * w, 2) *
                       (std::sinh(2.0 * kd) + 2.0 * kd) / (4.0 * k * std::pow(std::sinh(kd), 2));
   // Stretching: k a = 2e-4. Bars: (k L)^2 / 8 = 2e-6.

@@ -32,11 +32,11 @@ double wave_number(double frequency, double depth);
 
 // What waves do at a place, beside the current.
 struct WavePoint {
-  double elevation = 0.0;                        // of the surface above the place, m
-  double slope_x = 0.0, slope_y = 0.0;           // of the surface
-  Vector velocity = Vector::Zero();              // m/s
-  Vector velocity_slope = Vector::Zero();        // by height, 1/s
-  Vector acceleration = Vector::Zero();          // m/s2
+  double elevation = 0.0;                  // of the surface above the place, m
+  double slope_x = 0.0, slope_y = 0.0;     // of the surface
+  Vector velocity = Vector::Zero();        // m/s
+  Vector velocity_slope = Vector::Zero();  // by height, 1/s
+  Vector acceleration = Vector::Zero();    // m/s2
 };
 
 struct Waves {

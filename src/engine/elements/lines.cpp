@@ -59,7 +59,12 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
   if (water.free_surface) columns.push_back(&a.wet);
   bool damped = false;
-  for (const TwineMaterial& m : materials) damped = damped || m.damping > 0.0;
+  bool by_table = false;
+  for (const TwineMaterial& m : materials) {
+    damped = damped || m.damping > 0.0;
+    by_table = by_table || !m.loads.empty();
+  }
+  if (by_table) columns.push_back(&a.offset);
   if (damped) {
     columns.insert(columns.end(),
                    {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
@@ -95,6 +100,12 @@ void Lines::describe(const Line<N>& line) {
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (arrays_.damping) {
     arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
+  }
+  if (!m.loads.empty()) {
+    load_law_.resize(column_length(count_));
+    load_law_[k] = &m;
+    arrays_.load_law = load_law_.data();
+    arrays_.offset[k] = 0.0;
   }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;

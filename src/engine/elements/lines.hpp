@@ -75,7 +75,7 @@ class Lines {
   const Water& water_;
   int count_;
   std::vector<double> numbers_;
-  std::vector<const TwineMaterial*> speed_law_;
+  std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
 };

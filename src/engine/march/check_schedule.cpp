@@ -168,6 +168,10 @@ void check_schedule(const Schedule& schedule, const Model& model) {
       check_place(group.control.bar, model.bars.count(), field + ".control.bar", "bars");
     }
   }
+  if (!schedule.sticking.anchor.empty()) {
+    check_numbers(schedule.sticking.anchor, 3 * model.contacts.node.size(),
+                  "schedule.sticking.anchor");
+  }
   if (!schedule.motion.swing.even.empty()) {
     check_count(schedule.motion.swing.even.size(), 6 * model.water.waves.amplitude.size(),
                 "schedule.motion.swing.even");

@@ -70,12 +70,20 @@ struct Release {
   std::vector<double> time;  // s
 };
 
+// Contacts with the ground that stick (base/ground.hpp), from where they are at the start, or at anchors
+// that another march has left, 3 per contact, m.
+struct Sticking {
+  bool present = false;
+  std::vector<double> anchor;
+};
+
 struct Schedule {
   PrescribedMotion motion;
   Release release;
   std::vector<GrowingGroup> groups;
   std::vector<Curve> current_x, current_y;  // m/s, per depth of the model's water; none: constant
   std::vector<Rupture> ruptures;
+  Sticking sticking;
 };
 
 // What a schedule says of one time.

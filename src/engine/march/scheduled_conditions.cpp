@@ -48,6 +48,25 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
     all_released_ = *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
   }
   answers_ = answers_ || !schedule_.ruptures.empty() || assembly.has_wake();
+  if (schedule_.sticking.present && model.ground.present && model.contacts.count() > 0) stick();
+}
+
+// From here on the schedule's anchors are the model's, so that another march may go on from them.
+void ScheduledConditions::stick() {
+  GroundContacts& contacts = model_.contacts;
+  std::vector<double>& anchor = schedule_.sticking.anchor;
+  answers_ = true;
+  contacts.anchor.resize(contacts.node.size());
+  if (anchor.empty()) {
+    assembly_.move_to(start_.x.data(), start_.v.data());
+    for (int e = 0; e < contacts.count(); ++e) {
+      contacts.anchor[e] = at(assembly_.field().position, contacts.node[e]);
+    }
+  } else {
+    for (int e = 0; e < contacts.count(); ++e) contacts.anchor[e] = at(anchor.data(), e);
+  }
+  anchor.resize(3 * contacts.node.size());
+  for (int e = 0; e < contacts.count(); ++e) at(anchor.data(), e) = contacts.anchor[e];
 }
 
 void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
@@ -210,6 +229,12 @@ bool ScheduledConditions::broken_at(const Motion& now) {
   for (GrowingGroup& group : schedule_.groups) {
     if (!group.controlled) continue;
     group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
+  }
+  if (!model_.contacts.anchor.empty()) {
+    model_.contacts.draw_anchors(assembly_.field());
+    for (int e = 0; e < model_.contacts.count(); ++e) {
+      at(schedule_.sticking.anchor.data(), e) = model_.contacts.anchor[e];
+    }
   }
   if (assembly_.has_wake()) assembly_.renew_wake_over(now.time - wake_time_);
   wake_time_ = now.time;

@@ -30,6 +30,7 @@ class ScheduledConditions : public Conditions {
 
  private:
   void swing_body(double time, Side side, const ScheduledValues& values, Motion& motion) const;
+  void stick();
   void grow(const ScheduledValues& values);
   void release(double time);
   void rupture(Rupture& rupture, int bar, double time);
