@@ -102,6 +102,12 @@ point <- constructor("point", "points")
 #' @param pushes Whether it also pushes, as a pole does, and never goes slack.
 #' @param damping_ratio Damping of a rope's stretch while the gear moves ([tow()]), as a share of
 #'   what is critical for one bar of the lattice; 0 by default.
+#' @param load_by_elongation A list of `list(elongation, load)`, the elongation as a share of the length,
+#'   instead of `axial_stiffness`: the load is straight between them.
+#' @param strumming Amplitude (root mean square) over the diameter of a rope that strums in the flow:
+#'   its drag across grows by 1 + 1.043 (2 Y/d)^0.65 (Vandiver 1983). The amplitude is the user's to know.
+#' @param friction `list(along, across)`: coefficients of friction of a rope on the sea bed along and
+#'   across itself, instead of the sea bed's.
 #' @param coefficients Drag coefficients of this rope or panel instead of its material's or the
 #'   plan's: the name of a published set, or `list(normal, tangential, skin)`; see [netting].
 #' @param added_mass Added mass as a share of the mass of the displaced water:
@@ -116,8 +122,8 @@ rope <- constructor("rope", "ropes")
 #' @param mesh_size Stretched length of a full mesh.
 #' @param meshes `list(upper, lower, deep)`: meshes across the upper and the lower edge and from one
 #'   to the other (bars, in square netting).
-#' @param twine `list(diameter, material, double, axial_stiffness, damping_ratio,
-#'   mass_per_length)`.
+#' @param twine `list(diameter, material, double, axial_stiffness, load_by_elongation,
+#'   damping_ratio, mass_per_length)`.
 #' @param orientation `"diamond"`, `"square"`, `"turned"`, `"hexagonal"` or `"hexagonal_turned"`;
 #'   see [netting].
 #' @param straight_bar Length of the straight bars of hexagonal meshes; see [netting].

@@ -2,7 +2,7 @@
 # conditions alone, nothing but those is made anew.
 
 # Fields of a gear's SI numbers that a lattice holds as they are.
-condition_fields <- c("name", "water", "towing", "ground", "measures")
+condition_fields <- c("name", "water", "towing", "ground", "sticking", "measures")
 
 # The lattice of `from` (see build_lattice()) with the conditions of a gear, or NULL where more than
 # those has changed or nodes and netting are asked for otherwise.

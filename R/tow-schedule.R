@@ -43,7 +43,7 @@ tow_schedule <- function(si, lattice, given, until) {
     schedule = list(
       track = c(towed, track, list(course = course, heave = heave)),
       shooting = shooting_times(si, lattice), growing = growing, current_x = current$x,
-      current_y = current$y, partings = partings
+      current_y = current$y, partings = partings, stick = si$sticking, anchor = numeric()
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(

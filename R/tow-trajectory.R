@@ -121,6 +121,8 @@ schedule_as_done <- function(schedule, done) {
     schedule$partings[[k]]$parted <- done$parted[k]
     schedule$partings[[k]]$parted_at <- done$parted_at[k]
   }
+  # where contacts stick, once a march has begun
+  schedule$anchor <- as.double(done$anchor)
   schedule
 }
 
