@@ -38,12 +38,12 @@ tow_schedule <- function(si, lattice, given, until) {
       lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
     }
   )
-  partings <- parting_events(si, lattice, given$part)
+  ruptures <- rupture_events(si, lattice, given$breaking)
   list(
     schedule = list(
       track = c(towed, track, list(course = course, heave = heave)),
       shooting = shooting_times(si, lattice), growing = growing, current_x = current$x,
-      current_y = current$y, partings = partings, stick = si$sticking, anchor = numeric()
+      current_y = current$y, ruptures = ruptures, stick = si$sticking, anchor = numeric()
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
@@ -51,7 +51,7 @@ tow_schedule <- function(si, lattice, given, until) {
       unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
       # the water's acceleration jumps where a current's rate does
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
-      vapply(partings, `[[`, 0, "time")
+      vapply(ruptures, `[[`, 0, "time")
     )))
   )
 }
@@ -239,12 +239,12 @@ current_curves <- function(si, given, until) {
   list(x = lapply(curves, `[[`, "x"), y = lapply(curves, `[[`, "y"))
 }
 
-# Ropes that may part. given: a list of list(rope, time, place) or list(rope), which goes at its
+# Ropes that may break. given: a list of list(rope, time, place) or list(rope), which goes at its
 # breaking load.
-parting_events <- function(si, lattice, given) {
+rupture_events <- function(si, lattice, given) {
   lapply(given, function(event) {
     if (!is_text(event$rope) || !event$rope %in% names(si$ropes)) {
-      abort_schedule("part", paste0(
+      abort_schedule("breaking", paste0(
         "names the rope ", show_value(event$rope), "; this gear's are ",
         word_list(names(si$ropes)), "."
       ))
@@ -253,15 +253,15 @@ parting_events <- function(si, lattice, given) {
     place <- first_of(event$place, "middle")
     strength <- si$ropes[[event$rope]]$strength
     if (is.null(event$time) && is.na(strength)) {
-      abort_schedule("part", paste0(
+      abort_schedule("breaking", paste0(
         "gives no time for the rope ", event$rope, ", whose breaking load the plan does not know."
       ))
     }
-    time <- if (is.null(event$time)) Inf else schedule_number(event$time, "part$time", "time")
+    time <- if (is.null(event$time)) Inf else schedule_number(event$time, "breaking$time", "time")
     list(
       rope = event$rope, bars = bars,
       at = rope_bar(lattice, event$rope, place), time = time,
-      strength = if (is.null(event$time)) as.double(strength) else Inf, parted = 0L, parted_at = 0
+      strength = if (is.null(event$time)) as.double(strength) else Inf, broken = 0L, broken_at = 0
     )
   })
 }

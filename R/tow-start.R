@@ -76,8 +76,8 @@ add_start <- function(what, position, velocity) {
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
     speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
-    parted = rep(0L, length(what$schedule$partings)),
-    parted_at = rep(0, length(what$schedule$partings)),
+    broken = rep(0L, length(what$schedule$ruptures)),
+    broken_at = rep(0, length(what$schedule$ruptures)),
     # what lies on the ground sticks where it is: see base/ground.hpp
     anchor = if (isTRUE(what$si$sticking)) {
       as.double(lattice_points(what$lattice, position)[, what$lattice$engine$contacts$node])

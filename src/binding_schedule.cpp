@@ -72,14 +72,14 @@ codend::GrowingGroup read_group(const list& from) {
   return group;
 }
 
-codend::Rupture read_parting(const list& from) {
+codend::Rupture read_rupture(const list& from) {
   codend::Rupture rupture;
   rupture.bars = places(from, "bars");
   rupture.at = place(from, "at");
   rupture.time = number(from, "time");
   rupture.strength = number(from, "strength");
-  rupture.broken = place(from, "parted");
-  rupture.broken_at = number(from, "parted_at");
+  rupture.broken = place(from, "broken");
+  rupture.broken_at = number(from, "broken_at");
   return rupture;
 }
 
@@ -98,8 +98,8 @@ codend::Schedule binding::read_schedule(const list& from) {
   for (const list curve : list(from["current_y"])) {
     schedule.current_y.push_back(read_curve(curve));
   }
-  for (const list parting : list(from["partings"])) {
-    schedule.ruptures.push_back(read_parting(parting));
+  for (const list one : list(from["ruptures"])) {
+    schedule.ruptures.push_back(read_rupture(one));
   }
   schedule.sticking.present = as_cpp<bool>(from["stick"]);
   schedule.sticking.anchor = numbers(from, "anchor");
@@ -107,8 +107,8 @@ codend::Schedule binding::read_schedule(const list& from) {
 }
 
 writable::list binding::schedule_done(const codend::Schedule& schedule) {
-  writable::doubles length, since, speed, wanted, parted_at;
-  writable::integers parted;
+  writable::doubles length, since, speed, wanted, broken_at;
+  writable::integers broken;
   writable::logicals near_limit;
   for (const codend::GrowingGroup& group : schedule.groups) {
     length.push_back(group.control.length);
@@ -118,12 +118,12 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
     near_limit.push_back(group.control.near_limit ? TRUE : FALSE);
   }
   for (const codend::Rupture& rupture : schedule.ruptures) {
-    parted.push_back(rupture.broken + 1);
-    parted_at.push_back(rupture.broken_at);
+    broken.push_back(rupture.broken + 1);
+    broken_at.push_back(rupture.broken_at);
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
                          "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
-                         "parted"_nm = parted, "parted_at"_nm = parted_at,
+                         "broken"_nm = broken, "broken_at"_nm = broken_at,
                          "anchor"_nm = as_doubles(schedule.sticking.anchor)});
 }
 

@@ -15,12 +15,12 @@ options(device = function(...) grDevices::pdf(NULL, ...))
 # Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start
 # R.
 slow <- c(
-  "command", "command-line", "command-line-export", "draw-gear", "flume", "kind-bottom-trawl",
-  "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-turn", "operation-shooting",
-  "operation-tow", "otter-boards", "paper-scheme", "report", "settle-cost", "settle-levels",
-  "shielding", "store-trajectory", "study-vary", "tow-catch", "validation-cables",
-  "validation-codend", "validation-invariants", "validation-published-cases",
-  "validation-refinement", "view-motion"
+  "command", "command-line", "command-line-export", "draw-gear", "finding", "flume",
+  "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
+  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "report",
+  "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-vary",
+  "tow-catch", "validation-cables", "validation-codend", "validation-invariants",
+  "validation-published-cases", "validation-refinement", "view-motion"
 )
 
 checks <- function() {

@@ -30,7 +30,8 @@ struct Body {
     model.contacts.area = {0.01};
     model.contacts.clearance = {0.0};
     double deep, change;
-    model.ground.give(10.0 * gravity * std::cos(slope), 0.01 * model.ground.stiffness, deep, change);
+    model.ground.give(10.0 * gravity * std::cos(slope), 0.01 * model.ground.stiffness, deep,
+                      change);
     start.x = start.v = Values::Zero(9);
     at(start.x.data(), 0) = -deep * model.ground.normal;
     at(start.x.data(), 2) = Vector(1.0, 1.0, 0.0);

@@ -22,7 +22,7 @@ hauled <- function(...) {
   tow(as_gear(hauled_plan), every = 5,
     speed = data.frame(time = c(0, 20), value = c(2, 3)),
     winch = list(speed_limit = 0.5, tension_limit = 1000),
-    part = list(list(rope = "tail", time = 12)), ...)
+    breaking = list(list(rope = "tail", time = 12)), ...)
 }
 
 known <- function(trajectory) unclass(without_places(trajectory))

@@ -4,16 +4,16 @@ namespace codend {
 
 TwinePull twine_pull(const TwineMaterial& m, double strain) {
   if (m.strains.empty() || strain <= m.strains[0]) {
-    return {m.axial_stiffness * strain, m.axial_stiffness, 0.5 * m.axial_stiffness * strain * strain};
+    return {m.axial_stiffness * strain, m.axial_stiffness,
+            0.5 * m.axial_stiffness * strain * strain};
   }
   double energy = 0.5 * m.loads[0] * m.strains[0];
   for (std::size_t k = 1;; ++k) {
     const double from = m.strains[k - 1], load = m.loads[k - 1];
     const bool last = k + 1 >= m.strains.size();
     // A table of one row goes on as it begins.
-    const double modulus = m.strains.size() == 1
-                               ? m.axial_stiffness
-                               : (m.loads[k] - load) / (m.strains[k] - from);
+    const double modulus =
+        m.strains.size() == 1 ? m.axial_stiffness : (m.loads[k] - load) / (m.strains[k] - from);
     if (last || strain <= m.strains[k]) {
       const double more = strain - from;
       return {load + modulus * more, modulus, energy + more * (load + 0.5 * modulus * more)};
