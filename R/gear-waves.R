@@ -7,7 +7,7 @@ breaking_share <- 0.142
 # List(height, period, spectrum = as given; amplitude (m), frequency (1/s), phase, toward (rad) = of every
 # regular wave; depth (m, 0: deep), rising (s)).
 si_waves <- function(waves, seabed) {
-  depth <- first_of(waves$depth, seabed$depth, 0)
+  depth <- first_of(first_of(waves$depth, seabed$depth), 0)
   number <- engine_wave_number(2 * pi / waves$period, depth)
   most <- breaking_share * 2 * pi / number * if (depth > 0) tanh(number * depth) else 1
   if (waves$height > most) {
