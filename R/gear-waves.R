@@ -4,8 +4,8 @@
 # the depth's tanh in all water (Miche 1944).
 breaking_share <- 0.142
 
-# List(height, period, spectrum = as given; amplitude (m), frequency (1/s), phase, toward (rad) = of every
-# regular wave; depth (m, 0: deep), rising (s)).
+# List(height, period, spectrum = as given; amplitude (m), frequency (1/s), phase, toward (rad) = of
+# every regular wave; depth (m, 0: deep), rising (s)).
 si_waves <- function(waves, seabed) {
   depth <- first_of(first_of(waves$depth, seabed$depth), 0)
   number <- engine_wave_number(2 * pi / waves$period, depth)
@@ -30,7 +30,8 @@ si_waves <- function(waves, seabed) {
 }
 
 # Density of energy of a spectrum by frequency over that of its peak, of any size: after Pierson and
-# Moskowitz (1964), and with a peak after Hasselmann et al. (1973, JONSWAP), as in DNV-RP-C205, 3.5.5.
+# Moskowitz (1964), and with a peak after Hasselmann et al. (1973, JONSWAP), as in DNV-RP-C205,
+# 3.5.5.
 spectrum_density <- function(share, peakedness) {
   width <- ifelse(share <= 1, 0.07, 0.09)
   share^-5 * exp(-1.25 * share^-4) * peakedness^exp(-(share - 1)^2 / (2 * width^2))
@@ -74,8 +75,8 @@ engine_waves <- function(waves) {
   c(waves[c("amplitude", "frequency", "phase", "toward", "depth", "rising")], list(time = 0))
 }
 
-# The same at a time (s) as seen from a vessel that is at a place over the ground (x, y, m) on a course
-# (rad).
+# The same at a time (s) as seen from a vessel that is at a place over the ground (x, y, m) on a
+# course (rad).
 waves_from_vessel <- function(waves, time, place, course) {
   if (is.null(waves)) return(NULL)
   depth <- waves$depth
@@ -86,17 +87,4 @@ waves_from_vessel <- function(waves, time, place, course) {
   waves$toward <- waves$toward + course
   waves$time <- time
   waves
-}
-
-# Such as "regular waves of 2 m and 7 s".
-wave_words <- function(waves) {
-  sprintf(
-    "%s of %s m%s and %s s",
-    switch(waves$spectrum,
-      regular = "regular waves", jonswap = "waves of a JONSWAP spectrum",
-      pierson_moskowitz = "waves of Pierson and Moskowitz's spectrum"
-    ),
-    short_number(waves$height), if (waves$spectrum != "regular") " (significant)" else "",
-    short_number(waves$period)
-  )
 }

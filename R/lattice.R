@@ -232,8 +232,8 @@ twine_materials <- function(lines, alone = TRUE) {
   )
 }
 
-# Nodes of ropes that rub differently along and across themselves, as the engine reads them, or NULL. A
-# node of two such ropes is the first's.
+# Nodes of ropes that rub differently along and across themselves, as the engine reads them, or
+# NULL. A node of two such ropes is the first's.
 line_friction <- function(ropes, divided) {
   some <- names(ropes)[!vapply(lapply(ropes, `[[`, "friction"), is.null, NA)]
   if (!length(some)) return(NULL)
@@ -253,7 +253,8 @@ line_friction <- function(ropes, divided) {
   )
 }
 
-# Loads by strain of the lines that have them, a row each: columns as the engine reads them, or NULL.
+# Loads by strain of the lines that have them, a row each: columns as the engine reads them, or
+# NULL.
 load_rows <- function(lines) {
   tables <- lapply(unname(lines), `[[`, "load_table")
   rows <- lengths(lapply(tables, `[[`, "load"))

@@ -103,9 +103,9 @@ load_table <- function(given, path) {
   table
 }
 
-# Factor on the drag across a line that strums in the flow: 1 + 1.043 (2 Y/d)^0.65, Y/d the amplitude
-# (root mean square) over the diameter (J. K. Vandiver, Drag coefficients of long flexible cylinders,
-# Offshore Technology Conference, OTC 4490, 1983).
+# Factor on the drag across a line that strums in the flow: 1 + 1.043 (2 Y/d)^0.65, Y/d the
+# amplitude (root mean square) over the diameter (J. K. Vandiver, Drag coefficients of long flexible
+# cylinders, Offshore Technology Conference, OTC 4490, 1983).
 strumming_factor <- function(amplitude) if (amplitude > 0) 1 + 1.043 * (2 * amplitude)^0.65 else 1
 
 # A line's law of drag when it strums.

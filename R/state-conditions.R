@@ -35,3 +35,16 @@ still_conditions <- function(state) {
   if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
   if (state$si$water$density > 0) "in still water" else "in air"
 }
+
+# Such as "regular waves of 2 m and 7 s".
+wave_words <- function(waves) {
+  sprintf(
+    "%s of %s m%s and %s s",
+    switch(waves$spectrum,
+      regular = "regular waves", jonswap = "waves of a JONSWAP spectrum",
+      pierson_moskowitz = "waves of Pierson and Moskowitz's spectrum"
+    ),
+    format(signif(waves$height, 3)), if (waves$spectrum != "regular") " (significant)" else "",
+    format(signif(waves$period, 3))
+  )
+}

@@ -39,8 +39,8 @@ to_vessel <- function(course) {
 }
 
 # Conditions of every kept time: a data frame of time, x, y (m, the vessel over the ground), x_rate,
-# y_rate, speed (m/s), course (rad), heave (m), in waves the elevation of the water there (m), and per
-# growing part its length (m) or share.
+# y_rate, speed (m/s), course (rad), heave (m), in waves the elevation of the water there (m), and
+# per growing part its length (m) or share.
 conditions_table <- function(trajectory) {
   scheduled_table(trajectory, trajectory$time,
     engine_schedule_at(trajectory$schedule, trajectory$time, as.double(trajectory$winch_length)))

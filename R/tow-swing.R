@@ -6,8 +6,9 @@ swing_ways <- c(
   yaw = "angle"
 )
 
-# given: as tow()'s vessel_motion; waves: the gear's, or NULL. Returns what the engine's track has as
-# `swing`: list(centre (m), by_time = six curves or none, even, odd = six answers per wave or none).
+# given: as tow()'s vessel_motion; waves: the gear's, or NULL. Returns what the engine's track has
+# as `swing`: list(centre (m), by_time = six curves or none, even, odd = six answers per wave or
+# none).
 vessel_swing <- function(given, waves) {
   if (is.null(given)) return(NULL)
   known <- c("at", "response", "record", "rising")
@@ -58,8 +59,8 @@ checked_swing_table <- function(table, first, more, path) {
   table
 }
 
-# Answers per metre of a wave's height above the mean, interpolated between the periods of a table and
-# constant beyond them: matrices with a column per wave.
+# Answers per metre of a wave's height above the mean, interpolated between the periods of a table
+# and constant beyond them: matrices with a column per wave.
 wave_answers <- function(table, waves) {
   path <- "vessel_motion$response"
   table <- checked_swing_table(table, "period", paste0(names(swing_ways), "_lag"), path)

@@ -73,8 +73,8 @@ test_that("looser accuracy costs no more", {
 })
 
 test_that("a motion that loses energy however short its steps stops, with what was done", {
-  # A weight falls 2 m into a rope so stiff that the shock, 1e-6 s long, is over within a step. What a
-  # scheme that damps leaves of it is not what nature would.
+  # A weight falls 2 m into a rope so stiff that the shock, 1e-6 s long, is over within a step. What
+  # a scheme that damps leaves of it is not what nature would.
   falling <- gear("a weight that falls into its rope",
     top = point(position = c(0, 0, 0), held = "moved"), end = point(),
     line = rope("top", "end", length = "5 m", diameter = "10 mm", axial_stiffness = "1e15 N",

@@ -162,7 +162,7 @@ test_that("waves pull at a cage the more the higher they are, and the more in a 
 })
 
 test_that("a current that swings takes a body along that is as heavy as water", {
-  # a sphere of 300 mm, 14.49 kg, on a line too long and thin to hold it: 1.9 m aside it rises 0.03 m
+  # a sphere of 300 mm, 14.49 kg, on a line too long and thin to hold it: it rises 0.03 m
   free <- gear("a body in a current",
     held = point(position = c(0, 0, -20), held = "fixed"), at = point(),
     line = rope("held", "at", length = "60 m", diameter = "0.1 mm", axial_stiffness = "100 N",

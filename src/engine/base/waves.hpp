@@ -66,7 +66,7 @@ struct Waves {
   void risen(double& share, double& rate) const;
   // At a place (m, the still water's surface at z = 0) now.
   WavePoint at(const Vector& place) const;
-  // What answers to the elevation at a place (m) that moves (m/s), such as a vessel: six sums over all
+  // What answers to the elevation at a place (m) that moves (m/s), such as a hull: six sums over all
   // waves of a (even cos q + odd sin q), and their rates. even, odd: six numbers per wave.
   void respond(const Vector& place, const Vector& velocity, const std::vector<double>& even,
                const std::vector<double>& odd, double value[6], double rate[6]) const;

@@ -17,7 +17,7 @@
 
 namespace codend {
 
-// How a vessel swings about its way: surge (forwards), sway (to starboard), heave (up), m, and roll
+// How a body swings about its way: surge (forwards), sway (to starboard), heave (up), m, and roll
 // (starboard down), pitch (bow up), yaw (bow to starboard), rad, in this order. Turns are made in the
 // order yaw, pitch, roll about a place of the body.
 struct Swing {
