@@ -56,6 +56,14 @@ engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
 }
 
+engine_wave_number <- function(frequency, depth) {
+  .Call(`_codend_engine_wave_number`, frequency, depth)
+}
+
+engine_elevation <- function(waves, x, y, time) {
+  .Call(`_codend_engine_elevation`, waves, x, y, time)
+}
+
 file_size <- function(path) {
   .Call(`_codend_file_size`, path)
 }

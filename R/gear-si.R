@@ -35,7 +35,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
     name = fields$name, kind = "assembly",
-    water = si_water(fields$water), towing = fields$towing,
+    water = si_water(fields$water, fields$seabed), towing = fields$towing,
     netting = fields$netting, slack_twine = fields$slack_twine
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
@@ -69,6 +69,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
   si$vessel <- if (!is.null(fields$vessel)) si_vessel(fields$vessel, "vessel")
+  si$sticking <- isTRUE(fields$seabed$sticking)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   si$share_places <- share_places(si)
@@ -83,7 +84,7 @@ map_named <- function(parts, group, convert, ...) {
   stats::setNames(out, as.character(names(parts)))
 }
 
-si_water <- function(water) {
+si_water <- function(water, seabed = NULL) {
   layers <- water$current
   if (is.null(layers)) layers <- list(speed = 0, toward = 0)
   if (!is.null(names(layers))) layers <- list(c(layers, depth = 0))
@@ -95,13 +96,16 @@ si_water <- function(water) {
       "water.current", depth
     )
   }
-  list(
-    density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
+  si <- list(
+    density = water$density, viscosity = water$viscosity,
+    free_surface = water$free_surface || !is.null(water$waves),
     current = list2DF(list(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
     ))
   )
+  if (!is.null(water$waves)) si$waves <- si_waves(water$waves, seabed)
+  si
 }
 
 # Coefficients on diameter times length: list(law, normal, tangential, skin); a law that depends on
@@ -174,6 +178,9 @@ si_panel <- function(panel, path, fields, law) {
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,
     twine_diameter = twine$diameter, twine_count = count,
     axial_stiffness = line$axial_stiffness * count,
+    load_table = if (!is.null(line$load_table)) {
+      list(strain = line$load_table$strain, load = line$load_table$load * count)
+    },
     damping = line$damping * count,
     mass_per_length = line$mass_per_length * count,
     volume_per_length = line$volume_per_length * count,
@@ -226,6 +233,11 @@ si_rope <- function(rope, path, fields, law, known) {
     }
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
+  if (!is.null(line$load_table) && length(rope$through)) {
+    abort_plan(sprintf(
+      "Plan field `%s.load_by_elongation` is given, but the rope slides; it must have EA.", path
+    ), paste0(path, ".load_by_elongation"), rope$load_by_elongation)
+  }
   list(
     material = first_of(rope$material, NA_character_),
     from = if (!is.null(rope$from)) find_place(rope$from, paste0(path, ".from"), known),
@@ -234,14 +246,17 @@ si_rope <- function(rope, path, fields, law, known) {
     through = vapply(as.character(rope$through), find_place, "",
       path = paste0(path, ".through"), known = known, USE.NAMES = FALSE),
     length = length, shares = shares, diameter = rope$diameter,
-    axial_stiffness = line$axial_stiffness, damping = line$damping,
+    axial_stiffness = line$axial_stiffness, load_table = line$load_table,
+    damping = line$damping,
     bending_stiffness = rope$bending_stiffness,
     strut = rope$pushes || rope$bending_stiffness > 0,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
-    coefficients = line_law(rope$coefficients, rope$material, fields, law),
+    coefficients = strummed(line_law(rope$coefficients, rope$material, fields, law),
+      rope$strumming, path),
     added_mass = si_added_mass(rope$added_mass),
     strength = line$strength,
+    friction = if (!is.null(rope$friction)) c(rope$friction$along, rope$friction$across),
     segments = rope$segments, role = first_of(rope$role, NA_character_)
   )
 }

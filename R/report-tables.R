@@ -166,6 +166,10 @@ conditions_section <- function(state) {
     } else {
       "none"
     },
+    "Waves" = if (!is.null(si$water$waves)) {
+      paste0(wave_words(si$water$waves),
+        if (is.null(state$time)) "; this is their mean, in still water")
+    },
     "Sea bed" = if (!is.null(ground)) {
       sprintf("at a depth of %s m, coefficient of friction %s", short_number(ground$depth),
         short_number(ground$friction))

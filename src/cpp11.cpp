@@ -103,6 +103,20 @@ extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cos
     return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
   END_CPP11
 }
+// binding.cpp
+doubles engine_wave_number(doubles frequency, double depth);
+extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
+extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
+  END_CPP11
+}
 // file_sync.cpp
 double file_size(cpp11::strings path);
 extern "C" SEXP _codend_file_size(SEXP path) {
@@ -136,6 +150,7 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
+    {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
@@ -148,6 +163,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
+    {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},

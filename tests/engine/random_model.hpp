@@ -44,6 +44,7 @@ struct Ingredients {
   NettingScreenLaw screen_law = NettingScreenLaw::loland;
   bool layered = false;  // a current that varies with depth
   bool free_surface = false;
+  bool waves = false;   // so long that the flow hardly changes along x and y
   bool wake = false;    // a flow slowed by netting, differently at every point
   bool struts = false;  // every other bar also pushes
 };
@@ -84,6 +85,14 @@ class Specimen {
     model.materials[1].strut = true;
     model.materials[2].axial_stiffness = 0.0;
     model.water.free_surface = wanted.free_surface;
+    if (wanted.waves) {
+      Waves& waves = model.water.waves;
+      waves.amplitude = {0.3, 0.1};
+      waves.frequency = {0.02, 0.03};
+      waves.phase = {random.between(0.0, 6.0), random.between(0.0, 6.0)};
+      waves.toward = {random.between(0.0, 6.0), random.between(0.0, 6.0)};
+      waves.time = 100.0;
+    }
     ground();
     fill(random, wanted);
     fill_netting(random, wanted);

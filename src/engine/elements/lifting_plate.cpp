@@ -134,17 +134,27 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
 
   const Triple<Scalar> middle = motion.place(f.middle);
   Immersion wet{1.0, 0.0, 1.0, 0.0};
-  if (water.free_surface) wet = immersion(value_of(middle.z()), b.height);
+  const Vector here = values(middle);
+  WavePoint sea;
+  if (field.waves) sea = water.waves.at(here);
+  if (water.free_surface) wet = immersion(here.z() - sea.elevation, b.height);
   const Scalar share = follow(middle.z(), wet.share, wet.slope);
 
   const Scalar none(0.0);
   motion.hand_on(f.gravity, Triple<Scalar>(none, none, Scalar(-b.weight)), force);
-  motion.hand_on(f.buoyancy, Triple<Scalar>(none, none, b.buoyancy * share), force);
+  Triple<Scalar> lifted(none, none, b.buoyancy * share);
+  if (water.accelerates()) {
+    const Vector pushed = b.buoyancy / gravity * (water.acceleration(here.z()) + sea.acceleration);
+    for (int k = 0; k < 3; ++k) lifted[k] += pushed[k] * share;
+  }
+  motion.hand_on(f.buoyancy, lifted, force);
 
   const Triple<Scalar> chord = motion.vector(f.chord), span = motion.vector(f.span),
                        outward = motion.vector(f.outward);
   Vector current, slope;
-  water.velocity(value_of(middle.z()), current, slope);
+  water.velocity(here.z(), current, slope);
+  current += sea.velocity;
+  slope += sea.velocity_slope;
   // Of the water relative to a place of the plate, and its parts in the plate's axes.
   Triple<Scalar> u;
   Scalar along_chord, along_outward, along_span;
@@ -296,10 +306,15 @@ void LiftingPlates::add_added_mass(const Field& field, double* mass) const {
       motion.v[k].setZero();
     }
     motion.complete();
-    const Vector across = motion.vector(fixed_[e].outward);
+    const Vector across = motion.vector(fixed_[e].outward), middle = motion.place(fixed_[e].middle);
+    double wet = 1.0;
+    if (field.water->free_surface) {
+      const double surface = field.waves ? field.water->waves.at(middle).elevation : 0.0;
+      wet = immersion(middle.z() - surface, plate[static_cast<std::size_t>(e)].height).share;
+    }
     const Block share =
-        (field.water->density * plate[static_cast<std::size_t>(e)].added_mass / 3.0) * across *
-        across.transpose();
+        (wet * field.water->density * plate[static_cast<std::size_t>(e)].added_mass / 3.0) *
+        across * across.transpose();
     for (int k = 0; k < 3; ++k) {
       Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(
                                        node_[static_cast<std::size_t>(3 * e + k)])) += share;

@@ -165,7 +165,17 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     store(lines.inverse_length + i, inverse_length);
     store(lines.strain + i, strain);
     const Pack least = load(lines.least_tension + i);
+    if (lines.load_law) {
+      for (int l = 0; l < lanes; ++l) {
+        if (!lines.load_law[i + l] || !(lines.multiplicity[i + l] > 0.0)) continue;
+        double found[2];
+        load_coefficients(*lines.load_law[i + l], strain[l], found);
+        lines.offset[i + l] = found[0];
+        lines.stiffness[i + l] = found[1];
+      }
+    }
     Pack tension = load(lines.stiffness + i) * strain;
+    if (lines.load_law) tension = tension + load(lines.offset + i);
     if (lines.damping) {
       const Pack rate = inverse_length * inverse_rest * dot(e, load(lines.e_rate, i)) -
                         (strain + 1.0) * load(lines.rest_rate + i);
@@ -235,8 +245,9 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
     modulus = load_before_end(request.modulus + i, left);
     taut = modulus > 0.0 ? Pack{} + 1.0 : Pack{};
   } else {
-    taut = (lines.damping ? load(lines.tension + i) : stiffness * strain) > least ? Pack{} + 1.0
-                                                                                  : Pack{};
+    const bool by_tension = lines.damping || lines.load_law;
+    taut =
+        (by_tension ? load(lines.tension + i) : stiffness * strain) > least ? Pack{} + 1.0 : Pack{};
     modulus = taut * stiffness;
   }
   if (lines.damping) {

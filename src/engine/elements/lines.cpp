@@ -57,8 +57,14 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
                                 &a.drag[1],
                                 &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  if (water.free_surface) columns.push_back(&a.wet);
   bool damped = false;
-  for (const TwineMaterial& m : materials) damped = damped || m.damping > 0.0;
+  bool by_table = false;
+  for (const TwineMaterial& m : materials) {
+    damped = damped || m.damping > 0.0;
+    by_table = by_table || !m.loads.empty();
+  }
+  if (by_table) columns.push_back(&a.offset);
   if (damped) {
     columns.insert(columns.end(),
                    {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
@@ -95,6 +101,12 @@ void Lines::describe(const Line<N>& line) {
   if (arrays_.damping) {
     arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
   }
+  if (!m.loads.empty()) {
+    load_law_.resize(column_length(count_));
+    load_law_[k] = &m;
+    arrays_.load_law = load_law_.data();
+    arrays_.offset[k] = 0.0;
+  }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential * m.law.tangential_share;
@@ -111,35 +123,36 @@ void Lines::update_bar(int bar, double rest_rate) {
   if (arrays_.damping) arrays_.rest_rate[bar] = rest_rate;
 }
 
-template <int N>
-void Lines::set_velocity(const Field& field, const int* node, double height, std::size_t line) {
-  Vector u = Vector::Zero();
-  double z = 0.0;
-  for (int k = 0; k < N; ++k) {
-    u -= at(field.velocity, node[k]);
-    z += at(field.position, node[k]).z();
-  }
-  u *= 1.0 / N;
-  z *= 1.0 / N;
-  double own = 1.0;
-  if (field.wake) {
-    own = 0.0;
-    for (int k = 0; k < N; ++k) own += field.wake[node[k]];
-    own *= 1.0 / N;
-  }
-  set_velocity(line, u, z, own, height);
+void Lines::Meeting::add(const Field& field, int point, double share) {
+  moving -= share * at(field.velocity, point);
+  z += share * at(field.position, point).z();
+  own += share * (field.wake ? field.wake[point] : 1.0);
+  if (!field.waves) return;
+  const WavePoint& waves = field.waves[point];
+  moving += share * waves.velocity;
+  slope += share * waves.velocity_slope;
+  surface += share * waves.elevation;
 }
 
-void Lines::set_velocity(std::size_t line, const Vector& moving, double z, double own,
-                         double height) {
-  Vector current, slope;
-  water_.velocity(z, current, slope);
-  Vector u = moving + current;
+template <int N>
+void Lines::set_velocity(const Field& field, const int* node, double height, std::size_t line) {
+  Meeting meeting;
+  for (int k = 0; k < N; ++k) meeting.add(field, node[k], 1.0 / N);
+  set_velocity(line, meeting, height);
+}
+
+void Lines::set_velocity(std::size_t line, const Meeting& meeting, double height) {
+  Vector u, slope;
+  water_.velocity(meeting.z, u, slope);
+  u += meeting.moving;
+  slope += meeting.slope;
+  double own = meeting.own;
   slope *= own;
   if (water_.free_surface) {
-    const Immersion wet = immersion(z, height);
+    const Immersion wet = immersion(meeting.z - meeting.surface, height);
     slope = wet.root * slope + own * wet.root_slope * u;
     own *= wet.root;
+    arrays_.wet[line] = wet.share;
   }
   u *= own;
   arrays_.own[line] = own;
@@ -162,18 +175,14 @@ void Lines::set_flow(const Field& field) {
     set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
-    Vector moving = Vector::Zero();
-    double z = 0.0, own = 0.0;
+    Meeting meeting;
     for (std::size_t k = 0; k < 4; ++k) {
-      const int point = hexagons_.node[4 * static_cast<std::size_t>(e) + k];
-      moving -= HexagonalTriangles::share[k] * at(field.velocity, point);
-      z += HexagonalTriangles::share[k] * at(field.position, point).z();
-      own += HexagonalTriangles::share[k] * (field.wake ? field.wake[point] : 1.0);
+      meeting.add(field, hexagons_.node[4 * static_cast<std::size_t>(e) + k],
+                  HexagonalTriangles::share[k]);
     }
     const double height = water_.free_surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
     for (int which = 0; which < 3; ++which) {
-      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), moving, z, own,
-                   height);
+      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), meeting, height);
     }
   }
   kernels_.flow(arrays_, 0, count_);

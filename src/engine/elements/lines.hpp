@@ -55,8 +55,15 @@ class Lines {
   // height: over which a line leaves the water, m.
   template <int N>
   void set_velocity(const Field& field, const int* node, double height, std::size_t line);
-  // moving: velocity of the water but for the current's, m/s; own: share of the flow that is left.
-  void set_velocity(std::size_t line, const Vector& moving, double z, double own, double height);
+  // What lines meet the water with, means of their points.
+  struct Meeting {
+    Vector moving = Vector::Zero();  // velocity of the water but for the current's, m/s
+    Vector slope = Vector::Zero();   // its derivative by height, 1/s
+    double z = 0.0, surface = 0.0;   // heights of the line and of the water's surface, m
+    double own = 0.0;                // share of the flow that is left
+    void add(const Field& field, int point, double share);
+  };
+  void set_velocity(std::size_t line, const Meeting& meeting, double height);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);
@@ -68,7 +75,7 @@ class Lines {
   const Water& water_;
   int count_;
   std::vector<double> numbers_;
-  std::vector<const TwineMaterial*> speed_law_;
+  std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
 };

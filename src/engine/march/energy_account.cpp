@@ -17,7 +17,8 @@ double pressed(const Ground& ground, double penetration, double area) {
 // What a line's strain energy loses per length that it is given, N: -dW/dL0.
 double give(const TwineMaterial& material, double length, double rest) {
   if (length <= rest && !material.strut) return 0.0;
-  return 0.5 * material.axial_stiffness * (length * length / (rest * rest) - 1.0);
+  const TwinePull pull = twine_pull(material, length / rest - 1.0);
+  return length / rest * pull.tension - pull.energy;
 }
 
 }  // namespace

@@ -17,7 +17,8 @@
 // Newton's matrix is m M - p dF/dv - dF/dx with the full nonsymmetric derivative of F (drag turns
 // with its line); tensions are unknowns of their own (march/line_tensions.hpp). M is that of the
 // present x1; its own change with x1 is not in the matrix. Added mass acts on accelerations of the
-// nodes alone: no force from a line's turning while it moves, none from accelerations of the water.
+// nodes, and of the water in F: no force from a line's turning while it moves. How waves change along x
+// and y is not in the matrix either, but for the surface where volumes leave it.
 //
 // A step is found when the forces of the law balance on every node: what is left is a small share of
 // the pulls, drags and loads on that very node (balance_share), and Newton's method has next to nothing

@@ -20,6 +20,7 @@ Assembly::Assembly(const Model& model)
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
   if (!model.wake.empty()) wake_.set_share(model.wake);
+  if (model.water.waves.present()) waves_.resize(static_cast<std::size_t>(model.points()));
   std::vector<ElementPoints> elements{{2, model.bars.node},
                                       {3, model.triangles.node},
                                       {4, model.hexagons.node},
@@ -61,6 +62,11 @@ void Assembly::move_to(const double* x, const double* v) {
   const bool same_flow = flow_known_ && !model_.water.varies_with_height() &&
                          std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
+  if (model_.water.waves.running()) {
+    for (int p = 0; p < model_.points(); ++p) {
+      waves_[static_cast<std::size_t>(p)] = model_.water.waves.at(at(position_.data(), p));
+    }
+  }
   if (!same_flow) {
     spread(v, velocity_);
     lines_.set_flow(field());
@@ -69,6 +75,17 @@ void Assembly::move_to(const double* x, const double* v) {
   lines_.move_to(position_.data());
   std::copy(model_.load.begin(), model_.load.end(), load_.begin());
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
+  if (model_.water.accelerates()) add_push_of_water();
+}
+
+void Assembly::add_push_of_water() {
+  masses_.assign(3 * position_.size(), 0.0);
+  lines_.add_added_mass(masses_.data());
+  for (const ElementKind* kind : kinds_) kind->add_added_mass(field(), masses_.data());
+  for (int p = 0; p < model_.points(); ++p) {
+    const Eigen::Map<const Block> added(&masses_[9 * static_cast<std::size_t>(p)]);
+    at(load_.data(), p) += added * field().acceleration(p);
+  }
 }
 
 Vector Assembly::flow_past_wake_sheets() const {

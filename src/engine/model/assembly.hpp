@@ -23,8 +23,9 @@ struct LineChange {
 
 class Assembly {
  public:
-  // The model must outlive the assembly. Loads, masses, weights of pressure and speeds of the
-  // current may change, rest lengths and multiplicities of bars too: update() and update_bar() tell of it. Nothing else may.
+  // The model must outlive the assembly. Loads, masses, weights of pressure, the
+  // current, its rates and the waves' time may change, rest lengths and multiplicities of bars too:
+  // update() and update_bar() tell of it. Nothing else may.
   explicit Assembly(const Model& model);
   Assembly(const Assembly&) = delete;
 
@@ -100,13 +101,20 @@ class Assembly {
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
   Field field() const {
-    return {position_.data(), velocity_.data(), &model_.water, has_wake() ? wake().data() : nullptr,
-            &model_.ground,   &model_.bars};
+    return {position_.data(),
+            velocity_.data(),
+            &model_.water,
+            has_wake() ? wake().data() : nullptr,
+            &model_.ground,
+            &model_.bars,
+            model_.water.waves.running() ? waves_.data() : nullptr};
   }
 
  private:
   // The flow past the wake sheets, at their mean height, m/s.
   Vector flow_past_wake_sheets() const;
+  // Adds what water that accelerates does to added mass to the loads.
+  void add_push_of_water();
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;
@@ -121,6 +129,7 @@ class Assembly {
   bool flow_known_ = false;
   std::vector<char> held_back_;
   LineChange change_;
+  std::vector<WavePoint> waves_;  // per point, where the water moves in waves
   // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };
