@@ -68,11 +68,11 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
     straight = found$straight, inner = inner, multiplicity = found$multiplicity,
     height = surface_height(twine_width(panels)[found$panel], extent),
     material = part, part = part)
-  shading <- which(panels$shielding[found$panel] != "none")
-  build$add("wake_sheets", node = as.vector(matrix(node, 3L)[, shading]), part = part[shading],
-    law = panels$shielding[found$panel][shading],
+  slowing <- which(panels$shielding[found$panel] != "none")
+  build$add("wake_sheets", node = as.vector(matrix(node, 3L)[, slowing]), part = part[slowing],
+    law = panels$shielding[found$panel][slowing],
     twine_area = (found$bars * (2 * found$rest + found$straight) *
-      twine_width(panels)[found$panel])[shading])
+      twine_width(panels)[found$panel])[slowing])
   third <- rep(found$bars / 3, each = 3L)
   panel <- rep(found$panel, each = 3L)
   # Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
@@ -132,7 +132,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   inner <- ends < 0L
   ends[!inner] <- id[ends[!inner]]
   ends[inner] <- between[-bars$ends[inner]]
-  if (any(panels$shielding != "none")) add_bar_screens(build, panels, parts, bars, ends)
+  if (any(panels$shielding != "none")) add_bar_wake_sheets(build, panels, parts, bars, ends)
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
   add_twine(build, panels, rep(bars$panel, each = 2L), ends, half, rep(bars$rest, each = 2L))
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
@@ -157,10 +157,10 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   )
 }
 
-# Sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a
-# mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
+# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and
+# half a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
 # ends: points at both ends of every segment of a bar.
-add_bar_screens <- function(build, panels, parts, bars, ends) {
+add_bar_wake_sheets <- function(build, panels, parts, bars, ends) {
   ends <- matrix(ends, 2L)
   segments <- panels$bar_segments[bars$panel]
   first <- cumsum(c(TRUE, diff(bars$panel) != 0))

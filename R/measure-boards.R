@@ -51,7 +51,7 @@ measure_attitude <- function(state, measure) {
 
 # Warns of boards that do not fly, or not for long.
 warn_of_boards <- function(state) {
-  if (isTRUE(state$report$upset_at_last)) {
+  if (isTRUE(state$report$unstable)) {
     flies <- length(state$si$otter_boards) > 0L
     kind <- if (flies) "codend_warning_board_unstable" else "codend_warning_pole_unstable"
     whose <- if (flies) "the free boards and kites" else "poles and pipes in compression"

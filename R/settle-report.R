@@ -28,10 +28,10 @@ settle_progress <- function() {
 abort_not_converged <- function(report, lattice, position) {
   where <- describe_node(lattice, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
-  if (report$shading_change > 1e-5) {
+  if (report$wake_change > 1e-5) {
     cli::cli_abort(
-      "The gear did not settle: shape and shading still changed each other after {report$shadings}
-      rounds, the speed of the flow at a point by {signif(100 * report$shading_change, 2)} % of the
+      "The gear did not settle: shape and wake still changed each other after {report$wake_renewals}
+      rounds, the speed of the flow at a point by {signif(100 * report$wake_change, 2)} % of the
       free flow's.",
       class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
     )

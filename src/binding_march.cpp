@@ -154,7 +154,7 @@ double potential_of(const codend::Model& model, double error) {
            "energy"_nm = as_doubles(march.energy()), "bar_tension"_nm = as_doubles(e.bar_tension),
            "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),
-           "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+           "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
            "report"_nm = report()});
     };
     const doubles times(stops["time"]);

@@ -56,7 +56,7 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   assembly.mass(mass.data());
   JoinedMass joined(assembly);
   joined.update(mass.data());
-  CarriedTension taut;
+  DualTension taut;
   const LineArrays& lines = assembly.lines();
   const int count = assembly.model().lines();
   taut.tension.assign(lines.tension, lines.tension + count);

@@ -48,7 +48,7 @@ constexpr int settled_steps = 30;
 constexpr double settled_law_residual = 1e-3;
 // Wakes are renewed on every settled shape until no point's share of the speed changes by more; from
 // the fifth time on the netting upstream of every point stays the same.
-constexpr int shadings = 20, searches = 4;
+constexpr int wake_renewals = 20, wake_searches = 4;
 // Of all loads together, the most that rounding may leave.
 constexpr double greatest_rounding = 1e-3;
 // An unstable equilibrium is perturbed by this share of the least unstable element's size, and the
@@ -355,8 +355,8 @@ class Settling {
 
   // Sum of the sizes of all loads that are not tensions.
   double total_load() {
-    CarriedTension none;
-    none.tension.assign(static_cast<std::size_t>(assembly_.model().carriers()), 0.0);
+    DualTension none;
+    none.tension.assign(static_cast<std::size_t>(assembly_.model().constraints()), 0.0);
     assembly_.move_to(x_, v_);
     assembly_.residual(force_.data(), &none);
     double total = 0.0;
@@ -416,7 +416,7 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
       std::copy(settled.begin(), settled.end(), x);
       settling.begin(first_pseudo_steps[attempt]);
       settling.measure();
-      if (report.shadings == 0) settling.stay_near(control.strain);
+      if (report.wake_renewals == 0) settling.stay_near(control.strain);
       closing_in = false;
       steps = 0;
     }
@@ -424,16 +424,17 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     report.converged =
         (settling.found() && (report.residual <= control.tolerance || settling.at_rounding())) ||
         report.worst_force == 0.0;
-    // What needs no step from where it was settled was shaded so then.
-    const bool shaded =
+    // What needs no step from where it was settled has its wake from then.
+    const bool has_its_wake =
         control.start == Start::settled && report.iterations == 0 && !assembly.model().wake.empty();
-    if (report.converged && assembly.shades() && !shaded) {
-      report.shading_change = assembly.shade(report.shadings < searches, shading_tolerance);
-      ++report.shadings;
-      if (report.shading_change > shading_tolerance) {
+    if (report.converged && assembly.has_wake() && !has_its_wake) {
+      report.wake_change =
+          assembly.renew_wake(report.wake_renewals < wake_searches, wake_tolerance);
+      ++report.wake_renewals;
+      if (report.wake_change > wake_tolerance) {
         report.converged = false;
         settling.measure();
-        if (report.shadings == shadings) return report;
+        if (report.wake_renewals == wake_renewals) return report;
         settling.resume();
         closing_in = true;
         settled.assign(x, x + start.size());
@@ -442,11 +443,11 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
     }
     if (report.converged && settling.may_be_unstable()) {
       const GrowingMotion growing = settling.growing_motion();
-      report.upset_at_last = growing.found;
-      if (growing.found && report.upsets < perturbations) {
-        settling.leave(growing, report.upsets % 2 == 1);
+      report.unstable = growing.found;
+      if (growing.found && report.perturbations < perturbations) {
+        settling.leave(growing, report.perturbations % 2 == 1);
         closing_in = false;
-        ++report.upsets;
+        ++report.perturbations;
         report.converged = false;
         settling.measure();
         steps = 0;

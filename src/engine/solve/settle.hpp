@@ -44,10 +44,10 @@ struct SettleReport {
   int factorisations = 0;
   double residual = 0.0;
   double largest_tension = 0.0;  // N
-  int shadings = 0;              // times that wakes were renewed
-  int upsets = 0;                // times that an unstable equilibrium was perturbed
-  bool upset_at_last = false;    // whether the last one is still unstable
-  double shading_change = 0.0;   // of any point's share of the free flow's speed, the last time
+  int wake_renewals = 0;         // times that wakes were renewed
+  int perturbations = 0;         // times that an unstable equilibrium was perturbed
+  bool unstable = false;         // whether the last one is still unstable
+  double wake_change = 0.0;      // of any point's share of the free flow's speed, the last time
   int worst_node = -1;           // where the largest net force acts
   double worst_force = 0.0;      // N
   double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
