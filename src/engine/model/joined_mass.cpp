@@ -18,7 +18,7 @@ JoinedMass::JoinedMass(const Assembly& assembly) : assembly_(assembly) {
   joins_.assign(static_cast<std::size_t>(pattern_.n), 0);
   for (int first = 0; first < pattern_.n; ++first) {
     const auto row = static_cast<std::size_t>(first);
-    if (joins_[row] || pattern_.row_start[row + 1] - pattern_.row_start[row] == 1) continue;
+    if (joins_[row] || !assembly.in_body(assembly.free_nodes()[row])) continue;
     Group group;
     group.unknown = {first};
     joins_[row] = 1;
@@ -50,7 +50,8 @@ void JoinedMass::update(const double* mass) {
       const std::ptrdiff_t node = assembly_.free_nodes()[static_cast<std::size_t>(row)];
       group.mass.block<3, 3>(3 * i, 3 * i) = Eigen::Map<const Block>(mass + 9 * node);
       for (Eigen::Index j = 0; j < size / 3; ++j) {
-        const std::int64_t b = find_block(pattern_, row, group.unknown[static_cast<std::size_t>(j)]);
+        const std::int64_t b =
+            find_block(pattern_, row, group.unknown[static_cast<std::size_t>(j)]);
         if (b < 0) continue;
         group.mass.block<3, 3>(3 * i, 3 * j) +=
             Eigen::Map<const Block>(&values_[9 * static_cast<std::size_t>(b)]);
@@ -65,8 +66,8 @@ void JoinedMass::solve(const double* force, double* acceleration) const {
   for (const Group& group : groups_) {
     const Eigen::Index size = 3 * static_cast<Eigen::Index>(group.unknown.size());
     auto node = [&](Eigen::Index i) {
-      return assembly_.free_nodes()[static_cast<std::size_t>(
-          group.unknown[static_cast<std::size_t>(i)])];
+      return assembly_
+          .free_nodes()[static_cast<std::size_t>(group.unknown[static_cast<std::size_t>(i)])];
     };
     Eigen::VectorXd values(size);
     for (Eigen::Index i = 0; i < size / 3; ++i) values.segment<3>(3 * i) = at(force, node(i));

@@ -15,8 +15,8 @@ class JoinedMass {
   explicit JoinedMass(const Assembly& assembly);
 
   struct Group {
-    std::vector<int> unknown;           // free nodes by their number among the free ones
-    Eigen::MatrixXd mass;               // kg, 3 rows per node
+    std::vector<int> unknown;  // free nodes by their number among the free ones
+    Eigen::MatrixXd mass;      // kg, 3 rows per node
     Eigen::LLT<Eigen::MatrixXd> factors;
     bool has_mass = false;  // in every direction
   };
