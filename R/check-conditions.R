@@ -9,7 +9,8 @@
 #' | `codend_error_argument` | an argument of a function | |
 #' | `codend_error_file` | a file that cannot be read or written | `file`; of a tow `trajectory` |
 #' | `codend_error_not_converged` | no balance is found | `report`; of a tow `trajectory` |
-#' | `codend_error_lattice` | the lattice does not hold what the plan says: a defect of codend | |
+#' | `codend_error_energy` | of those, a motion that gains or loses energy | as above |
+#' | `codend_error_engine` | the engine, or a check of its lattice, finds it wrong | `field` |
 #' | `codend_error_package` | a package that is not installed | |
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'

@@ -43,7 +43,7 @@
 force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   check_coefficient_arguments(reynolds, solidity)
   degree <- seq(0, 90, by = 2.5)
-  radian <- function(x) x * pi / 180
+  radian <- function(x) from_unit(x, "deg")
   table <- c(
     lapply(twine_laws, function(law) {
       found <- twine_specimens(law, radian(degree), reynolds, solidity[1])
@@ -129,13 +129,11 @@ published_coefficients <- function(solidity) {
 check_coefficient_arguments <- function(reynolds, solidity) {
   one <- is.numeric(reynolds) && length(reynolds) == 1L && is.finite(reynolds) && reynolds > 0
   if (!one) {
-    cli::cli_abort("{.arg reynolds} is {.val {reynolds}}; it must be one number above 0.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg reynolds} is {.val {reynolds}}; it must be one number above 0.")
   }
   good <- is.numeric(solidity) && length(solidity) >= 1L && all(is.finite(solidity)) &&
     all(solidity >= 0.01 & solidity <= 0.5)
   if (!good) {
-    cli::cli_abort("{.arg solidity} is {.val {solidity}}; it must be numbers from 0.01 to 0.5.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg solidity} is {.val {solidity}}; it must be numbers from 0.01 to 0.5.")
   }
 }

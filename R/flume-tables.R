@@ -114,13 +114,11 @@ tensions_html <- function(state) {
     is.finite(ranked$margin),
     paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
   )
-  table <- function(kind, caption, per, highest, with_strength) {
+  table <- function(kind, caption, unit, highest, with_strength) {
+    shown <- function(force) trimws(column_figures(in_unit(from_unit(force, "kN"), unit)))
     rows <- ranked[ranked$kind == kind, ]
     if (!nrow(rows)) return(NULL)
-    cells <- data.frame(
-      rows$part, trimws(column_figures(rows$highest_kN * per)),
-      trimws(column_figures(rows$mean_kN * per))
-    )
+    cells <- data.frame(rows$part, shown(rows$highest_kN), shown(rows$mean_kN))
     head <- c("Part", highest)
     if (with_strength) {
       cells <- cbind(cells, ifelse(is.na(rows$strength_kN), "not known",
@@ -130,10 +128,10 @@ tensions_html <- function(state) {
     html_table(caption, head, text_rows(cells))
   }
   shiny::tagList(
-    table("rope", "Ropes, by their largest tension", 1, c("Largest (kN)", "Mean (kN)"), TRUE),
+    table("rope", "Ropes, by their largest tension", "kN", c("Largest (kN)", "Mean (kN)"), TRUE),
     shiny::tags$p(class = "note", "Margin: breaking load over the largest tension, for new rope
       without knots or splices."),
-    table("netting", "Netting, by the tension of one twine", 1000,
+    table("netting", "Netting, by the tension of one twine", "N",
       c("1 % of twine above (N)", "Mean (N)"), FALSE)
   )
 }

@@ -87,10 +87,9 @@ board_polar <- function(polar, aspect_ratio = 2) {
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
     given <- polar
   } else {
-    cli::cli_abort(
+    abort_argument(
       "{.arg polar} must be a data frame with columns {.val attack}, {.val lift} and {.val drag},
-      or one of {.val {names(published_polars)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      or one of {.val {names(published_polars)}}."
     )
   }
   given <- given[order(given$attack), ]
@@ -98,10 +97,9 @@ board_polar <- function(polar, aspect_ratio = 2) {
     all(diff(given$attack) > 0) && given$attack[1] >= 0 && max(given$attack) < 90 &&
     given$lift[1] > 0 && max(given$lift) > 0 && all(given$drag > 0)
   if (!good) {
-    cli::cli_abort(
+    abort_argument(
       "{.arg polar} must have two angles or more, each once, from 0 to below 90 deg, with positive
-      drag and, at the lowest, positive lift.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      drag and, at the lowest, positive lift."
     )
   }
   n <- nrow(given)
@@ -159,8 +157,8 @@ board_polar <- function(polar, aspect_ratio = 2) {
 # L. Viterna and R. Corrigan, Fixed pitch rotor performance of large horizontal axis wind turbines,
 # NASA CP-2230 (1982). attack in deg.
 viterna <- function(attack, stall, across) {
-  a <- attack * pi / 180
-  s <- stall$attack * pi / 180
+  a <- from_unit(attack, "deg")
+  s <- from_unit(stall$attack, "deg")
   lift <- across / 2 * sin(2 * a) +
     (stall$lift - across * sin(s) * cos(s)) * sin(s) / cos(s)^2 * cos(a)^2 / sin(a)
   drag <- across * sin(a)^2 + (stall$drag - across * sin(s)^2) / cos(s) * cos(a)
@@ -169,7 +167,7 @@ viterna <- function(attack, stall, across) {
 
 # Knots, values and slopes as the engine reads them (rad).
 engine_polar <- function(table) {
-  angle <- table$attack * pi / 180
+  angle <- from_unit(table$attack, "deg")
   slope <- function(value) {
     # A turn before and after, so that the circle closes smoothly.
     n <- length(angle)
@@ -187,7 +185,7 @@ engine_polar <- function(table) {
 si_polar <- function(polar, path, aspect_ratio) {
   if (is.list(polar)) {
     polar <- data.frame(
-      attack = vapply(polar, `[[`, 0, "attack") * 180 / pi,
+      attack = in_unit(vapply(polar, `[[`, 0, "attack"), "deg"),
       lift = vapply(polar, `[[`, 0, "lift"), drag = vapply(polar, `[[`, 0, "drag")
     )
   }

@@ -38,9 +38,8 @@ gear_si <- function(gear) gear_checked(gear)$si
 #' read_gear("towed_cable")
 read_gear <- function(plan) {
   if (!is_text(plan)) {
-    cli::cli_abort(
-      "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}."
     )
   }
   shipped <- shipped_plans()
@@ -108,9 +107,8 @@ print.codend_gear <- function(x, ...) {
 update.codend_gear <- function(object, ...) {
   fields <- list(...)
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
-    cli::cli_abort(
-      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}."
     )
   }
   plan <- object$plan

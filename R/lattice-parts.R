@@ -292,9 +292,8 @@ check_totals <- function(lattice, panels, ropes) {
   held <- held[ropes + seq_along(planned)]
   wrong <- which(abs(held - planned) > 1e-6 * planned)[1L]
   if (is.na(wrong)) return(invisible())
-  cli::cli_abort(
+  abort_lattice(
     "Panel {.field {lattice$parts$name[ropes + wrong]}} has {signif(planned[wrong], 6)} m of twine
-    in the plan and {signif(held[wrong], 6)} m in the lattice.",
-    class = c("codend_error_lattice", "codend_error")
+    in the plan and {signif(held[wrong], 6)} m in the lattice."
   )
 }

@@ -77,7 +77,7 @@ warn_of_boards <- function(state) {
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]
-    name <- if (state$si$otter_boards[[k]]$level) "Kite" else "Otter board"
+    name <- if (is_kite(state$si$otter_boards[[k]])) "Kite" else "Otter board"
     kind <- gsub("[^a-z]", "_", board$condition)
     reason <- switch(board$condition,
       "stalled" = sprintf("it meets the flow at %.0f deg, and its lift is largest at %.0f deg",

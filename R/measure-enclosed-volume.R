@@ -15,10 +15,9 @@ measure_enclosed_volume <- function(state, measure) {
   lattice <- state$lattice
   triangles <- lattice$engine$triangles
   if (!length(triangles$rest)) {
-    cli::cli_abort(
+    abort_argument(
       "The enclosed volume is that of netting of triangles; this gear has none
-      ({.code netting: triangles}).", class = c("codend_error_argument", "codend_error"),
-      call = NULL
+      ({.code netting: triangles})."
     )
   }
   node <- matrix(triangles$node, 3L)

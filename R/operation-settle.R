@@ -92,7 +92,7 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   }
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started
-  if (!report$converged) abort_not_converged(report, found$lattice, found$position)
+  if (!report$converged) abort_unsettled(report, found$lattice, found$position)
   state <- new_state(gear, si, found$lattice, found$position, report)
   state$levels <- state_levels(state, found, from)
   state
@@ -110,19 +110,16 @@ settle_from_coarse <- function(si, nodes, netting, steps, progress) {
 
 check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {
-    cli::cli_abort("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }
   whole <- is.numeric(nodes) && length(nodes) == 1L && is.finite(nodes) && nodes >= 1
   if (!whole) {
-    cli::cli_abort("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
     netting %in% c("triangles", "bars"))) {
-    cli::cli_abort(
-      "{.arg netting} is {.val {netting}}; it must be {.val triangles}, {.val bars} or NULL.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg netting} is {.val {netting}}; it must be {.val triangles}, {.val bars} or NULL."
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)

@@ -71,7 +71,7 @@
 #'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
 #'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
 #'   with the netting around it.
-#' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
+#' @param breaking Ropes that break: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
 #' @param scheme `"bdf2"` (when `NULL`), `"generalised_alpha"`, `"backward_euler"` (implicit, by
 #'   Newton's method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
@@ -99,7 +99,7 @@
 #' @export
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
+                catch = NULL, breaking = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
   if (!is.null(file)) {
     check_netcdf()
@@ -119,7 +119,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     speed = asked("speed", speed), course = asked("course", course),
     warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
     control = control, current = asked("current", current), heave = asked("heave", heave),
-    catch = asked("catch", catch), part = asked("part", part)
+    catch = asked("catch", catch), breaking = asked("breaking", breaking)
   )
   method <- tow_method(
     first_of(asked("scheme", scheme), "bdf2"),
@@ -130,6 +130,8 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
   given$control_every <- tow_quantity(control_every, "control_every", "time")
+  steered <- if (!is.null(control)) given$control_every
+  check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {
@@ -139,6 +141,25 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   march_trajectory(trajectory, until, every, method, measures, record)
+}
+
+# More than any tow needs, s and times, and few enough to be held.
+most_tow_time <- 1e6
+most_tow_times <- 1e6
+
+check_tow_times <- function(until, every) {
+  if (until > most_tow_time) {
+    abort_argument("{.arg until} is {signif(until, 6)} s; it must be at most {most_tow_time} s.")
+  }
+  for (name in names(every)) {
+    times <- until / every[[name]]
+    if (times > most_tow_times) {
+      abort_argument(
+        "{.arg {name}} is {signif(every[[name]], 6)} s, which gives {signif(times, 2)} times up to
+        {signif(until, 6)} s; it must be at least {until / most_tow_times} s."
+      )
+    }
+  }
 }
 
 checked_gear <- function(gear) {
@@ -159,8 +180,7 @@ kept_accuracy <- function(method) {
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {
-    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.")
   }
   implicit <- known$adaptive[known$name == scheme]
   both <- tow_accuracy(accuracy)
@@ -224,10 +244,9 @@ tow_quantity <- function(value, name, dimension) {
     NA_real_
   }
   if (!is.finite(si) || si <= 0) {
-    cli::cli_abort(
+    abort_argument(
       "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
-      {unit_examples(dimension)}).",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      {unit_examples(dimension)})."
     )
   }
   si
@@ -267,7 +286,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
     start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
     numeric(), settle_tolerance, settle_iterations, progress
   )
-  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

@@ -33,12 +33,18 @@ total_force <- function(state, cause) {
   rowSums(vapply(state$forces[reported_forces(cause)$name], rowSums, numeric(3)))
 }
 
-# Force of the flow on every triangle, on the whole of it (3 x triangles, N).
+# Force of the flow on every element of a kind such as "bars" (3 x elements, N).
+flow_force <- function(state, kind) {
+  by_flow <- reported_forces("flow")
+  Reduce(`+`, state$forces[by_flow$name[by_flow$kind == kind]])
+}
+
+# The same on the whole of every triangle, with what acts on it as a screen or blended.
 triangle_flow_force <- function(state) {
-  force <- state$forces$triangle_drag
-  for (row in which(reported_forces()$kind %in% names(state$lattice$on_triangle))) {
-    on <- state$lattice$on_triangle[[reported_forces()$kind[row]]]
-    force[, on] <- force[, on] + state$forces[[row]]
+  force <- flow_force(state, "triangles")
+  for (kind in names(state$lattice$on_triangle)) {
+    on <- state$lattice$on_triangle[[kind]]
+    force[, on] <- force[, on] + flow_force(state, kind)
   }
   force
 }

@@ -58,7 +58,10 @@ read_trajectory <- function(file) {
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
-    n <- complete_records(get)
+    n <- min(complete_records(get), attr(nc, "records"))
+    # the last from which a tow can go on
+    resumed <- get("resume_record")
+    n <- max(0L, resumed[resumed >= 1 & resumed <= n])
     if (n == 0L) abort_file(file, "holds no complete record.")
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
@@ -68,7 +71,7 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 5L
+trajectory_file_version <- 6L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
@@ -90,7 +93,7 @@ vessel_variables <- rbind(
   course = c("radian", "course to starboard of that at the start")
 )
 
-# Numbers of a march beside its nodes; a winch's and a parting's are vectors.
+# Numbers of a march beside its nodes; a winch's and a rupture's are vectors.
 resume_numbers <- c("steps", "caution", "step")
 resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
 report_numbers <- c(
@@ -147,7 +150,7 @@ define_trajectory <- function(nc, what, frame) {
     hexagonal_triangle = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy = length(energy_parts),
     part = length(names), growing_part = length(frame$done$length),
-    parting = length(frame$done$parted), component = 3L * engine$nodes,
+    rupture = length(frame$done$broken), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
     report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
     kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
@@ -208,7 +211,7 @@ define_records <- function(define) {
   }
   for (k in seq_len(nrow(frame_fields))) {
     of <- frame_fields[k, ]
-    type <- if (of$name == "parted") "NC_INT" else "NC_DOUBLE"
+    type <- if (of$name == "broken") "NC_INT" else "NC_DOUBLE"
     define(of$name, type, c(of$across, "time"), of$unit, of$words)
   }
   for (name in rownames(vessel_variables)) {
@@ -229,8 +232,8 @@ define_resume <- function(define) {
   for (name in resume_winch) {
     define(paste0("resume_winch_", name), "NC_DOUBLE", c("growing_part", "slot"))
   }
-  define("resume_parted", "NC_INT", c("parting", "slot"))
-  define("resume_parted_at", "NC_DOUBLE", c("parting", "slot"), "s")
+  define("resume_broken", "NC_INT", c("rupture", "slot"))
+  define("resume_broken_at", "NC_DOUBLE", c("rupture", "slot"), "s")
   define("resume_report", "NC_DOUBLE", c("report_number", "slot"))
   define("resume_report_end", "NC_INT", "slot")
 }
@@ -280,8 +283,8 @@ put_resume <- function(nc, frame, k) {
   }
   for (name in resume_numbers) put_one(name, as.double(frame[[name]]))
   for (name in resume_winch) put_all(paste0("winch_", name), as.double(frame$done[[name]]))
-  put_all("parted", frame$done$parted)
-  put_all("parted_at", frame$done$parted_at)
+  put_all("broken", frame$done$broken)
+  put_all("broken_at", frame$done$broken_at)
   if (is.null(frame$report)) {
     put_one("report_end", 0L)
   } else {
@@ -327,8 +330,8 @@ read_resume <- function(get, n) {
   }
   done <- lapply(setNames(resume_winch, resume_winch), function(name) all(paste0("winch_", name)))
   done$near_limit <- as.logical(done$near_limit)
-  done$parted <- as.integer(all("parted"))
-  done$parted_at <- all("parted_at")
+  done$broken <- as.integer(all("broken"))
+  done$broken_at <- all("broken_at")
   report <- NULL
   if (one("report_end") > 0L) {
     report <- c(

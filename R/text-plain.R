@@ -1,5 +1,5 @@
-# Text as other programs read it: messages without a terminal's marks, text that stands in HTML or
-# XML, and numbers whatever R's options are.
+# Text that is the same for every reader: messages without a terminal's marks, text that stands in
+# HTML or XML, and numbers whatever R's options are.
 
 # The bullets that cli writes before the lines of a message, in Unicode and in ASCII.
 message_bullets <- "\n(?:[\u2716\u2139\u2022\u2714\u2192!*>xiv]) "

@@ -5,18 +5,18 @@
 # across: the file's dimension; unit, words: as the file says them.
 frame_fields <- data.frame(
   name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "winch_length", "parted", "energy"),
+    "winch_length", "broken", "energy"),
   within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "length", "parted", "energy"),
+    "length", "broken", "energy"),
   across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
-    "parting", "energy"),
+    "rupture", "energy"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
     "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
     "catch in netting: meshes behind its front, and the volume there (m3)",
-    "length that a winch has paid out", "bar that has parted, 0 for none",
+    "length that a winch has paid out", "bar that has broken, 0 for none",
     "energy since the start, by parts: see the attribute energy_parts"
   )
 )

@@ -76,8 +76,8 @@ add_start <- function(what, position, velocity) {
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
     speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
-    parted = rep(0L, length(what$schedule$partings)),
-    parted_at = rep(0, length(what$schedule$partings))
+    broken = rep(0L, length(what$schedule$ruptures)),
+    broken_at = rep(0, length(what$schedule$ruptures))
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x

@@ -6,17 +6,6 @@
 
 using namespace binding;
 
-namespace {
-
-codend::Start start_of(const std::string& name) {
-  const auto names = codend::names_of(codend::Start());
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw codend::InputError("from", "no such start: " + name);
-  return static_cast<codend::Start>(at - names.begin());
-}
-
-}  // namespace
-
 // from: what the start is, a name of codend::Start.
 [[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
                                        doubles strain, double tolerance, int iterations,
@@ -28,7 +17,7 @@ codend::Start start_of(const std::string& name) {
     const std::vector<double> v(x.size(), 0.0);
 
     codend::SettleControl control;
-    control.start = start_of(from);
+    control.start = codend::by_name<codend::Start>(from, "from");
     control.strain.assign(strain.begin(), strain.end());
     if (!control.strain.empty() &&
         control.strain.size() != static_cast<std::size_t>(model.lines())) {
