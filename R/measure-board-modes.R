@@ -10,8 +10,7 @@ slowest_told <- 0.002
 #' little, the gear moves as a sum of them. They are eigenvalues of its equations of motion, with
 #' mass and added mass, drag and lift of everything as in [tow()], where the state has it; that flow
 #' slowed by netting follows the netting is left out. Motions that boards only follow, with less than
-#' a tenth of the way of the node that moves most, and those much faster than 10 or slower than
-#' 0.03 rad/s, are left out too.
+#' a tenth of the way of the node that moves most, and those faster than 20 rad/s are left out too.
 #'
 #' A board is one rigid body: its mass about its own centre of gravity, as of a plate of one
 #' thickness with a camber of 12 %; the added mass of a flat plate about mid-chord, across its face

@@ -104,7 +104,8 @@ struct Attitude {
 };
 Attitude attitude(const Plate& p, const Motion& motion) {
   Values local(9);
-  for (int k = 0; k < 3; ++k) at(local.data(), k) = p.plate().attachment[static_cast<std::size_t>(k)];
+  for (int k = 0; k < 3; ++k)
+    at(local.data(), k) = p.plate().attachment[static_cast<std::size_t>(k)];
   Attitude out;
   out.turned = axes_of(motion.x) * axes_of(local).transpose();
   // v_k - v_0 = w x (x_k - x_0), by least squares.
@@ -150,8 +151,8 @@ TEST_CASE("a free plate in vacuum falls as a point and turns as Euler's equation
   constexpr double tolerance = 1e-4;
   auto check = [&](const Motion& end, double within) {
     const Attitude found = attitude(p, end);
-    const Vector fallen = plate.gravity_centre + until * speed +
-                          Vector(0.0, 0.0, -0.5 * 9.81 * until * until);
+    const Vector fallen =
+        plate.gravity_centre + until * speed + Vector(0.0, 0.0, -0.5 * 9.81 * until * until);
     CHECK((found.gravity_centre - fallen).norm() < within);
     CHECK((found.speed - speed - Vector(0.0, 0.0, -9.81 * until)).norm() < within);
     const Vector kept = found.turned * inertia.cwiseProduct(found.turned.transpose() * found.rate);
@@ -399,7 +400,8 @@ TEST_CASE("modes of bodies are eigenvalues of the gear's matrices, and none of t
     companion.topRightCorner(n, n).setIdentity();
     companion.bottomLeftCorner(n, n) = -mass.llt().solve(stiffness);
     companion.bottomRightCorner(n, n) = -mass.llt().solve(damping);
-    const Eigen::VectorXcd all = companion.eigenvalues();
+    const Eigen::VectorXcd found = companion.eigenvalues();
+    const std::vector<std::complex<double>> all(found.data(), found.data() + found.size());
     const std::vector<BodyMode> modes = body_modes(assembly, s.x.data(), s.v.data());
     for (const BodyMode& mode : modes) {
       double nearest = 1e300;

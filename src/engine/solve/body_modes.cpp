@@ -13,6 +13,8 @@ namespace {
 
 // Rates (1/s) of the projection: boards and kites swing within a second to some minutes.
 constexpr double shifts[] = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0};
+// Beyond twice that a body's swings are those of its struts.
+constexpr double fastest = 20.0;
 // Of a vector that is left when those before it are taken off, to be another one.
 constexpr double independent = 1e-9;
 // A mode of the small problem is one of the gear's where its equations are left with less than this.
@@ -29,8 +31,8 @@ Numbers times(const BlockPattern& pattern, const std::vector<double>& values, co
   for (int row = 0; row < pattern.n; ++row) {
     for (std::int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
       const auto b = static_cast<std::size_t>(k);
-      y.template middleRows<3>(3 * row) += Eigen::Map<const Block>(&values[9 * b]) *
-                                           x.template middleRows<3>(3 * pattern.column[b]);
+      y.template middleRows<3>(3 * row) +=
+          Eigen::Map<const Block>(&values[9 * b]) * x.template middleRows<3>(3 * pattern.column[b]);
     }
   }
   return y;
@@ -109,13 +111,15 @@ std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const doub
     };
     solve(on_bodies);
     extend(basis, answer);
-    const Columns by_rate = times(pattern, damping, answer) + 2.0 * s * times(pattern, mass, answer);
+    const Columns by_rate =
+        times(pattern, damping, answer) + 2.0 * s * times(pattern, mass, answer);
     solve(by_rate);
     extend(basis, answer);
   }
 
   const Eigen::Index n = basis.cols();
-  const Columns mass_there = times(pattern, mass, basis), damping_there = times(pattern, damping, basis),
+  const Columns mass_there = times(pattern, mass, basis),
+                damping_there = times(pattern, damping, basis),
                 stiffness_there = times(pattern, stiffness, basis);
   const Eigen::LDLT<Columns> small_mass(basis.transpose() * mass_there);
   Columns companion = Columns::Zero(2 * n, 2 * n);
@@ -127,12 +131,13 @@ std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const doub
   for (Eigen::Index k = 0; k < 2 * n; ++k) {
     BodyMode mode;
     mode.rate = found.eigenvalues()[k];
-    if (mode.rate.imag() < 0.0 || !std::isfinite(std::abs(mode.rate))) continue;
+    if (mode.rate.imag() < 0.0 || !(std::abs(mode.rate) <= fastest)) continue;
     const Eigen::VectorXcd shares = found.eigenvectors().col(k).head(n);
     const Eigen::VectorXcd inertia = mode.rate * mode.rate * (mass_there * shares),
                            drag = mode.rate * (damping_there * shares),
                            spring = stiffness_there * shares;
-    mode.residual = (inertia + drag + spring).norm() / (inertia.norm() + drag.norm() + spring.norm());
+    mode.residual =
+        (inertia + drag + spring).norm() / (inertia.norm() + drag.norm() + spring.norm());
     if (!(mode.residual < most_residual)) continue;
     const Eigen::VectorXcd motion = basis * shares;
     double most = 0.0, most_of_bodies = 0.0;
@@ -150,9 +155,8 @@ std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const doub
     }
     modes.push_back(mode);
   }
-  std::sort(modes.begin(), modes.end(), [](const BodyMode& a, const BodyMode& b) {
-    return a.rate.real() > b.rate.real();
-  });
+  std::sort(modes.begin(), modes.end(),
+            [](const BodyMode& a, const BodyMode& b) { return a.rate.real() > b.rate.real(); });
   return modes;
 }
 

@@ -28,7 +28,8 @@ struct BodyMode {
   std::vector<std::complex<double>> motion;  // z, 3 per free node; at most 1 long at any node
 };
 
-// Motions in which a body takes part, the fastest growing first; empty where no body is free.
+// Motions in which a body takes part, of rates up to 20/s in size, the fastest growing first; empty
+// where no body is free.
 // x: an equilibrium, 3 per node, m; v: how held nodes move in it, m/s. Leaves the assembly there.
 std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const double* v);
 
