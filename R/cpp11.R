@@ -28,6 +28,10 @@ engine_settle <- function(lattice, start, from, strain, tolerance, iterations, w
   .Call(`_codend_engine_settle`, lattice, start, from, strain, tolerance, iterations, watch)
 }
 
+engine_body_modes <- function(lattice, position, velocity) {
+  .Call(`_codend_engine_body_modes`, lattice, position, velocity)
+}
+
 engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
 }

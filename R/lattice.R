@@ -77,7 +77,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     water = engine_water(si),
     slack_twine = si$slack_twine,
     load = as.vector(loads),
-    mass = collected$mass + board_masses(si, division, length(collected$mass)),
+    mass = collected$mass,
     materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
     load_table = load_rows(c(si$ropes, si$panels)),
     bars = engine_elements(collected$bars),

@@ -55,6 +55,13 @@ extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP 
   END_CPP11
 }
 // binding_settle.cpp
+list engine_body_modes(list lattice, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velocity) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+  END_CPP11
+}
+// binding_settle.cpp
 doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
 extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
   BEGIN_CPP11
@@ -149,6 +156,7 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
+    {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},

@@ -157,7 +157,14 @@ class Specimen {
     board.buoyancy = 15.0;
     board.gravity_centre = {0.5, 0.1, -0.2};
     board.buoyancy_centre = {0.5, 0.0, 0.1};
+    board.mass = 3.0;
+    board.second_moment = {0.25, 0.01, 0.6};
     board.added_mass = 0.3;
+    board.added_radius_chord = 0.2;
+    board.added_radius_span = 0.4;
+    board.normal_slope = 2.1;
+    board.yaw_damping = 0.15;
+    board.roll_damping = 0.08;
     board.shoe_area = 0.05;
     const double pi = 3.14159265358979323846;
     board.polar.angle = {-pi, -1.5, -0.3, 0.2, 0.8, 1.6, pi};

@@ -48,12 +48,6 @@ test_that("a board without two angles, or a wrong name, is refused", {
   )
 })
 
-test_that("a plate's added mass is that of DNV-RP-C205", {
-  # C_A = 0.757 for sides of 2:1: 0.757 rho pi/4 c^2 b.
-  expect_equal(1025 * plate_added_volume(2.45, 4.9), 0.757 * 1025 * pi / 4 * 2.45^2 * 4.9)
-  expect_equal(plate_added_volume(1, 3), plate_added_volume(3, 1))
-})
-
 test_that("forces and moments on a board balance", {
   state <- settle(towed_board())
   board <- state$si$otter_boards$otter_board

@@ -83,6 +83,15 @@ class ElementKind {
   // that pushes too, at every point (Assembly); what it does to displaced water (Froude and Krylov) is
   // add_force()'s, of the kinds that know their volume.
   virtual void add_added_mass(const Field& field, double* mass) const = 0;
+  // Whether its elements are bodies: their mass joins their points, so that the acceleration of one
+  // takes forces on all.
+  virtual bool has_bodies() const { return false; }
+  // Mass and added mass (kg) of the heaviest.
+  virtual double heaviest_body(const Field&) const { return 0.0; }
+  // Adds factor times the mass and added mass of every body (kg), a block per pair of its points.
+  virtual void add_body_mass(const Field&, double, const BlockSink&) const {}
+  // Adds that mass times accelerations (m/s2, 3 per point), N.
+  virtual void add_body_inertia(const Field&, const double*, double*) const {}
   // Adds the drag's damping per point (N s/m) at the present speed: a scale for pseudo-time.
   virtual void add_drag_scale(const Field& field, double* scale) const = 0;
   // Whether its elements may stand in an unstable equilibrium, as a plate across the flow or a pole

@@ -67,7 +67,7 @@ class NewtonStep : public Stepper {
   void follow(const Rule& rule, const Motion& now, Motion& next) const;
   // Largest net force over what a node allows.
   double imbalance(const Rule& rule, const Motion& next, int& worst);
-  bool correct(const Rule& rule, const Motion& next, double& share);
+  bool correct(const Rule& rule, double& share);
   double error(const Rule& rule, const Past& past, const Motion& next, int& worst);
 
   Assembly& assembly_;
@@ -79,7 +79,7 @@ class NewtonStep : public Stepper {
   bool analysed_ = false;
   long long factorisations_ = 0;
   Values v_rest_, a_rest_, b_rest_;
-  std::vector<double> force_, mass_, values_, right_, allowed_, dx_, answer_;
+  std::vector<double> force_, mass_, inertia_, values_, right_, allowed_, dx_, answer_;
   DualTension pull_;
 };
 
