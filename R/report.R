@@ -174,8 +174,8 @@ finding_section <- function(found) {
 slope_section <- function(slopes) {
   if (is.null(slopes)) return(NULL)
   report_section("What more would do", report_table(slope_columns(slopes), "Changes of measures by
-    10 % more of a field, or ten more of what is counted, as far as the slope at this state holds. In
-    brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
+    10 % more of a field, or ten more of what is counted, as far as the slope at this state holds.
+    In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
 }
 
 plan_section <- function(gear) {
