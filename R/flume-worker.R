@@ -2,9 +2,9 @@
 # waits for another's design, none takes more than its time and memory, and one that hangs is ended.
 #
 # A worker is an environment of
-#   ask(kind, make, then)  asks for what flume_answer() answers: make() gives the request when its turn
-#                          comes, or NULL when it is out of date; then(answer) is called once, with NULL
-#                          for a request that is out of date
+#   ask(kind, make, then)  asks for what flume_answer() answers: make() gives the request when its
+#                          turn comes, or NULL when it is out of date; then(answer) is called once,
+#                          with NULL for a request that is out of date
 #   stop()                 ends it
 #   holds                  a number for the tank: the state that the worker remembers; 0 for none
 

@@ -6,8 +6,7 @@
 #' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
 #' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
 #' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are
-#' in
-#' balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
+#' in balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
 #' Slopes agree with differences of settled shapes to 1e-6 where these are smooth.
 #'
 #' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
@@ -23,12 +22,9 @@
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as [measures()] has them; all when `NULL`.
 #' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a
-#' list
-#'   may hold several paths, of parts that are alike: their fields change together. `NULL` takes
-#'   those
-#'   that people change first, a dozen at most; `"all"` every number that the plan gives beside
-#'   those
-#'   that divide it into meshes and segments.
+#'   list may hold several paths, of parts that are alike: their fields change together. `NULL`
+#'   takes those that people change first, a dozen at most; `"all"` every number that the plan
+#'   gives beside those that divide it into meshes and segments.
 #' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
 #'   `smooth` speaks of the state itself alone.
 #' @return A data frame of class `codend_sensitivities` with a row per measure and field:
@@ -37,8 +33,7 @@
 #'   - `value` of the field with its `unit` in the plan (the SI unit of a bare number);
 #'   - `slope`, in `slope_unit`: the measure's change per unit of the field;
 #'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the
-#'   measure
-#'     is 0;
+#'     measure is 0;
 #'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
 #'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
 #'     other nodes;
@@ -97,8 +92,7 @@ chord_steps <- 20L
 most_renewals <- 3L
 chord_tolerance <- 1e-8
 # Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
-# the
-# secants from each other; and the least slope, as an elasticity, that this is a share of.
+# the secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005
 most_bend <- 0.2
 least_elasticity <- 0.01
@@ -119,7 +113,9 @@ slope_fields <- function(gear, to) {
     groups <- unique(c(unname(lapply(usual_of_plan(gear$plan), `[[`, "paths")), every))
     found <- Filter(is.list, lapply(groups, function(paths) slope_field(gear, paths)))
     # other counts divide the gear otherwise
-    found <- Filter(function(field) !field$whole || grepl("[.]number$", field$name), found)
+    found <- Filter(function(field) {
+      if (field$whole) grepl("[.]number$", field$name) else !grepl("[.]meshes[.]", field$name)
+    }, found)
     seen <- character()
     found <- Filter(function(field) {
       fresh <- !any(field$paths %in% seen)
@@ -191,8 +187,7 @@ scaled_gear <- function(gear, field, share) {
 # ---- slopes --------------------------------------------------------------------------------------
 
 # What all fields share: the state with its factors and, where steps of these hold it in balance,
-# its
-# lattice, position and measures as they leave it.
+# its lattice, position and measures as they leave it.
 tangent_work <- function(state) {
   asked <- state$lattice$counts$asked
   work <- list(
@@ -218,8 +213,7 @@ tangent_work <- function(state) {
 }
 
 # A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice
-# (with the
-# wakes of the new shape), position, values), or NULL.
+# (with the wakes of the new shape), position, values), or NULL.
 balanced <- function(work, gear) {
   if (is.null(gear)) return(NULL)
   si <- gear_si(gear)
@@ -281,8 +275,7 @@ slope_scale <- function(work, slope) {
 }
 
 # By the tangent, over the largest share at which steps of the factors lead to balance on both
-# sides;
-# NULL where there is none.
+# sides; NULL where there is none.
 tangent_slopes <- function(work, field) {
   side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
   for (share in tangent_shares) {
@@ -323,8 +316,7 @@ settled_values <- function(work, gear) {
 }
 
 # The slope between two secants, or one. curvature: by which share of it they may differ if the
-# field
-# is of whole numbers, else 0: nothing is called smooth.
+# field is of whole numbers, else 0: nothing is called smooth.
 slopes_of_secants <- function(work, sides, curvature) {
   slope <- (sides$below + sides$above) / 2
   one <- ifelse(is.na(sides$below), sides$above, sides$below)

@@ -2,9 +2,8 @@
 #'
 #' Small figures beside one another, a tornado for each measure: how much it changes with every
 #' field, in percent per percent, the fields that matter most on top. Bars are filled where the
-#' slope
-#' is smooth and open where it is not; there the two ticks show the secants to 1 % less and 1 %
-#' more.
+#' slope is smooth and open where it is not; there the two ticks show the secants to 1 % less and
+#' 1 % more.
 #'
 #' @param x Slopes, from [sensitivities()].
 #' @param measures Names of measures, as [measures()] has them; all that change at all when `NULL`.

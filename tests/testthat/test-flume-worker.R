@@ -82,7 +82,7 @@ test_that("of designs that wait the latest counts, and too many files are refuse
 # Whether a process is there: signal 0 asks and does nothing.
 ps_there <- function(pid) tools::pskill(pid, 0L)
 
-test_that("a request that takes too long ends, others do not wait for it, and the next is answered", {
+test_that("what takes too long ends, others do not wait for it, and the next is answered", {
   slow <- asking(seconds = 5)
   quick <- asking()
   on.exit({
