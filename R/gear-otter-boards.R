@@ -21,7 +21,7 @@ si_kite <- function(kite, path, fields, known) {
 }
 
 # Whether a board of `otter_boards` is a kite or depressor.
-is_kite <- function(board) board$role == "kite"
+is_kite <- function(board) identical(board$role, "kite")
 
 # axes: a function(place as given) that tells it in the board's axes.
 si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
