@@ -36,6 +36,14 @@ engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
 }
 
+engine_tangent <- function(lattice, position) {
+  .Call(`_codend_engine_tangent`, lattice, position)
+}
+
+engine_balance <- function(tangent, lattice, position, tolerance, steps) {
+  .Call(`_codend_engine_balance`, tangent, lattice, position, tolerance, steps)
+}
+
 engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }

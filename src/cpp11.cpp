@@ -68,6 +68,20 @@ extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP
     return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
+// binding_tangent.cpp
+SEXP engine_tangent(list lattice, doubles position);
+extern "C" SEXP _codend_engine_tangent(SEXP lattice, SEXP position) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tangent(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position)));
+  END_CPP11
+}
+// binding_tangent.cpp
+list engine_balance(SEXP tangent, list lattice, doubles position, double tolerance, int steps);
+extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position, SEXP tolerance, SEXP steps) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
+  END_CPP11
+}
 // binding.cpp
 list engine_evaluate(list lattice, doubles position, doubles velocity);
 extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
@@ -120,6 +134,7 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
+    {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
@@ -132,6 +147,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
+    {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
