@@ -448,11 +448,16 @@ void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
     Vector u, slope;
     field.relative_velocity(node_[static_cast<std::size_t>(3 * e)],
                             plate[static_cast<std::size_t>(e)].height, u, slope);
-    const double share =
-        (0.5 * field.water->density * plate[static_cast<std::size_t>(e)].area * u.norm() +
-         plate[static_cast<std::size_t>(e)].mass) /
-        3.0;
-    for (int k = 0; k < 3; ++k) scale[node_[static_cast<std::size_t>(3 * e + k)]] += share;
+    const LiftingPlate& b = plate[static_cast<std::size_t>(e)];
+    const double drag = 0.5 * field.water->density * b.area * u.norm() / 3.0;
+    // Its mass by shares that have its centre of gravity, as far as positive ones can.
+    const Parts& gravity = fixed_[static_cast<std::size_t>(e)].gravity;
+    const double part[3] = {std::max(1.0 - gravity.a - gravity.b, 0.1), std::max(gravity.a, 0.1),
+                            std::max(gravity.b, 0.1)};
+    const double all = part[0] + part[1] + part[2];
+    for (int k = 0; k < 3; ++k) {
+      scale[node_[static_cast<std::size_t>(3 * e + k)]] += drag + b.mass * part[k] / all;
+    }
   }
 }
 
