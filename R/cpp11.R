@@ -32,6 +32,14 @@ engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
 }
 
+engine_tangent <- function(lattice, position) {
+  .Call(`_codend_engine_tangent`, lattice, position)
+}
+
+engine_balance <- function(tangent, lattice, position, tolerance, steps) {
+  .Call(`_codend_engine_balance`, tangent, lattice, position, tolerance, steps)
+}
+
 engine_evaluate <- function(lattice, position, velocity) {
   .Call(`_codend_engine_evaluate`, lattice, position, velocity)
 }
@@ -66,4 +74,8 @@ file_sync <- function(path) {
 
 file_replace <- function(from, to) {
   .Call(`_codend_file_replace`, from, to)
+}
+
+limit_memory <- function(bytes) {
+  .Call(`_codend_limit_memory`, bytes)
 }

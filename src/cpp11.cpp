@@ -61,6 +61,20 @@ extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP
     return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
+// binding_tangent.cpp
+SEXP engine_tangent(list lattice, doubles position);
+extern "C" SEXP _codend_engine_tangent(SEXP lattice, SEXP position) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tangent(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position)));
+  END_CPP11
+}
+// binding_tangent.cpp
+list engine_balance(SEXP tangent, list lattice, doubles position, double tolerance, int steps);
+extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position, SEXP tolerance, SEXP steps) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
+  END_CPP11
+}
 // binding.cpp
 list engine_evaluate(list lattice, doubles position, doubles velocity);
 extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
@@ -124,9 +138,17 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
     return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
   END_CPP11
 }
+// process_limit.cpp
+bool limit_memory(double bytes);
+extern "C" SEXP _codend_limit_memory(SEXP bytes) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
+    {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
@@ -139,11 +161,13 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
+    {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
+    {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
     {NULL, NULL, 0}
 };
 }
