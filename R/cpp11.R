@@ -71,3 +71,7 @@ file_sync <- function(path) {
 file_replace <- function(from, to) {
   .Call(`_codend_file_replace`, from, to)
 }
+
+limit_memory <- function(bytes) {
+  .Call(`_codend_limit_memory`, bytes)
+}

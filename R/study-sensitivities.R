@@ -113,7 +113,9 @@ slope_fields <- function(gear, to) {
     groups <- unique(c(unname(lapply(usual_of_plan(gear$plan), `[[`, "paths")), every))
     found <- Filter(is.list, lapply(groups, function(paths) slope_field(gear, paths)))
     # other counts divide the gear otherwise
-    found <- Filter(function(field) !field$whole || grepl("[.]number$", field$name), found)
+    found <- Filter(function(field) {
+      if (field$whole) grepl("[.]number$", field$name) else !grepl("[.]meshes[.]", field$name)
+    }, found)
     seen <- character()
     found <- Filter(function(field) {
       fresh <- !any(field$paths %in% seen)

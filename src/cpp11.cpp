@@ -131,6 +131,13 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
     return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
   END_CPP11
 }
+// process_limit.cpp
+bool limit_memory(double bytes);
+extern "C" SEXP _codend_limit_memory(SEXP bytes) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
@@ -152,6 +159,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
+    {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
     {NULL, NULL, 0}
 };
 }

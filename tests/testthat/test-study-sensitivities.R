@@ -164,6 +164,9 @@ test_that("fields go by themselves, together and by default", {
   every <- sensitivities(state, of = "total_drag_kN", to = "all", secants = FALSE)
   expect_true(all(c("ropes.cable.diameter", "pieces.sphere.volume") %in% every$field))
   expect_false("ropes.cable.segments" %in% every$field)
+  of_trawl <- vapply(slope_fields(read_gear("midwater_trawl"), "all"), `[[`, "", "name")
+  expect_true(all(c("sections.codend.twine.diameter", "floats.number") %in% of_trawl))
+  expect_false(any(grepl("meshes", of_trawl)))
   # Two fields together have the sum of their slopes, as shares.
   gear <- update(state$gear, pieces.sphere.drag_coefficient = 1.5,
     ropes.cable.coefficients.normal = 1.5)
