@@ -179,8 +179,8 @@ define_finding("boards", "state",
 )
 
 define_finding("flutter", "state",
-  "A free otter board or kite whose swings grow: with its mass, added mass and damping a small push is
-  enough.",
+  "A free otter board or kite whose swings grow: with its mass, added mass and damping a small push
+  is enough.",
   function(gear, state) {
     modes <- fluttering_modes(state)
     modes <- modes[!duplicated(modes$board), ]

@@ -1,9 +1,10 @@
-# What the water makes of a rectangular plate that is moved or turned: added mass, and moments against
-# turning. Sides, not chord and span: which of them meets the flow does not matter to added mass.
-# All but the coefficients of DNV are of a lattice of vortex rings, of horseshoe vortices in a steady
-# flow (J. Katz and A. Plotkin, Low-Speed Aerodynamics, 2001, ch. 12), at two or three sizes, continued
-# to the limit; good to 1 %. It gives DNV's coefficients to 1 %, and, for narrow and for wide plates,
-# the closed forms beside the tables. tests/testthat/test-plate-coefficients.R has the lattice.
+# What the water makes of a rectangular plate that is moved or turned: added mass, and moments
+# against turning. Sides, not chord and span: which of them meets the flow does not matter to added
+# mass. All but the coefficients of DNV are of a lattice of vortex rings, of horseshoe vortices in a
+# steady flow (J. Katz and A. Plotkin, Low-Speed Aerodynamics, 2001, ch. 12), at two or three sizes,
+# continued to the limit; good to 1 %. It gives DNV's coefficients to 1 %, and, for narrow and for
+# wide plates, the closed forms beside the tables. tests/testthat/test-plate-coefficients.R has the
+# lattice.
 
 # Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b
 # its longer side, by b/c (DNV-RP-C205, table D-2).
@@ -19,10 +20,10 @@ plate_added_radius <- data.frame(
   ratio = c(1, 2, 4, 10), shorter = c(1.41, 1.20, 1.10, 1.04), longer = c(0.530, 0.655, 0.786, 0.907)
 )
 
-# Of a thin plate in a steady flow, by the ratio of span to chord: the normal force on
-# 1/2 rho U^2 S per rad of attack; the moments against turning about mid-chord, across it at a rate q
-# over 1/2 rho U S c^2 q, and about the chord at a rate p over 1/2 rho U S s^2 p. Narrow plates:
-# pi/2 ratio and pi/64 ratio (R. T. Jones, NACA Report 835, 1946; H. S. Ribner, NACA TN 1423, 1947).
+# Of a thin plate in a steady flow, by the ratio of span to chord: the normal force on 1/2 rho U^2 S
+# per rad of attack; the moments against turning about mid-chord, across it at a rate q over 1/2 rho
+# U S c^2 q, and about the chord at a rate p over 1/2 rho U S s^2 p. Narrow plates: pi/2 ratio and
+# pi/64 ratio (R. T. Jones, NACA Report 835, 1946; H. S. Ribner, NACA TN 1423, 1947).
 plate_turning <- data.frame(
   ratio = c(0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4, 6),
   slope = c(0.392, 0.774, 1.133, 1.461, 2.023, 2.476, 3.148, 3.616, 4.221),
@@ -54,8 +55,9 @@ plate_added_radii <- function(chord, span) {
   if (chord <= span) c(chord = shorter, span = longer) else c(chord = longer, span = shorter)
 }
 
-# Of the mass of a plate of one thickness about its centre of gravity, by its axes, kg m2: along chord
-# and span as of a straight one, across as of an arc with a camber of 12 % (8/15 - 4/9 of its square).
+# Of the mass of a plate of one thickness about its centre of gravity, by its axes, kg m2: along
+# chord and span as of a straight one, across as of an arc with a camber of 12 % (8/15 - 4/9 of its
+# square).
 plate_second_moment <- function(mass, chord, span) {
   mass * c(chord^2 / 12, (8 / 15 - 4 / 9) * (0.12 * chord)^2, span^2 / 12)
 }

@@ -1,7 +1,7 @@
 # How free otter boards and kites swing about where a state has them.
 
-# Of a motion that grows or dies more slowly than this (1/s) nothing is said: over a tow's manoeuvres
-# it does not show.
+# Of a motion that grows or dies more slowly than this (1/s) nothing is said: over a tow's
+# manoeuvres it does not show.
 slowest_told <- 0.002
 
 #' How free otter boards and kites swing
@@ -9,8 +9,9 @@ slowest_told <- 0.002
 #' The motions of a settled gear in which a free otter board, kite or depressor takes part: pushed a
 #' little, the gear moves as a sum of them. They are eigenvalues of its equations of motion, with
 #' mass and added mass, drag and lift of everything as in [tow()], where the state has it; that flow
-#' slowed by netting follows the netting is left out. Motions that boards only follow, with less than
-#' a tenth of the way of the node that moves most, and those faster than 20 rad/s are left out too.
+#' slowed by netting follows the netting is left out. Motions that boards only follow, with less
+#' than a tenth of the way of the node that moves most, and those faster than 20 rad/s are left out
+#' too.
 #'
 #' A board is one rigid body: its mass about its own centre of gravity, as of a plate of one
 #' thickness with a camber of 12 %; the added mass of a flat plate about mid-chord, across its face

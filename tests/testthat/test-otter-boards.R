@@ -132,8 +132,8 @@ without_flutter <- function(code) {
 test_that("a board swings with the period of boards at sea, and comes to rest within some seconds", {
   state <- settle(towed_board())
   modes <- board_modes(state)
-  # Y.-H. Kim, J. Korean Soc. Fish. Ocean Technol. 53, 2017: the tilt of a bottom trawl's boards goes to
-  # and fro in 5 +- 2 s on average.
+  # Y.-H. Kim, J. Korean Soc. Fish. Ocean Technol. 53, 2017: the tilt of a bottom trawl's boards
+  # goes to and fro in 5 +- 2 s on average.
   swings <- modes[modes$condition == "swings" & modes$damping < 0.7, ]
   expect_true(any(swings$period_s > 3 & swings$period_s < 7))
   expect_true(all(swings$decay_s < 7))
