@@ -104,8 +104,8 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   c(found, list(report = report, from = from))
 }
 
-# How many times the drag of a gear that was settled (NULL: none) it has at its speed now: drag grows
-# with the square of the speed, and most lines pull against drag. Shape follows tension far less.
+# How many times the drag of a gear that was settled (NULL: none) it has at its speed now: drag
+# grows with the square of the speed, and most lines pull against drag.
 drag_growth <- function(si, settled) {
   speeds <- c(si$towing$speed, settled$towing$speed)
   if (length(speeds) == 2L && all(speeds > 0)) (speeds[1] / speeds[2])^2 else 1
