@@ -24,12 +24,14 @@ test_that("a state is the start of another speed, warp or finer lattice", {
   expect_identical(again$report$factorisations, 0L)
   expect_identical(again$position, state$position)
 
-  faster <- update(gear, towing = list(speed = "5 knot"))
+  # An eighth more speed. After a quarter, of which no saving is promised, how many steps either start
+  # takes moves by half with the last per cent of twine in knots.
+  faster <- update(gear, towing = list(speed = "4.5 knot"))
   near <- settle(faster, nodes = 500, from = state)
   anew <- settle(faster, nodes = 500)
   expect_equal(measures(near), measures(anew), tolerance = 1e-5)
   crude <- settle_level(gear_si(faster), 500, NULL, NULL, 800L, function(...) NULL)
-  expect_lt(near$report$factorisations, crude$report$factorisations)
+  expect_lt(near$report$factorisations, crude$report$factorisations / 2)
 
   # Left in place the net would be torn: 60 steps and more, 10 or 30 % more warp alike.
   longer <- update(gear, warps.length = "910 m")
