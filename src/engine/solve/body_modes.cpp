@@ -110,8 +110,7 @@ class ComplexSolver {
         for (std::int64_t k = pattern_.row_start[row]; k < pattern_.row_start[row + 1]; ++k) {
           for (std::size_t c = 0; c < 9; ++c) {
             const std::size_t b = 9 * static_cast<std::size_t>(k) + c;
-            const double real =
-                stiffness[b] + l.real() * damping[b] + square.real() * mass[b];
+            const double real = stiffness[b] + l.real() * damping[b] + square.real() * mass[b];
             const double imaginary = l.imag() * damping[b] + square.imag() * mass[b];
             values_[at + c] = part ? imaginary : real;
             values_[at + 9 + c] = part ? real : -imaginary;
@@ -250,7 +249,8 @@ std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const doub
       if (!at_rate.factorise(mode.rate, mass, damping, stiffness)) continue;
       const Eigen::VectorXcd z =
           Eigen::Map<const Eigen::VectorXcd>(mode.motion.data(), on_bodies.rows());
-      Eigen::VectorXcd push = times(pattern, damping, z) + 2.0 * mode.rate * times(pattern, mass, z);
+      Eigen::VectorXcd push =
+          times(pattern, damping, z) + 2.0 * mode.rate * times(pattern, mass, z);
       for (int i = 0; i < assembly.unknowns(); ++i) {
         if (!joined.joins(i)) push.segment<3>(3 * i).setZero();
       }
