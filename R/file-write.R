@@ -75,5 +75,8 @@ abort_file <- function(file, what, ...) {
 }
 
 write_csv <- function(table, file) {
+  # exponents would follow the session's taste
+  kept <- options(scipen = 0)
+  on.exit(options(kept))
   write_file(file, function(path) utils::write.csv(table, path, row.names = FALSE, na = ""))
 }

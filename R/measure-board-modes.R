@@ -10,8 +10,8 @@ slowest_told <- 0.002
 #' little, the gear moves as a sum of them. They are eigenvalues of its equations of motion, with
 #' mass and added mass, drag and lift of everything as in [tow()], where the state has it; that flow
 #' slowed by netting follows the netting is left out. Motions that boards only follow, with less
-#' than a tenth of the way of the node that moves most, and those faster than 20 rad/s are left out
-#' too.
+#' than a tenth of the way of the node that moves most, and those faster than 10 rad/s are left out
+#' too, and of a whole trawl's swings with more than half the critical damping some may be missing.
 #'
 #' A board is one rigid body: its mass about its own centre of gravity, as of a plate of one
 #' thickness with a camber of 12 %; the added mass of a flat plate about mid-chord, across its face
@@ -24,7 +24,8 @@ slowest_told <- 0.002
 #'   most), `period_s` (`NA` where it does not swing), `growth_per_s` (rate at which it grows;
 #'   negative where it dies), `decay_s` (time in which it falls to 1/e; `NA` where it grows),
 #'   `damping` (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without
-#'   swinging), `"flutters"` (swings and grows) or `"diverges"` (grows without swinging).
+#'   swinging), `"flutters"` (swings and grows) or `"diverges"` (grows without swinging);
+#'   `NA` of a growing one that does not meet the gear's equations to 2 %: look at [tow()] then.
 #' @export
 board_modes <- function(state) {
   check_is_state(state)
@@ -39,8 +40,9 @@ board_modes <- function(state) {
     period_s = ifelse(swings, 2 * pi / frequency, NA_real_), growth_per_s = growth,
     decay_s = ifelse(growth < 0, -1 / growth, NA_real_),
     damping = -growth / sqrt(growth^2 + frequency^2),
-    condition = ifelse(growth > 0, ifelse(swings, "flutters", "diverges"),
-      ifelse(swings, "swings", "creeps"))
+    condition = ifelse(!as.logical(found$certain), NA_character_,
+      ifelse(growth > 0, ifelse(swings, "flutters", "diverges"),
+        ifelse(swings, "swings", "creeps")))
   )
 }
 
@@ -55,5 +57,5 @@ board_of_nodes <- function(state, nodes) {
 # The rows of board_modes() that tell of flutter which shows.
 fluttering_modes <- function(state) {
   modes <- board_modes(state)
-  modes[modes$condition == "flutters" & modes$growth_per_s > slowest_told, ]
+  modes[modes$condition %in% "flutters" & modes$growth_per_s > slowest_told, ]
 }

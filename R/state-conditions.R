@@ -31,7 +31,7 @@ wave_conditions <- function(state) {
 still_conditions <- function(state) {
   knots <- state$si$towing$speed / plan_units$speed[["knot"]]
   flow <- flow_past(state)
-  if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
+  if (knots > 0) return(sprintf("towed at %s knot", shortest_decimal(round(knots, 2))))
   if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
   if (state$si$water$density > 0) "in still water" else "in air"
 }
@@ -44,7 +44,8 @@ wave_words <- function(waves) {
       regular = "regular waves", jonswap = "waves of a JONSWAP spectrum",
       pierson_moskowitz = "waves of Pierson and Moskowitz's spectrum"
     ),
-    format(signif(waves$height, 3)), if (waves$spectrum != "regular") " (significant)" else "",
-    format(signif(waves$period, 3))
+    shortest_decimal(signif(waves$height, 3)),
+    if (waves$spectrum != "regular") " (significant)" else "",
+    shortest_decimal(signif(waves$period, 3))
   )
 }

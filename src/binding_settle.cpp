@@ -60,7 +60,7 @@ using namespace binding;
 }
 
 // Per motion in which a rigid body takes part: its rate (1/s) by real and imaginary part, the node of a
-// body that moves most, and what is left of the equations.
+// body that moves most, whether it is certain, and what is left of the equations.
 [[cpp11::register]] list engine_body_modes(list lattice, doubles position, doubles velocity) {
   return guarded([&]() -> list {
     codend::Model model = read_model(lattice);
@@ -69,14 +69,17 @@ using namespace binding;
     const std::vector<double> v = of_nodes(velocity, model, "velocity");
     std::vector<double> growth, frequency, residual;
     writable::integers node;
+    writable::logicals certain;
     for (const codend::BodyMode& mode : codend::body_modes(assembly, x.data(), v.data())) {
       growth.push_back(mode.rate.real());
       frequency.push_back(mode.rate.imag());
       residual.push_back(mode.residual);
       node.push_back(mode.node + 1);
+      certain.push_back(static_cast<cpp11::r_bool>(mode.certain));
     }
     return writable::list({"growth"_nm = as_doubles(growth), "frequency"_nm = as_doubles(frequency),
-                           "node"_nm = node, "residual"_nm = as_doubles(residual)});
+                           "node"_nm = node, "certain"_nm = certain,
+                           "residual"_nm = as_doubles(residual)});
   });
 }
 

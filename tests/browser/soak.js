@@ -167,5 +167,6 @@ let tank;
   process.exit(wrong.length || !sorted.length ? 1 : 0);
 })().catch((error) => {
   console.error(error, tank && tank.log);
+  if (tank) tank.stop();
   process.exit(1);
 });

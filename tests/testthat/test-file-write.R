@@ -99,3 +99,36 @@ test_that("a tow whose file fails gives what it had done", {
   expect_identical(kept$end, "interrupted")
   expect_gt(length(kept$time), 3)
 })
+
+test_that("files hold the same bytes whatever the session's settings are", {
+  folder <- test_folder()
+  state <- settled("towed_cable", nodes = 100)
+  bytes <- function(name) {
+    written <- list(
+      yaml = write_gear(state$gear, file.path(folder, paste0(name, ".yaml"))),
+      vtu = write_vtk(state, file.path(folder, paste0(name, ".vtu"))),
+      gltf = write_gltf(state, file.path(folder, paste0(name, ".gltf"))),
+      csv = write_csv(as.data.frame(state, what = "drag"), file.path(folder, paste0(name, ".csv")))
+    )
+    if (requireNamespace("RNetCDF", quietly = TRUE)) {
+      written$nc <- write_state(state, file.path(folder, paste0(name, ".nc")))
+    }
+    lapply(written, function(file) readBin(file, "raw", file.size(file)))
+  }
+  usual <- bytes("usual")
+  kept <- options(OutDec = ",", scipen = -20, digits = 3, encoding = "latin1")
+  zone <- Sys.getenv("TZ", NA)
+  collate <- Sys.getlocale("LC_COLLATE")
+  on.exit({
+    options(kept)
+    if (is.na(zone)) Sys.unsetenv("TZ") else Sys.setenv(TZ = zone)
+    Sys.setlocale("LC_COLLATE", collate)
+  }, add = TRUE)
+  Sys.setenv(TZ = "Pacific/Kiritimati")
+  for (locale in c("C", "en_US.UTF-8", "et_EE.UTF-8")) {
+    suppressWarnings(Sys.setlocale("LC_COLLATE", locale))
+    expect_identical(bytes("other"), usual, label = locale)
+    # nor may an order of names depend on the locale
+    expect_identical(settle(read_gear("towed_cable"), nodes = 100)$position, state$position)
+  }
+})

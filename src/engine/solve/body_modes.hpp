@@ -11,6 +11,9 @@
 // of every body. The small problem has the same answer as the whole at these rates, and nearly so
 // around them (rational interpolation: A. C. Antoulas, Approximation of Large-Scale Dynamical
 // Systems, 2005, ch. 11). What of its eigenvalues is one of the whole gear's too, its residual says.
+// Real rates alone do not hold the swings of a large net's boards, so the projection is widened at the
+// least damped ones that it does not hold yet, by how the gear answers at their complex rates (dominant
+// poles: J. Rommes and N. Martins, IEEE Trans. Power Syst. 21, 2006).
 // Flow in the wake of netting is taken as it is.
 #pragma once
 
@@ -24,12 +27,13 @@ namespace codend {
 struct BodyMode {
   std::complex<double> rate;  // l, 1/s; of a pair, the one with the positive imaginary part
   int node = -1;              // of a body, that moves most
+  bool certain = false;       // that the residual is small; those that grow are told without it
   double residual = 0.0;      // of the whole gear's equations, over the sizes of their three terms
   std::vector<std::complex<double>> motion;  // z, 3 per free node; at most 1 long at any node
 };
 
-// Motions in which a body takes part, of rates up to 20/s in size, the fastest growing first; empty
-// where no body is free.
+// Motions in which a body takes part, of rates up to 10/s in size, the fastest growing first; empty
+// where no body is free. Of swings with more than half the critical damping some may be missing.
 // x: an equilibrium, 3 per node, m; v: how held nodes move in it, m/s. Leaves the assembly there.
 std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const double* v);
 
