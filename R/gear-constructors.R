@@ -125,7 +125,7 @@ rope <- constructor("rope", "ropes")
 #'   `"right"`.
 #' @param knotted Whether the netting has knots.
 #' @param knot_diameter Diameter of a knot; twice the twine diameter by default.
-#' @param netting `"triangles"` or `"bars"`, instead of the plan's.
+#' @param netting `"cells"` or `"bars"`, instead of the plan's.
 #' @param netting_drag `"twines"`, `"blended"`, `"loland"`, `"aarsnes"` or
 #'   `"kristiansen_faltinsen"`, instead of the plan's; see [netting].
 #' @param opening_stiffness `list(couple, angle)`, the stiffness of meshes against opening and

@@ -14,7 +14,7 @@ tangential_sensitivity <- function(state) {
     engine$blended$materials$tangential_share[] <- share
     found <- engine_evaluate(engine, as.vector(state$position), still)
     sum(flow * rowSums(matrix(
-      unlist(found$forces[c("bar_drag", "triangle_drag", "blended_force")]), 3L
+      unlist(found$forces[c("bar_drag", "cell_drag", "blended_force")]), 3L
     ))) / 1000
   }
   now <- in_unit(total_drag(state), "kN")

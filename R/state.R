@@ -33,12 +33,12 @@ total_force <- function(state, cause) {
   rowSums(vapply(state$forces[reported_forces(cause)$name], rowSums, numeric(3)))
 }
 
-# Force of the flow on every triangle, on the whole of it (3 x triangles, N).
-triangle_flow_force <- function(state) {
-  force <- state$forces$triangle_drag
-  for (row in which(reported_forces()$kind %in% names(state$lattice$on_triangle))) {
-    on <- state$lattice$on_triangle[[reported_forces()$kind[row]]]
-    force[, on] <- force[, on] + state$forces[[row]]
+# Force of the flow on every cell, on the whole of it (3 x cells, N).
+cell_flow_force <- function(state) {
+  force <- state$forces$cell_drag
+  for (row in which(reported_forces()$kind %in% names(state$lattice$on_cell))) {
+    on <- state$lattice$on_cell[[reported_forces()$kind[row]]]
+    force[, on] <- force[, on] + state$forces[[row]][, seq_along(on)]
   }
   force
 }

@@ -183,10 +183,10 @@ test_that("a pointed panel ends in one node, gathered or not", {
     line = rope("top", "end", length = 5, diameter = 0.01, material = "PE"),
     net = panel(mesh_size = 0.1, meshes = list(upper = 0, lower = 40, deep = 40), twine = twine),
     towing = list(speed = 1))
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- settle(tip, nodes = 100, netting = netting)
     used <- c(
-      engine_array(state, "bars", "node"), engine_array(state, "triangles", "node"),
+      engine_array(state, "bars", "node"), engine_array(state, "cells", "node"),
       engine_array(state, "ties", "first"), engine_array(state, "ties", "second")
     )
     expect_true(all(seq_len(engine_array(state, "nodes")) %in% used), label = netting)
