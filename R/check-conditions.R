@@ -7,17 +7,18 @@
 #' |---|---|---|
 #' | `codend_error_plan` | a field of a plan | `path`, `value` |
 #' | `codend_error_argument` | an argument of a function | |
-#' | `codend_error_file` | a file that cannot be read or written, or its path | `file`; of a tow also `trajectory` |
-#' | `codend_error_not_converged` | a gear does not settle, or a motion stands still | `report`; of a tow also `trajectory` |
-#' | `codend_error_lattice` | the lattice does not hold what the plan says: a defect of codend | |
+#' | `codend_error_file` | a file that cannot be read or written | `file`; of a tow `trajectory` |
+#' | `codend_error_not_converged` | no balance is found | `report`; of a tow `trajectory` |
+#' | `codend_error_energy` | of those, a motion that gains or loses energy | as above |
+#' | `codend_error_engine` | the engine, or a check of its lattice, finds it wrong | `field` |
 #' | `codend_error_package` | a package that is not installed | |
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'
 #' Warnings have class `codend_warning`; those of [settle()] about an otter board also
 #' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over` or `_unstable`.
 #'
-#' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full disk
-#' too, the old file stays.
+#' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full
+#' disk too, the old file stays.
 #'
 #' @name codend-conditions
 #' @examples

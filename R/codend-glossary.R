@@ -81,7 +81,7 @@
 #'   \item{wake, shielding}{The slowed water behind netting is its wake. That it lowers the drag of
 #'     what stands there is shielding.}
 #'   \item{slack}{Without tension; ropes and twines do not push.}
-#'   \item{strength}{Breaking load. A rope that breaks during a tow parts.}
+#'   \item{strength}{Breaking load, at which a rope breaks.}
 #'   \item{residual}{Net force on the free nodes, zero in equilibrium.}
 #'   \item{level}{One of the lattices, from coarse to fine, through which a gear is settled.}
 #'   \item{scheme}{Formula by which a tow goes from one time to the next.}

@@ -27,7 +27,7 @@ evaluate_specimen <- function(specimen, speed, points) {
   engine_evaluate(specimen$engine, as.double(specimen$position), as.double(velocity))
 }
 
-# Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it, towards y.
+# Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it to y.
 drag_and_lift <- function(force, speed, area) {
   per <- 0.5 * specimen_density * speed^2 * area
   force <- matrix(force, 3L)

@@ -17,15 +17,16 @@
 #' | `sphere` | none | projected area |
 #' | `wake` | between the normal and the flow | `speed`: of the flow behind over that before it |
 #'
-#' Twines across the flow (90 deg) and spheres are also given by their Reynolds number. Netting is square and knotless, of twine of 2 mm; `twines` and `blended` sum over
-#' twines of the set `bessonneau_marichal`.
+#' Twines across the flow (90 deg) and spheres are also given by their Reynolds number. Netting is
+#' square and knotless, of twine of 2 mm; `twines` and `blended` sum over twines of the set
+#' `bessonneau_marichal`.
 #'
 #' @section What is published:
 #' Formulas: the values of the same formulas in H. Cheng's program (github.com/hui-aqua/hydromodel),
 #' which share no code with codend. `takagi` is printed with a jump at a Reynolds number of 200 and
 #' `choo_casarella` with small ones at 1, 30 and 2.33e5, which codend does without. Otter boards and
-#' kites: see [board_polar()]; of some only the largest lift is printed. Spheres: measured ones, whose
-#' drag falls beyond a Reynolds number of 2e5; codend's knots never reach that.
+#' kites: see [board_polar()]; of some only the largest lift is printed. Spheres: measured ones,
+#' whose drag falls beyond a Reynolds number of 2e5; codend's knots never reach that.
 #'
 #' @param reynolds Reynolds number of twines and netting by angle, on the twine's diameter and the
 #'   free flow.
@@ -42,7 +43,7 @@
 force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   check_coefficient_arguments(reynolds, solidity)
   degree <- seq(0, 90, by = 2.5)
-  radian <- function(x) x * pi / 180
+  radian <- function(x) from_unit(x, "deg")
   table <- c(
     lapply(twine_laws, function(law) {
       found <- twine_specimens(law, radian(degree), reynolds, solidity[1])
@@ -128,13 +129,11 @@ published_coefficients <- function(solidity) {
 check_coefficient_arguments <- function(reynolds, solidity) {
   one <- is.numeric(reynolds) && length(reynolds) == 1L && is.finite(reynolds) && reynolds > 0
   if (!one) {
-    cli::cli_abort("{.arg reynolds} is {.val {reynolds}}; it must be one number above 0.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg reynolds} is {.val {reynolds}}; it must be one number above 0.")
   }
   good <- is.numeric(solidity) && length(solidity) >= 1L && all(is.finite(solidity)) &&
     all(solidity >= 0.01 & solidity <= 0.5)
   if (!good) {
-    cli::cli_abort("{.arg solidity} is {.val {solidity}}; it must be numbers from 0.01 to 0.5.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg solidity} is {.val {solidity}}; it must be numbers from 0.01 to 0.5.")
   }
 }

@@ -68,7 +68,3 @@ cat_and <- function(status, ...) {
   cat(..., sep = "")
   status
 }
-
-abort_usage <- function(...) {
-  stop(errorCondition(paste0(...), class = c("codend_error_usage", "codend_error")))
-}

@@ -372,8 +372,8 @@ column_text <- function(panels, si, laced, mirror = FALSE) {
 ropes_along_panel <- function(name, laced, mirror) {
   mine <- laced[laced$panel == name, ]
   if (mirror) {
-    level <- mine$edge %in% c("upper", "lower")
-    mine[level, c("from", "to")] <- 1 - mine[level, c("to", "from")]
+    across <- mine$edge %in% c("upper", "lower")
+    mine[across, c("from", "to")] <- 1 - mine[across, c("to", "from")]
     side <- match(mine$edge, c("left", "right"))
     mine$edge[!is.na(side)] <- c("right", "left")[side[!is.na(side)]]
   }

@@ -18,7 +18,7 @@ mesh_number <- function(meshes) short_number(round(meshes, 1), 7)
 twine_words <- function(panel, unit = "") {
   paste0(
     if (panel$twine_count > 1) paste0(panel$twine_count, " x "),
-    short_number(1000 * panel$twine_diameter), unit,
+    short_number(in_unit(panel$twine_diameter, "mm")), unit,
     if (!is.na(panel$material)) paste0(" ", material_words(panel$material))
   )
 }
@@ -36,7 +36,7 @@ mesh_words <- function(panel) {
 
 # The netting of a panel as one text.
 panel_netting <- function(panel) {
-  paste(short_number(1000 * panel$mesh_size), twine_words(panel), mesh_words(panel))
+  paste(short_number(in_unit(panel$mesh_size, "mm")), twine_words(panel), mesh_words(panel))
 }
 
 # A name without the words that tell its side or number.
@@ -56,8 +56,8 @@ rope_kind <- function(name, si) {
 
 # A role, with "upper" or "lower" where the name has it: hand ropes differ by it.
 rope_words <- function(name, role) {
-  level <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
-  paste(c(level[!level %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
+  tier <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
+  paste(c(tier[!tier %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
     collapse = " ")
 }
 
@@ -88,7 +88,7 @@ rope_item_words <- function(item) {
   c(
     name = paste0(item$name, if (item$count > 1) paste0(", ", item$count, " off")),
     length = paste(format(round(item$length, 2), nsmall = 2, trim = TRUE), "m"),
-    make = trimws(paste(short_number(1000 * item$diameter), "mm", item$material)),
+    make = trimws(paste(short_number(in_unit(item$diameter, "mm")), "mm", item$material)),
     hanging = if (is.na(item$hanging)) "" else sprintf("E = %.2f", item$hanging)
   )
 }

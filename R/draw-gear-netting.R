@@ -280,10 +280,10 @@ label_column <- function(column, scale, x, y, use) {
   for (k in which(said$inside)) {
     p <- panels[k, ]
     centred <- if (column$half && p$ul < 1e-6) NA else 0.5
-    put <- function(from, to, level, text) {
+    put <- function(from, to, y, text) {
       if (text == "0") return(invisible())
-      if (is.na(centred)) label_text(x(from) + 0.04, level, text, 0, use)
-      else label_text(x((from + to) / 2), level, text, 0.5, use)
+      if (is.na(centred)) label_text(x(from) + 0.04, y, text, 0, use)
+      else label_text(x((from + to) / 2), y, text, 0.5, use)
     }
     put(p$ul, p$ur, y(p$y) - plan_line / 2 - 0.01, p$across_upper)
     put(p$ll, p$lr, y(p$y + p$depth) + plan_line / 2 + 0.01, p$across_lower)

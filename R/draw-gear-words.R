@@ -10,7 +10,7 @@ table_rows <- function(panels, si) {
     data.frame(
       y = panels$y[k], depth = panels$depth[k],
       part = gsub("_", " ", if (is.na(panel$part)) panels$name[k] else panel$part),
-      deep = mesh_number(panel$deep), mesh = short_number(1000 * panel$mesh_size, 6),
+      deep = mesh_number(panel$deep), mesh = short_number(in_unit(panel$mesh_size, "mm"), 6),
       twine = trimws(paste(twine_words(panel), mesh_words(panel)))
     )
   })
@@ -62,8 +62,8 @@ draw_rows <- function(drawn, left, column) {
   }
   moved <- abs(y - middle) > 0.02
   right <- left + sum(drawn$widths)
-  edge <- vapply(rows$y, function(level) {
-    mine <- abs(column$panels$y - level) < 1e-6
+  edge <- vapply(rows$y, function(y) {
+    mine <- abs(column$panels$y - y) < 1e-6
     if (any(mine)) min(((column$panels$ul + column$panels$ll) / 2)[mine]) else NA_real_
   }, 0)
   edge <- column$at[1] + drawn$scale[1] * edge
@@ -81,7 +81,7 @@ note_words <- function(name, si, detail) {
   paste(c(
     if (!detail) paste(paste(across, collapse = "/"), "across"),
     paste(mesh_number(panel$deep), "deep"),
-    paste(short_number(1000 * panel$mesh_size, 6), "mm mesh"),
+    paste(short_number(in_unit(panel$mesh_size, "mm"), 6), "mm mesh"),
     paste(twine_words(panel, " mm"), "twine"), Filter(nzchar, mesh_words(panel)),
     if (!detail && length(rates)) paste("cut", paste(rates, collapse = " and "))
   ), collapse = ", ")

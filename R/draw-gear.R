@@ -75,9 +75,10 @@ plan_page <- c(11.69, 8.27)
 
 draw_plan <- function(figure, page) {
   if (page[1] < 5 || page[2] < 3.5) {
-    abort_view(
-      "A page of {page[1]} by {page[2]} inches is too small for a plan; it takes 5 by 3.5.",
-      list(page = round(page, 1)))
+    size <- round(page, 1)
+    abort_argument(
+      "A page of {size[1]} by {size[2]} inches is too small for a plan; it takes 5 by 3.5."
+    )
   }
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))

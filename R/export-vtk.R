@@ -128,7 +128,7 @@ vtk_point_data <- function(state, points, corners) {
     ),
     if (length(knots)) {
       drag <- sum_by_part(
-        state$forces$sphere_drag[, knots, drop = FALSE], engine$spheres$node[knots],
+        flow_force(state, "spheres")[, knots, drop = FALSE], engine$spheres$node[knots],
         ncol(points) + corners
       )
       list(knot_drag_N = drag)
@@ -175,11 +175,11 @@ vtk_cells <- function(state, points) {
     engine$bars$multiplicity[bar], if (cells) cell_bars(engine$cells), 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
-  data$drag_N <- cbind(state$forces$bar_drag[, bar], cell_flow_force(state), pieces$force,
-    state$forces$plate_force)
+  data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
+    flow_force(state, "plates"))
   if (!is.null(state$si$catch)) {
     data$catch_force_N <- cbind(
-      zero(count[1L]), sum_by_part(state$forces$pressure_force, lattice$catch$cell, cells),
+      zero(count[1L]), sum_by_part(flow_force(state, "pressure"), lattice$catch$cell, cells),
       zero(sum(count[3:4]))
     )
   }
@@ -204,17 +204,16 @@ vtk_pieces <- function(state) {
   sphere <- which(lattice$parts$kind[lattice$sphere_part] == "piece")
   part <- lattice$sphere_part[sphere]
   node <- lattice$engine$spheres$node[sphere]
-  force <- state$forces$sphere_drag[, sphere, drop = FALSE]
+  force <- flow_force(state, "spheres")[, sphere, drop = FALSE]
   at <- match(paste(lattice$lift_part, lattice$engine$lifts$node), paste(part, node))
-  force[, at] <- force[, at] + state$forces$lift_force
+  force[, at] <- force[, at] + flow_force(state, "lifts")
   list(part = part, node = node, force = force)
 }
 
 # What a state or a trajectory is asked to be; allowed: their names without `codend_`.
 check_exported <- function(x, allowed) {
   if (inherits(x, paste0("codend_", allowed))) return(invisible())
-  cli::cli_abort(
-    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}.",
-    class = c("codend_error_argument", "codend_error"), call = NULL
+  abort_argument(
+    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}."
   )
 }

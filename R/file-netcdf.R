@@ -2,10 +2,7 @@
 
 check_netcdf <- function() {
   if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
-  cli::cli_abort(
-    "NetCDF files take the package {.pkg RNetCDF}, which is not installed.",
-    class = c("codend_error_package", "codend_error"), call = NULL
-  )
+  abort_package("NetCDF files take the package {.pkg RNetCDF}, which is not installed.")
 }
 
 # A file in the classic format with 64-bit offsets; fill: a function(nc) that defines and puts all.

@@ -23,15 +23,9 @@ write_picture <- function(file, page, title, draw) {
   })
 }
 
-abort_view <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment()))
-}
-
 check_inches <- function(name, value) {
   one <- is.numeric(value) && length(value) == 1L && is.finite(value)
   if (!(one && value >= 3 && value <= 100)) {
-    abort_view("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.",
-      list(name = name, value = value))
+    abort_argument("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.")
   }
 }

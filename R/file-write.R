@@ -69,10 +69,9 @@ abort_unwritten <- function(file, why, trajectory = NULL) {
 # what: the rest of the sentence, for cli with the values in `...`, which the condition has as
 # fields.
 abort_file <- function(file, what, ...) {
-  values <- list(...)
-  cli::cli_abort(paste("{.arg file} is {.val {file}}; it", what),
-    class = c("codend_error_file", "codend_error"), call = NULL, file = file, !!!values,
-    .envir = list2env(c(list(file = file), values), parent = environment(abort_file)))
+  values <- c(list(file = file), list(...))
+  abort_as("file", paste("{.arg file} is {.val {file}}; it", what), !!!values,
+    envir = list2env(values, parent = environment(abort_file)))
 }
 
 write_csv <- function(table, file) {

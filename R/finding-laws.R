@@ -39,8 +39,10 @@ netting_to_flow <- function(state, cells) {
     a[1, ] * b[2, ] - a[2, ] * b[1, ])
   twice <- sqrt(colSums(across^2))
   flow <- flow_axes(state$si)[, "flow"]
-  list(angle = acos(pmin(1, abs(drop(flow %*% across)) / pmax(twice, 1e-300))) * 180 / pi,
-    area = twice / 2)
+  list(
+    angle = in_unit(acos(pmin(1, abs(drop(flow %*% across)) / pmax(twice, 1e-300))), "deg"),
+    area = twice / 2
+  )
 }
 
 # Warns where a law is used outside what it was measured for.

@@ -26,8 +26,9 @@ define_finding("twine", "plan",
     # panels of one section have one twine
     once <- odd[!duplicated(lapply(odd, function(x) x[c("part", "twine", "mesh")]))]
     lapply(once, function(x) {
-      finding(paste("panel", x$panel), 1000 * x$twine, paste(figures(1000 * x$twine), "mm"),
-        sprintf("its twine is %s mm thick in meshes of %s.", figures(1000 * x$twine),
+      thick <- in_unit(x$twine, "mm")
+      finding(paste("panel", x$panel), thick, paste(figures(thick), "mm"),
+        sprintf("its twine is %s mm thick in meshes of %s.", figures(thick),
           format_si(x$mesh, "length")),
         "Check the unit: a number without one is in metres.")
     })
@@ -52,7 +53,7 @@ define_finding("rope diameter", "plan",
     }, names(ropes))
     lapply(odd, function(name) {
       shown <- format_si(ropes[[name]]$diameter, "length")
-      finding(paste("rope", name), 1000 * ropes[[name]]$diameter, shown,
+      finding(paste("rope", name), in_unit(ropes[[name]]$diameter, "mm"), shown,
         sprintf("its diameter is %s.", shown), "Check the unit: a number without one is in metres.")
     })
   }

@@ -27,8 +27,7 @@ findings <- function(x) {
     of_plan <- Filter(function(check) check$of == "plan", sorted_checks())
     found <- lapply(of_plan, found_by, x, NULL)
   } else {
-    cli::cli_abort("{.arg x} must be a gear or a state, not {.cls {class(x)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg x} must be a gear or a state, not {.cls {class(x)}}.")
   }
   rows <- do.call(rbind, unlist(unname(found), recursive = FALSE))
   if (!is.null(rows)) return(rows)

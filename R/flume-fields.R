@@ -100,7 +100,9 @@ new_control <- function(label, paths, field) {
   about <- list(label = label, paths = paths, help = first_of(node$description, ""))
   if (is.null(node)) return(NULL)
   if (node$shape %in% c("quantity", "number", "integer")) return(c(about, number_control(field)))
-  if (node$shape == "boolean") return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
+  if (node$shape == "boolean") {
+    return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
+  }
   if (node$shape == "string" && !is.null(node$enum)) {
     return(c(about, list(kind = "choice", value = field$value, choices = node$enum)))
   }
@@ -219,23 +221,23 @@ check_marked <- function(marked, plan) {
   texts <- is.character(marked) ||
     (is.list(marked) && all(vapply(marked, is.character, NA)) && all(lengths(marked) > 0))
   if (!texts || anyNA(unlist(marked))) {
-    abort_flume("{.arg fields} must be paths of plan fields, such as {.val towing.speed}, or a list
-      of such paths that change together.")
+    abort_argument(
+      "{.arg fields} must be paths of plan fields, such as {.val towing.speed}, or a list of such
+      paths that change together."
+    )
   }
   for (path in unlist(marked)) {
     field <- plan_field(plan, path)
     if (is.null(field)) {
       near <- nearest(path, markable_fields(plan))
-      abort_flume(
-        "{.arg fields} holds {.val {path}}, which this plan does not have{suggestion}",
-        list(path = path, suggestion = if (length(near)) {
-          paste0("; did you mean \"", near, "\"?")
-        } else ".")
-      )
+      suggestion <- if (length(near)) paste0("; did you mean \"", near, "\"?") else "."
+      abort_argument("{.arg fields} holds {.val {path}}, which this plan does not have{suggestion}")
     }
     if (is.null(new_control("", path, field))) {
-      abort_flume("{.arg fields} holds {.val {path}}, which is no single number, choice or yes or
-        no; the flume tank has no control for it.", list(path = path))
+      abort_argument(
+        "{.arg fields} holds {.val {path}}, which is no single number, choice or yes or no; the
+        flume tank has no control for it."
+      )
     }
   }
   as.list(marked)

@@ -142,7 +142,7 @@ new_tank <- function(start, marked, nodes) {
     tank$pin()
   }
   tank$mark <- function(path) {
-    if (!is_text(path)) abort_flume("A field is marked by its path.")
+    if (!is_text(path)) abort_argument("A field is marked by its path.")
     marked <<- c(marked, check_marked(path, tank$gear$plan))
     lay_out()
   }
@@ -203,8 +203,7 @@ in_time <- function(expression, seconds = flume_seconds) {
   on.exit(setTimeLimit())
   tryCatch(expression, error = function(e) {
     if (!inherits(e, "codend_error") && grepl("time limit", conditionMessage(e), fixed = TRUE)) {
-      abort_flume("This takes longer than {seconds} s, which is all that the tank gives it.",
-        list(seconds = seconds))
+      abort_argument("This takes longer than {seconds} s, which is all that the tank gives it.")
     }
     stop(e)
   })

@@ -11,11 +11,13 @@ html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot 
     paste0("<tr>", paste0(open, escape_markup(as.character(cells)), last, collapse = ""), "</tr>")
   }
   rows_html <- if (is.null(titles)) vapply(rows, line, "") else mapply(line, rows, titles)
+  said_caption <- escape_markup(caption)
+  heads <- paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = "")
   shiny::HTML(paste0(
-    "<div class='table-scroll' tabindex='0' role='region' aria-label='", escape_markup(caption), "'>",
-    "<table class='table table-sm flume-table'><caption>", escape_markup(caption), "</caption>",
-    "<thead><tr>", paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = ""),
-    "</tr></thead><tbody>", paste(rows_html, collapse = ""), "</tbody>",
+    "<div class='table-scroll' tabindex='0' role='region' aria-label='", said_caption, "'>",
+    "<table class='table table-sm flume-table'><caption>", said_caption, "</caption>",
+    "<thead><tr>", heads, "</tr></thead>",
+    "<tbody>", paste(rows_html, collapse = ""), "</tbody>",
     if (!is.null(foot)) paste0("<tfoot>", line(foot), "</tfoot>"), "</table></div>"
   ))
 }
@@ -26,7 +28,7 @@ text_rows <- function(table) {
 }
 
 # Measures of two states beside each other: data frame with measure, unit, now, its error, pinned,
-# change, change_percent (NA where only one of them has the measure, or the pinned one is zero) and definition.
+# change, change_percent (NA where only one has the measure, or the pinned one is 0), definition.
 measure_changes <- function(now, pinned) {
   names <- union(names(now), names(pinned))
   unit <- unname(c(attr(now, "unit"), attr(pinned, "unit"))[names])
@@ -38,7 +40,8 @@ measure_changes <- function(now, pinned) {
   pinned <- unname(plain_measures(pinned)[names])
   change <- now - pinned
   data.frame(
-    measure = words_of(names, unit), unit = unit, now = now, error = error, pinned = pinned, change = change,
+    measure = words_of(names, unit), unit = unit,
+    now = now, error = error, pinned = pinned, change = change,
     change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned)),
     definition = unname(definition)
   )
@@ -111,13 +114,11 @@ tensions_html <- function(state) {
     is.finite(ranked$margin),
     paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
   )
-  table <- function(kind, caption, per, highest, with_strength) {
+  table <- function(kind, caption, unit, highest, with_strength) {
+    shown <- function(force) trimws(column_figures(in_unit(from_unit(force, "kN"), unit)))
     rows <- ranked[ranked$kind == kind, ]
     if (!nrow(rows)) return(NULL)
-    cells <- data.frame(
-      rows$part, trimws(column_figures(rows$highest_kN * per)),
-      trimws(column_figures(rows$mean_kN * per))
-    )
+    cells <- data.frame(rows$part, shown(rows$highest_kN), shown(rows$mean_kN))
     head <- c("Part", highest)
     if (with_strength) {
       cells <- cbind(cells, ifelse(is.na(rows$strength_kN), "not known",
@@ -127,10 +128,10 @@ tensions_html <- function(state) {
     html_table(caption, head, text_rows(cells))
   }
   shiny::tagList(
-    table("rope", "Ropes, by their largest tension", 1, c("Largest (kN)", "Mean (kN)"), TRUE),
+    table("rope", "Ropes, by their largest tension", "kN", c("Largest (kN)", "Mean (kN)"), TRUE),
     shiny::tags$p(class = "note", "Margin: breaking load over the largest tension, for new rope
       without knots or splices."),
-    table("netting", "Netting, by the tension of one twine", 1000,
+    table("netting", "Netting, by the tension of one twine", "N",
       c("1 % of twine above (N)", "Mean (N)"), FALSE)
   )
 }

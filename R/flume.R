@@ -79,17 +79,11 @@ check_flume_packages <- function() {
   needed <- c("shiny", "bslib")
   absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
   if (!length(absent)) return(invisible())
-  cli::cli_abort(
+  abort_package(
     c(
       "The flume tank takes the R package{?s} {.pkg {absent}}, which {?is/are} not installed.",
       "i" = "{.fun install.packages} has {?it/them}; on Debian and Ubuntu so has apt, as
       {.val {paste0('r-cran-', absent)}}."
-    ),
-    class = c("codend_error_package", "codend_error"), call = NULL
+    )
   )
-}
-
-abort_flume <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment()))
 }

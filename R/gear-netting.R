@@ -26,7 +26,7 @@
 #' | `bessonneau_marichal` | 1.2 | 0.1 (J. S. Bessonneau and D. Marichal, Ocean Engineering, 1998) |
 #' | `wan` | 1.3 | 0 (R. Wan et al., 2002) |
 #' | `takagi` | 10^0.7 Re^-0.3, at least 1.2 | 0.1 (T. Takagi et al., Fisheries Research 66, 2004) |
-#' | `choo_casarella` | by Re, in five ranges | by Re (Choo and Casarella, J. Hydronautics 5, 1971) |
+#' | `choo_casarella` | by Re, five ranges | by Re (Choo and Casarella, J. Hydronautics 5, 1971) |
 #' | `cifuentes_kim` | by Re and solidity | 0 (C. Cifuentes and M. H. Kim, 2017) |
 #'
 #' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
@@ -34,8 +34,8 @@
 #' tells the total drag with it halved and doubled.
 #'
 #' @section Drag of netting:
-#' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where a
-#' plan says nothing, bottom, pair and beam trawls have `blended`, all else `twines`.
+#' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where
+#' a plan says nothing, bottom, pair and beam trawls have `blended`, all else `twines`.
 #'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its

@@ -26,19 +26,22 @@ usual_shoe_width <- 0.05
 # leading edge, y to starboard, z up from the middle of the span), centres, polar, mass and volume.
 si_otter_board <- function(board, path, fields, known) {
   side <- if (board$pushes == "starboard") 1 else -1
-  si_lifting_body(board, path, fields, known, side, level = FALSE,
+  si_lifting_body(board, path, fields, known, side, FALSE,
     axes = function(place) c(place$aft, -side * place$inward, place$up))
 }
 
 # A kite or depressor, as a board whose span lies level: in its axes y is up and z to port.
 si_kite <- function(kite, path, fields, known) {
   side <- if (kite$pushes == "up") 1 else -1
-  si_lifting_body(kite, path, fields, known, side, level = TRUE,
+  si_lifting_body(kite, path, fields, known, side, TRUE,
     axes = function(place) c(place$aft, -side * place$inward, -place$starboard))
 }
 
+# Whether a board of `otter_boards` is a kite or depressor.
+is_kite <- function(board) board$role == "kite"
+
 # axes: a function(place as given) that tells it in the board's axes.
-si_lifting_body <- function(board, path, fields, known, side, level, axes) {
+si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
   points <- names(board$attachments)
   for (name in points) {
     if (!name %in% known$points) {
@@ -67,8 +70,8 @@ si_lifting_body <- function(board, path, fields, known, side, level, axes) {
     0
   }
   list(
-    points = points, attachment = unname(attachment), side = side, level = level,
-    role = if (level) "kite" else "otter_board",
+    points = points, attachment = unname(attachment), side = side,
+    role = if (kite) "kite" else "otter_board",
     chord = board$chord, span = board$span, area = first_of(board$area, board$chord * board$span),
     mass = body$mass, volume = body$volume,
     pressure_centre = if (wanders) 0.5 else board$centre_of_pressure, pressure_wanders = wanders,
@@ -79,8 +82,8 @@ si_lifting_body <- function(board, path, fields, known, side, level, axes) {
       axes(board$centre_of_buoyancy)
     },
     added_volume = added,
-    shoe_area = if (level) 0 else first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
-    height = if (level) board$chord else board$span,
+    shoe_area = if (kite) 0 else first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
+    height = if (kite) board$chord else board$span,
     polar = si_polar(board$polar, paste0(path, ".polar"), board$span / board$chord)
   )
 }
@@ -105,7 +108,7 @@ strut_line <- function(board) {
 engine_board <- function(board, nodes, density) {
   list(
     node = nodes, attachment = as.double(board$attachment), side = board$side,
-    level = board$level, chord = board$chord, span = board$span, area = board$area,
+    level = is_kite(board), chord = board$chord, span = board$span, area = board$area,
     height = board$height,
     pressure_centre = board$pressure_centre, pressure_wanders = board$pressure_wanders,
     weight = gear_gravity * board$mass, buoyancy = gear_gravity * density * board$volume,
@@ -146,7 +149,7 @@ board_masses <- function(si, division, points) {
 
 # Angle of attack of a first shape, rad: of a kite half that of its largest lift.
 first_attack <- function(board) {
-  if (board$level) stall_angle(board) / 2 * pi / 180 else 25 * pi / 180
+  from_unit(if (is_kite(board)) stall_angle(board) / 2 else 25, "deg")
 }
 
 # Where a board's points are when it stands upright, or a kite lies level, with its leading edge
@@ -154,7 +157,7 @@ first_attack <- function(board) {
 upright_board <- function(board, place, attack = first_attack(board)) {
   turn <- board$side * attack
   rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))
-  if (board$level) rotation <- rbind(rotation[1, ], -rotation[3, ], rotation[2, ])
+  if (is_kite(board)) rotation <- rbind(rotation[1, ], -rotation[3, ], rotation[2, ])
   at <- rotation %*% board$attachment
   at - rowMeans(at) + place
 }

@@ -60,13 +60,14 @@ published_polars <- list(
 #'
 #' | name | tested | at (deg) |
 #' |---|---|---|
-#' | `low_aspect_cambered` | low-aspect vertical cambered otter board (doi 10.3724/SP.J.1231.2013.38768) | 15, 30 |
-#' | `krill_cambered` | hollow vertical cambered otter board of high aspect ratio, krill trawl | 10, 30 |
+#' | `low_aspect_cambered` | low, cambered (doi 10.3724/SP.J.1231.2013.38768) | 15, 30 |
+#' | `krill_cambered` | high, hollow and cambered, of a krill trawl | 10, 30 |
 #' | `high_lift` | high lift otter board H2, aspect ratio 1.4 | 10, 27.5 |
-#' | `flat_plate` | flat plate, aspect ratio 2 (Pelletier and Mueller, Journal of Aircraft 37, 2000) | 3 to 25 |
+#' | `flat_plate` | flat plate, aspect ratio 2 (Pelletier and Mueller, 2000) | 3 to 25 |
 #' | `square_plate` | flat plate, aspect ratio 1 (the same) | 3 to 28 |
-#' | `fabric_kite` | soft kite with inflated edges (Fechner et al., Renewable Energy 83, 2015) | 0, 20, 40 |
+#' | `fabric_kite` | soft kite with inflated edges (Fechner et al., 2015) | 0, 20, 40 |
 #'
+#' A. Pelletier and T. J. Mueller: Journal of Aircraft 37. U. Fechner et al.: Renewable Energy 83.
 #' The otter boards are printed at two angles only, the higher that of the largest lift, beyond
 #' which they count as stalled. The plates' values were read from diagrams. No test of a trawl's own
 #' kite with printed angles was found: the fabric kite is one for the air. [force_coefficients()]
@@ -86,10 +87,9 @@ board_polar <- function(polar, aspect_ratio = 2) {
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
     given <- polar
   } else {
-    cli::cli_abort(
+    abort_argument(
       "{.arg polar} must be a data frame with columns {.val attack}, {.val lift} and {.val drag},
-      or one of {.val {names(published_polars)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      or one of {.val {names(published_polars)}}."
     )
   }
   given <- given[order(given$attack), ]
@@ -97,10 +97,9 @@ board_polar <- function(polar, aspect_ratio = 2) {
     all(diff(given$attack) > 0) && given$attack[1] >= 0 && max(given$attack) < 90 &&
     given$lift[1] > 0 && max(given$lift) > 0 && all(given$drag > 0)
   if (!good) {
-    cli::cli_abort(
+    abort_argument(
       "{.arg polar} must have two angles or more, each once, from 0 to below 90 deg, with positive
-      drag and, at the lowest, positive lift.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      drag and, at the lowest, positive lift."
     )
   }
   n <- nrow(given)
@@ -158,8 +157,8 @@ board_polar <- function(polar, aspect_ratio = 2) {
 # L. Viterna and R. Corrigan, Fixed pitch rotor performance of large horizontal axis wind turbines,
 # NASA CP-2230 (1982). attack in deg.
 viterna <- function(attack, stall, across) {
-  a <- attack * pi / 180
-  s <- stall$attack * pi / 180
+  a <- from_unit(attack, "deg")
+  s <- from_unit(stall$attack, "deg")
   lift <- across / 2 * sin(2 * a) +
     (stall$lift - across * sin(s) * cos(s)) * sin(s) / cos(s)^2 * cos(a)^2 / sin(a)
   drag <- across * sin(a)^2 + (stall$drag - across * sin(s)^2) / cos(s) * cos(a)
@@ -168,7 +167,7 @@ viterna <- function(attack, stall, across) {
 
 # Knots, values and slopes as the engine reads them (rad).
 engine_polar <- function(table) {
-  angle <- table$attack * pi / 180
+  angle <- from_unit(table$attack, "deg")
   slope <- function(value) {
     # A turn before and after, so that the circle closes smoothly.
     n <- length(angle)
@@ -186,7 +185,7 @@ engine_polar <- function(table) {
 si_polar <- function(polar, path, aspect_ratio) {
   if (is.list(polar)) {
     polar <- data.frame(
-      attack = vapply(polar, `[[`, 0, "attack") * 180 / pi,
+      attack = in_unit(vapply(polar, `[[`, 0, "attack"), "deg"),
       lift = vapply(polar, `[[`, 0, "lift"), drag = vapply(polar, `[[`, 0, "drag")
     )
   }

@@ -28,7 +28,7 @@ lay_on_ground <- function(ground, position) {
 # Boards of a first shape upright, with their lower edge above the ground.
 stand_on_ground <- function(si, lattice, position) {
   for (board in si$otter_boards) {
-    if (board$level) next
+    if (is_kite(board)) next
     nodes <- lattice$points[board$points]
     middle <- rowMeans(position[, nodes])
     room <- board$span / 2 + mean(board$attachment[3, ])

@@ -27,10 +27,10 @@ check_whole <- function(plan, last = NULL) {
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
 # seams, pieces, otter_boards, ground, shooting, measures, share_places). Places stay texts that
-# `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from and
-# to as fractions of the edge. What a plan may leave out and has no default is NULL (position, at,
-# near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness, catch) or,
-# of single numbers and texts, NA.
+# `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from
+# and to as fractions of the edge. What a plan may leave out and has no default is NULL (position,
+# at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
+# catch) or, of single numbers and texts, NA.
 si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
@@ -132,8 +132,8 @@ si_added_mass <- function(added_mass) {
   c(normal = added_mass$normal, tangential = added_mass$tangential)
 }
 
-# Diameter of a knot, in twine diameters, where a plan gives none: a knot of two turns is 2 to 3 of them
-# across, and models of netting by its spheres take 2.
+# Diameter of a knot, in twine diameters, where a plan gives none: a knot of two turns is 2 to 3 of
+# them across, and models of netting by its spheres take 2.
 usual_knot <- 2
 
 si_panel <- function(panel, path, fields, law) {

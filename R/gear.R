@@ -12,7 +12,8 @@ as_gear <- function(tree, file = NULL, like = NULL) {
 
 # What the check made of a gear's plan; checked again where somebody changed the plan by hand.
 gear_checked <- function(gear) {
-  if (identical(gear$checked$plan, gear$plan)) gear$checked else check_whole(gear$plan, gear$checked)
+  if (identical(gear$checked$plan, gear$plan)) return(gear$checked)
+  check_whole(gear$plan, gear$checked)
 }
 
 # The checked fields, in SI, of the assembly that a gear is or stands for.
@@ -28,17 +29,17 @@ gear_si <- function(gear) gear_checked(gear)$si
 #'
 #' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
 #' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
-#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of class `codend_error_plan`, with
-#'   the path and the value of the first wrong field as `path` and `value`.
+#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of
+#'   class `codend_error_plan`, with the path and the value of the first wrong field as `path` and
+#'   `value`.
 #' @seealso [gear()] for the same without a file, [write_gear()].
 #' @export
 #' @examples
 #' read_gear("towed_cable")
 read_gear <- function(plan) {
   if (!is_text(plan)) {
-    cli::cli_abort(
-      "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}."
     )
   }
   shipped <- shipped_plans()
@@ -106,9 +107,8 @@ print.codend_gear <- function(x, ...) {
 update.codend_gear <- function(object, ...) {
   fields <- list(...)
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
-    cli::cli_abort(
-      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}."
     )
   }
   plan <- object$plan

@@ -80,10 +80,10 @@ check_wing_ends <- function(fields) {
       abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
     }
   }
-  for (level in names(wings)[names(wings) %in% c("upper", "lower")]) {
-    wing <- wings[[level]]
+  for (tier in names(wings)[names(wings) %in% c("upper", "lower")]) {
+    wing <- wings[[tier]]
     if (wing$flying >= wing$meshes$deep) {
-      abort_field(paste0("wings.", level, ".flying"), wing$flying,
+      abort_field(paste0("wings.", tier, ".flying"), wing$flying,
         paste("less than the wing's", format(wing$meshes$deep), "meshes deep"))
     }
   }
@@ -156,20 +156,20 @@ bottom_trawl_net <- function(fields, plan) {
     across[["back"]] <- fields$square$meshes$upper
   }
   # Without upper wings the head line runs along the whole front of the back.
-  levels <- c(back = "upper", belly = "lower")
-  levels <- levels[levels %in% names(plan$wings)]
-  pairs <- Map(function(panel, level) {
-    given <- plan$wings[[level]]
+  tiers <- c(back = "upper", belly = "lower")
+  tiers <- tiers[tiers %in% names(plan$wings)]
+  pairs <- Map(function(panel, tier) {
+    given <- plan$wings[[tier]]
     wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
-      fields$wings[[level]]$meshes, paste0("wings.", level, ".meshes"))
-  }, stats::setNames(nm = names(levels)), levels)
+      fields$wings[[tier]]$meshes, paste0("wings.", tier, ".meshes"))
+  }, stats::setNames(nm = names(tiers)), tiers)
   sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
   square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
 
   # The edges along the seams ahead of the first section, from the front, by panel.
   outer <- function(panel, side) {
-    part <- if (panel %in% names(levels)) {
-      flying_edge(fields$wings[[levels[[panel]]]], pairs[[panel]][[side]], side)
+    part <- if (panel %in% names(tiers)) {
+      flying_edge(fields$wings[[tiers[[panel]]]], pairs[[panel]][[side]], side)
     }
     c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
   }
@@ -203,9 +203,9 @@ bottom_trawl_net <- function(fields, plan) {
   # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
   # below.
   end <- function(panel, side) {
-    if (!panel %in% names(levels)) return(NULL)
-    level <- levels[[panel]]
-    wing <- fields$wings[[level]]
+    if (!panel %in% names(tiers)) return(NULL)
+    tier <- tiers[[panel]]
+    wing <- fields$wings[[tier]]
     free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
     tip <- if (wing$meshes$tip > 0) paste0(pairs[[panel]][[side]], ".upper")
     if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
@@ -357,8 +357,8 @@ bottom_trawl_rig <- function(fields, plan) {
     start <- paste0("backstrop_end_", trawl_sides)
     rig$points[start] <- list(nothing)
     for (side in trawl_sides) {
-      for (level in c("upper", "lower")) {
-        name <- paste("backstrop", level, side, sep = "_")
+      for (tier in c("upper", "lower")) {
+        name <- paste("backstrop", tier, side, sep = "_")
         rig$ropes[[name]] <- c(
           list(from = name, to = paste0("backstrop_end_", side)), plan$backstrops,
           list(role = "backstrop")
@@ -373,7 +373,7 @@ bottom_trawl_rig <- function(fields, plan) {
 # their spread is called.
 bottom_trawl_measures <- function(fields, free_boards, joint = "board",
                                   measure = "door_spread") {
-  pair <- function(level) paste0(level, c("_port", "_starboard"))
+  pair <- function(tier) paste0(tier, c("_port", "_starboard"))
   lower <- if (is.null(fields$footrope_extensions)) "lower" else "extension"
   first <- if (is.null(fields$sweeps)) "bridle_lower" else "sweep"
   angle <- function(rope, kind) {
@@ -415,9 +415,9 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     names(out)[names(out) == ""] <- sub("spread", "depth", measure, fixed = TRUE)
   }
   if (!is.null(fields$sweeps)) out$sweep_tension <- list(tension = "sweep_port.start")
-  for (level in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {
-    out[[paste0("bridle_", level, "_tension")]] <-
-      list(tension = paste0("bridle_", level, "_port.end"))
+  for (tier in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {
+    out[[paste0("bridle_", tier, "_tension")]] <-
+      list(tension = paste0("bridle_", tier, "_port.end"))
   }
   out$net_length <- list(length = c("upper_port", "codline"))
   out

@@ -70,7 +70,7 @@ check_cage <- function(fields) {
 
 # Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
 # corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
-# from the middle of a side to the centre), level (m, height of the upper edge), volume (m3),
+# from the middle of a side to the centre), top (m, height of the upper edge), volume (m3),
 # bottoms, pipes = wall panels over each bottom panel and along each pipe or rope).
 cage_outline <- function(fields) {
   n <- fields$panels
@@ -102,7 +102,7 @@ cage_outline <- function(fields) {
   cone <- first_of(fields[["bottom"]]$cone, 0)
   list(
     x = x, y = y, side = side, radius = radius, run = run, bottoms = bottoms, pipes = pipes,
-    level = 0,
+    top = 0,
     volume = area * (fields$depth + if (is.null(fields[["bottom"]])) 0 else cone / 3)
   )
 }
@@ -133,7 +133,7 @@ cage_net <- function(fields, plan, outline) {
       list(meshes = list(upper = meshes[1], lower = meshes[1], deep = meshes[2]), part = "wall")
     )
     if (is.null(panels[[wall]]$orientation)) panels[[wall]]$orientation <- "square"
-    at_collar <- list(outline$x[k], outline$y[k], outline$level)
+    at_collar <- list(outline$x[k], outline$y[k], outline$top)
     points[[paste0("collar_", k)]] <- if (fields$collar$held) {
       list(position = at_collar, held = "fixed")
     } else {
@@ -141,7 +141,7 @@ cage_net <- function(fields, plan, outline) {
     }
     points[[paste0("foot_", k)]] <- c(
       list(at = paste0(wall, ".lower_left")),
-      place(outline$x[k], outline$y[k], outline$level - fields$depth)
+      place(outline$x[k], outline$y[k], outline$top - fields$depth)
     )
     seams[[paste0("walls_", k)]] <-
       list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
@@ -173,7 +173,7 @@ cage_net <- function(fields, plan, outline) {
     }
     seams$bottom_centre <-
       list(edges = paste0("bottom_", below, ".lower"), gathered_at = "bottom_centre")
-    points$bottom_centre <- place(0, 0, outline$level - fields$depth - cone)
+    points$bottom_centre <- place(0, 0, outline$top - fields$depth - cone)
   }
   list(panels = panels, seams = seams, points = points)
 }

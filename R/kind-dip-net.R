@@ -8,7 +8,7 @@ expand_dip_net <- function(fields, plan) {
   plan$collar <- plan$frame
   outline <- cage_outline(fields)
   slope <- sqrt(fields$bridles$length^2 - max(outline$radius)^2)
-  outline$level <- -fields$lift_line$length - slope
+  outline$top <- -fields$lift_line$length - slope
   net <- cage_net(fields, plan, outline)
   rig <- cage_frame(fields, plan, outline)
   out <- shared_fields(plan, fields)

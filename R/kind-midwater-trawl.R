@@ -164,13 +164,13 @@ trawl_rig <- function(fields, plan, ring) {
   ropes <- trawl_warps(plan)
   pieces <- boards$pieces
   for (side in trawl_sides) {
-    for (level in c("upper", "lower")) {
-      ropes[[paste("hand_rope", level, side, sep = "_")]] <- c(
+    for (tier in c("upper", "lower")) {
+      ropes[[paste("hand_rope", tier, side, sep = "_")]] <- c(
         list(
-          from = if (free) paste0("backstrop_", level, "_", side) else paste0("board_", side),
-          to = paste(level, side, sep = "_")
+          from = if (free) paste0("backstrop_", tier, "_", side) else paste0("board_", side),
+          to = paste(tier, side, sep = "_")
         ),
-        plan$hand_ropes[[level]],
+        plan$hand_ropes[[tier]],
         list(role = "hand_rope")
       )
     }
@@ -194,7 +194,7 @@ trawl_rig <- function(fields, plan, ring) {
 }
 
 trawl_measures <- function(ring, free_boards) {
-  pair <- function(level) paste0(level, c("_port", "_starboard"))
+  pair <- function(tier) paste0(tier, c("_port", "_starboard"))
   out <- list(
     door_spread = list(spread = pair("board")),
     wing_end_spread = list(spread = list(pair("upper"), pair("lower"))),

@@ -13,9 +13,9 @@ expand_stow_net <- function(fields, plan) {
   # Where the gear lies before it settles: downstream of its anchor, at its full opening.
   aft <- sqrt(fields$bridles$length^2 - (width / 2)^2) + fields$anchor_line$length * 0.9
   top <- -0.3 * fields$anchor_depth
-  corner <- function(panel, side, y, level) {
+  corner <- function(panel, side, y, tier) {
     list(at = paste0(section_panel_name(panel, first), ".upper_", side),
-      near = list(aft, y, top - level * fields$mouth$height))
+      near = list(aft, y, top - tier * fields$mouth$height))
   }
   out <- shared_fields(plan, fields)
   out$water$free_surface <- TRUE
@@ -43,9 +43,9 @@ expand_stow_net <- function(fields, plan) {
     out$ropes[[paste0("side_line_", side)]] <- rope(
       edge(paste0("side_", side)), fields$mouth$height, plan$side_lines, "side_line"
     )
-    for (level in c("upper", "lower")) {
-      out$ropes[[paste("bridle", level, side, sep = "_")]] <- c(
-        list(from = "bridle_end", to = paste(level, side, sep = "_")), plan$bridles,
+    for (tier in c("upper", "lower")) {
+      out$ropes[[paste("bridle", tier, side, sep = "_")]] <- c(
+        list(from = "bridle_end", to = paste(tier, side, sep = "_")), plan$bridles,
         list(role = "bridle")
       )
     }

@@ -80,7 +80,7 @@ check_boards <- function(fields) {
 # Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
 # points: sweep, bridles to the wing ends, and extensions of the footrope.
 trawl_legs <- function(plan, rig, from) {
-  levels <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
+  tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
   extended <- !is.null(plan$footrope_extensions)
   for (k in 1:2) {
     side <- trawl_sides[k]
@@ -93,10 +93,10 @@ trawl_legs <- function(plan, rig, from) {
       )
       start <- named("sweep_end")
     }
-    for (level in levels) {
-      end <- if (level == "lower" && extended) "extension" else level
-      rig$ropes[[named("bridle", level)]] <- c(
-        list(from = start, to = named(end)), plan$bridles[[level]], list(role = "bridle")
+    for (tier in tiers) {
+      end <- if (tier == "lower" && extended) "extension" else tier
+      rig$ropes[[named("bridle", tier)]] <- c(
+        list(from = start, to = named(end)), plan$bridles[[tier]], list(role = "bridle")
       )
     }
     if (extended) {

@@ -32,9 +32,9 @@ add_catch <- function(si, lattice) {
   # Panels are laid out round the catch from the start, whichever way round.
   outward <- panel_volumes(lattice, lattice$start, panel)
   if (any(outward == 0)) {
-    cli::cli_abort(
-      "The netting around the catch encloses nothing: the panels in {.field catch.panels} must be
-      joined all round.", class = c("codend_error_plan", "codend_error"), call = NULL
+    abort_plan(
+      "The netting around the catch encloses nothing; all panels in `catch.panels` must be joined.",
+      "catch.panels", si$catch$panels
     )
   }
   lattice$catch$weight <- lattice$catch$weight * sign(outward)

@@ -4,7 +4,9 @@
 new_collection <- function(nodes) {
   engine <- c("ties", "bars", "cells", "spheres", "lifts", "wake_sheets")
   types <- c(
-    lapply(setNames(engine, engine), function(kind) c(engine_fields_of(kind), list(part = integer()))),
+    lapply(setNames(engine, engine), function(kind) {
+      c(engine_fields_of(kind), list(part = integer()))
+    }),
     list(sheets = list(node = integer(), twine = double(), height = double(), part = integer()),
       masses = list(node = integer(), mass = double(), volume = double(), height = double(),
       surface = double(), area = double()))
@@ -50,8 +52,8 @@ new_collection <- function(nodes) {
   )
 }
 
-# The engine's fields of a kind of element, from its own table: a named list of empty vectors of their
-# types.
+# The engine's fields of a kind of element, from its own table: a named list of empty vectors of
+# their types.
 engine_fields_of <- function(kind) {
   table <- engine_fields()
   of <- table$kind == kind

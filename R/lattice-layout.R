@@ -178,9 +178,10 @@ skeleton_load <- function(si, skeleton, panels, load) {
   })
   on_boards <- lapply(si$otter_boards, function(board) {
     lift <- push * board$area * 1.2 * board$side
+    up <- is_kite(board)
     force <- c(
-      push * board$area * 0.5, if (board$level) 0 else lift,
-      board$level * lift - gear_gravity * (board$mass - density * board$volume)
+      push * board$area * 0.5, if (up) 0 else lift,
+      (if (up) lift else 0) - gear_gravity * (board$mass - density * board$volume)
     )
     matrix(force / 3, 3L, 3L, byrow = TRUE)
   })

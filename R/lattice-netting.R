@@ -259,12 +259,12 @@ bar_points <- function(panels, points) {
   points$edge[points$edge == 0L & points$j <= 1e-9 * deep] <- 1L
   points$edge[points$edge == 0L & points$j >= deep * (1 - 1e-9)] <- 2L
   points$fraction <- points$j / deep
-  level <- which(points$edge <= 2L)
-  shape <- pick_panels(panels, points$panel[level], side_fields)
-  left <- panel_left(shape, points$j[level])
-  across <- panel_right(shape, points$j[level]) - left
+  ends <- which(points$edge <= 2L)
+  shape <- pick_panels(panels, points$panel[ends], side_fields)
+  left <- panel_left(shape, points$j[ends])
+  across <- panel_right(shape, points$j[ends]) - left
   across[across < 1e-300] <- 1e-300
-  points$fraction[level] <- (points$i[level] - left) / across
+  points$fraction[ends] <- (points$i[ends] - left) / across
   # A knot on an edge belongs half to the neighbour.
   weight <- 1 - 0.5 * (points$edge > 0L)
   all <- sum_by(weight, points$panel, length(panels$deep))

@@ -1,9 +1,9 @@
 # Ropes, panels and pieces as elements of a lattice. In the table of parts ropes come first, then
 # panels, then pieces; ropes and panels are also the engine's materials, in that order.
 
-# A line of a lattice stands for all the material around it, so it leaves the water over at least this
-# share of its length. What is thinner would come and go with every millimetre, and a net that lies
-# at the surface would not settle; the finer the lattice, the less it matters.
+# A line of a lattice stands for all the material around it, so it leaves the water over at least
+# this share of its length. What is thinner would come and go with every millimetre, and a net that
+# lies at the surface would not settle; the finer the lattice, the less it matters.
 surface_share <- 0.05
 
 # Height (m) over which lines of these diameters and lengths leave the water.
@@ -39,8 +39,8 @@ add_knots <- function(build, panels, parts, panel, node, count) {
     part = parts[panel][some])
 }
 
-# Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of the
-# element that it is of.
+# Mass and volume of twine; length: m of it at each of these nodes of panels, extent: length (m) of
+# the element that it is of.
 add_twine <- function(build, panels, panel, node, length, extent) {
   diameter <- twine_width(panels)[panel]
   build$add("masses", node = node, mass = length * panels$mass_per_length[panel],
@@ -141,7 +141,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   inner <- ends < 0L
   ends[!inner] <- id[ends[!inner]]
   ends[inner] <- between[-bars$ends[inner]]
-  if (any(panels$shielding != "none")) add_bar_screens(build, panels, parts, bars, ends)
+  if (any(panels$shielding != "none")) add_bar_wake_sheets(build, panels, parts, bars, ends)
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
   add_twine(build, panels, rep(bars$panel, each = 2L), ends, half, rep(bars$rest, each = 2L))
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
@@ -167,10 +167,10 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   )
 }
 
-# Sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a mesh
-# above every knot where two end; each panel's twine is spread evenly over its sheets.
+# Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and
+# half a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
 # ends: points at both ends of every segment of a bar.
-add_bar_screens <- function(build, panels, parts, bars, ends) {
+add_bar_wake_sheets <- function(build, panels, parts, bars, ends) {
   ends <- matrix(ends, 2L)
   segments <- panels$bar_segments[bars$panel]
   first <- cumsum(c(TRUE, diff(bars$panel) != 0))
@@ -250,7 +250,7 @@ add_piece <- function(build, piece, run, places, density, part) {
   }
 }
 
-# Which nodes are held, where they are, and the plan's loads: list(held, position 3 x n, load 3 x n).
+# Which nodes are held, where they are, and the plan's loads: list(held, position and load 3 x n).
 gear_supports <- function(si, division) {
   held <- logical(division$nodes)
   position <- matrix(0, 3L, division$nodes)
@@ -302,9 +302,8 @@ check_totals <- function(lattice, panels, ropes) {
   held <- held[ropes + seq_along(planned)]
   wrong <- which(abs(held - planned) > 1e-6 * planned)[1L]
   if (is.na(wrong)) return(invisible())
-  cli::cli_abort(
+  abort_lattice(
     "Panel {.field {lattice$parts$name[ropes + wrong]}} has {signif(planned[wrong], 6)} m of twine
-    in the plan and {signif(held[wrong], 6)} m in the lattice.",
-    class = c("codend_error_lattice", "codend_error")
+    in the plan and {signif(held[wrong], 6)} m in the lattice."
   )
 }

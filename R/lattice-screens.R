@@ -11,9 +11,9 @@ check_cells_needed <- function(si, bars) {
   needed <- function(names, why) {
     wrong <- intersect(names, of_bars)
     if (!length(wrong)) return(invisible())
-    cli::cli_abort(
-      "Panel {.field {wrong[1]}} is of bars; {why} needs {.val cells} as its {.field netting}.",
-      class = c("codend_error_plan", "codend_error"), call = NULL
+    abort_plan(
+      paste0("Panel `", wrong[1], "` is of bars; ", why, " needs cells as its `netting`."),
+      paste0("panels.", wrong[1], ".netting"), "bars"
     )
   }
   stiff <- vapply(si$panels, function(p) !is.null(p$opening_stiffness), NA)

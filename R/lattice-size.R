@@ -8,8 +8,7 @@ bytes_per_node <- 1e4
 # have where its plan leaves that open.
 check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
   if (nodes > most) {
-    cli::cli_abort("{.arg nodes} is {.val {nodes}}; it must be at most {.val {most}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg nodes} is {.val {nodes}}; it must be at most {.val {most}}.")
   }
   if (divided_at_most(si) <= most) return(invisible())
   bars <- panels_of_bars(si, netting)

@@ -11,10 +11,9 @@
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
-# fraction of its
-# length, points = node of each point, place = function from a parsed place to a node,
-# catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see hang_out(); let_go = TRUE once it is,
-# division = how edges and grids are divided, see divide(),
+# fraction of its length, points = node of each point, place = function from a parsed place to a
+# node, catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see
+# hang_out(); let_go = TRUE once it is, division = how edges and grids are divided, see divide(),
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
@@ -189,8 +188,8 @@ place_finder <- function(places) {
   function(text) places[[text]]
 }
 
-# How finely a gear is divided: list(asked, pieces, ropes = elements of every piece of edge and rope,
-# grouping = see bar_grouping()).
+# How finely a gear is divided: list(asked, pieces, ropes = elements of every piece of edge and
+# rope, grouping = see bar_grouping()).
 division_counts <- function(resolution, asked) {
   h <- element_length(resolution, asked$nodes)
   grouping <- bar_grouping(resolution, h)
@@ -219,7 +218,9 @@ twine_materials <- function(lines, alone = TRUE) {
   }
   law <- vapply(laws, `[[`, "", "law", USE.NAMES = FALSE)
   law[screens] <- "constant"
-  added_mass <- function(way) vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
+  added_mass <- function(way) {
+    vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
+  }
   slides <- lengths(lapply(lines, `[[`, "through")) > 0L
   stiffness <- number("axial_stiffness")
   stiffness[slides] <- 0

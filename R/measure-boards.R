@@ -6,10 +6,10 @@ fallen_heel <- 45
 #' Free otter boards and kites of a state
 #'
 #' @param state A state, from [settle()].
-#' @return A data frame with a row per otter board whose attitude is free, and per kite or depressor:
-#'   `board`, `attack_deg`, `stall_deg` (angle of attack of its polar's largest lift), `heel_deg`
-#'   (positive where its upper edge leans outward; of a kite where its starboard end is high),
-#'   `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
+#' @return A data frame with a row per otter board whose attitude is free, and per kite or
+#'   depressor: `board`, `attack_deg`, `stall_deg` (angle of attack of its polar's largest lift),
+#'   `heel_deg` (positive where its upper edge leans outward; of a kite where its starboard end is
+#'   high), `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
 #'   flow), `drag_kN`, `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`,
 #'   `"stalled"` (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face)
 #'   or `"fallen over"` (heel beyond 45 deg).
@@ -27,7 +27,8 @@ board_table <- function(state) {
   condition[abs(heel) > fallen_heel] <- "fallen over"
   data.frame(
     board = as.character(names(boards)), attack_deg = attack, stall_deg = stall, heel_deg = heel,
-    trim_deg = in_unit(found$trim, "deg"), lift_kN = in_unit(found$lift, "kN"), drag_kN = in_unit(found$drag, "kN"),
+    trim_deg = in_unit(found$trim, "deg"),
+    lift_kN = in_unit(found$lift, "kN"), drag_kN = in_unit(found$drag, "kN"),
     ground_load_kN = if (is.null(state$si$ground)) {
       rep(0, length(boards))
     } else {
@@ -50,7 +51,7 @@ measure_attitude <- function(state, measure) {
 
 # Warns of boards that do not fly, or not for long.
 warn_of_boards <- function(state) {
-  if (isTRUE(state$report$upset_at_last)) {
+  if (isTRUE(state$report$unstable)) {
     flies <- length(state$si$otter_boards) > 0L
     kind <- if (flies) "codend_warning_board_unstable" else "codend_warning_pole_unstable"
     whose <- if (flies) "the free boards and kites" else "poles and pipes in compression"
@@ -65,7 +66,7 @@ warn_of_boards <- function(state) {
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]
-    name <- if (state$si$otter_boards[[k]]$level) "Kite" else "Otter board"
+    name <- if (is_kite(state$si$otter_boards[[k]])) "Kite" else "Otter board"
     kind <- gsub("[^a-z]", "_", board$condition)
     reason <- switch(board$condition,
       "stalled" = sprintf("it meets the flow at %.0f deg, and its lift is largest at %.0f deg",

@@ -15,10 +15,9 @@ measure_enclosed_volume <- function(state, measure) {
   lattice <- state$lattice
   cells <- lattice$engine$cells
   if (!length(cells$rest)) {
-    cli::cli_abort(
+    abort_argument(
       "The enclosed volume is that of netting of cells; this gear has none
-      ({.code netting: cells}).", class = c("codend_error_argument", "codend_error"),
-      call = NULL
+      ({.code netting: cells})."
     )
   }
   corners <- cell_corners(lattice)

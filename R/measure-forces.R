@@ -1,7 +1,8 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
 define_measure("tension", "kN",
-  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its outermost bar.",
+  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its
+  outermost bar.",
   asks_rope_place, function(state, measure) measure_tension(state, measure)
 )
 
@@ -79,12 +80,12 @@ part_weight <- function(state) {
 # (rope, netting, piece, catch), role, and in kN: drag along the flow, side force to starboard of
 # it, lift upwards (all hydrodynamic) and weight in water.
 drag_table <- function(state) {
-  force <- t(flow_axes(state$si)) %*% part_drag(state) / 1000
+  force <- in_unit(t(flow_axes(state$si)) %*% part_drag(state), "kN")
   data.frame(
     part = state$lattice$parts$name, kind = state$lattice$parts$kind,
     role = state$lattice$parts$role,
     drag_kN = force[1, ], side_kN = force[2, ], lift_kN = force[3, ],
-    weight_in_water_kN = part_weight(state) / 1000
+    weight_in_water_kN = in_unit(part_weight(state), "kN")
   )
 }
 
@@ -119,9 +120,9 @@ drag_totals <- function(drag) {
   data.frame(group = rownames(total), total, row.names = NULL)
 }
 
-# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points forward,
-# so its x is negative. What pulls at an edge held between two points they share as the supports of
-# a beam do.
+# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points
+# forward, so its x is negative. What pulls at an edge held between two points they share as the
+# supports of a beam do.
 support_forces <- function(state) {
   held <- names(Filter(function(point) !is.na(point$held), state$si$points))
   node <- vapply(held, function(name) state$lattice$points[[name]], 0L)
@@ -150,13 +151,14 @@ reaction_table <- function(state) {
 balance_table <- function(state) {
   loads <- rowSums(vapply(state$si$points, function(point) as.double(point$load), numeric(3)))
   forces <- rbind(
-    reactions = colSums(reaction_table(state)[c("x_kN", "y_kN", "z_kN")]),
-    hydrodynamic = rowSums(part_drag(state)) / 1000,
-    weight_in_water = c(0, 0, -sum(part_weight(state)) / 1000),
-    loads = loads / 1000,
-    sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total / 1000,
-    out_of_water = if (state$si$water$free_surface) total_force(state, "surface") / 1000
+    reactions = rowSums(support_forces(state)),
+    hydrodynamic = rowSums(part_drag(state)),
+    weight_in_water = c(0, 0, -sum(part_weight(state))),
+    loads = loads,
+    sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total,
+    out_of_water = if (state$si$water$free_surface) total_force(state, "surface")
   )
+  forces <- in_unit(forces, "kN")
   forces <- rbind(forces, remainder = colSums(forces))
   colnames(forces) <- c("x_kN", "y_kN", "z_kN")
   data.frame(force = rownames(forces), forces, row.names = NULL)
@@ -180,10 +182,9 @@ tension_table <- function(state) {
   )
   data.frame(
     part = parts$name[part], kind = parts$kind[part], role = parts$role[part],
-    max_kN = by_part[1, ] / 1000, exceeded_by_1_percent_kN = by_part[2, ] / 1000,
-    mean_kN = by_part[3, ] / 1000,
-    strength_kN = unname(strength) / 1000,
-    strength_percent = 100 * by_part[1, ] / unname(strength), row.names = NULL
+    max_kN = in_unit(by_part[1, ], "kN"), exceeded_by_1_percent_kN = in_unit(by_part[2, ], "kN"),
+    mean_kN = in_unit(by_part[3, ], "kN"), strength_kN = in_unit(unname(strength), "kN"),
+    strength_percent = in_unit(by_part[1, ] / unname(strength), "%"), row.names = NULL
   )
 }
 
@@ -203,6 +204,6 @@ slack_table <- function(state) {
   part <- as.integer(rownames(sums))
   data.frame(
     part = parts$name[part], role = parts$role[part], twine_m = sums[, 1],
-    slack_percent = 100 * sums[, 2] / sums[, 1], row.names = NULL
+    slack_percent = in_unit(sums[, 2] / sums[, 1], "%"), row.names = NULL
   )
 }

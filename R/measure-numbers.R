@@ -33,7 +33,7 @@ as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE,
 
 #' @export
 print.codend_measures <- function(x, ...) {
-  print(plain_measures(x), ...)
+  with_plain_numbers(print(plain_measures(x), ...))
   invisible(x)
 }
 

@@ -16,10 +16,9 @@ tensions_along <- function(state, ropes = NULL) {
   parts <- state$lattice$parts
   every <- which(parts$kind == "rope")
   known <- unique(stats::na.omit(c(parts$name[every], parts$role[every])))
-  if (!length(known)) abort_ropes("The gear has no ropes.")
+  if (!length(known)) abort_argument("The gear has no ropes.")
   if (!is.null(ropes) && !(is.character(ropes) && length(ropes) && all(ropes %in% known))) {
-    abort_ropes("{.arg ropes} is {.val {ropes}}; it must be any of {.val {known}}.",
-      list(ropes = ropes, known = known))
+    abort_argument("{.arg ropes} is {.val {ropes}}; it must be any of {.val {known}}.")
   }
   kept <- if (is.null(ropes)) every else {
     every[parts$name[every] %in% ropes | parts$role[every] %in% ropes]
@@ -39,7 +38,7 @@ tensions_along <- function(state, ropes = NULL) {
     data.frame(
       rope = name, role = parts$role[part], line = line_names(name, line),
       along_m = stats::ave(length, line, FUN = cumsum) - length / 2, length_m = length,
-      tension_kN = state$bar_tension[bars] / 1000,
+      tension_kN = in_unit(state$bar_tension[bars], "kN"),
       x_m = middle[1L, ], y_m = middle[2L, ], z_m = middle[3L, ]
     ),
     class = c("codend_rope_tensions", "data.frame"), gear_name = state$gear$plan$name,
@@ -86,9 +85,4 @@ line_names <- function(rope, line) {
     paste(unique(ropes[c(1L, length(ropes))]), collapse = " to ")
   }, "")
   unname(words[match(line, names(ends))])
-}
-
-abort_ropes <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment(abort_ropes)))
 }

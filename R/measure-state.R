@@ -9,13 +9,13 @@
 #' @eval measure_help()
 #'
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
-#' @return `measures()` gives named numbers of class `codend_measures`; every name ends in its unit, which
-#'   the attribute `unit` has as it is printed (`"m3/h"`), by the measures' names. The attribute
-#'   `error` has how far each may lie, in its unit, from what ever finer lattices come to: Richardson's
-#'   estimate from the coarser lattices that [settle()] goes through, of first order in the length of
-#'   elements (with three lattices of the observed order, from 0.75 to 1.5), at least half of what is
-#'   usual among the gear's measures. It speaks of the lattice alone, not of drag coefficients; it is
-#'   `NA` in a state of a tow and where the plan leaves no coarser lattice.
+#' @return `measures()` gives named numbers of class `codend_measures`; every name ends in its unit,
+#'   which the attribute `unit` has as it is printed (`"m3/h"`), by the measures' names. The
+#'   attribute `error` has how far each may lie, in its unit, from what ever finer lattices come to:
+#'   Richardson's estimate from the coarser lattices that [settle()] goes through, of first order in
+#'   the length of elements (with three lattices of the observed order, from 0.75 to 1.5), at least
+#'   half of what is usual among the gear's measures. It speaks of the lattice alone, not of drag
+#'   coefficients; it is `NA` in a state of a tow and where the plan leaves no coarser lattice.
 #' @examples
 #' found <- measures(settle("crossing_cables"))
 #' found[["total_drag_kN"]]
@@ -44,10 +44,10 @@ measure_units <- function(kinds) vapply(kinds, `[[`, "", "unit", USE.NAMES = FAL
 
 measure_texts <- function(kinds) vapply(kinds, `[[`, "", "definition", USE.NAMES = FALSE)
 
-#' @return `measure_definitions()` gives a data frame with `name`, `unit` and `definition`: without a
-#'   state a row per kind of measure that a plan may ask for and per standard measure, which
-#'   `asked` tells apart; of a state a row per measure that it has, under the names that `measures()`
-#'   uses.
+#' @return `measure_definitions()` gives a data frame with `name`, `unit` and `definition`: without
+#'   a state a row per kind of measure that a plan may ask for and per standard measure, which
+#'   `asked` tells apart; of a state a row per measure that it has, under the names that
+#'   `measures()` uses.
 #' @rdname measures
 #' @export
 measure_definitions <- function(state = NULL) {

@@ -12,10 +12,8 @@ tangential_sensitivity <- function(state) {
   along <- function(share) {
     engine$materials$tangential_share[] <- share
     engine$blended$materials$tangential_share[] <- share
-    found <- engine_evaluate(engine, as.vector(state$position), still)
-    sum(flow * rowSums(matrix(
-      unlist(found$forces[c("bar_drag", "cell_drag", "blended_force")]), 3L
-    ))) / 1000
+    forces <- engine_evaluate(engine, as.vector(state$position), still)$forces
+    in_unit(sum(flow * total_force(list(forces = lapply(forces, matrix, 3L)), "flow")), "kN")
   }
   now <- in_unit(total_drag(state), "kN")
   as_settled <- along(1)

@@ -57,18 +57,12 @@ settle_accurately <- function(state, accuracy, netting) {
 
 # An accuracy as a share, of "1 %" or 0.01.
 accuracy_share <- function(accuracy) {
-  text <- is.character(accuracy) && length(accuracy) == 1L &&
-    grepl("^ *[0-9.]+ *(%|percent) *$", accuracy)
-  share <- if (text) {
-    suppressWarnings(as.numeric(sub("(%|percent) *$", "", accuracy))) / 100
-  } else {
-    accuracy
-  }
-  one <- is.numeric(share) && length(share) == 1L && is.finite(share) && share > 0 && share < 1
-  if (!one) {
-    cli::cli_abort(
+  one <- is_text(accuracy) || (is.numeric(accuracy) && length(accuracy) == 1L)
+  share <- if (one) quantity_si(accuracy, "number") else NA_real_
+  if (!(is.finite(share) && share > 0 && share < 1)) {
+    abort_argument(
       "{.arg accuracy} is {.val {accuracy}}; it must be a share of the main measures such as
-      {.val 1 %}.", class = c("codend_error_argument", "codend_error"), call = NULL
+      {.val 1 %}."
     )
   }
   share

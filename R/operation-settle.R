@@ -15,9 +15,9 @@
 #' et al. 2020, Aquacultural Engineering 90:102070). `Sn` is the solidity of the netting in its
 #' present shape, held at 0.5. Netting nearly along the flow (more than 70 to 80 deg from across it)
 #' casts no wake of its own. A net that narrows aft has no netting straight upstream of most of its
-#' panels, so a trawl is hardly shielded by this; a cage's rear half is. Shape and shading are found
-#' in turn until no speed changes by more than 1e-5 of the free flow's (`shadings` and
-#' `shading_change` in the report).
+#' panels, so a trawl is hardly shielded by this; a cage's rear half is. Shape and wake are found
+#' in turn until no speed changes by more than 1e-5 of the free flow's (`wake_renewals` and
+#' `wake_change` in the report).
 #'
 #' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
 #' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
@@ -42,8 +42,8 @@
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
 #'   Free otter boards and kites, and poles in compression, that settle in a balance which a small
-#'   push would carry them away from are pushed and settled again (`upsets` in the report counts how
-#'   often); where none is found that lasts it is a warning of class
+#'   push would carry them away from are pushed and settled again (`perturbations` in the report
+#'   counts how often); where none is found that lasts it is a warning of class
 #'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
 #'   tells of static stability only, not of swinging. A free otter board that
 #'   settles stalled, back-winded or fallen
@@ -92,7 +92,7 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   }
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started
-  if (!report$converged) abort_not_converged(report, found$lattice, found$position)
+  if (!report$converged) abort_unsettled(report, found$lattice, found$position)
   state <- new_state(gear, si, found$lattice, found$position, report)
   state$levels <- state_levels(state, found, from)
   state
@@ -110,19 +110,16 @@ settle_from_coarse <- function(si, nodes, netting, steps, progress) {
 
 check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {
-    cli::cli_abort("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }
   whole <- is.numeric(nodes) && length(nodes) == 1L && is.finite(nodes) && nodes >= 1
   if (!whole) {
-    cli::cli_abort("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
     netting %in% c("cells", "bars", "triangles"))) {
-    cli::cli_abort(
-      "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)

@@ -11,19 +11,19 @@
 #'
 #' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
 #' `time` and `value` (straight between its rows, the last value for good; two rows of one time
-#' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI (taken every 0.1 s and smooth between). A
-#' gear that is not yet a state settles first, in the conditions of time 0, and what is not given here
-#' is taken from its plan's section `tow`, which has fields of the same names and lists of `time` and
-#' `value` for tables. A state that is towed to no given time goes on in its plan's section `tow`
-#' too, if that begins where the state is. Towed `until` a time it goes on as it is but for what is
-#' given here: then only `scheme` and `accuracy` of that section count.
-#' `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots the shipped trawl's
-#' warps, tows it, turns by 90 degrees and hauls it back.
+#' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI
+#' (taken every 0.1 s and smooth between). A gear that is not yet a state settles first, in the
+#' conditions of time 0, and what is not given here is taken from its plan's section `tow`, which
+#' has fields of the same names and lists of `time` and `value` for tables. A state that is towed to
+#' no given time goes on in its plan's section `tow` too, if that begins where the state is. Towed
+#' `until` a time it goes on as it is but for what is given here: then only `scheme` and `accuracy`
+#' of that section count. `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots
+#' the shipped trawl's warps, tows it, turns by 90 degrees and hauls it back.
 #'
 #' A gear whose plan has a section `shooting` is not settled first: at time 0 it lies bunched within
-#' half a metre below the surface, along the arc that the vessel runs while it shoots, and every part
-#' of it waits there until the vessel has passed. A net is then where it would be when it leaves the
-#' vessel, but what is not yet shot lies on the water instead of on deck.
+#' half a metre below the surface, along the arc that the vessel runs while it shoots, and every
+#' part of it waits there until the vessel has passed. A net is then where it would be when it
+#' leaves the vessel, but what is not yet shot lies on the water instead of on deck.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed beside the
@@ -33,15 +33,15 @@
 #' state at rest: after every step the netting upstream of every point is found anew, and the speed
 #' there follows as fast as water takes to pass half of the netting.
 #'
-#' No step of an implicit scheme is taken whose forces do not balance: what is left on any node is at
-#' most a thousandth of the pulls, drags and loads on it. The work of supports, vessel, winches, water
-#' and ground is held against what the gear gains in energy, in every run: `conditions` has the
-#' imbalance by time. A run with an accuracy whose imbalance passes 2 % of the energy put through, and
-#' what a tenth of that accuracy makes of the gear's weight, goes on in shorter steps; where that does
-#' not help, it stops with an error of class `codend_error_energy`. Schemes that damp remove energy
-#' from swings faster than their steps: a light pluck is gone in a minute at the default accuracy.
-#' Peaks of tension where slack netting or ropes snap taut depend on the accuracy, by a quarter on a
-#' seine.
+#' No step of an implicit scheme is taken whose forces do not balance: what is left on any node is
+#' at most a thousandth of the pulls, drags and loads on it. The work of supports, vessel, winches,
+#' water and ground is held against what the gear gains in energy, in every run: `conditions` has
+#' the imbalance by time. A run with an accuracy whose imbalance passes 2 % of the energy put
+#' through, and what a tenth of that accuracy makes of the gear's weight, goes on in shorter steps;
+#' where that does not help, it stops with an error of class `codend_error_energy`. Schemes that
+#' damp remove energy from swings faster than their steps: a light pluck is gone in a minute at the
+#' default accuracy. Peaks of tension where slack netting or ropes snap taut depend on the accuracy,
+#' by a quarter on a seine.
 #'
 #' Added mass acts on accelerations of the gear alone, by where its lines are at each step; a
 #' current that changes with time brings in no force by its acceleration, and waves move the towing
@@ -67,26 +67,27 @@
 #'   depth of the plan's current.
 #' @param heave Height of the towing points above where the plan has them, m: one schedule; a sea
 #'   state is a function of time.
-#' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and of
-#'   the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s to where
-#'   the netting behind it holds that much. Such a catch is as heavy as water and is moved with the
-#'   netting around it.
-#' @param part Ropes that part: a list of `list(rope = , time = , place = )`, place `"start"`,
+#' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and
+#'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
+#'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
+#'   with the netting around it.
+#' @param breaking Ropes that break: a list of `list(rope = , time = , place = )`, place `"start"`,
 #'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
 #' @param scheme `"bdf2"` (when `NULL`), `"generalised_alpha"`, `"backward_euler"` (implicit, by
 #'   Newton's method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
 #'   `"symplectic_euler"` or `"rk4"` (explicit).
 #' @param accuracy Largest error that one step of an implicit scheme may make: of any node's
-#'   position, m, or text; 0.01 m when `NULL`. Or `list(position = , tension = )`, tension as a share of
-#'   the gear's largest, which is judged only where it is given: on the safe side, so that steps become
-#'   several times shorter. Steps are as long as that allows. Errors of the steps of backward Euler add
-#'   up: with 0.01 m a heaved anchor line is off by 0.07 m at worst, by 0.02 m with BDF2.
+#'   position, m, or text; 0.01 m when `NULL`. Or `list(position = , tension = )`, tension as a
+#'   share of the gear's largest, which is judged only where it is given: on the safe side, so that
+#'   steps become several times shorter. Steps are as long as that allows. Errors of the steps of
+#'   backward Euler add up: with 0.01 m a heaved anchor line is off by 0.07 m at worst, by 0.02 m
+#'   with BDF2.
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.
-#' @param file `NULL`, or a file ending in `.nc` that is written while the tow runs: every kept state
-#'   is in it as soon as it is reached, so [read_trajectory()] gives what a broken run had done. See
-#'   [write_trajectory()].
+#' @param file `NULL`, or a file ending in `.nc` that is written while the tow runs: every kept
+#'   state is in it as soon as it is reached, so [read_trajectory()] gives what a broken run had
+#'   done. See [write_trajectory()].
 #' @return A trajectory of class `codend_trajectory`; see [as.data.frame.codend_trajectory()] for
 #'   what it holds. Interrupted by the user it holds what was done, and `end` says so. A motion that
 #'   stands still, because no step down to 1e-7 s is found, is an error of class
@@ -98,7 +99,7 @@
 #' @export
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                catch = NULL, part = NULL, scheme = NULL, accuracy = NULL, step = NULL,
+                catch = NULL, breaking = NULL, scheme = NULL, accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
   if (!is.null(file)) {
     check_netcdf()
@@ -118,16 +119,19 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     speed = asked("speed", speed), course = asked("course", course),
     warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
     control = control, current = asked("current", current), heave = asked("heave", heave),
-    catch = asked("catch", catch), part = asked("part", part)
+    catch = asked("catch", catch), breaking = asked("breaking", breaking)
   )
   method <- tow_method(
-    first_of(asked("scheme", scheme), "bdf2"), first_of(asked("accuracy", accuracy), default_accuracy), step
+    first_of(asked("scheme", scheme), "bdf2"),
+    first_of(asked("accuracy", accuracy), default_accuracy), step
   )
   until <- asked("until", until)
   every <- asked("every", every)
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
   given$control_every <- tow_quantity(control_every, "control_every", "time")
+  steered <- if (!is.null(control)) given$control_every
+  check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {
@@ -137,6 +141,25 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   march_trajectory(trajectory, until, every, method, measures, record)
+}
+
+# More than any tow needs, s and times, and few enough to be held.
+most_tow_time <- 1e6
+most_tow_times <- 1e6
+
+check_tow_times <- function(until, every) {
+  if (until > most_tow_time) {
+    abort_argument("{.arg until} is {signif(until, 6)} s; it must be at most {most_tow_time} s.")
+  }
+  for (name in names(every)) {
+    times <- until / every[[name]]
+    if (times > most_tow_times) {
+      abort_argument(
+        "{.arg {name}} is {signif(every[[name]], 6)} s, which gives {signif(times, 2)} times up to
+        {signif(until, 6)} s; it must be at least {until / most_tow_times} s."
+      )
+    }
+  }
 }
 
 checked_gear <- function(gear) {
@@ -157,8 +180,7 @@ kept_accuracy <- function(method) {
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {
-    cli::cli_abort("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL)
+    abort_argument("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.")
   }
   implicit <- known$adaptive[known$name == scheme]
   both <- tow_accuracy(accuracy)
@@ -175,7 +197,8 @@ tow_method <- function(scheme, accuracy, step) {
     # Newton's method ends far below a step's own error, substitution at a share of its velocities
     tolerance = if (implicit) 0.05 * accuracy else 1e-6 * accuracy,
     tension_accuracy = both$tension,
-    account = TRUE, energy_error = 0.1 * accuracy, least_step = 1e-7, most_step = if (adaptive) 60 else Inf
+    account = TRUE, energy_error = 0.1 * accuracy, least_step = 1e-7,
+    most_step = if (adaptive) 60 else Inf
   )
 }
 
@@ -196,8 +219,8 @@ tow_accuracy <- function(given) {
   )
 }
 
-# Of position, m. Tensions are judged where that is asked: since every step's forces balance they follow
-# from positions, and the estimate of their error is on the safe side by far.
+# Of position, m. Tensions are judged where that is asked: since every step's forces balance they
+# follow from positions, and the estimate of their error is on the safe side by far.
 default_accuracy <- 0.01
 
 checked_winch <- function(winch) {
@@ -221,10 +244,9 @@ tow_quantity <- function(value, name, dimension) {
     NA_real_
   }
   if (!is.finite(si) || si <= 0) {
-    cli::cli_abort(
+    abort_argument(
       "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
-      {unit_examples(dimension)}).",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+      {unit_examples(dimension)})."
     )
   }
   si
@@ -264,7 +286,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
     start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
     numeric(), settle_tolerance, settle_iterations, progress
   )
-  if (!settled$converged) abort_not_converged(settled, start, settled$position)
+  if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

@@ -2,10 +2,7 @@
 
 # Stops with a "codend_error_plan" that carries the field's path and its value.
 abort_plan <- function(message, path, value = NULL) {
-  cli::cli_abort(
-    "{message}",
-    class = c("codend_error_plan", "codend_error"), path = path, value = value, call = NULL
-  )
+  abort_as("plan", "{message}", path = path, value = value, envir = environment())
 }
 
 # "Plan field `path` is VALUE; it must be MUST."

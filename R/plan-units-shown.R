@@ -14,6 +14,9 @@ unit_size <- function(unit) {
 # An SI number in a unit: in_unit(1500, "kN") is 1.5.
 in_unit <- function(x, unit) x / unit_size(unit)
 
+# A number in a unit as SI: from_unit(1.5, "kN") is 1500.
+from_unit <- function(x, unit) x * unit_size(unit)
+
 # A name with its unit at its end, as measures and columns have it: "speed_m_per_s",
 # "slack_percent".
 with_unit <- function(name, unit) {

@@ -74,9 +74,9 @@ netting_columns <- function(netting, slack) {
   }, 0)
   list(
     ` part` = names(groups),
-    `mean N` = figures(vapply(groups, function(g) 1000 * mean(g$mean_kN), 0)),
+    `mean N` = figures(vapply(groups, function(g) from_unit(mean(g$mean_kN), "kN"), 0)),
     `1 % above N` = single_numbers(
-      vapply(groups, function(g) 1000 * max(g$exceeded_by_1_percent_kN), 0)
+      vapply(groups, function(g) from_unit(max(g$exceeded_by_1_percent_kN), "kN"), 0)
     ),
     `slack %` = one_decimal(share)
   )
@@ -183,7 +183,7 @@ current_table <- function(si) {
   current <- si$water$current
   speed <- sqrt(current$x^2 + current$y^2)
   if (all(speed == 0)) return(NULL)
-  toward <- (atan2(current$y, current$x) * 180 / pi) %% 360
+  toward <- in_unit(atan2(current$y, current$x), "deg") %% 360
   report_table(
     list(`depth m` = column_numbers(current$depth), `speed m/s` = column_numbers(speed),
       `toward deg` = column_numbers(toward)),

@@ -3,11 +3,12 @@
 #' Write a report
 #'
 #' One HTML page for a skipper or an appendix: the plan of the gear drawn flat
-#' ([plot.codend_gear()]), the conditions, the measures, what is worth a look ([findings()]), the gear from above, from the side and from
-#' astern and in three dimensions, the tensions by rope with what is left to the breaking load, the
-#' drag by component, slack netting, how well the forces balance and how the solver ended, the
-#' versions of the programs, and the exact plan to copy. That of a trajectory has the measures
-#' against time and the motion in three dimensions in place of the shapes and forces.
+#' ([plot.codend_gear()]), the conditions, the measures, what is worth a look ([findings()]), the
+#' gear from above, from the side and from astern and in three dimensions, the tensions by rope with
+#' what is left to the breaking load, the drag by component, slack netting, how well the forces
+#' balance and how the solver ended, the versions of the programs, and the exact plan to copy. That
+#' of a trajectory has the measures against time and the motion in three dimensions in place of the
+#' shapes and forces.
 #'
 #' The file holds all that it needs and asks nothing of the network. It prints to paper or PDF from
 #' the browser, the plan drawing on a page of its own on its side. The same state gives the same
@@ -73,8 +74,9 @@ trajectory_report <- function(trajectory) {
         "Curves of the schedule and of every measure of the gear against time; the table below",
         "gives their ends and extremes."
       )),
-      report_table(trajectory_columns(summary(trajectory)), "Measures at the start and the end of the
-        tow, and their extremes with the times of these.")
+      report_table(trajectory_columns(summary(trajectory)), paste(
+        "Measures at the start and the end of the tow, and their extremes with the times of these."
+      ))
     ),
     report_section("The gear in motion", report_scene(motion_page(trajectory, "gear"), paste(
       "The gear in three dimensions, as seen from the vessel; a button plays the tow and a slider",
@@ -150,8 +152,9 @@ report_scene <- function(widget, words) {
   tag$figure(
     class = "scene",
     tag$div(class = "canvas", role = "img", `aria-label` = words, htmltools::as.tags(widget)),
-    tag$figcaption("Turn it with the left mouse button or one finger; click it first to zoom with the
-      wheel.")
+    tag$figcaption(paste(
+      "Turn it with the left mouse button or one finger; click it first to zoom with the wheel."
+    ))
   )
 }
 
@@ -168,8 +171,10 @@ plan_section <- function(gear) {
   plot(gear, file = file)
   report_section("Plan of the gear", class = "plan", report_figure(
     data_address(file, "image/png"),
-    paste("Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
-      "rigging, and lists of ropes and pieces. All of it stands as text in the exact plan below.")
+    paste(
+      "Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
+      "rigging, and lists of ropes and pieces. All of it stands as text in the exact plan below."
+    )
   ))
 }
 
@@ -210,10 +215,13 @@ tension_section <- function(said) {
 drag_section <- function(said) {
   tangential <- said$tangential
   report_section("Drag",
-    report_table(drag_columns(said$drag_totals, said$drag_totals$group), "Forces of the water by
-      group: drag along the flow with its share, side force to starboard, lift upwards; and weight in
-      water."),
-    report_table(drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."),
+    report_table(drag_columns(said$drag_totals, said$drag_totals$group), paste(
+      "Forces of the water by group: drag along the flow with its share, side force to starboard,",
+      "lift upwards; and weight in water."
+    )),
+    report_table(
+      drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."
+    ),
     if (!is.null(tangential)) tag$p(sprintf(
       "With all coefficients along twines and ropes halved the total drag would be %s kN at this
       shape, and doubled %s kN: they are known worst.",
@@ -224,9 +232,10 @@ drag_section <- function(said) {
 
 board_section <- function(boards) {
   if (!nrow(boards)) return(NULL)
-  report_section("Otter boards and kites", report_table(board_columns(boards), "How free otter boards
-    and kites stand: angle of attack and that of their largest lift, heel (positive outward; of a kite
-    where its starboard end is high) and trim."))
+  report_section("Otter boards and kites", report_table(board_columns(boards), paste(
+    "How free otter boards and kites stand: angle of attack and that of their largest lift, heel",
+    "(positive outward; of a kite where its starboard end is high) and trim."
+  )))
 }
 
 balance_section <- function(said) {

@@ -23,10 +23,11 @@ tension_scale <- function(tension, kind) {
   taut <- tension[tension > 0]
   if (!length(taut)) return(NULL)
   top <- max(taut)
-  per_unit <- if (top >= 1000) 1000 else 1
+  unit <- if (top >= unit_size("kN")) "kN" else "N"
+  per_unit <- unit_size(unit)
   scale <- list(
     colours = tension_palette(kind), log = stats::median(taut) < top / 10,
-    unit = if (per_unit == 1000) "kN" else "N", per_unit = per_unit
+    unit = unit, per_unit = per_unit
   )
   if (scale$log) {
     scale$limits <- c(max(stats::quantile(taut, 0.02, names = FALSE), top / 1000), top)

@@ -233,7 +233,7 @@ board_marks <- function(state) {
 }
 
 board_direction <- function(board) {
-  if (board$level) {
+  if (is_kite(board)) {
     if (board$side > 0) "up" else "down"
   } else {
     if (board$side > 0) "starboard" else "port"

@@ -158,9 +158,8 @@ check_same_parts <- function(si, from) {
     there <- names(from$si[[kind]])
     if (identical(here, there)) next
     odd <- c(setdiff(here, there), setdiff(there, here))
-    cli::cli_abort(
-      "{.arg from} must be a state of a gear with the same {kind}; they differ by {.val {odd}}.",
-      class = c("codend_error_argument", "codend_error"), call = NULL
+    abort_argument(
+      "{.arg from} must be a state of a gear with the same {kind}; they differ by {.val {odd}}."
     )
   }
 }

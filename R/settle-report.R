@@ -25,25 +25,25 @@ settle_progress <- function() {
   }
 }
 
-abort_not_converged <- function(report, lattice, position) {
+abort_unsettled <- function(report, lattice, position) {
   where <- describe_node(lattice, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
-  if (report$shading_change > 1e-5) {
-    cli::cli_abort(
-      "The gear did not settle: shape and shading still changed each other after {report$shadings}
-      rounds, the speed of the flow at a point by {signif(100 * report$shading_change, 2)} % of the
+  if (report$wake_change > 1e-5) {
+    abort_not_converged(
+      "The gear did not settle: shape and wake still changed each other after {report$wake_renewals}
+      rounds, the speed of the flow at a point by {signif(100 * report$wake_change, 2)} % of the
       free flow's.",
-      class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
+      report = report
     )
   }
-  cli::cli_abort(
+  abort_not_converged(
     c(
       "The gear did not settle: after {report$iterations} steps the largest net force is
       {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is asked for.",
       "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
-      {signif(report$worst_force / 1000, 3)} kN."
+      {signif(in_unit(report$worst_force, 'kN'), 3)} kN."
     ),
-    class = c("codend_error_not_converged", "codend_error"), report = report, call = NULL
+    report = report
   )
 }
 

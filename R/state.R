@@ -33,12 +33,19 @@ total_force <- function(state, cause) {
   rowSums(vapply(state$forces[reported_forces(cause)$name], rowSums, numeric(3)))
 }
 
-# Force of the flow on every cell, on the whole of it (3 x cells, N).
+# Force of the flow on every element of a kind such as "bars" (3 x elements, N).
+flow_force <- function(state, kind) {
+  by_flow <- reported_forces("flow")
+  Reduce(`+`, state$forces[by_flow$name[by_flow$kind == kind]])
+}
+
+# The same on the whole of every cell, with what acts on it as a screen or blended.
 cell_flow_force <- function(state) {
-  force <- state$forces$cell_drag
-  for (row in which(reported_forces()$kind %in% names(state$lattice$on_cell))) {
-    on <- state$lattice$on_cell[[reported_forces()$kind[row]]]
-    force[, on] <- force[, on] + state$forces[[row]][, seq_along(on)]
+  force <- flow_force(state, "cells")
+  for (kind in names(state$lattice$on_cell)) {
+    on <- state$lattice$on_cell[[kind]]
+    # those of sheets between bars follow
+    force[, on] <- force[, on] + flow_force(state, kind)[, seq_along(on)]
   }
   force
 }

@@ -9,8 +9,9 @@ write_kept <- function(file, fill) {
   })
 }
 
-# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it.
-# unsealed: whether one that was not sealed is taken, as a run that was killed leaves it.
+# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it, with
+# the number of its records as an attribute. unsealed: whether one that was not sealed is taken, as
+# a run that was killed leaves it; where the machine stopped too, its last records may be missing.
 open_kept <- function(file, what, known, unsealed = FALSE) {
   check_netcdf()
   if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
@@ -21,6 +22,7 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
   }
   seal <- seal_of(file)
   if (seal == "broken") abort_damaged(file, "its checksum does not fit")
+  records <- whole_records(file, unsealed && seal == "none", function(why) abort_damaged(file, why))
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
     abort_damaged(file, conditionMessage(e))
   })
@@ -37,36 +39,18 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
       if (all(version < known)) "Older ones held objects of R, which reading would have run."),
       version = version, known = known)
   }
-  size <- tryCatch(data_bytes(nc), error = function(e) Inf)
-  if (size > file.size(file)) {
-    RNetCDF::close.nc(nc)
-    abort_damaged(file, "it is shorter than what it says to hold")
-  }
   if (seal == "none" && !unsealed) {
     RNetCDF::close.nc(nc)
     abort_damaged(file, "it ends without its checksum")
   }
+  attr(nc, "records") <- records
   nc
-}
-
-# Bytes of all variables of a file.
-data_bytes <- function(nc) {
-  info <- RNetCDF::file.inq.nc(nc)
-  of_dimension <- vapply(seq_len(info$ndims) - 1L, function(id) {
-    as.double(RNetCDF::dim.inq.nc(nc, id)$length)
-  }, 0)
-  sum(vapply(seq_len(info$nvars) - 1L, function(id) {
-    variable <- RNetCDF::var.inq.nc(nc, id)
-    ids <- variable$dimids
-    width <- switch(variable$type, NC_DOUBLE = 8, NC_INT = 4, NC_CHAR = 1, Inf)
-    width * prod(of_dimension[ids[!is.na(ids)] + 1L])
-  }, 0))
 }
 
 abort_damaged <- function(file, why) abort_file(file, "is damaged: {why}.", why = why)
 
-# Reads with a function(get) of an open file's variables; closes it. Whatever does not fit is told as
-# damage.
+# Reads with a function(get) of an open file's variables; closes it. Whatever does not fit is told
+# as damage.
 read_kept <- function(nc, file, read) {
   on.exit(RNetCDF::close.nc(nc))
   tryCatch(read(file_getter(nc)), error = function(e) {
@@ -124,7 +108,8 @@ gear_of_text <- function(text, file) {
   as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
 }
 
-# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own arrays.
+# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own
+# arrays.
 check_indices <- function(lattice) {
   engine <- lattice$engine
   points <- length(engine$mass)

@@ -1,5 +1,5 @@
-# The seal of a kept file: behind its data the MD5 sum of all bytes before, so that a file that was cut
-# short or changed is told before anything in it is used. Readers of NetCDF pass over it.
+# The seal of a kept file: behind its data the MD5 sum of all bytes before, so that a file that was
+# cut short or changed is told before anything in it is used. Readers of NetCDF pass over it.
 
 seal_mark <- "codend md5 "
 seal_bytes <- nchar(seal_mark) + 32L

@@ -17,9 +17,9 @@
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
 #'
-#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together from.
-#' Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was cut
-#' short or changed is an error of class `codend_error_file`, and so is one of an older format.
+#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together
+#' from. Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was
+#' cut short or changed is an error of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
@@ -89,7 +89,7 @@ read_state <- function(file) {
 }
 
 # Format 1 held objects of R.
-state_file_version <- 4L
+state_file_version <- 5L
 
 define_state_number <- function(nc, name, number) {
   RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)

@@ -13,19 +13,20 @@
 #'
 #' @details
 #' Dimensions are `time`, `node`, `bar`, `cell` and `part`. Per time and node there are `x`,
-#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and bar
-#' `bar_tension` (N, of one line); per time and cell of netting `u_tension` and `v_tension` (N,
-#' of one twine), and `straight_tension` per cell of hexagonal meshes, which are those that
+#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and
+#' bar `bar_tension` (N, of one line); per time and cell of netting `u_tension` and `v_tension`
+#' (N, of one twine), and `straight_tension` per cell of hexagonal meshes, which are those that
 #' `hexagonal_cell` numbers; with `shielding`, `wake` per point (the nodes, then the points that
-#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad).
-#' `bar_node` and `cell_node` say which nodes they join, counted from 1, `bar_part` and
-#' `cell_part` which of the parts in `part_name` they belong to. The attribute `plan` is the
-#' gear's plan as text. Read only times at which `complete` is 1.
+#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y`
+#' (m), `vessel_speed` (m/s) and `course` (rad). `bar_node` and `cell_node` say which nodes they
+#' join, counted from 1, `bar_part` and `cell_part` which of the parts in `part_name` they
+#' belong to. The attribute `plan` is the gear's plan as text. Read only times at which `complete`
+#' is 1.
 #'
-#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates nothing.
-#' Functions of the schedule and of its control are not kept: give them again to go on. A file that
-#' was closed ends in a checksum of all bytes before it; one that was cut short or changed is an error
-#' of class `codend_error_file`, and so is one of an older format.
+#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates
+#' nothing. Functions of the schedule and of its control are not kept: give them again to go on. A
+#' file that was closed ends in a checksum of all bytes before it; one that was cut short or changed
+#' is an error of class `codend_error_file`, and so is one of an older format.
 #'
 #' Both take the package RNetCDF.
 #'
@@ -57,7 +58,10 @@ read_trajectory <- function(file) {
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
-    n <- complete_records(get)
+    n <- min(complete_records(get), attr(nc, "records"))
+    # the last from which a tow can go on
+    resumed <- get("resume_record")
+    n <- max(0L, resumed[resumed >= 1 & resumed <= n])
     if (n == 0L) abort_file(file, "holds no complete record.")
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
@@ -67,7 +71,7 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 6L
+trajectory_file_version <- 7L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
@@ -89,12 +93,12 @@ vessel_variables <- rbind(
   course = c("radian", "course to starboard of that at the start")
 )
 
-# Numbers of a march beside its nodes; a winch's and a parting's are vectors.
+# Numbers of a march beside its nodes; a winch's and a rupture's are vectors.
 resume_numbers <- c("steps", "caution", "step")
 resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
 report_numbers <- c(
-  "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step", "worst_node",
-  "time"
+  "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
+  "worst_node", "time"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
@@ -146,7 +150,7 @@ define_trajectory <- function(nc, what, frame) {
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy = length(energy_parts),
     part = length(names), growing_part = length(frame$done$length),
-    parting = length(frame$done$parted), component = 3L * engine$nodes,
+    rupture = length(frame$done$broken), component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 4L, letter = max(nchar(names, "bytes")),
     report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
     kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
@@ -207,7 +211,7 @@ define_records <- function(define) {
   }
   for (k in seq_len(nrow(frame_fields))) {
     of <- frame_fields[k, ]
-    type <- if (of$name == "parted") "NC_INT" else "NC_DOUBLE"
+    type <- if (of$name == "broken") "NC_INT" else "NC_DOUBLE"
     define(of$name, type, c(of$across, "time"), of$unit, of$words)
   }
   for (name in rownames(vessel_variables)) {
@@ -228,8 +232,8 @@ define_resume <- function(define) {
   for (name in resume_winch) {
     define(paste0("resume_winch_", name), "NC_DOUBLE", c("growing_part", "slot"))
   }
-  define("resume_parted", "NC_INT", c("parting", "slot"))
-  define("resume_parted_at", "NC_DOUBLE", c("parting", "slot"), "s")
+  define("resume_broken", "NC_INT", c("rupture", "slot"))
+  define("resume_broken_at", "NC_DOUBLE", c("rupture", "slot"), "s")
   define("resume_report", "NC_DOUBLE", c("report_number", "slot"))
   define("resume_report_end", "NC_INT", "slot")
 }
@@ -279,8 +283,8 @@ put_resume <- function(nc, frame, k) {
   }
   for (name in resume_numbers) put_one(name, as.double(frame[[name]]))
   for (name in resume_winch) put_all(paste0("winch_", name), as.double(frame$done[[name]]))
-  put_all("parted", frame$done$parted)
-  put_all("parted_at", frame$done$parted_at)
+  put_all("broken", frame$done$broken)
+  put_all("broken_at", frame$done$broken_at)
   if (is.null(frame$report)) {
     put_one("report_end", 0L)
   } else {
@@ -326,8 +330,8 @@ read_resume <- function(get, n) {
   }
   done <- lapply(setNames(resume_winch, resume_winch), function(name) all(paste0("winch_", name)))
   done$near_limit <- as.logical(done$near_limit)
-  done$parted <- as.integer(all("parted"))
-  done$parted_at <- all("parted_at")
+  done$broken <- as.integer(all("broken"))
+  done$broken_at <- all("broken_at")
   report <- NULL
   if (one("report_end") > 0L) {
     report <- c(

@@ -1,6 +1,6 @@
-# A tree of R's lists and vectors as plain data: its form as text (JSON), and its numbers bit by bit in
-# two arrays. Reading it evaluates nothing: only what is named here comes out, and a function never
-# does.
+# A tree of R's lists and vectors as plain data: its form as text (JSON), and its numbers bit by bit
+# in two arrays. Reading it evaluates nothing: only what is named here comes out, and a function
+# never does.
 
 tree_attributes <- c("names", "dim", "dimnames", "row.names", "levels", "class")
 tree_classes <- c("data.frame", "factor", "codend_lattice")

@@ -39,8 +39,9 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
   })
   for (one in gears) check_lattice_size(gear_si(one), nodes, netting)
   found <- vary_settle(gears, as.matrix(place), nodes, netting)
+  columns <- lapply(axes, field_columns, gear)
   fields <- do.call(cbind, lapply(seq_along(axes), function(k) {
-    field_columns(axes[[k]], gear)[place[[k]], , drop = FALSE]
+    columns[[k]]$values[place[[k]], , drop = FALSE]
   }))
   known <- unique(unlist(lapply(found, function(one) names(one$measures))))
   units <- unlist(lapply(found, function(one) attr(one$measures, "unit")))[known]
@@ -55,27 +56,30 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
     measured, row.names = NULL, check.names = FALSE
   )
   structure(table, class = c("codend_variations", "data.frame"), gear_name = gear$plan$name,
-    measure_unit = units)
+    unit = c(unlist(lapply(columns, `[[`, "unit")), units))
 }
 
 # The axes of a study: data frames whose columns are fields that change together.
 vary_axes <- function(given) {
-  if (!length(given)) abort_vary("Give {.fn vary} at least one field with its values.")
+  if (!length(given)) abort_argument("Give {.fn vary} at least one field with its values.")
   paths <- names(given)
   if (is.null(paths)) paths <- character(length(given))
   axes <- lapply(seq_along(given), function(k) {
     values <- given[[k]]
     if (is.data.frame(values)) {
       if (nzchar(paths[k])) {
-        abort_vary("A data frame of fields that change together has no name, not {.arg {name}}.",
-          list(name = paths[k]))
+        abort_argument(
+          "A data frame of fields that change together has no name, not {.arg {paths[k]}}."
+        )
       }
     } else {
       if (!nzchar(paths[k])) {
-        abort_vary("Every field must be named by its path, such as {.code towing.speed = 1:3}.")
+        abort_argument(
+          "Every field must be named by its path, such as {.code towing.speed = 1:3}."
+        )
       }
       if (is.list(values)) {
-        abort_vary("{.arg {name}} must be a vector of numbers or texts.", list(name = paths[k]))
+        abort_argument("{.arg {paths[k]}} must be a vector of numbers or texts.")
       }
       values <- setNames(data.frame(values), paths[k])
     }
@@ -83,14 +87,15 @@ vary_axes <- function(given) {
       if (is.factor(column)) as.character(column) else column
     })
     if (!nrow(values) || anyNA(values)) {
-      abort_vary("{.arg {name}} must have at least one value and none missing.",
-        list(name = names(values)[1L]))
+      name <- names(values)[1L]
+      abort_argument("{.arg {name}} must have at least one value and none missing.")
     }
     values
   })
   fields <- unlist(lapply(axes, names))
   if (anyDuplicated(fields)) {
-    abort_vary("{.arg {name}} is given twice.", list(name = fields[duplicated(fields)][1L]))
+    twice <- fields[duplicated(fields)][1L]
+    abort_argument("{.arg {twice}} is given twice.")
   }
   axes
 }
@@ -149,18 +154,20 @@ vary_progress <- function(total) {
   }
 }
 
-# The values of fields as columns whose names end in their unit.
+# Fields as columns whose names end in their unit: list(values = data frame, unit by column).
 field_columns <- function(axis, gear) {
   columns <- lapply(names(axis), function(path) field_column(axis[[path]], path, gear))
-  setNames(
-    data.frame(lapply(columns, `[[`, "value")),
-    paste0(names(axis), vapply(columns, `[[`, "", "suffix"))
+  unit <- vapply(columns, `[[`, "", "unit")
+  names <- with_unit(names(axis), unit)
+  list(
+    values = setNames(data.frame(lapply(columns, `[[`, "value")), names),
+    unit = setNames(unit, names)
   )
 }
 
 field_column <- function(values, path, gear) {
   dimension <- field_dimension(gear, path)
-  if (is.na(dimension)) return(list(value = values, suffix = ""))
+  if (is.na(dimension)) return(list(value = values, unit = ""))
   split <- if (is.character(values)) lapply(values, split_quantity)
   units <- unique(vapply(split, function(text) plain_unit(text[2L]), ""))
   if (length(units) == 1L && nzchar(units)) {
@@ -171,7 +178,7 @@ field_column <- function(values, path, gear) {
     # a bare number has no unit
     if (dimension == "number") units <- ""
   }
-  list(value = value, suffix = with_unit("", units))
+  list(value = value, unit = units)
 }
 
 # The dimension of a quantity in a plan by its path, or NA.
@@ -182,9 +189,4 @@ field_dimension <- function(gear, path) {
       node)
   }
   first_of(node[["x-dimension"]], NA_character_)
-}
-
-abort_vary <- function(message, values = list()) {
-  cli::cli_abort(message, class = c("codend_error_argument", "codend_error"), call = NULL,
-    .envir = list2env(values, parent = environment(abort_vary)))
 }

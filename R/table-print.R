@@ -53,7 +53,7 @@ within_text <- function(measures) {
 print.codend_state <- function(x, ...) {
   found <- measures(x)
   shown <- unique(c(utils::head(names(found), 4), "total_drag_kN"))
-  cat(
+  with_plain_numbers(cat(
     if (is.null(x$time)) {
       paste0("Settled gear \"", x$si$name, "\"")
     } else {
@@ -64,7 +64,7 @@ print.codend_state <- function(x, ...) {
     paste0("  ", measure_text(found[shown])),
     "  More: summary(), as.data.frame(), plot(), view()",
     sep = "\n"
-  )
+  ))
   cat("\n")
   invisible(x)
 }

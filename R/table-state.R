@@ -80,7 +80,7 @@ line_table <- function(state) {
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,
     x_m = middle[1, ], y_m = middle[2, ], z_m = middle[3, ],
-    length_m = lines$length, tension_kN = lines$tension / 1000, lines = lines$lines,
+    length_m = lines$length, tension_kN = in_unit(lines$tension, "kN"), lines = lines$lines,
     slack = lines$tension == 0
   )
 }

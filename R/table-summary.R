@@ -57,7 +57,9 @@ print.codend_summary <- function(x, ...) {
 }
 
 #' @export
-format.codend_summary <- function(x, ...) {
+format.codend_summary <- function(x, ...) with_plain_numbers(summary_lines(x))
+
+summary_lines <- function(x) {
   section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
   c(
     cli::style_bold(x$name), x$conditions,
@@ -142,10 +144,10 @@ rope_tension_lines <- function(tensions) {
 }
 
 twine_tension_lines <- function(tensions) {
-  highest <- function(group) 1000 * max(group$exceeded_by_1_percent_kN)
+  highest <- function(group) from_unit(max(group$exceeded_by_1_percent_kN), "kN")
   most <- largest_groups(tensions[tensions$kind == "netting", ], highest)
   if (!length(most$groups)) return(NULL)
-  mean <- vapply(most$groups, function(group) 1000 * max(group$mean_kN), 0)
+  mean <- vapply(most$groups, function(group) from_unit(max(group$mean_kN), "kN"), 0)
   align_columns(list(
     c("", names(most$groups)), c("mean N", column_figures(mean)),
     c("1 % of twine above N", column_figures(most$values))

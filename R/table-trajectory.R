@@ -7,8 +7,8 @@
 #' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
 #'   line), `u_tension` and `v_tension` (netting cells x n) and `straight_tension` (cells of
-#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share of
-#'   the free flow's speed);
+#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share
+#'   of the free flow's speed);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
 #'   (m/s), `course` (rad) and `heave` (m), the length of each warp that the schedule moves (m), and
 #'   since the start `energy_imbalance`, J that the scheme made (positive) or removed, and
@@ -16,8 +16,8 @@
 #' - `energy`: 8 x n, J since the start: gains of kinetic, elastic and potential energy; work of
 #'   supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
-#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`, `unbalanced`
-#'   (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
+#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
+#'   `unbalanced` (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].
@@ -69,7 +69,7 @@ condition_units <- function(conditions) {
   )
   parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
   out <- conditions[c(names(known), parts)]
-  out$course <- out$course * 180 / pi
+  out$course <- in_unit(out$course, "deg")
   setNames(out, c(known, parts))
 }
 
@@ -89,8 +89,8 @@ part_tensions <- function(trajectory, k) {
   group <- factor(of, levels = here)
   data.frame(
     part = parts$name[here], kind = parts$kind[here], role = parts$role[here],
-    max_kN = as.double(tapply(tension, group, max)) / 1000,
-    mean_kN = as.double(tapply(tension, group, mean)) / 1000
+    max_kN = in_unit(as.double(tapply(tension, group, max)), "kN"),
+    mean_kN = in_unit(as.double(tapply(tension, group, mean)), "kN")
   )
 }
 
@@ -98,7 +98,7 @@ part_tensions <- function(trajectory, k) {
 print.codend_trajectory <- function(x, ...) {
   last <- x$time[length(x$time)]
   ended <- if (x$end == "interrupted") ", interrupted" else ""
-  cat(
+  with_plain_numbers(cat(
     sprintf("Tow of \"%s\": %s s, %d states%s", x$si$name, format(signif(last, 6)),
       length(x$time), ended),
     paste0("  ", size_text(x)),
@@ -108,7 +108,7 @@ print.codend_trajectory <- function(x, ...) {
       first_of(x$report$repeated, 0) + first_of(x$report$not_found, 0)),
     "  More: summary(), as.data.frame(), state_at(), measures(state_at())",
     sep = "\n"
-  )
+  ))
   cat("\n")
   invisible(x)
 }
@@ -148,10 +148,10 @@ print.codend_trajectory_summary <- function(x, ...) {
   cat("\n")
   energy <- attr(x, "energy")
   if (!is.null(energy)) {
-    cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
+    with_plain_numbers(cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
       format(signif(abs(energy[["imbalance"]]), 3)),
       if (energy[["imbalance"]] > 0) "made" else "removed",
-      format(signif(energy[["put_through"]], 3))))
+      format(signif(energy[["put_through"]], 3)))))
   }
   invisible(x)
 }

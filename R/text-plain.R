@@ -1,5 +1,5 @@
-# Text as other programs read it: messages without a terminal's marks, text that stands in HTML or
-# XML, and numbers whatever R's options are.
+# Text that is the same for every reader: messages without a terminal's marks, text that stands in
+# HTML or XML, and numbers whatever R's options are.
 
 # The bullets that cli writes before the lines of a message, in Unicode and in ASCII.
 message_bullets <- "\n(?:[\u2716\u2139\u2022\u2714\u2192!*>xiv]) "
@@ -13,8 +13,8 @@ plain_message <- function(condition) {
 # Text as it may stand in HTML and XML, between tags and as the value of an attribute.
 escape_markup <- function(text) htmltools::htmlEscape(text, attribute = TRUE)
 
-# The value of an expression in which numbers become text as they do without options(OutDec, scipen):
-# with a decimal point, and in names such as "wall_2" with plain digits.
+# The value of an expression in which numbers become text as they do without options(OutDec,
+# scipen): with a decimal point, and in names such as "wall_2" with plain digits.
 with_plain_numbers <- function(expression) {
   kept <- options(OutDec = ".", scipen = 0)
   on.exit(options(kept))

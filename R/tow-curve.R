@@ -118,6 +118,5 @@ schedule_number <- function(value, path, dimension) {
 }
 
 abort_schedule <- function(path, problem) {
-  cli::cli_abort(paste0("{.arg {path}} ", problem),
-    class = c("codend_error_argument", "codend_error"), call = NULL)
+  abort_argument(paste0("{.arg {path}} ", problem))
 }

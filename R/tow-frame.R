@@ -1,22 +1,22 @@
-# What a trajectory holds of every kept time beside places and velocities. Its arrays, the frames that
-# the engine hands over and their file are made from this table.
+# What a trajectory holds of every kept time beside places and velocities. Its arrays, the frames
+# that the engine hands over and their file are made from this table.
 #
 # name: of the trajectory's array; field: of the frame, and within which of its lists, "" for none;
 # across: the file's dimension; unit, words: as the file says them.
 frame_fields <- data.frame(
   name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "winch_length", "parted", "energy"),
+    "winch_length", "broken", "energy"),
   within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
-    "length", "parted", "energy"),
+    "length", "broken", "energy"),
   across = c("bar", "cell", "cell", "hexagonal_cell", "point", "catch", "growing_part",
-    "parting", "energy"),
+    "rupture", "energy"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",
     "tension of one straight bar", "speed of the flow at a point, as a share of the free flow's",
     "catch in netting: meshes behind its front, and the volume there (m3)",
-    "length that a winch has paid out", "bar that has parted, 0 for none",
+    "length that a winch has paid out", "bar that has broken, 0 for none",
     "energy since the start, by parts: see the attribute energy_parts"
   )
 )
@@ -44,14 +44,14 @@ frame_of_arrays <- function(arrays, k) {
   frame
 }
 
-# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic, elastic and
-# potential energy have gained; work of supports, of winches, of the water and the ground, of damping;
-# and half of the sum of the sizes of all these.
+# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic,
+# elastic and potential energy have gained; work of supports, of winches, of the water and the
+# ground, of damping; and half of the sum of the sizes of all these.
 energy_parts <- c("kinetic", "elastic", "potential", "supports", "winches", "water", "damping",
   "put_through")
 
-# Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has gained
-# beyond the work done on it. energy: a trajectory's.
+# Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has
+# gained beyond the work done on it. energy: a trajectory's.
 energy_imbalance <- function(energy) {
   colSums(energy[1:3, , drop = FALSE]) - colSums(energy[4:7, , drop = FALSE])
 }

@@ -1,8 +1,8 @@
 # A tow as the engine reads it: what of the lattice moves, grows and parts with time.
 
 # given: the arguments of tow(), as the user gave them; until: s.
-# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope, catch,
-# breaks = times (s) at which the motion breaks).
+# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope,
+# catch, breaks = times (s) at which the motion breaks).
 tow_schedule <- function(si, lattice, given, until) {
   curve <- function(name, dimension, otherwise) {
     if (is.null(given[[name]])) return(constant_curve(otherwise))
@@ -37,19 +37,19 @@ tow_schedule <- function(si, lattice, given, until) {
       lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
     }
   )
-  partings <- parting_events(si, lattice, given$part)
+  ruptures <- rupture_events(si, lattice, given$breaking)
   list(
     schedule = list(
       track = c(towed, track, list(course = course, heave = heave)),
       shooting = shooting_times(si, lattice), growing = growing, current_x = current$x,
-      current_y = current$y, partings = partings
+      current_y = current$y, ruptures = ruptures
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
       curve_breaks(speed, FALSE), curve_breaks(course, FALSE), curve_breaks(heave, FALSE),
       unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = FALSE)),
-      vapply(partings, `[[`, 0, "time")
+      vapply(ruptures, `[[`, 0, "time")
     )))
   )
 }
@@ -234,12 +234,12 @@ current_curves <- function(si, given, until) {
   list(x = lapply(curves, `[[`, "x"), y = lapply(curves, `[[`, "y"))
 }
 
-# Ropes that may part. given: a list of list(rope, time, place) or list(rope), which goes at its
+# Ropes that may break. given: a list of list(rope, time, place) or list(rope), which goes at its
 # breaking load.
-parting_events <- function(si, lattice, given) {
+rupture_events <- function(si, lattice, given) {
   lapply(given, function(event) {
     if (!is_text(event$rope) || !event$rope %in% names(si$ropes)) {
-      abort_schedule("part", paste0(
+      abort_schedule("breaking", paste0(
         "names the rope ", show_value(event$rope), "; this gear's are ",
         word_list(names(si$ropes)), "."
       ))
@@ -248,15 +248,15 @@ parting_events <- function(si, lattice, given) {
     place <- first_of(event$place, "middle")
     strength <- si$ropes[[event$rope]]$strength
     if (is.null(event$time) && is.na(strength)) {
-      abort_schedule("part", paste0(
+      abort_schedule("breaking", paste0(
         "gives no time for the rope ", event$rope, ", whose breaking load the plan does not know."
       ))
     }
-    time <- if (is.null(event$time)) Inf else schedule_number(event$time, "part$time", "time")
+    time <- if (is.null(event$time)) Inf else schedule_number(event$time, "breaking$time", "time")
     list(
       rope = event$rope, bars = bars,
       at = rope_bar(lattice, event$rope, place), time = time,
-      strength = if (is.null(event$time)) as.double(strength) else Inf, parted = 0L, parted_at = 0
+      strength = if (is.null(event$time)) as.double(strength) else Inf, broken = 0L, broken_at = 0
     )
   })
 }

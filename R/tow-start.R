@@ -24,7 +24,8 @@ continued_trajectory <- function(trajectory, given, until) {
     abort_schedule(setdiff(new, lost)[1],
       "is given for a trajectory, which goes on in its own schedule.")
   }
-  planned <- Filter(function(value) !is.null(value), tow_section(trajectory$gear)[setdiff(lost, new)])
+  planned <- tow_section(trajectory$gear)[setdiff(lost, new)]
+  planned <- planned[!vapply(planned, is.null, NA)]
   trajectory$given[names(planned)] <- planned
   trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
   lost <- setdiff(lost, c(new, names(planned)))
@@ -75,7 +76,8 @@ add_start <- function(what, position, velocity) {
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
     speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
-    parted = rep(0L, length(what$schedule$partings)), parted_at = rep(0, length(what$schedule$partings))
+    broken = rep(0L, length(what$schedule$ruptures)),
+    broken_at = rep(0, length(what$schedule$ruptures))
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x

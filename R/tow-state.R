@@ -16,7 +16,7 @@ state_at <- function(trajectory, time) {
   check_is_trajectory(trajectory)
   k <- which.min(abs(trajectory$time - schedule_number(time, "time", "time")))
   now <- conditions_at(trajectory, trajectory$time[k], trajectory$winch_length[, k])
-  now$parted <- trajectory$parted[, k]
+  now$broken <- trajectory$broken[, k]
   now$wake <- trajectory$wake[, k]
   now$catch_front <- trajectory$catch_front[, k]
   si <- si_at(trajectory, now)
@@ -62,9 +62,9 @@ scheduled_table <- function(what, time, found) {
   table
 }
 
-# The same of one time as a list, with the current over the ground (m/s along x and y, by depth) where
-# the schedule has one, and what the winches have out (winch_length, m, by growing part). before: at a
-# jump those before it.
+# The same of one time as a list, with the current over the ground (m/s along x and y, by depth)
+# where the schedule has one, and what the winches have out (winch_length, m, by growing part).
+# before: at a jump those before it.
 conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule),
                           before = FALSE) {
   # the engine tells what is after a jump; so early (s) is before it and otherwise the same
@@ -72,7 +72,7 @@ conditions_at <- function(what, time, winch_length = winches_at_start(what$sched
   found <- engine_schedule_at(what$schedule, time, as.double(winch_length))
   c(
     as.list(scheduled_table(what, time, found)), found[c("current_x", "current_y")],
-    list(winch_length = winch_length, parted = integer())
+    list(winch_length = winch_length, broken = integer())
   )
 }
 
@@ -117,15 +117,15 @@ lattice_at <- function(what, now) {
   lattice
 }
 
-# The engine's lattice with its growing parts as they are at one time and its parted bars gone.
+# The engine's lattice with its growing parts as they are at one time and its broken bars gone.
 scheduled_engine <- function(engine, schedule, now) {
-  if (!length(schedule$growing) && !any(now$parted > 0)) return(engine)
+  if (!length(schedule$growing) && !any(now$broken > 0)) return(engine)
   still <- numeric(length(now$winch_length))
-  parted <- integer(length(schedule$partings))
-  parted[seq_along(now$parted)] <- as.integer(now$parted)
+  broken <- integer(length(schedule$ruptures))
+  broken[seq_along(now$broken)] <- as.integer(now$broken)
   done <- list(
     length = now$winch_length, since = still + now$time, speed = still, speed_wanted = still,
-    near_limit = still > 0, parted = parted, parted_at = 0 * parted
+    near_limit = still > 0, broken = broken, broken_at = 0 * broken
   )
   found <- engine_scheduled(engine, schedule_as_done(schedule, done), now$time)
   engine[c("mass", "load")] <- found[c("mass", "load")]

@@ -117,9 +117,9 @@ schedule_as_done <- function(schedule, done) {
       schedule$growing[[k]]$winch[[field]] <- done[[field]][k]
     }
   }
-  for (k in seq_along(schedule$partings)) {
-    schedule$partings[[k]]$parted <- done$parted[k]
-    schedule$partings[[k]]$parted_at <- done$parted_at[k]
+  for (k in seq_along(schedule$ruptures)) {
+    schedule$ruptures[[k]]$broken <- done$broken[k]
+    schedule$ruptures[[k]]$broken_at <- done$broken_at[k]
   }
   schedule
 }
@@ -184,26 +184,24 @@ tow_progress <- function(begun, until) {
 
 abort_stuck <- function(report, trajectory) {
   where <- describe_node(trajectory$lattice, report$worst_node)
-  cli::cli_abort(
+  abort_not_converged(
     c(
       "The motion stands still at {signif(report$time, 6)} s: no step down to 1e-7 s was found.",
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}."
     ),
-    class = c("codend_error_not_converged", "codend_error"), report = report,
-    trajectory = trajectory, call = NULL
+    report = report, trajectory = trajectory
   )
 }
 
 abort_unbalanced <- function(report, trajectory) {
   where <- describe_node(trajectory$lattice, report$worst_node)
-  cli::cli_abort(
+  abort_as(c("energy", "not_converged"),
     c(
       "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes
       out: more than 2 % of what is put through, however short the steps.",
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}.",
       "i" = "Ask for a smaller {.arg accuracy}, or another {.arg scheme}."
     ),
-    class = c("codend_error_energy", "codend_error_not_converged", "codend_error"), report = report,
-    trajectory = trajectory, call = NULL
+    report = report, trajectory = trajectory, envir = environment()
   )
 }

@@ -59,8 +59,8 @@ page_ranges <- function(drawing, state) {
 
 # The scene, drawn on a device of its own that needs no display. It turns around the middle of the
 # net's ranges where they are given, else of the whole's. Returns the scene with the object numbers
-# of its axes as `net_axes` and `whole_axes`, and as `drawn` those of what it shows, with the size (m)
-# by which marks are enlarged. flow: m/s, an arrow beside the axes.
+# of its axes as `net_axes` and `whole_axes`, and as `drawn` those of what it shows, with the size
+# (m) by which marks are enlarged. flow: m/s, an arrow beside the axes.
 gear_scene <- function(state, drawing, scales, whole, net, flow = flow_past(state)) {
   kept <- options(rgl.useNULL = TRUE)
   on.exit(options(kept))
@@ -144,8 +144,8 @@ scene_marks <- function(drawing, size) {
   list(plates = plates, balls = list(id = as.integer(balls), mark = which(!flat)))
 }
 
-# Corners of a mark that is a plate, 3 x 4, m; boards: those of all free boards; size: of the scene, m,
-# in which the plate must be seen.
+# Corners of a mark that is a plate, 3 x 4, m; boards: those of all free boards; size: of the scene,
+# m, in which the plate must be seen.
 plate_corners <- function(mark, boards, size) {
   if (mark$board > 0L) return(free_plate(boards, mark, size))
   half <- max(if (is.na(mark$size)) 0 else mark$size, least_plate * size) / 2
@@ -162,9 +162,9 @@ free_plate <- function(boards, mark, size) {
   middle + (corners - middle) * max(1, least_plate * size / mark$size)
 }
 
-# A piece that lifts is a point of the state without an attitude, so that its plate is a symbol: upright
-# and at 30 degrees to the flow where it lifts sideways, else across it and leaning 45 degrees to lift.
-# Corners of a plate of 2 by 2 around the origin, 3 x 4.
+# A piece that lifts is a point of the state without an attitude, so that its plate is a symbol:
+# upright and at 30 degrees to the flow where it lifts sideways, else across it and leaning 45
+# degrees to lift. Corners of a plate of 2 by 2 around the origin, 3 x 4.
 held_plate <- function(direction) {
   if (is.na(direction)) direction <- "up"
   # Two directions in the plate; the water is turned away from the lift.

@@ -20,8 +20,7 @@ plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, he
   if (!is.null(file)) check_file_path(file, picture_types)
   known <- unique(x$force)
   if (!is.null(force) && !(is.character(force) && length(force) && all(force %in% known))) {
-    abort_view("{.arg force} is {.val {force}}; it must be any of {.val {known}}.",
-      list(force = force, known = known))
+    abort_argument("{.arg force} is {.val {force}}; it must be any of {.val {known}}.")
   }
   table <- as.data.frame(x)
   class(table) <- "data.frame"

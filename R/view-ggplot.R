@@ -97,7 +97,7 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   n <- length(study$group_labels)
   at <- if (is.null(study$ticks)) study$at else factor(study$ticks[study$at], study$ticks)
   data <- do.call(rbind, lapply(study$measures, function(name) {
-    unit <- measure_unit_of(object, name)
+    unit <- variations_unit(object, name)
     data.frame(
       at = at, value = object[[name]], measure = words_and_unit(words_of(name, unit), unit),
       group = factor(study$group_labels[study$group], study$group_labels)
@@ -116,7 +116,7 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
     ggplot2::labs(
       title = variations_title(object), y = NULL, colour = study$groups_title,
       shape = study$groups_title,
-      x = do.call(words_and_unit, field_words(study$field))
+      x = field_words(object, study$field)
     ) + gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
 }
 

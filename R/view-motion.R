@@ -76,8 +76,8 @@ motion_labels <- function(trajectory) {
   time <- vapply(trajectory$time, time_words, "", last = max(trajectory$time))
   if (!is_towed(trajectory)) return(paste("after", time))
   conditions <- trajectory$conditions
-  sprintf("%s, %.1f knot, course %.0f\u00b0", time, conditions$speed / 0.514444,
-    conditions$course * 180 / pi)
+  sprintf("%s, %.1f knot, course %.0f\u00b0", time, in_unit(conditions$speed, "knot"),
+    in_unit(conditions$course, "deg"))
 }
 
 # A time (s) in the unit that suits the last of its times.

@@ -24,8 +24,7 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
                               height = NULL, ...) {
   known <- c("xy", "xz", "yz")
   if (!is.character(planes) || !length(planes) || !all(planes %in% known)) {
-    abort_view("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.",
-      list(planes = planes, known = known))
+    abort_argument("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.")
   }
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
@@ -80,10 +79,10 @@ check_room <- function(frames, page) {
   across <- min(vapply(frames, function(f) f[3] - f[1], 0)) - room_across
   up <- min(vapply(frames, function(f) f[4] - f[2], 0)) - room_up
   if (across < 0.3 || up < 0.1) {
-    abort_view(
-      "A page of {page[1]} by {page[2]} inches is too small for its {length(frames)}
-      figure{?s}; make it larger or draw fewer planes.",
-      list(page = round(page, 1), frames = frames)
+    size <- round(page, 1)
+    abort_argument(
+      "A page of {size[1]} by {size[2]} inches is too small for its {length(frames)}
+      figure{?s}; make it larger or draw fewer planes."
     )
   }
 }

@@ -29,16 +29,16 @@ most_ropes <- 8L
 rope_figure <- function(mine) {
   n <- max(mine$group)
   apart <- n <= most_ropes
-  small <- max(mine$tension_kN) < 0.1
+  unit <- if (max(mine$tension_kN) < 0.1) "N" else "kN"
   list(
     words = paste0(mine$heading[1L], " tension", if (!apart) sprintf(", %d ropes", n)),
-    unit = if (small) "N" else "kN",
+    unit = unit,
     across = "distance along the rope (m)", colours = rep_len(rope_colours, n),
     groups = if (apart) mine$label[match(seq_len(n), mine$group)],
     lines = lapply(split(mine, mine$group), function(line) {
       group <- line$group[1L]
       list(
-        x = line$along_m, y = line$tension_kN * if (small) 1000 else 1,
+        x = line$along_m, y = in_unit(from_unit(line$tension_kN, "kN"), unit),
         group = if (apart) group else 1L,
         dashed = apart && group %% 2L == 0L, symbols = FALSE
       )

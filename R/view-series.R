@@ -59,10 +59,10 @@ draw_series <- function(figures, title, key, page) {
   n <- length(figures)
   layout <- series_layout(n, key, page)
   if (is.null(layout)) {
-    abort_view(
-      "A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it larger or
-      choose fewer.",
-      list(page = round(page, 1), n = n)
+    size <- round(page, 1)
+    abort_argument(
+      "A page of {size[1]} by {size[2]} inches is too small for {n} figure{?s}; make it larger or
+      choose fewer."
     )
   }
   zoom <- layout$zoom

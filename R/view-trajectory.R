@@ -42,8 +42,7 @@ trajectory_series <- function(trajectory, wanted) {
   table <- as.data.frame(trajectory, what = "measures")
   known <- unique(table$measure)
   if (!is.null(wanted) && !(is.character(wanted) && length(wanted) && all(wanted %in% known))) {
-    abort_view("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.",
-      list(wanted = wanted, known = known))
+    abort_argument("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.")
   }
   shown <- if (is.null(wanted)) known else wanted
   of_measures <- lapply(shown, function(measure) {

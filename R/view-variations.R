@@ -41,8 +41,7 @@ variations_study <- function(x, wanted) {
   fields <- columns[seq_len(match("settled", columns) - 1L)]
   known <- columns[-seq_len(match("warning", columns))]
   if (!is.null(wanted) && !(is.character(wanted) && length(wanted) && all(wanted %in% known))) {
-    abort_view("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.",
-      list(wanted = wanted, known = known))
+    abort_argument("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.")
   }
   field <- fields[1L]
   text <- !is.numeric(x[[field]])
@@ -60,8 +59,7 @@ variations_study <- function(x, wanted) {
     measures = if (is.null(wanted)) known else wanted,
     group = match(label, labels), group_labels = labels,
     groups_title = if (length(apart)) {
-      paste(vapply(apart, function(other) do.call(words_and_unit, field_words(other)), ""),
-        collapse = ", ")
+      paste(vapply(apart, function(other) field_words(x, other), ""), collapse = ", ")
     } else {
       ""
     }
@@ -73,25 +71,20 @@ as_shown <- function(values) {
   vapply(values, function(v) format(signif(v, 6)), "")
 }
 
-# Splits a column such as "towing.speed_knot" into words ("towing speed") and unit ("knot").
-field_words <- function(column) {
-  units <- unlist(lapply(plan_units, names), use.names = FALSE)
-  suffix <- unit_suffix(units)
-  fits <- which(endsWith(column, paste0("_", suffix)))
-  fits <- fits[order(-nchar(suffix[fits]))][1L]
-  if (is.na(fits)) return(list(words = gsub("[._]", " ", column), unit = ""))
-  bare <- substring(column, 1L, nchar(column) - nchar(suffix[fits]) - 1L)
-  list(words = gsub("[._]", " ", bare), unit = units[fits])
+# A field as an axis says it: "towing speed (knot)" of "towing.speed_knot".
+field_words <- function(x, column) {
+  unit <- variations_unit(x, column)
+  words_and_unit(gsub(".", " ", words_of(column, unit), fixed = TRUE), unit)
 }
 
-# The unit of a measure among variations, "" where a part of the table is drawn that lost it.
-measure_unit_of <- function(x, name) {
-  unit <- attr(x, "measure_unit")[name]
+# The unit of a column of variations, "" where a part of the table is drawn that lost it.
+variations_unit <- function(x, column) {
+  unit <- attr(x, "unit")[column]
   if (is.null(unit) || is.na(unit)) "" else unname(unit)
 }
 
 variations_figure <- function(x, study, name) {
-  unit <- measure_unit_of(x, name)
+  unit <- variations_unit(x, name)
   rows <- split(seq_len(nrow(x)), study$group)
   lines <- lapply(rows, function(row) {
     row <- row[order(study$at[row])]
@@ -103,7 +96,7 @@ variations_figure <- function(x, study, name) {
   })
   list(
     words = words_of(name, unit), unit = unit,
-    across = do.call(words_and_unit, field_words(study$field)),
+    across = field_words(x, study$field),
     lines = Filter(function(line) length(line$x), lines),
     missing = unique(study$at[!x$settled]), ticks = study$ticks
   )

@@ -13,9 +13,22 @@ using namespace binding;
 
 namespace {
 
-codend::Motion read_motion(const list& from) {
-  return {number(from, "time"), values(from, "position"), values(from, "velocity"),
-          values(from, "acceleration"), values(from, "carried_acceleration")};
+// Numbers of all nodes, 3 each.
+codend::Values node_values(const list& from, const char* name, const codend::Model& model) {
+  const std::vector<double> given = of_nodes(doubles(from[name]), model, name);
+  return Eigen::Map<const codend::Values>(given.data(), static_cast<Eigen::Index>(given.size()));
+}
+
+codend::Motion read_motion(const list& from, const codend::Model& model) {
+  return {number(from, "time"), node_values(from, "position", model),
+          node_values(from, "velocity", model), node_values(from, "acceleration", model),
+          node_values(from, "carried_acceleration", model)};
+}
+
+void check_count(R_xlen_t count, std::size_t wanted, const char* name) {
+  if (static_cast<std::size_t>(count) == wanted) return;
+  throw codend::InputError(name, std::string(name) + " has " + std::to_string(count) +
+                                     " values, must have " + std::to_string(wanted));
 }
 
 writable::list as_list(const codend::Motion& motion) {
@@ -34,6 +47,7 @@ constexpr double codend::EnergyTotals::*energy_parts[] = {
 
 codend::EnergyTotals read_energy(const list& from) {
   const doubles given(from["energy"]);
+  check_count(given.size(), std::size(energy_parts), "energy");
   codend::EnergyTotals totals;
   R_xlen_t k = 0;
   for (auto part : energy_parts) totals.*part = given[k++];
@@ -90,8 +104,8 @@ double potential_of(const codend::Model& model, double error) {
     codend::Model model = read_model(lattice);
     codend::Assembly assembly(model);
     codend::Past from;
-    from.now = read_motion(list(past["now"]));
-    from.before = read_motion(list(past["before"]));
+    from.now = read_motion(list(past["now"]), model);
+    from.before = read_motion(list(past["before"]), model);
     from.steps = as_cpp<int>(past["steps"]);
     from.caution = as_cpp<int>(past["caution"]);
     codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), from.now);
@@ -105,7 +119,7 @@ double potential_of(const codend::Model& model, double error) {
     }
     const std::unique_ptr<codend::Stepper> scheme =
         codend::scheme_named(as_cpp<std::string>(control["scheme"]))
-            .make(assembly, accuracy, from.now, values(past, "ordering"));
+            .make(assembly, accuracy, from.now, node_values(past, "ordering", model));
 
     codend::MarchControl how;
     how.adaptive = adaptive;
@@ -154,7 +168,7 @@ double potential_of(const codend::Model& model, double error) {
            "energy"_nm = as_doubles(march.energy()), "bar_tension"_nm = as_doubles(e.bar_tension),
            "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),
-           "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+           "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
            "report"_nm = report()});
     };
     const doubles times(stops["time"]);
@@ -165,16 +179,24 @@ double potential_of(const codend::Model& model, double error) {
       if (steered[k] == TRUE) {
         const doubles speed(steer(frame()));
         std::vector<codend::GrowingGroup>& groups = conditions.schedule().groups;
+        check_count(speed.size(), groups.size(), "speed");
         for (std::size_t g = 0; g < groups.size(); ++g) {
           groups[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
         }
       }
       if (filled[k] == TRUE) {
         const list moved(refill(frame()));
-        model.pressure.weight = numbers(moved, "weight");
+        const doubles weight(moved["weight"]), mass(moved["mass"]);
         const std::vector<int> node = places(moved, "node");
-        const std::vector<double> mass = numbers(moved, "mass");
-        for (std::size_t p = 0; p < node.size(); ++p) model.mass[node[p]] = mass[p];
+        check_count(weight.size(), model.pressure.weight.size(), "weight");
+        check_count(mass.size(), node.size(), "mass");
+        model.pressure.weight = numbers(weight);
+        for (std::size_t p = 0; p < node.size(); ++p) {
+          if (node[p] < 0 || node[p] >= model.points()) {
+            throw codend::InputError("node", "node has a place that is not there");
+          }
+          model.mass[static_cast<std::size_t>(node[p])] = mass[static_cast<R_xlen_t>(p)];
+        }
       }
       if (broken[k] == TRUE) march.begin_anew();
       if (kept[k] == TRUE) keep(frame());

@@ -65,11 +65,6 @@ inline codend::Vector vector_of(const list& from, const char* name) {
   return {values[0], values[1], values[2]};
 }
 
-inline codend::Values values(const list& from, const char* name) {
-  const doubles given(from[name]);
-  return Eigen::Map<const codend::Values>(REAL(given), given.size());
-}
-
 inline doubles as_doubles(const codend::Values& values) {
   return writable::doubles(values.data(), values.data() + values.size());
 }

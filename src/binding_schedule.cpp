@@ -65,14 +65,14 @@ codend::GrowingGroup read_group(const list& from) {
   return group;
 }
 
-codend::Rupture read_parting(const list& from) {
+codend::Rupture read_rupture(const list& from) {
   codend::Rupture rupture;
   rupture.bars = places(from, "bars");
   rupture.at = place(from, "at");
   rupture.time = number(from, "time");
   rupture.strength = number(from, "strength");
-  rupture.broken = place(from, "parted");
-  rupture.broken_at = number(from, "parted_at");
+  rupture.broken = place(from, "broken");
+  rupture.broken_at = number(from, "broken_at");
   return rupture;
 }
 
@@ -91,15 +91,15 @@ codend::Schedule binding::read_schedule(const list& from) {
   for (const list curve : list(from["current_y"])) {
     schedule.current_y.push_back(read_curve(curve));
   }
-  for (const list parting : list(from["partings"])) {
-    schedule.ruptures.push_back(read_parting(parting));
+  for (const list one : list(from["ruptures"])) {
+    schedule.ruptures.push_back(read_rupture(one));
   }
   return schedule;
 }
 
 writable::list binding::schedule_done(const codend::Schedule& schedule) {
-  writable::doubles length, since, speed, wanted, parted_at;
-  writable::integers parted;
+  writable::doubles length, since, speed, wanted, broken_at;
+  writable::integers broken;
   writable::logicals near_limit;
   for (const codend::GrowingGroup& group : schedule.groups) {
     length.push_back(group.control.length);
@@ -109,12 +109,12 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
     near_limit.push_back(group.control.near_limit ? TRUE : FALSE);
   }
   for (const codend::Rupture& rupture : schedule.ruptures) {
-    parted.push_back(rupture.broken + 1);
-    parted_at.push_back(rupture.broken_at);
+    broken.push_back(rupture.broken + 1);
+    broken_at.push_back(rupture.broken_at);
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
                          "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
-                         "parted"_nm = parted, "parted_at"_nm = parted_at});
+                         "broken"_nm = broken, "broken_at"_nm = broken_at});
 }
 
 // Values of a curve at times (s); at a jump those before it, or after it.
@@ -137,7 +137,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
     codend::Schedule read = read_schedule(schedule);
     codend::check_schedule(read);
     if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
-      stop("one length per time and growing group is needed");
+      throw codend::InputError("length", "one length per time and growing group is needed");
     }
     writable::doubles origin, velocity, heading, factor, x, y;
     R_xlen_t next = 0;

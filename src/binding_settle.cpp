@@ -5,17 +5,6 @@
 
 using namespace binding;
 
-namespace {
-
-codend::Start start_of(const std::string& name) {
-  const auto names = codend::names_of(codend::Start());
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) throw codend::InputError("from", "no such start: " + name);
-  return static_cast<codend::Start>(at - names.begin());
-}
-
-}  // namespace
-
 // from: what the start is, a name of codend::Start.
 [[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
                                        doubles strain, double tolerance, int iterations,
@@ -27,7 +16,7 @@ codend::Start start_of(const std::string& name) {
     const std::vector<double> v(x.size(), 0.0);
 
     codend::SettleControl control;
-    control.start = start_of(from);
+    control.start = codend::by_name<codend::Start>(from, "from");
     control.strain.assign(strain.begin(), strain.end());
     if (!control.strain.empty() &&
         control.strain.size() != static_cast<std::size_t>(model.lines())) {
@@ -54,11 +43,11 @@ codend::Start start_of(const std::string& name) {
         "factorisations"_nm = report.factorisations,
         "residual"_nm = report.residual,
         "largest_tension"_nm = report.largest_tension,
-        "shadings"_nm = report.shadings,
-        "upsets"_nm = report.upsets,
-        "upset_at_last"_nm = report.upset_at_last,
-        "shading_change"_nm = report.shading_change,
-        "wake"_nm = as_doubles(assembly.shades() ? assembly.wake() : std::vector<double>()),
+        "wake_renewals"_nm = report.wake_renewals,
+        "perturbations"_nm = report.perturbations,
+        "unstable"_nm = report.unstable,
+        "wake_change"_nm = report.wake_change,
+        "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
         "worst_node"_nm = report.worst_node + 1,
         "worst_force"_nm = report.worst_force,
         "seconds_forces"_nm = report.seconds_forces,

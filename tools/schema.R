@@ -151,7 +151,9 @@ mix_in <- function(name, options) {
 # A kind of plan says which it is; an assembly need not.
 as_kind <- function(node, name) {
   kind <- list(
-    description = "How the gear is described: as an assembly, or by a short form that expands into one.",
+    description = paste(
+      "How the gear is described: as an assembly, or by a short form that expands into one."
+    ),
     type = "string", const = name
   )
   if (name == default_kind) {

@@ -2,7 +2,8 @@
 # where a test is a doctest test case or a test_that() block. Fails when any test does.
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
-#   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, and all of them
+#   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
+#                              and two minutes of tests/fuzz, counted as one
 
 lane <- c(commandArgs(TRUE), "full")[1]
 stopifnot(lane %in% c("full", "fast", "ci"))
@@ -14,12 +15,12 @@ options(device = function(...) grDevices::pdf(NULL, ...))
 # Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start
 # R.
 slow <- c(
-  "command", "command-line", "command-line-export", "draw-gear", "flume", "kind-bottom-trawl",
-  "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-turn", "operation-shooting",
-  "operation-tow", "otter-boards", "paper-scheme", "report", "settle-cost", "settle-levels",
-  "shielding", "store-trajectory", "study-vary", "tow-catch", "validation-cables",
-  "validation-codend", "validation-invariants", "validation-published-cases",
-  "validation-refinement", "view-motion"
+  "command", "command-line", "command-line-export", "draw-gear", "finding", "flume",
+  "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
+  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "report",
+  "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-vary",
+  "tow-catch", "validation-cables", "validation-codend", "validation-invariants",
+  "validation-published-cases", "validation-refinement", "view-motion"
 )
 
 checks <- function() {
@@ -59,8 +60,14 @@ package <- function() {
   c(passed = sum(!failed & !skipped), failed = sum(failed), skipped = sum(skipped))
 }
 
+# The same cases each time, as many as the machine gets through.
+fuzz <- function() {
+  failed <- system2("Rscript", c("tests/fuzz/run.R", "120", "1")) != 0L
+  c(passed = !failed, failed = failed, skipped = 0)
+}
+
 total <- engine() + package()
-if (lane == "ci") total <- total + checks()
+if (lane == "ci") total <- total + checks() + fuzz()
 cat(sprintf("%d %s", total, names(total)), sep = ", ")
 cat("\n")
 quit(status = total[["failed"]] > 0)

@@ -352,17 +352,17 @@ TEST_CASE("derivatives of tensions that a solver carries") {
     wanted.layered = true;
     Specimen s(random, wanted);
     Assembly assembly(s.model);
-    CarriedTension carried;
+    DualTension dual;
     std::vector<double> start, strain;
     assembly.move_to(s.x.data(), s.v.data());
     assembly.strain(start);
     for (std::size_t k = 0; k < start.size(); ++k) {
-      carried.tension.push_back(random.between(0.5, 2.0));
-      carried.modulus.push_back(random.between(0.1, 5.0));
+      dual.tension.push_back(random.between(0.5, 2.0));
+      dual.modulus.push_back(random.between(0.1, 5.0));
     }
-    // Carried tensions follow their strain with the modulus.
+    // Dual tensions follow their strain with the modulus.
     auto force = [&](std::vector<double>& out) {
-      CarriedTension moved = carried;
+      DualTension moved = dual;
       assembly.move_to(s.x.data(), s.v.data());
       assembly.strain(strain);
       for (std::size_t k = 0; k < strain.size(); ++k) {
@@ -372,7 +372,7 @@ TEST_CASE("derivatives of tensions that a solver carries") {
     };
     std::vector<double> f(s.x.size()), values(9 * assembly.pattern().column.size());
     force(f);
-    assembly.jacobian({1.0, 0.0}, values.data(), &carried);
+    assembly.jacobian({1.0, 0.0}, values.data(), &dual);
     CHECK(error(dense(assembly, values), by_differences(assembly, s.x, force), largest(f)) <
           tolerance);
   }

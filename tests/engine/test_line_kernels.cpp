@@ -10,7 +10,7 @@ namespace {
 using namespace codend;
 
 struct Found {
-  std::vector<double> force, carried_force, stiffness, both, strain, change, damping, mass;
+  std::vector<double> force, dual_force, stiffness, both, strain, change, damping, mass;
   double rotation = 0.0;
 };
 
@@ -41,11 +41,11 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
                        cells.into(values.data()), hexagons.into(values.data()));
   };
   out.force.resize(points.size());
-  out.carried_force.resize(points.size());
+  out.dual_force.resize(points.size());
   out.damping.resize(points.size() / 3);
   out.mass.resize(3 * points.size());
   lines.add_force(lines.arrays().tension, out.force.data());
-  lines.add_force(tension.data(), out.carried_force.data());
+  lines.add_force(tension.data(), out.dual_force.data());
   jacobian({1.0, 0.0}, nullptr, out.stiffness);
   jacobian({0.7, 1.3}, modulus.data(), out.both);
   lines.add_drag_scale(out.damping.data());
@@ -142,7 +142,7 @@ void check_places(const LineKernels& kernels) {
     for (int e = 0; e < model.cells.count(); ++e) all(part(model, -1, e, -1), kernels, alone);
     for (int e = 0; e < model.hexagons.count(); ++e) all(part(model, -1, -1, e), kernels, alone);
     CHECK(together.force == alone.force);
-    CHECK(together.carried_force == alone.carried_force);
+    CHECK(together.dual_force == alone.dual_force);
     CHECK(together.stiffness == alone.stiffness);
     CHECK(together.both == alone.both);
     CHECK(together.damping == alone.damping);
@@ -178,7 +178,7 @@ TEST_CASE("all line kernels agree") {
     all(whole, portable_line_kernels(), portable);
     all(whole, *avx2_line_kernels(), wide);
     check_close(portable.force, wide.force);
-    check_close(portable.carried_force, wide.carried_force);
+    check_close(portable.dual_force, wide.dual_force);
     check_close(portable.stiffness, wide.stiffness);
     check_close(portable.both, wide.both);
     check_close(portable.strain, wide.strain);

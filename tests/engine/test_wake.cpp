@@ -1,4 +1,4 @@
-// Shading by netting upstream: the published reductions, and which points they reach.
+// Wakes of netting upstream: the published reductions, and which points they reach.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -10,15 +10,15 @@ namespace {
 using namespace codend;
 
 // A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all.
-void add_sheet(double x, double twine, WakeSheets& screens, std::vector<double>& position) {
+void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& position) {
   const int first = static_cast<int>(position.size() / 3);
   for (const double y : {-1.0, 1.0}) {
     for (const double z : {-1.0, 1.0}) position.insert(position.end(), {x, y, z});
   }
-  for (const int k : {0, 1, 3, 0, 3, 2}) screens.node.push_back(first + k);
+  for (const int k : {0, 1, 3, 0, 3, 2}) sheets.node.push_back(first + k);
   for (int k = 0; k < 2; ++k) {
-    screens.twine_area.push_back(0.5 * twine);
-    screens.law.push_back(WakeLaw::loland);
+    sheets.twine_area.push_back(0.5 * twine);
+    sheets.law.push_back(WakeLaw::loland);
   }
 }
 
@@ -45,17 +45,17 @@ TEST_CASE("speed behind netting is that of the published laws") {
 }
 
 TEST_CASE("only points behind a sheet are in its wake") {
-  WakeSheets screens;
+  WakeSheets sheets;
   std::vector<double> x;
-  add_sheet(0.0, 0.8, screens, x);  // Sn 0.2
-  add_sheet(5.0, 0.8, screens, x);
+  add_sheet(0.0, 0.8, sheets, x);  // Sn 0.2
+  add_sheet(5.0, 0.8, sheets, x);
   const double places[][3] = {{-1, 0, 0}, {1, 0.2, 0.3}, {6, -0.3, 0.1}, {6, 1.5, 0}, {6, 0, -1.2}};
   for (const auto& place : places) x.insert(x.end(), place, place + 3);
   const double r = speed_reduction(WakeLaw::loland, 0.2, 1.0);
   const int points = static_cast<int>(x.size() / 3);
   for (const double speed : {0.1, 3.0}) {
-    Wake wake(screens, points);
-    CHECK(wake.shade(x.data(), {speed, 0.0, 0.0}, true, 1e-5) > 0.1);
+    Wake wake(sheets, points);
+    CHECK(wake.renew(x.data(), {speed, 0.0, 0.0}, true, 1e-5) > 0.1);
     const std::vector<double>& share = wake.share();
     for (int k = 0; k < 4; ++k) {
       CHECK(share[k] == 1.0);
@@ -67,11 +67,11 @@ TEST_CASE("only points behind a sheet are in its wake") {
     CHECK(share[11] == 1.0);
     CHECK(share[12] == 1.0);
     // Again on the same shape: nothing changes.
-    CHECK(wake.shade(x.data(), {speed, 0.0, 0.0}, false, 1e-5) == 0.0);
+    CHECK(wake.renew(x.data(), {speed, 0.0, 0.0}, false, 1e-5) == 0.0);
   }
-  // From behind, the other sheet is shaded.
-  Wake wake(screens, points);
-  wake.shade(x.data(), {-1.0, 0.0, 0.0}, true, 1e-5);
+  // From behind, the other sheet is in the wake.
+  Wake wake(sheets, points);
+  wake.renew(x.data(), {-1.0, 0.0, 0.0}, true, 1e-5);
   CHECK(wake.share()[0] == doctest::Approx(r));
   CHECK(wake.share()[4] == 1.0);
 }

@@ -82,24 +82,13 @@ kinds <- list(
       "taken"
     }
   }),
-  state_file = list(share = 1, run = function() {
-    file <- changed_kept(one_of(kept()$state), chance(0.7))
-    on.exit(unlink(file))
-    state <- judged(read_state(file))
-    if (is.null(state)) return("refused")
-    # what was read is used: a forged index must not reach the engine
+  state_file = list(share = 1, run = function() try_kept(kept()$state, read_state, function(state) {
     judged(measures(state))
     if (chance(0.2)) judged(settle(state$gear, nodes = 60, from = state))
-    "taken"
-  }),
-  tow_file = list(share = 0.5, run = function() {
-    file <- changed_kept(one_of(kept()$tow), chance(0.7))
-    on.exit(unlink(file))
-    trajectory <- judged(read_trajectory(file))
-    if (is.null(trajectory)) return("refused")
-    if (chance(0.2)) judged(tow(trajectory, until = 22, every = 1))
-    "taken"
-  }),
+  })),
+  tow_file = list(share = 0.5, run = function() try_kept(kept()$tow, read_trajectory, function(x) {
+    if (chance(0.2)) judged(tow(x, until = 22, every = 1))
+  })),
   model = list(share = 2, run = function() {
     model <- one_of(kept()$models)
     engine <- model$engine
@@ -107,11 +96,22 @@ kinds <- list(
     evaluated <- judged(codend:::engine_evaluate(engine, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")
     quiet <- function(...) NULL
-    judged(codend:::engine_settle(engine, model$start, FALSE, numeric(), 1e-8, 3L, quiet))
+    judged(codend:::engine_settle(engine, model$start, "crude", numeric(), 1e-8, 3L, quiet))
     "taken"
   }),
   message = list(share = 2, run = function() try_messages())
 )
+
+# A changed copy of one of these files. use: what is done with what was read, so that a forged index
+# would reach the engine.
+try_kept <- function(files, read, use) {
+  file <- changed_kept(one_of(files), chance(0.7))
+  on.exit(unlink(file))
+  found <- judged(read(file))
+  if (is.null(found)) return("refused")
+  use(found)
+  "taken"
+}
 
 try_plan <- function(tree) {
   gear <- judged(codend:::as_gear(tree))

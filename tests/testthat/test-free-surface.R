@@ -18,7 +18,8 @@ test_that("a float swims with the draught of its weight", {
   # Besides, the line's last half element, 0.12 m of 6 mm: 0.03 N of 88 N.
   expect_equal(lost, full - carried, tolerance = 5e-4)
   # It carries its own weight and the line's pull, so it swims a little deeper than alone.
-  alone <- uniroot(function(h) 1025 * pi * h^2 * (3 * 0.15 - h) / 3 - 5, c(0, 0.3), tol = 1e-12)$root
+  excess <- function(h) 1025 * pi * h^2 * (3 * 0.15 - h) / 3 - 5
+  alone <- uniroot(excess, c(0, 0.3), tol = 1e-12)$root
   expect_gt(h, alone)
   expect_lt(h, 0.3)
   expect_lt(abs(down$z_kN[down$force == "remainder"]), 1e-9)

@@ -92,7 +92,7 @@ test_that("free floats swim at the surface; cast off, the line drifts and draws 
   floats <- as.data.frame(state, what = "pieces")
   floats <- floats[floats$role == "float", ]
   expect_true(all(abs(floats$depth_m) < 0.18))
-  drift <- tow(state, until = 1200, every = 600, part = list(
+  drift <- tow(state, until = 1200, every = 600, breaking = list(
     list(rope = "end_line_first", time = 60, place = "start"),
     list(rope = "end_line_last", time = 60, place = "start")
   ))

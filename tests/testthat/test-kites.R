@@ -1,8 +1,9 @@
 # Kites and depressors as rigid bodies on bridles, pieces held at an angle of attack, and floats by
 # Reynolds number.
 
-# A kite of 1 m by 2 m on two front lines and two rear lines from two places 1.2 m apart, as on a head
-# line; lines without drag or weight. A kite is lighter and a depressor heavier than water by 100 N.
+# A kite of 1 m by 2 m on two front lines and two rear lines from two places 1.2 m apart, as on a
+# head line; lines without drag or weight. A kite is lighter and a depressor heavier than water by
+# 100 N.
 flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_plate") {
   volume <- 0.03
   mass <- 1025 * volume + if (pushes == "up") -100 / 9.81 else 100 / 9.81
@@ -32,8 +33,8 @@ flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_
   )
 }
 
-# Angle of attack (rad) at which the resultant passes through the line between the blocks, whose place
-# in the plane of chord and push the lines' lengths give.
+# Angle of attack (rad) at which the resultant passes through the line between the blocks, whose
+# place in the plane of chord and push the lines' lengths give.
 attack_by_moments <- function(front, rear, polar) {
   rear <- sqrt(rear^2 - 0.6^2)
   aft <- (front^2 - rear^2 + 0.8^2 - 0.1^2) / (2 * 0.7)
@@ -96,8 +97,8 @@ test_that("a stalled kite is told of as a kite, and drawn as one", {
   expect_true("kite" %in% board_marks(state)$role)
 })
 
-# Angle (deg) between the flow, along x, and the chord of a drawn plate, whose corners (3 x 4) are those
-# of view(): leading edge, then trailing edge.
+# Angle (deg) between the flow, along x, and the chord of a drawn plate, whose corners (3 x 4) are
+# those of view(): leading edge, then trailing edge.
 drawn_attack <- function(corners) {
   chord <- rowSums(corners[, 3:4]) - rowSums(corners[, 1:2])
   atan2(-chord[3], chord[1]) * 180 / pi
@@ -122,7 +123,8 @@ test_that("a page that plays turns a free kite as it turns", {
   drawn <- moving_plate(list(id = 1L, mark = 1L), gear_motion(trajectory), 1)
   bytes <- jsonlite::base64_dec(drawn$corners)
   corners <- array(readBin(bytes, "double", 36L, size = 4L, endian = "little"), c(3, 4, 3))
-  trim <- vapply(trajectory$time, function(time) board_table(state_at(trajectory, time))$trim_deg, 0)
+  trim_at <- function(time) board_table(state_at(trajectory, time))$trim_deg
+  trim <- vapply(trajectory$time, trim_at, 0)
   expect_gt(diff(range(trim)), 0.1)
   expect_equal(apply(corners, 3L, drawn_attack), trim, tolerance = 1e-4)
 })

@@ -29,7 +29,8 @@ test_that("a midwater trawl has the field's measures", {
     found[["filtered_volume_m3_per_h"]], found[["mouth_area_m2"]] * metres * 3600, tolerance = 1e-7
   )
   expect_equal(
-    found[["swept_area_km2_per_h"]], found[["wing_end_spread_m"]] * metres * 0.0036, tolerance = 1e-7
+    found[["swept_area_km2_per_h"]], found[["wing_end_spread_m"]] * metres * 0.0036,
+    tolerance = 1e-7
   )
   # the gear is a mirror image of itself; the solver ends at 1e-8 of the largest tension
   expect_equal(

@@ -99,9 +99,9 @@ test_that("a control holds a weight at its depth by the warp", {
 
 test_that("a cable that parts lets the weight sink freely", {
   found <- tow(short_cable(), until = 60, every = 10,
-    part = list(list(rope = "cable", time = 10, place = "end")))
-  expect_true(all(found$parted[1, found$time < 10] == 0))
-  expect_true(all(found$parted[1, found$time >= 10] == 12))
+    breaking = list(list(rope = "cable", time = 10, place = "end")))
+  expect_true(all(found$broken[1, found$time < 10] == 0))
+  expect_true(all(found$broken[1, found$time >= 10] == 12))
   body <- nodes_at(found, "body")
   # weight in water over drag, with the half bar that stays on the weight
   bar <- 60 / 12 / 2
@@ -110,10 +110,11 @@ test_that("a cable that parts lets the weight sink freely", {
   expect_equal(found$bar_tension[12, 7], 0)
 
   # 5 kN of breaking load and 0.8 kN of pull: a heave of 20 m in 2 s does it
-  snatched <- tow(short_cable(), until = 5, every = 1, part = list(list(rope = "cable")),
+  snatched <- tow(short_cable(), until = 5, every = 1, breaking = list(list(rope = "cable")),
     heave = data.frame(time = c(0, 1, 2), value = c(0, 0, 20)))
-  expect_gt(max(snatched$parted), 0)
-  expect_identical(max(tow(short_cable(), until = 5, part = list(list(rope = "cable")))$parted), 0)
+  expect_gt(max(snatched$broken), 0)
+  whole <- tow(short_cable(), until = 5, breaking = list(list(rope = "cable")))
+  expect_identical(max(whole$broken), 0)
 })
 
 test_that("the catch weighs and drags by its share", {
@@ -141,8 +142,8 @@ test_that("at the time of a jump a state is that after it, as the motion goes on
 })
 
 test_that("a curve is the same number on both sides of the engine's jumps", {
-  # value = 1 + t up to 1 s, then Hermite's cubic from 5 at rate 0 to 6 at rate 1.5: (5 + 6) / 2 - 2 * 1.5 / 8
-  # in its middle
+  # value = 1 + t up to 1 s, then Hermite's cubic from 5 at rate 0 to 6 at rate 1.5: (5 + 6) / 2 - 2
+  # * 1.5 / 8 in its middle
   curve <- list(time = c(0, 1, 3), begin = c(1, 5), end = c(2, 6), begin_rate = c(1, 0),
     end_rate = c(1, 1.5))
   expect_equal(curve_at(curve, c(-1, 0, 0.5, 1, 3, 9)), c(1, 1, 1.5, 2, 6, 6))
@@ -228,9 +229,12 @@ test_that("wrong arguments are named", {
   wrong("warps are cable", until = 1, warp_out = list(port = 60))
   wrong("`speed` must list its times in order", until = 1,
     speed = data.frame(time = c(1, 0), value = 1:2))
-  wrong("names the rope \"warp\"", until = 1, part = list(list(rope = "warp", time = 1)))
+  wrong("names the rope \"warp\"", until = 1, breaking = list(list(rope = "warp", time = 1)))
   expect_error(tow(tow(gear, until = 1), until = 1), class = "codend_error_argument")
   expect_error(tow(settle(gear), until = 1, warp_out = 50), class = "codend_error_argument")
+  expect_error(tow("towed_cable", until = "3000 h"), "at most", class = "codend_error_argument")
+  expect_error(tow("towed_cable", until = 1e5, every = 1e-3), "`every`.*1e\\+08 times",
+    class = "codend_error_argument")
 })
 
 test_that("a plan's tow is checked with the plan", {
@@ -244,6 +248,19 @@ test_that("a plan's tow is checked with the plan", {
       codend_error_plan = function(e) e$path),
     "tow.speed[1].value"
   )
+})
+
+test_that("a march that does not fit its lattice is refused before the engine goes on with it", {
+  trajectory <- tow("towed_cable", until = 2, every = 1, nodes = 30)
+  for (field in c("position", "velocity", "acceleration", "carried_acceleration")) {
+    for (motion in c("now", "before")) {
+      forged <- trajectory
+      forged$memory[[motion]][[field]] <- forged$memory[[motion]][[field]][-1]
+      expect_error(tow(forged, until = 3), field, class = "codend_error_engine")
+    }
+  }
+  trajectory$energy <- trajectory$energy[1:3, ]
+  expect_error(tow(trajectory, until = 3), "energy", class = "codend_error_engine")
 })
 
 test_that("tables, prints and summaries of a trajectory", {

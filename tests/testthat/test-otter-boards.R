@@ -136,14 +136,14 @@ test_that("a board does not stay in a balance that a small push ends", {
     state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.8 m")),
     class = "codend_warning_board_stalled"
   )
-  expect_gt(state$report$upsets, 0)
-  expect_false(state$report$upset_at_last)
+  expect_gt(state$report$perturbations, 0)
+  expect_false(state$report$unstable)
   # It stands where one beside it stands that settles at once.
   expect_warning(
     beside <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")),
     class = "codend_warning_board_stalled"
   )
-  expect_equal(beside$report$upsets, 0)
+  expect_equal(beside$report$perturbations, 0)
   expect_lt(abs(state$boards$heel - beside$boards$heel) * 180 / pi, 5)
 })
 

@@ -9,6 +9,8 @@ test_that("SI numbers show in the units that people read", {
   # a metre of net towed at a metre per second passes over 3600 m2 an hour
   expect_equal(in_unit(1, "km2/h"), 0.0036)
   expect_equal(in_unit(1, "m3/h"), 3600)
+  expect_equal(from_unit(c(2.5, 90), "kN"), c(2500, 90000))
+  expect_equal(from_unit(180, "deg"), pi)
 })
 
 test_that("names end in units and lose them again", {

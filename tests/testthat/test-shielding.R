@@ -52,8 +52,8 @@ test_that("the laws are as printed", {
       # much: 2 %.
       expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
         tolerance = c(triangles = 0.005, bars = 0.025)[[netting]])
-      expect_lt(state$report$shading_change, 1e-5)
-      expect_gt(state$report$shadings, 1)
+      expect_lt(state$report$wake_change, 1e-5)
+      expect_gt(state$report$wake_renewals, 1)
     }
   }
 })
@@ -93,7 +93,7 @@ test_that("a shielded state stays as it is while it is towed", {
   }
 })
 
-test_that("shading follows a current that changes, to the gear that settles in it", {
+test_that("the wake follows a current that changes, to the gear that settles in it", {
   gear <- update(sheets("loland"), water.current.toward = "15 deg")
   turning <- list(
     speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg"))

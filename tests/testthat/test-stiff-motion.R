@@ -14,7 +14,9 @@ plucked_chain <- function(diameter, pull_stiffness = 1e6, ...) {
       chain = c(list(from = "top", to = "tail", length = 10, segments = 100), diameter),
       pull = c(list(from = "tail", to = "post"), free)
     ),
-    tow = list(until = 60, every = 0.5, part = list(list(rope = "pull", time = 1, place = "start")))
+    tow = list(
+      until = 60, every = 0.5, breaking = list(list(rope = "pull", time = 1, place = "start"))
+    )
   ))
 }
 

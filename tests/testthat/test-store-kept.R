@@ -36,11 +36,11 @@ damaged <- function(file, change) {
 test_that("a state's or a tow's file that was cut short or changed is one clear error", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
+  state <- settled("panel_in_current", nodes = 200)
+  trajectory <- tow("towed_cable", until = 20, every = 5)
   kept <- list(
-    list(file = write_state(settled("panel_in_current", nodes = 200), file.path(folder, "s.nc")),
-      read = read_state),
-    list(file = write_trajectory(tow("towed_cable", until = 20, every = 5), file.path(folder, "t.nc")),
-      read = read_trajectory)
+    list(file = write_state(state, file.path(folder, "s.nc")), read = read_state),
+    list(file = write_trajectory(trajectory, file.path(folder, "t.nc")), read = read_trajectory)
   )
   for (one in kept) {
     size <- file.size(one$file)
@@ -112,9 +112,44 @@ test_that("a forged file with a right checksum holds no place that is not there"
       if (!length(bad$lattice$engine[[kind]]$node)) next
       bad$lattice$engine[[kind]]$node[1] <- 1000000L
       file <- write_state(bad, file.path(folder, "forged.nc"))
-      expect_error(read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file")
+      expect_error(
+        read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
+      )
     }
   }
   # ties, bars, triangles, bodies, sea bed, boards, ropes that slide or bend, and a catch among them
   expect_gt(forged, 60)
+})
+
+# Bytes of memory that this process has taken at most, or NA where the system does not tell.
+peak_memory <- function() {
+  if (!file.exists("/proc/self/status")) return(NA)
+  1024 * as.double(gsub("[^0-9]", "", grep("^VmHWM", readLines("/proc/self/status"), value = TRUE)))
+}
+
+test_that("a forged header with a right checksum is refused before anything is allocated for it", {
+  skip_if_not_installed("RNetCDF")
+  file <- write_state(settled("towed_cable"), file.path(test_folder(), "s.nc"))
+  bytes <- readBin(file, "raw", file.size(file) - seal_bytes)
+  before <- peak_memory()
+  refused <- 0
+  # words of the header; all of its counts among them
+  for (at in seq(4, 2000, by = 4)) {
+    forged <- replace(bytes, at + 1:4, as.raw(c(0x0f, 0xff, 0xff, 0xff)))
+    writeBin(forged, file)
+    refused <- refused + tryCatch(
+      {
+        whole_records(file, FALSE, function(why) abort_damaged(file, why))
+        0
+      },
+      codend_error_file = function(e) 1
+    )
+    if (at %% 20 == 0) {
+      seal_file(file)
+      read <- tryCatch(read_state(file), codend_error_file = function(e) NULL)
+      if (!is.null(read)) expect_s3_class(read, "codend_state")
+    }
+  }
+  expect_gt(refused, 100)
+  if (!is.na(before)) expect_lt(peak_memory() - before, 5e8)
 })

@@ -22,7 +22,7 @@ hauled <- function(...) {
   tow(as_gear(hauled_plan), every = 5,
     speed = data.frame(time = c(0, 20), value = c(2, 3)),
     winch = list(speed_limit = 0.5, tension_limit = 1000),
-    part = list(list(rope = "tail", time = 12)), ...)
+    breaking = list(list(rope = "tail", time = 12)), ...)
 }
 
 known <- function(trajectory) unclass(without_places(trajectory))
@@ -160,6 +160,16 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   RNetCDF::var.put.nc(nc, "resume_now_time", 20, 2, 1)
   RNetCDF::close.nc(nc)
   expect_identical(read_trajectory(file)[c("time", "memory")], found[c("time", "memory")])
+
+  # where the machine stopped too, the end of the file may never have reached the disk
+  bytes <- readBin(file, "raw", file.size(file))
+  for (lost in c(1, 100, 500)) {
+    cut <- file.path(folder, "cut.nc")
+    writeBin(utils::head(bytes, -lost), cut)
+    expect_identical(read_trajectory(cut)$time, found$time)
+  }
+  writeBin(utils::head(bytes, -(length(bytes) %/% 2)), cut)
+  expect_error(read_trajectory(cut), class = "codend_error_file")
 })
 
 test_that("files that cannot be read or written are clear errors that leave nothing", {

@@ -28,10 +28,10 @@ test_that("fields of a data frame change together, and units are told", {
   expect_equal(found[["ropes.south_1.length_m"]], c(4.1, 4.1))
   expect_equal(found[["ropes.south_2.length_m"]], c(4.1, 4.2))
   expect_identical(found[["ropes.west_1.material"]], c("PA", "PA"))
-  expect_named(vary("towed_cable", towing.speed = 2)[1], "towing.speed_m_per_s")
-  expect_identical(field_words("towing.speed_m_per_s"), list(words = "towing speed", unit = "m/s"))
-  expect_identical(field_words("pieces.floats.number"),
-    list(words = "pieces floats number", unit = ""))
+  found <- vary("towed_cable", towing.speed = 2, ropes.cable.material = "steel_wire")
+  expect_named(found[1:2], c("towing.speed_m_per_s", "ropes.cable.material"))
+  expect_identical(field_words(found, "towing.speed_m_per_s"), "towing speed (m/s)")
+  expect_identical(field_words(found, "ropes.cable.material"), "ropes cable material")
 })
 
 test_that("what does not settle is told in its row, and the others go on", {

@@ -9,6 +9,22 @@ test_that("a state prints in at most ten lines", {
   }
 })
 
+test_that("prints are the same whatever R's options for numbers are", {
+  state <- settle(update(read_gear("towed_cable"), ropes.cable.length = 1000.25))
+  trajectory <- tow(state, until = 1, every = 0.5)
+  shown <- list(
+    state$gear, state, measures(state), summary(state), state_at(trajectory, 0.5), trajectory,
+    summary(trajectory)
+  )
+  printed <- function(...) {
+    kept <- options(...)
+    on.exit(options(kept))
+    lapply(shown, function(one) capture.output(print(one)))
+  }
+  expect_identical(printed(OutDec = ","), printed(OutDec = "."))
+  expect_identical(printed(scipen = -10), printed(scipen = 0))
+})
+
 test_that("conditions are told in words", {
   still <- list(
     water = list(density = 1025, current = data.frame(depth = 0, x = 0, y = 0)),

@@ -4,7 +4,7 @@ complaint_of_schedule <- function(change) {
   gear <- read_gear("towed_cable")
   si <- gear_si(gear)
   lattice <- build_lattice(si)
-  given <- list(part = list(list(rope = names(si$ropes)[1], time = 5)), catch = NULL)
+  given <- list(breaking = list(list(rope = names(si$ropes)[1], time = 5)), catch = NULL)
   schedule <- change(tow_schedule(si, lattice, given, until = 10)$schedule)
   error <- tryCatch(
     {
@@ -19,7 +19,7 @@ complaint_of_schedule <- function(change) {
 
 test_that("a place or number that is missing from a schedule is named", {
   lost <- complaint_of_schedule(function(schedule) {
-    schedule$partings[[1]]$bars[2] <- NA
+    schedule$ruptures[[1]]$bars[2] <- NA
     schedule
   })
   expect_identical(lost[1], "schedule.ruptures[1].bars[2]")
@@ -30,7 +30,7 @@ test_that("a place or number that is missing from a schedule is named", {
   expect_identical(beyond[1], "schedule.motion.node[1]")
   expect_match(beyond[2], "none of the model's [0-9]+ nodes")
   expect_identical(complaint_of_schedule(function(schedule) {
-    schedule$partings[[1]]$time <- NA_real_
+    schedule$ruptures[[1]]$time <- NA_real_
     schedule
   })[1], "schedule.ruptures[1].time")
   expect_identical(complaint_of_schedule(function(schedule) {

@@ -35,7 +35,8 @@ test_that("supports carry the sum of all external forces", {
 })
 
 test_that("a plan written, read and settled again gives the same bytes", {
-  # a purse seine takes seconds to sink; test-operation-shooting.R has what goes on to the same bytes
+  # a purse seine takes seconds to sink; test-operation-shooting.R has what goes on to the same
+  # bytes
   for (name in setdiff(shipped, "purse_seine")) {
     file <- tempfile(fileext = ".yaml")
     write_gear(read_gear(name), file)

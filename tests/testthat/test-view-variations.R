@@ -6,7 +6,8 @@ variations <- function() {
   table$door_spread_m <- c(80, NA, 90, 100, 105, 110)
   table$filtered_volume_m3_per_h <- table$door_spread_m * 1e6
   structure(table, class = c("codend_variations", "data.frame"), gear_name = "A trawl",
-    measure_unit = c(door_spread_m = "m", filtered_volume_m3_per_h = "m3/h"))
+    unit = c(towing.speed_knot = "knot", warps.length_m = "m", door_spread_m = "m",
+      filtered_volume_m3_per_h = "m3/h"))
 }
 
 test_that("there is a line for every combination of the other fields", {

@@ -1,7 +1,7 @@
 // Points of ropes, netting and pieces that may lie on the sea bed (ground.hpp).
 //
 // The ground pushes and never pulls, as a rope pulls and never pushes, so a solver treats both
-// alike: it may carry the normal forces as unknowns (CarriedTension), behind those of the lines.
+// alike: normal forces may be dual unknowns (DualTension), behind the tensions of the lines.
 #pragma once
 
 #include "kind.hpp"
@@ -25,12 +25,12 @@ class GroundContacts {
   double penetration(int e, const Field& field) const {
     return field.ground->penetration(at(field.position, node[e]), clearance[e]);
   }
-  // Adds every contact's force (N) to its point; press: carried normal forces (N), null for the
+  // Adds every contact's force (N) to its point; press: dual normal forces (N), null for the
   // law's.
   void add_force(const Field& field, const double* press, double* force) const;
   // Force (N) on one contact, by the law.
   Vector element_force(int e, const Field& field) const;
-  // modulus: of the carried forces (N/m), null for the law's.
+  // modulus: of the dual forces (N/m), null for the law's.
   void add_jacobian(const Field& field, const JacobianRequest& request, const double* press,
                     const double* modulus, const BlockSink& sink) const;
   void add_drag_scale(const Field& field, double* scale) const;

@@ -32,7 +32,7 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   std::vector<double> values(9 * assembly.pattern().column.size());
   assembly.move_to(motion.x.data(), motion.v.data());
   assembly.mass(mass.data());
-  CarriedTension taut;
+  DualTension taut;
   const LineArrays& lines = assembly.lines();
   const int count = assembly.model().lines();
   taut.tension.assign(lines.tension, lines.tension + count);

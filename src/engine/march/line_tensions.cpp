@@ -9,7 +9,7 @@ LineTensions::LineTensions(const Assembly& assembly)
       lines_(static_cast<std::size_t>(assembly.model().lines())),
       taut_(lines_),
       linear_(lines_) {
-  const std::size_t all = static_cast<std::size_t>(assembly.model().carriers());
+  const std::size_t all = static_cast<std::size_t>(assembly.model().constraints());
   right_.tension.resize(all);
   right_.modulus.resize(all);
   current_ = right_;

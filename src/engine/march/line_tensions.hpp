@@ -7,7 +7,7 @@
 // swings between taut and slack:
 //
 //   right side  T_k of a taut line EA s + c ds/dt, not clipped: it may push meanwhile; 0 of a slack one
-//   matrix      geometric stiffness of the carried T_k, modulus EA of a taut line, 0 of a slack one
+//   matrix      geometric stiffness of the dual T_k, modulus EA of a taut line, 0 of a slack one
 //   after dx    l_k = EA (s + ds_k) + c (ds/dt + p ds_k), taut_k = l_k > 0,
 //               T_k += share (max(l_k, 0) - T_k)
 //
@@ -31,8 +31,8 @@ class LineTensions {
   void tighten();
   // Before a step of Newton's method: the tensions of its right side and those of its matrix.
   void prepare();
-  const CarriedTension& right() const { return right_; }
-  const CarriedTension& current() const { return current_; }
+  const DualTension& right() const { return right_; }
+  const DualTension& current() const { return current_; }
 
   // After the step, of which `share` is taken: changes of strain, to first order, and what a change
   // of position makes of velocity, 1/s.
@@ -45,7 +45,7 @@ class LineTensions {
   const Assembly& assembly_;
   std::size_t lines_;
   std::vector<char> taut_;
-  CarriedTension right_, current_;
+  DualTension right_, current_;
   std::vector<double> linear_;  // tensions of the law before it is clipped, N
 };
 

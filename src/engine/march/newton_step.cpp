@@ -39,7 +39,7 @@ NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccura
       allowed_(static_cast<std::size_t>(assembly.model().nodes)),
       dx_(force_.size(), 0.0),
       answer_(force_.size()) {
-  pull_.tension.resize(static_cast<std::size_t>(assembly.model().carriers()));
+  pull_.tension.resize(static_cast<std::size_t>(assembly.model().constraints()));
 }
 
 NewtonStep::Rule NewtonStep::set_rule(const Past& past, double h) {

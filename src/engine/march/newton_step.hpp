@@ -79,7 +79,7 @@ class NewtonStep : public Stepper {
   long long factorisations_ = 0;
   Values v_rest_, a_rest_, b_rest_;
   std::vector<double> force_, mass_, values_, right_, allowed_, dx_, answer_;
-  CarriedTension pull_;
+  DualTension pull_;
 };
 
 }  // namespace codend

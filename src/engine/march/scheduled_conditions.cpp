@@ -26,7 +26,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
       mass_(model.mass),
       load_(model.load),
       buoyancy_(model.volumes.buoyancy),
-      shaded_at_(start.time),
+      wake_time_(start.time),
       factor_(schedule_.groups.size(), 1.0),
       rate_(schedule_.groups.size(), 0.0) {
   check_schedule(schedule_, model);
@@ -47,7 +47,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
     held_back_.assign(static_cast<std::size_t>(model.nodes), 0);
     all_released_ = *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
   }
-  answers_ = answers_ || !schedule_.ruptures.empty() || assembly.shades();
+  answers_ = answers_ || !schedule_.ruptures.empty() || assembly.has_wake();
 }
 
 void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
@@ -164,8 +164,8 @@ bool ScheduledConditions::broken_at(const Motion& now) {
     if (!group.controlled) continue;
     group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
   }
-  if (assembly_.shades()) assembly_.shade_over(now.time - shaded_at_);
-  shaded_at_ = now.time;
+  if (assembly_.has_wake()) assembly_.renew_wake_over(now.time - wake_time_);
+  wake_time_ = now.time;
   return broken;
 }
 

@@ -39,7 +39,7 @@ class ScheduledConditions : public Conditions {
   Motion start_;
   std::vector<double> mass_, load_, buoyancy_;  // without growing groups
   bool answers_ = false;                        // to the motion, after every step
-  double shaded_at_;                            // s
+  double wake_time_;                            // s
   std::vector<double> factor_, rate_;           // of the groups, as the model has them
   std::vector<char> held_back_;                 // per node: 1 until it is released
   double all_released_ = 0.0, time_ = 0.0;      // s

@@ -31,7 +31,7 @@ Assembly::Assembly(const Model& model)
   for (const ElementPoints& kind : elements) places_.emplace_back(free_, pattern_, kind);
   diagonal_.reserve(free_nodes().size());
   for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
-  change_.strain.resize(static_cast<std::size_t>(model.carriers()));
+  change_.strain.resize(static_cast<std::size_t>(model.constraints()));
 }
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
@@ -83,15 +83,15 @@ Vector Assembly::flow_past_wake_sheets() const {
   return flow / points + current;
 }
 
-double Assembly::shade(bool search, double tolerance) {
+double Assembly::renew_wake(bool search, double tolerance) {
   const Vector flow = flow_past_wake_sheets();
   // Where they stand still in still water there is no wake.
   if (flow.norm() == 0.0) return 0.0;
   flow_known_ = false;
-  return wake_.shade(position_.data(), flow, search, tolerance);
+  return wake_.renew(position_.data(), flow, search, tolerance);
 }
 
-void Assembly::shade_over(double time) {
+void Assembly::renew_wake_over(double time) {
   const Vector flow = flow_past_wake_sheets();
   const double speed = flow.norm();
   if (speed == 0.0) return;
@@ -103,14 +103,14 @@ void Assembly::shade_over(double time) {
   }
   const double passing = 0.5 * (last - first) / speed;
   flow_known_ = false;
-  wake_.shade(position_.data(), flow, true, shading_tolerance,
+  wake_.renew(position_.data(), flow, true, wake_tolerance,
               passing > 0.0 ? -std::expm1(-time / passing) : 1.0);
 }
 
-void Assembly::residual(double* force, const CarriedTension* carried) {
+void Assembly::residual(double* force, const DualTension* dual) {
   std::copy(load_.begin(), load_.end(), force_.begin());
-  lines_.add_force(carried ? carried->tension.data() : lines().tension, force_.data());
-  model_.contacts.add_force(field(), carried ? carried->tension.data() + lines_.count() : nullptr,
+  lines_.add_force(dual ? dual->tension.data() : lines().tension, force_.data());
+  model_.contacts.add_force(field(), dual ? dual->tension.data() + lines_.count() : nullptr,
                             force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
@@ -149,14 +149,14 @@ void Assembly::balance(double share, double* allowed) {
 }
 
 void Assembly::jacobian(const JacobianRequest& request, double* values,
-                        const CarriedTension* carried) const {
+                        const DualTension* dual) const {
   std::fill(values, values + 9 * pattern_.column.size(), 0.0);
-  lines_.add_jacobian(request, carried ? carried->tension.data() : lines().tension,
-                      carried ? carried->modulus.data() : nullptr, places_[0].into(values),
+  lines_.add_jacobian(request, dual ? dual->tension.data() : lines().tension,
+                      dual ? dual->modulus.data() : nullptr, places_[0].into(values),
                       places_[1].into(values), places_[2].into(values));
   model_.contacts.add_jacobian(
-      field(), request, carried ? carried->tension.data() + lines_.count() : nullptr,
-      carried ? carried->modulus.data() + lines_.count() : nullptr, places_[3].into(values));
+      field(), request, dual ? dual->tension.data() + lines_.count() : nullptr,
+      dual ? dual->modulus.data() + lines_.count() : nullptr, places_[3].into(values));
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     kinds_[k]->add_jacobian(field(), request, places_[k + 4].into(values));
   }

@@ -9,9 +9,9 @@
 
 namespace codend {
 
-// Tension (N) and its change per strain (N) of one twine of every line; then normal force (N) and its
+// The dual unknowns of a solver: tension (N) and its change per strain (N) of one twine of every line; then normal force (N) and its
 // change per penetration (N/m) of every contact with the ground.
-struct CarriedTension {
+struct DualTension {
   std::vector<double> tension, modulus;
 };
 
@@ -48,19 +48,19 @@ class Assembly {
   void move_to(const double* x, const double* v);
 
   // Whether netting slows the water behind it.
-  bool shades() const { return wake_.present(); }
-  // Shading of the gear at its last positions, to be used from the next move_to() on (search and
+  bool has_wake() const { return wake_.present(); }
+  // Renews the wake at the gear's last positions, to be used from the next move_to() on (search and
   // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
   // Derivatives take the shares as given: the caller repeats until they no longer change.
-  double shade(bool search, double tolerance);
+  double renew_wake(bool search, double tolerance);
   // The same while the gear moves: over a time (s) the shares go towards those of a new search as
-  // fast as water takes to pass half of the netting that shades.
-  void shade_over(double time);
+  // fast as water takes to pass half of the wake sheets.
+  void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
-  // carried: tensions that a solver carries, instead of the law's.
-  void residual(double* force, const CarriedTension* carried = nullptr);
+  // dual: tensions that are unknowns of a solver, instead of the law's.
+  void residual(double* force, const DualTension* dual = nullptr);
 
   // Net force (N) that may be left on every node of a motion: `share` of the sizes of the pulls, drags
   // and loads on it, and of a little of the gear's largest tension, and no less than what rounding of
@@ -69,7 +69,7 @@ class Assembly {
 
   // stiffness * (-dF/dx) + damping * (-dF/dv) on the free nodes, 9 per block of the pattern.
   void jacobian(const JacobianRequest& request, double* values,
-                const CarriedTension* carried = nullptr) const;
+                const DualTension* dual = nullptr) const;
 
   // Adds a number per free node to the diagonal of its block.
   void add_diagonal(const double* numbers, double* values) const;
@@ -100,12 +100,12 @@ class Assembly {
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
   Field field() const {
-    return {position_.data(), velocity_.data(), &model_.water, shades() ? wake().data() : nullptr,
+    return {position_.data(), velocity_.data(), &model_.water, has_wake() ? wake().data() : nullptr,
             &model_.ground,   &model_.bars};
   }
 
  private:
-  // The flow past the netting that shades, at its mean height, m/s.
+  // The flow past the wake sheets, at their mean height, m/s.
   Vector flow_past_wake_sheets() const;
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;

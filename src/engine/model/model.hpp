@@ -143,8 +143,9 @@ struct Model {
   const TwineMaterial& material(const Line<N>& line) const {
     return materials[static_cast<std::size_t>(line.material)];
   }
-  // What a solver may carry the force of: lines, then contacts with the ground.
-  int carriers() const { return lines() + contacts.count(); }
+  // What acts one way only, and whose force may be a dual unknown of a solver: lines, then contacts
+  // with the ground.
+  int constraints() const { return lines() + contacts.count(); }
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));

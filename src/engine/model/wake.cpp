@@ -137,7 +137,7 @@ void Wake::search(const double* position, const Vector& flow) {
   }
 }
 
-double Wake::shade(const double* position, const Vector& flow, bool search_anew, double tolerance,
+double Wake::renew(const double* position, const Vector& flow, bool search_anew, double tolerance,
                    double follow) {
   if (search_anew || start_.empty()) search(position, flow);
   const Vector f = flow.normalized();

@@ -9,8 +9,8 @@
 // Sn is the twine's area over the sheet's in its present shape, held at 0.5, beyond which neither was
 // measured. A sheet along the flow casts no wake of its own: r fades to 1 between 70 and 80 deg.
 //
-// Crossings come and go when the gear moves, so that shape and shading may chase each other;
-// shade() can therefore keep the crossings that were found and only renew r.
+// Crossings come and go when the gear moves, so that shape and wake may chase each other;
+// renew() can therefore keep the crossings that were found and only renew r.
 #pragma once
 
 #include <vector>
@@ -39,7 +39,7 @@ struct WakeSheets {
 };
 
 // Shares that are off by no more than this are left as they are.
-constexpr double shading_tolerance = 1e-5;
+constexpr double wake_tolerance = 1e-5;
 
 // r of a sheet of this solidity whose normal has this cosine (not negative) to the flow.
 double speed_reduction(WakeLaw law, double solidity, double cosine);
@@ -54,7 +54,7 @@ class Wake {
   // any length but zero), if one of them is off by more than a tolerance; search: also which sheets
   // lie upstream; follow: how far the shares go towards what is found, 1 all the way. Returns by how
   // much they were off at most.
-  double shade(const double* position, const Vector& flow, bool search, double tolerance,
+  double renew(const double* position, const Vector& flow, bool search, double tolerance,
                double follow = 1.0);
 
  private:

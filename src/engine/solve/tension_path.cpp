@@ -12,10 +12,10 @@ constexpr double least_parameter = 1e-24;
 constexpr double first_tension = 10.0;
 // Of contacts, m: the normal force that makes it is their scale.
 constexpr double first_penetration = 1e-3;
-// A step leaves at least this share of a tension or a shortfall.
+// A step leaves at least this share of a tension or a slack variable.
 constexpr double least_share = 0.02;
 constexpr double least_tension = 1e-27;  // over a line's scale
-constexpr double least_shortfall = 1e-26, most_shortfall = 1e3;
+constexpr double least_slack = 1e-26, most_slack = 1e3;
 // T s is kept above this share of mu, so that no line leaves the path behind.
 constexpr double least_product = 1e-2;
 
@@ -25,11 +25,11 @@ TensionPath::TensionPath(const Model& model, double load)
     : lines_(static_cast<std::size_t>(model.lines())),
       ground_(model.ground),
       parameter_(first_parameter) {
-  const std::size_t lines = static_cast<std::size_t>(model.carriers());
+  const std::size_t lines = static_cast<std::size_t>(model.constraints());
   stiffness_.resize(lines);
   scale_.resize(lines);
   strut_.assign(lines, 0);
-  shortfall_.assign(lines, first_parameter / first_tension);
+  slack_.assign(lines, first_parameter / first_tension);
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
@@ -65,7 +65,7 @@ void TensionPath::follow(const std::vector<double>& strain, double parameter) {
     const double t = strain[k] > 0.0 ? 0.5 * stiffness_[k] * (strain[k] + root)
                                      : 2.0 * product / (root - strain[k]);
     current_.tension[k] = std::min(t, first_tension * scale_[k]);
-    shortfall_[k] = product / current_.tension[k];
+    slack_[k] = product / current_.tension[k];
   }
 }
 
@@ -80,8 +80,8 @@ void TensionPath::stretch(std::size_t k, double tension, double& strain, double&
 
 // On the path at the start's own distance from the ground.
 void TensionPath::rest_contact(std::size_t k, double penetration) {
-  shortfall_[k] = std::max(parameter_, -penetration);
-  current_.tension[k] = parameter_ * scale_[k] / shortfall_[k];
+  slack_[k] = std::max(parameter_, -penetration);
+  current_.tension[k] = parameter_ * scale_[k] / slack_[k];
 }
 
 void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
@@ -96,7 +96,7 @@ void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
     }
     if (!begun_ && k >= lines_) rest_contact(k, strain[k]);
     const double t = current_.tension[k];
-    const double s = shortfall_[k];
+    const double s = slack_[k];
     double stretched, slope;
     stretch(k, t, stretched, slope);
     current_.modulus[k] = 1.0 / (slope + s / t);
@@ -111,7 +111,7 @@ void TensionPath::advance(const std::vector<double>& strain_change, double share
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;
     double& t = current_.tension[k];
-    double& s = shortfall_[k];
+    double& s = slack_[k];
     const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
     if (strut_[k]) {
       t += share * t_change;
@@ -119,8 +119,7 @@ void TensionPath::advance(const std::vector<double>& strain_change, double share
     }
     const double s_change = centring_[k] - s / t * t_change;
     t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
-    s = std::clamp(std::max(s + share * s_change, least_share * s), least_shortfall,
-                   most_shortfall);
+    s = std::clamp(std::max(s + share * s_change, least_share * s), least_slack, most_slack);
     s = std::max(s, least_product * parameter_ * scale_[k] / t);
   }
 }

@@ -1,13 +1,13 @@
 // Tension-only lines for a Newton method: an interior path to them.
 //
-// A line is taut or slack: with the shortfall s = T/EA - strain, T >= 0, s >= 0 and T s = 0.
+// A line is taut or slack: with the slack variable s = T/EA - strain, T >= 0, s >= 0 and T s = 0.
 // Newton's method on T(strain) itself cycles, because a line that a step makes taut answers with
-// its whole EA only afterwards. Here tensions and shortfalls are both unknowns beside the
+// its whole EA only afterwards. Here tensions and slack variables are both unknowns beside the
 // positions, and T s = mu times a scale: every line keeps a little tension, and mu goes to zero
 // while the shape is found (a primal-dual interior-point method; S. J. Wright, Primal-Dual
 // Interior-Point Methods, SIAM 1997). Contacts with the ground are the same: what is said of
 // tension and strain here holds of their normal force and penetration. Struts, which also push,
-// carry their tension as an unknown too, without a shortfall: a turn that a linear step
+// carry their tension as an unknown too, without a slack variable: a turn that a linear step
 // overstretches does not stiffen the next one. What is left at the end is the law itself.
 // Carrying s as well as T lets mu fall by large factors: with s = mu/T eliminated, a step is good
 // only while T changes by less than itself.
@@ -24,7 +24,7 @@ class TensionPath {
   // load: the sum of the loads on the gear, N, which bounds the first guess of tensions.
   TensionPath(const Model& model, double load);
 
-  // Starts from tensions and shortfalls that agree with these strains at this mu, for positions that
+  // Starts from tensions and slack variables that agree with these strains at this mu, for positions that
   // are nearly settled (near_parameter) or were under other loads (settled_parameter), instead of
   // pulling every line taut.
   static constexpr double near_parameter = 1e-3, settled_parameter = 1e-9;
@@ -33,15 +33,15 @@ class TensionPath {
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
   void prepare(const std::vector<double>& strain, double reduction);
-  const CarriedTension& current() const { return current_; }
-  const CarriedTension& predicted() const { return predicted_; }
+  const DualTension& current() const { return current_; }
+  const DualTension& predicted() const { return predicted_; }
 
-  // After the step: tensions and shortfalls follow the strains' first-order changes, taken `share`
+  // After the step: tensions and slack variables follow the strains' first-order changes, taken `share`
   // of the way, and stay positive.
   void advance(const std::vector<double>& strain_change, double share);
 
  private:
-  std::vector<double> stiffness_, scale_, shortfall_, centring_, mismatch_;
+  std::vector<double> stiffness_, scale_, slack_, centring_, mismatch_;
   void rest_contact(std::size_t k, double penetration);
   // Strain that a tension makes, and its derivative.
   void stretch(std::size_t k, double tension, double& strain, double& slope) const;
@@ -50,7 +50,7 @@ class TensionPath {
   std::size_t lines_;        // before the contacts
   Ground ground_;
   bool begun_ = false;
-  CarriedTension current_, predicted_;
+  DualTension current_, predicted_;
   double parameter_;  // mu
 };
 

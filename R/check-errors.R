@@ -1,0 +1,34 @@
+# How codend stops: every kind of error has one class, and one function that raises it.
+
+# kind: which error, the most special first where it is of several; see help("codend-conditions").
+error_class <- function(kind) c(paste0("codend_error_", kind), "codend_error")
+
+# message: for cli, with values from `envir`; `...`: the condition's fields.
+abort_as <- function(kind, message, ..., envir) {
+  cli::cli_abort(message, class = error_class(kind), ..., call = NULL, .envir = envir)
+}
+
+# An argument of a function is wrong. The message takes its values from the caller's variables.
+abort_argument <- function(message) abort_as("argument", message, envir = parent.frame())
+
+# A gear or a motion finds no balance; `...`: the condition's fields, its report first.
+abort_not_converged <- function(message, ...) {
+  abort_as("not_converged", message, ..., envir = parent.frame())
+}
+
+# A package is not installed.
+abort_package <- function(message) abort_as("package", message, envir = parent.frame())
+
+# A command of the command line is used wrongly; `...`: pieces of the message, as they are.
+abort_usage <- function(...) stop(errorCondition(paste0(...), class = error_class("usage")))
+
+# Codend's own lattice is not what the engine, or the plan, asks for. field: what is wrong, such as
+# "bars.rest", or NA.
+abort_lattice <- function(message, field = NA_character_) {
+  abort_as("engine", message, field = field, envir = parent.frame())
+}
+
+# Called by the binding for every exception of the engine; field: "" where it names none.
+abort_engine <- function(message, field) {
+  abort_lattice("The engine stopped: {message}.", if (nzchar(field)) field else NA_character_)
+}

@@ -1,0 +1,59 @@
+#include "linear_step.hpp"
+
+#include <algorithm>
+
+#include "second_thread.hpp"
+#include "stopwatch.hpp"
+
+namespace codend {
+
+LinearStep::LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
+                       const double* x)
+    : assembly_(assembly),
+      control_(control),
+      report_(report),
+      x_(x),
+      double_steps_(control.first_double_steps) {
+  analyse(Precision::single_precision);
+}
+
+void LinearStep::analyse(Precision precision) {
+  Stopwatch watch(report_.seconds_analysis);
+  const std::vector<int>& free = assembly_.free_nodes();
+  std::vector<double> coordinates(3 * free.size());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    at(coordinates.data(), static_cast<int>(i)) = at(x_, free[i]);
+  }
+  precision_ = precision;
+  lu_.reset();  // its memory is needed for the new one
+  lu_ = std::make_unique<BlockLU>(precision, usable_threads());
+  lu_->analyse(assembly_.pattern(), coordinates.data());
+}
+
+bool LinearStep::solve(const std::vector<double>& values, const std::vector<double>& right,
+                       std::vector<double>& step) {
+  if (precision_ == Precision::double_precision && double_left_-- == 0) {
+    analyse(Precision::single_precision);
+  }
+  if (precision_ == Precision::single_precision) {
+    {
+      Stopwatch watch(report_.seconds_linear);
+      ++report_.factorisations;
+      if (lu_->factorise(values.data()) &&
+          lu_->solve_refined(assembly_.pattern(), values.data(), right.data(), control_.tolerance,
+                             step.data()) < control_.limit) {
+        return true;
+      }
+    }
+    analyse(Precision::double_precision);
+    double_left_ = double_steps_ - 1;
+    double_steps_ = std::min(2 * double_steps_, control_.most_double_steps);
+  }
+  Stopwatch watch(report_.seconds_linear);
+  ++report_.factorisations;
+  if (!lu_->factorise(values.data())) return false;
+  lu_->solve(right.data(), step.data());
+  return true;
+}
+
+}  // namespace codend

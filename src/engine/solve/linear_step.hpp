@@ -1,0 +1,38 @@
+// The linear equations of one Newton step. Factors are in single precision where refinement makes up for
+// it; where it does not they are double for a few steps, and for twice as many each time.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "block_lu.hpp"
+#include "settle.hpp"
+
+namespace codend {
+
+class LinearStep {
+ public:
+  // coordinates: 3 per free node, m, by which unknowns are eliminated; asked for at every analysis.
+  // What it takes of time and factorisations is booked in `report`.
+  LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
+             const double* x);
+
+  // values * step = right, 3 per free node; false where the matrix is singular.
+  bool solve(const std::vector<double>& values, const std::vector<double>& right,
+             std::vector<double>& step);
+  // For others who factorise with the same pattern.
+  BlockLU& factors() { return *lu_; }
+
+ private:
+  void analyse(Precision precision);
+
+  const Assembly& assembly_;
+  const LinearControl& control_;
+  SettleReport& report_;
+  const double* x_;
+  Precision precision_ = Precision::single_precision;
+  int double_left_ = 0, double_steps_;
+  std::unique_ptr<BlockLU> lu_;
+};
+
+}  // namespace codend

@@ -1,0 +1,43 @@
+// The pseudo time step h of settling: nodes are held back by a drag-like damping D/h, and h grows while
+// lines turn little, until the step is Newton's own.
+#pragma once
+
+#include "settle_control.hpp"
+
+namespace codend {
+
+class PseudoTime {
+ public:
+  explicit PseudoTime(const PseudoTimeControl& control) : control_(control) {}
+
+  // Anew with this h (s), as if lines had last turned by `rotation`.
+  void begin(double step, double rotation = 1.0);
+  // For so many steps h stays no longer than this (s).
+  void hold(double step, int steps);
+  void set_step(double step) { step_ = step; }
+  // Takes the shape as turning by this much, before any step.
+  void assume_rotation(double rotation) { rotation_ = rotation; }
+
+  double step() const { return step_; }
+  double rotation() const { return rotation_; }
+  // Whether the shape is found.
+  bool found() const { return rotation_ < control_.found_rotation && held_steps_ == 0; }
+
+  // The share to be taken of a step that turns lines by this much.
+  double share(double rotation) const;
+  // After a step that turns lines by `rotation`; damped, driven: the sum over free nodes of the way
+  // squared times the damping, and times the net force, N m.
+  void advance(double rotation, double damped, double driven);
+  // After none, as the matrix was singular.
+  void shorten() { step_ *= control_.singular_factor; }
+
+ private:
+  const PseudoTimeControl& control_;
+  double step_ = 1.0;
+  double rotation_ = 1.0, last_rotation_ = 1.0;
+  int cycle_ = 0;  // undamped steps in a row that do not close in
+  int held_steps_ = 0;
+  double held_step_ = 0.0;
+};
+
+}  // namespace codend

@@ -1,0 +1,137 @@
+// What settling is held to, and the numbers that steer it on its way.
+//
+// The latter change how fast and how surely a shape is found; of the shape itself only what the
+// tolerances leave open.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "../model/wake.hpp"
+
+namespace codend {
+
+struct SettleProgress {
+  int iteration;
+  double residual;  // largest nodal force over largest tension
+};
+
+// Where x begins: anywhere; near the result, as carried over from another lattice; or at what was
+// settled for the same lattice with other numbers. A settled start takes Newton steps that carry the
+// tensions it was settled with, undamped, first; where they do not close in it is a near one.
+enum class Start { crude, near, settled };
+constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
+
+// Of the damping D/h (pseudo_time.hpp). Rotation is the largest change of any line's vector in one
+// step, over its rest length.
+struct PseudoTimeControl {
+  // A linear step says nothing of where a line goes that turns by more than its own length: only so
+  // much of the step is taken.
+  double most_rotation = 1.0;
+  // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
+  // leaves out, here 2e-4 at most.
+  double found_rotation = 0.02;
+  // h is divided by the rotation, so that a step turns lines by about their length, within these
+  // factors: more would act on the chance of a single step.
+  double least_factor = 0.3, most_factor = 3.0;
+  double longest = 1e12;  // s: damping is then below the rounding of any stiffness
+  // Where the matrix is singular the next step is held back more.
+  double singular_factor = 0.1;
+  // Undamped steps may go round for ever between shapes. They do where so many in a row turn lines by
+  // more than cycle_rotation and by more than cycle_share of the last, with h beyond cycle_excess times
+  // its own: that in which the step's stiffness alone would make it. h then goes back to cycle_return
+  // times its own, and no further than cycle_least (s).
+  int cycle_steps = 3;
+  double cycle_rotation = 0.1, cycle_share = 0.6, cycle_excess = 10.0;
+  double cycle_return = 3.0, cycle_least = 1e-3;
+};
+
+// Of the interior path (tension_path.hpp): what its parameter mu is multiplied by in a step. Tensions
+// far down the path belong to the present shape: mu falls far only while lines turn little.
+struct PathControl {
+  struct Reduction {
+    double rotation, factor;  // the factor for rotations below
+  };
+  std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
+  // Below this h (s) lines turn little because they are held back, not for want of a way to go.
+  double short_step = 1.0, short_step_factor = 0.85;
+};
+
+// Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
+// (strains are then off by its square over 2, more than most twine is stretched), where the residual is
+// `excess` times that before, or where `steps` have not brought it below `closing` of its own first;
+// the path then goes on from where it was left.
+struct LawControl {
+  double residual = 0.1;  // of the path's shape, below which it is tried
+  double rotation = 0.05;
+  double excess = 100.0;
+  int steps = 6;
+  double closing = 0.3;
+  // The path's steps before the next trial, doubled by every one that fails: trials stay a small part
+  // of all steps where they cannot succeed yet.
+  int path_steps = 3, most_path_steps = 48;
+};
+
+// Of the linear equations of a step.
+struct LinearControl {
+  // Steps are solved to this residual over the right side; Newton's method gains nothing from more. One
+  // above `limit` is no step.
+  double tolerance = 1e-4, limit = 0.1;
+  // Steps with double-precision factors where single ones were not enough, doubled every time.
+  int first_double_steps = 2, most_double_steps = 64;
+};
+
+// Of beginnings.
+struct AttemptControl {
+  // Slack netting makes the way to the shape chaotic: most starts are through in a hundred steps, a few
+  // wander for ever. A wandering one begins again at another pace, so often.
+  int steps = 400;
+  std::array<double, 8> first_step = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};  // h, s
+  // From a settled shape under other loads: h (s), next to undamped; steps after which this counts as
+  // failed; and the residual below which the law itself is tried before any step.
+  double settled_step = 1e6;
+  int settled_steps = 30;
+  double settled_residual = 1e-3;
+};
+
+// Of wakes. They are renewed on every settled shape until no point's share of the free flow's speed
+// changes by more than `tolerance`; from the fifth time on the netting upstream of every point stays the
+// same, as crossings that come and go would change for ever.
+struct WakeControl {
+  double tolerance = wake_tolerance;
+  int renewals = 20, searches = 4;
+};
+
+// Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's
+// size, small beside it and large beside what Newton's method would take back at once; h stays below
+// `pace` of the time in which the motion grows, so that steps follow it, for so many steps.
+struct PerturbationControl {
+  double size = 0.1, pace = 0.4;
+  int steps = 40;
+  int most = 4;  // perturbations, to and fro
+};
+
+struct SettleControl {
+  double tolerance = 1e-8;  // on the residual; where rounding alone makes more, that is enough
+  int iterations = 500;     // at most
+  Start start = Start::crude;
+  // Strains of all lines in a like state that the tensions begin from, where x is near or settled;
+  // empty: those of x itself.
+  std::vector<double> strain;
+  // Called once an iteration; returns false to stop.
+  std::function<bool(const SettleProgress&)> watch;
+
+  // What rounds to a force beside which the loads are little is no balance: the share of all loads
+  // together that rounding may leave.
+  double greatest_rounding = 1e-3;
+  PseudoTimeControl pseudo_time;
+  PathControl path;
+  LawControl law;
+  LinearControl linear;
+  AttemptControl attempts;
+  WakeControl wake;
+  PerturbationControl perturbation;
+};
+
+}  // namespace codend

@@ -1,0 +1,255 @@
+#include "settle_iteration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stopwatch.hpp"
+
+namespace codend {
+
+SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& control, const double* v,
+                                 double* x, SettleReport& report)
+    : assembly_(assembly),
+      control_(control),
+      report_(report),
+      free_(assembly.free_nodes()),
+      v_(v),
+      x_(x),
+      force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
+      dx_(force_.size(), 0.0),
+      right_(3 * free_.size()),
+      step_(right_.size()),
+      damping_(free_.size()),
+      values_(9 * assembly.pattern().column.size()),
+      load_(total_load()),
+      rounding_(rounding_force()),
+      pseudo_time_(control.pseudo_time),
+      path_(assembly.model(), load_),
+      linear_(assembly, control.linear, report, x),
+      path_steps_(control.law.path_steps),
+      left_path_(path_) {}
+
+void SettleIteration::measure() {
+  Stopwatch watch(report_.seconds_forces);
+  assembly_.move_to(x_, v_);
+  assembly_.residual(force_.data());
+  report_.worst_force = 0.0;
+  for (const int node : free_) {
+    const double f = at(force_.data(), node).norm();
+    if (!(f <= report_.worst_force)) {
+      report_.worst_force = f;
+      report_.worst_node = node;
+    }
+  }
+  report_.largest_tension = assembly_.largest_tension();
+  double scale = report_.largest_tension;
+  if (scale == 0.0) {  // a gear without any tension is measured by its loads
+    for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
+    if (scale == 0.0) scale = load_;  // a weightless gear, all slack at the moment
+  }
+  report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale;
+}
+
+void SettleIteration::begin(double pseudo_step) {
+  path_ = TensionPath(assembly_.model(), load_);
+  pseudo_time_.begin(pseudo_step);
+  on_law_ = begun_ = false;
+  steps_to_law_ = 0;
+  path_steps_ = control_.law.path_steps;
+}
+
+void SettleIteration::begin_near() {
+  follow(TensionPath::near_parameter);
+  // worth a try of the law at once
+  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
+}
+
+void SettleIteration::begin_settled() {
+  from_settled_ = true;
+  follow(TensionPath::settled_parameter);
+  pseudo_time_.set_step(control_.attempts.settled_step);
+  if (report_.residual < control_.attempts.settled_residual) pseudo_time_.assume_rotation(0.0);
+}
+
+void SettleIteration::resume() {
+  on_law_ = true;
+  law_steps_ = 0;
+  residual_on_law_ = report_.residual;
+  residual_before_law_ = std::max(report_.residual, control_.attempts.settled_residual);
+  left_x_.assign(x_, x_ + force_.size());
+  assembly_.strain(strain_);
+  left_path_ = TensionPath(assembly_.model(), load_);
+  left_path_.follow(strain_, TensionPath::settled_parameter);
+  left_pseudo_step_ = control_.attempts.settled_step;
+  pseudo_time_.begin(pseudo_time_.step(), control_.pseudo_time.found_rotation);
+}
+
+void SettleIteration::follow(double parameter) {
+  assembly_.strain(strain_);
+  std::copy(control_.strain.begin(), control_.strain.end(), strain_.begin());
+  path_.follow(strain_, parameter);
+}
+
+bool SettleIteration::balanced() const {
+  return (pseudo_time_.found() && (report_.residual <= control_.tolerance || at_rounding())) ||
+         report_.worst_force == 0.0;
+}
+
+// Whether the net forces are no more than what rounding of the positions makes.
+bool SettleIteration::at_rounding() const {
+  return report_.worst_force <= rounding_ && rounding_ <= control_.greatest_rounding * load_;
+}
+
+bool SettleIteration::may_be_unstable() {
+  // What settles from its own state was tried there. (Boards cost little: they are tried again.)
+  if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
+  unstable_size_ = unstable_size(assembly_);
+  return unstable_size_ > 0.0;
+}
+
+GrowingMotion SettleIteration::growing_motion() {
+  Stopwatch watch(report_.seconds_linear);
+  return codend::growing_motion(assembly_, linear_.factors());
+}
+
+void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
+  const PerturbationControl& how = control_.perturbation;
+  const double size = (backwards ? -how.size : how.size) * unstable_size_;
+  assembly_.strain(strain_);
+  path_ = TensionPath(assembly_.model(), load_);
+  path_.follow(strain_, TensionPath::near_parameter);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(x_, free_[i]) += size * at(motion.motion.data(), static_cast<int>(i));
+  }
+  on_law_ = false;
+  begun_ = true;
+  steps_to_law_ = how.steps;
+  const double pseudo_step = how.pace / motion.rate;
+  pseudo_time_.begin(pseudo_step);
+  pseudo_time_.hold(pseudo_step, how.steps);
+}
+
+void SettleIteration::step() {
+  choose_law();
+  if (!on_law_) {
+    Stopwatch watch(report_.seconds_forces);
+    assembly_.strain(strain_);
+    path_.prepare(strain_, reduction());
+    assembly_.residual(force_.data(), &path_.predicted());
+  }
+  {
+    Stopwatch watch(report_.seconds_jacobian);
+    assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &path_.current());
+    assembly_.pseudo_damping(damping_.data());
+    for (double& d : damping_) d /= pseudo_time_.step();
+    assembly_.add_diagonal(damping_.data(), values_.data());
+  }
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(right_.data(), static_cast<int>(i)) = at(force_.data(), free_[i]);
+  }
+  if (linear_.solve(values_, right_, step_)) {
+    move();
+  } else {
+    pseudo_time_.shorten();
+  }
+}
+
+// Whether the next step is the law's own or the path's.
+void SettleIteration::choose_law() {
+  const LawControl& law = control_.law;
+  const bool tried = law_steps_ >= law.steps;
+  if (on_law_ && (pseudo_time_.rotation() > law.rotation ||
+                  report_.residual > law.excess * residual_before_law_ ||
+                  (tried && !(report_.residual < law.closing * residual_on_law_)))) {
+    leave_law();
+  } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
+             report_.residual < law.residual) {
+    try_law();
+  }
+  if (on_law_) {
+    if (law_steps_ == 0 || tried) residual_on_law_ = report_.residual;
+    ++law_steps_;
+  }
+  --steps_to_law_;
+}
+
+void SettleIteration::try_law() {
+  on_law_ = true;
+  law_steps_ = 0;
+  residual_before_law_ = report_.residual;
+  left_x_.assign(x_, x_ + force_.size());
+  left_path_ = path_;
+  left_pseudo_step_ = pseudo_time_.step();
+}
+
+void SettleIteration::leave_law() {
+  on_law_ = false;
+  steps_to_law_ = path_steps_;
+  path_steps_ = std::min(2 * path_steps_, control_.law.most_path_steps);
+  std::copy(left_x_.begin(), left_x_.end(), x_);
+  path_ = left_path_;
+  pseudo_time_.set_step(left_pseudo_step_);
+  measure();
+}
+
+// How far the path goes on in this step.
+double SettleIteration::reduction() {
+  if (!begun_) {
+    begun_ = true;
+    return 1.0;
+  }
+  const PathControl& path = control_.path;
+  const double rotation = pseudo_time_.rotation();
+  if (rotation < path.reductions.back().rotation && pseudo_time_.step() < path.short_step) {
+    return path.short_step_factor;
+  }
+  for (const PathControl::Reduction& reduction : path.reductions) {
+    if (rotation < reduction.rotation) return reduction.factor;
+  }
+  return 1.0;
+}
+
+void SettleIteration::move() {
+  double damped = 0.0, driven = 0.0;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const Vector dx = at(step_.data(), static_cast<int>(i));
+    at(dx_.data(), free_[i]) = dx;
+    damped += damping_[i] * dx.squaredNorm();
+    driven += dx.dot(at(force_.data(), free_[i]));
+  }
+  const LineChange& change = assembly_.line_change(dx_.data());
+  const double share = pseudo_time_.share(change.rotation);
+  if (!on_law_) path_.advance(change.strain, share);
+  for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
+  pseudo_time_.advance(change.rotation, damped, driven);
+}
+
+// Net force (N) that a stiff line shows when its ends move by their rounding.
+double SettleIteration::rounding_force() const {
+  double far = 0.0;
+  for (int n = 0; n < assembly_.model().nodes; ++n) far = std::max(far, at(x_, n).norm());
+  double stiffest = 0.0;
+  assembly_.model().each_line([&](const auto& line) {
+    double arm = 0.0;
+    for (std::size_t k = 0; k < std::size(line.shape); ++k) {
+      arm = std::max(arm, line.pull_at(static_cast<int>(k)));
+    }
+    stiffest = std::max(stiffest, line.multiplicity * arm * arm *
+                                      assembly_.model().material(line).axial_stiffness / line.rest);
+  });
+  return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
+}
+
+// Sum of the sizes of all loads that are not tensions.
+double SettleIteration::total_load() {
+  DualTension none;
+  none.tension.assign(static_cast<std::size_t>(assembly_.model().constraints()), 0.0);
+  assembly_.move_to(x_, v_);
+  assembly_.residual(force_.data(), &none);
+  double total = 0.0;
+  for (const int node : free_) total += at(force_.data(), node).norm();
+  return total > 0.0 ? total : 1.0;
+}
+
+}  // namespace codend

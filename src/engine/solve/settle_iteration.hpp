@@ -1,0 +1,85 @@
+// One Newton step after another towards equilibrium: on the interior path of dual tensions
+// (tension_path.hpp), or on the constitutive law itself where the shape is found.
+//
+// A trial of the law that fails ends where it began, and the path goes on from there.
+#pragma once
+
+#include <vector>
+
+#include "linear_step.hpp"
+#include "pseudo_time.hpp"
+#include "settle.hpp"
+#include "stability.hpp"
+#include "tension_path.hpp"
+
+namespace codend {
+
+class SettleIteration {
+ public:
+  // v, x: as settle()'s. What is known of the present positions is told in `report`.
+  SettleIteration(Assembly& assembly, const SettleControl& control, const double* v, double* x,
+                  SettleReport& report);
+
+  // Net forces of the law itself.
+  void measure();
+
+  // Back to a crude start that the caller has put into x, with this pseudo time step (s).
+  void begin(double pseudo_step);
+  // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
+  void begin_near();
+  // Takes the present positions, measured, as settled under other loads, likewise.
+  void begin_settled();
+  // From a settled shape, measured, under loads that have changed: the law itself, and where that does
+  // not close in the path from that shape's tensions.
+  void resume();
+
+  // Whether the shape is found and its net forces are no more than is allowed, or than rounding makes.
+  bool balanced() const;
+  // One Newton step; where its matrix is singular none, and the next one is held back more.
+  void step();
+
+  // Whether the shape that was found may be an unstable equilibrium.
+  bool may_be_unstable();
+  // How it grows.
+  GrowingMotion growing_motion();
+  // On from there, along the motion that leaves it or, backwards, against it.
+  void perturb(const GrowingMotion& motion, bool backwards);
+
+ private:
+  void follow(double parameter);
+  void choose_law();
+  void leave_law();
+  void try_law();
+  double reduction();
+  void move();
+  bool at_rounding() const;
+  double rounding_force() const;
+  double total_load();
+
+  Assembly& assembly_;
+  const SettleControl& control_;
+  SettleReport& report_;
+  const std::vector<int>& free_;
+  const double* v_;
+  double* x_;
+  std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
+  const double load_;           // N
+  const double rounding_;       // N
+  bool from_settled_ = false;   // the start is a settled state
+  double unstable_size_ = 0.0;  // m
+  PseudoTime pseudo_time_;
+  TensionPath path_;
+  LinearStep linear_;
+  bool begun_ = false;  // a step has been taken
+  // Of the trials of the law.
+  bool on_law_ = false;
+  int law_steps_ = 0, steps_to_law_ = 0;
+  int path_steps_;
+  double residual_before_law_ = 0.0, residual_on_law_ = 0.0;
+  // Where the path was left for the law.
+  std::vector<double> left_x_;
+  TensionPath left_path_;
+  double left_pseudo_step_ = 1.0;  // s
+};
+
+}  // namespace codend
