@@ -159,7 +159,7 @@ skeleton_load <- function(si, skeleton, panels, load) {
   panel <- rep.int(seq_along(size), size)
   twine <- 2 * panel_bars(panels) * panels$mesh_size / 2 / size
   on_panels <- line_load(twine[panel], panels$mass_per_length[panel],
-    panels$volume_per_length[panel], panels$twine_diameter[panel])
+    panels$volume_per_length[panel], twine_width(panels)[panel])
 
   runs <- lapply(names(si$pieces), function(name) {
     run <- piece_run(si, skeleton, name)

@@ -279,7 +279,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   if (!is.null(si$catch)) {
     what$lattice <- set_catch_front(what$lattice, found$lattice$catch$blocked)
   }
-  moved <- what$schedule$track$node
+  moved <- what$schedule$motion$node
   what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
   start <- lattice_at(what, now)
   settled <- engine_settle(

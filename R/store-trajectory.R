@@ -93,16 +93,16 @@ vessel_variables <- rbind(
   course = c("radian", "course to starboard of that at the start")
 )
 
-# Numbers of a march beside its nodes; a winch's and a rupture's are vectors.
+# Numbers of a march beside its nodes; those of controlled lengths and ropes that break are vectors.
 resume_numbers <- c("steps", "caution", "step")
-resume_winch <- c("length", "since", "speed", "speed_wanted", "near_limit")
+resume_control <- c("length", "since", "speed", "target_speed", "near_limit")
 report_numbers <- c(
   "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
   "worst_node", "time"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
-motion_vectors <- c("position", "velocity", "acceleration", "carried_acceleration")
+motion_vectors <- c("position", "velocity", "acceleration", "algorithmic_acceleration")
 
 # Writes a file with the frames of a trajectory, whole or not at all, and leaves it open for more.
 # what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
@@ -229,8 +229,8 @@ define_resume <- function(define) {
     }
   }
   for (name in resume_numbers) define(paste0("resume_", name), "NC_DOUBLE", "slot")
-  for (name in resume_winch) {
-    define(paste0("resume_winch_", name), "NC_DOUBLE", c("growing_part", "slot"))
+  for (name in resume_control) {
+    define(paste0("resume_control_", name), "NC_DOUBLE", c("growing_part", "slot"))
   }
   define("resume_broken", "NC_INT", c("rupture", "slot"))
   define("resume_broken_at", "NC_DOUBLE", c("rupture", "slot"), "s")
@@ -282,7 +282,7 @@ put_resume <- function(nc, frame, k) {
     }
   }
   for (name in resume_numbers) put_one(name, as.double(frame[[name]]))
-  for (name in resume_winch) put_all(paste0("winch_", name), as.double(frame$done[[name]]))
+  for (name in resume_control) put_all(paste0("control_", name), as.double(frame$done[[name]]))
   put_all("broken", frame$done$broken)
   put_all("broken_at", frame$done$broken_at)
   if (is.null(frame$report)) {
@@ -328,7 +328,9 @@ read_resume <- function(get, n) {
     })
     c(list(time = one(paste0(name, "_time"))), vectors)
   }
-  done <- lapply(setNames(resume_winch, resume_winch), function(name) all(paste0("winch_", name)))
+  done <- lapply(
+    setNames(resume_control, resume_control), function(name) all(paste0("control_", name))
+  )
   done$near_limit <- as.logical(done$near_limit)
   done$broken <- as.integer(all("broken"))
   done$broken_at <- all("broken_at")

@@ -40,8 +40,8 @@ tow_schedule <- function(si, lattice, given, until) {
   ruptures <- rupture_events(si, lattice, given$breaking)
   list(
     schedule = list(
-      track = c(towed, track, list(course = course, heave = heave)),
-      shooting = shooting_times(si, lattice), growing = growing, current_x = current$x,
+      motion = c(towed, track, list(heading = course, z = heave)),
+      release = shooting_times(si, lattice), growing = growing, current_x = current$x,
       current_y = current$y, ruptures = ruptures
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
@@ -146,11 +146,11 @@ growing_warp <- function(si, lattice, rope, curve, given) {
   weight <- gear_gravity * (mass - half * full$volume_per_length * si$water$density)
   points <- unique(ends)
   sums <- function(x) as.double(rowsum(x, match(ends, points), reorder = TRUE))
-  winch <- NULL
+  control <- NULL
   if (!is.null(given$winch$tension_limit) || !is.null(given[["control"]])) {
     length <- curve_at(curve, 0)
-    winch <- list(
-      wanted = curve, steered = !is.null(given[["control"]]), speed_wanted = 0,
+    control <- list(
+      target = curve, by_speed = !is.null(given[["control"]]), target_speed = 0,
       speed_limit = first_of(given$winch$speed_limit, 2),
       tension_limit = first_of(given$winch$tension_limit, Inf), bar = bars[1L],
       stiffness = full$axial_stiffness,
@@ -160,7 +160,7 @@ growing_warp <- function(si, lattice, rope, curve, given) {
   }
   c(
     list(
-      name = rope, factor = scale_curve(curve, 1 / full$length), winch = winch, bars = bars,
+      name = rope, factor = scale_curve(curve, 1 / full$length), control = control, bars = bars,
       rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
       drag_area = numeric(), added_mass = numeric()
     ),
@@ -195,7 +195,7 @@ growing_catch <- function(si, lattice, part, curve) {
   n <- length(node)
   each <- piece$number / max(n, 1L)
   list(
-    name = lattice$parts$name[part], factor = curve, winch = NULL, bars = integer(),
+    name = lattice$parts$name[part], factor = curve, control = NULL, bars = integer(),
     rest = numeric(), points = node, mass = rep(each * piece$mass, n),
     load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
     spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],

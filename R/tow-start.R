@@ -66,16 +66,16 @@ add_start <- function(what, position, velocity) {
   n <- what$lattice$engine$nodes
   held <- what$lattice$engine$held
   speed <- matrix(velocity, 3L, n)
-  speed[, setdiff(which(held), what$schedule$track$node)] <- 0
+  speed[, setdiff(which(held), what$schedule$motion$node)] <- 0
   motion <- list(
     time = 0, position = as.vector(position), velocity = as.vector(speed),
-    acceleration = numeric(3L * n), carried_acceleration = numeric(3L * n)
+    acceleration = numeric(3L * n), algorithmic_acceleration = numeric(3L * n)
   )
-  winches <- lapply(what$schedule$growing, `[[`, "winch")
-  of <- function(field) vapply(winches, function(w) if (is.null(w)) 0 else w[[field]], 0)
+  controls <- lapply(what$schedule$growing, `[[`, "control")
+  of <- function(field) vapply(controls, function(one) if (is.null(one)) 0 else one[[field]], 0)
   done <- list(
     length = of("length"), since = of("since"), speed = of("speed"),
-    speed_wanted = of("speed_wanted"), near_limit = rep(FALSE, length(winches)),
+    target_speed = of("target_speed"), near_limit = rep(FALSE, length(controls)),
     broken = rep(0L, length(what$schedule$ruptures)),
     broken_at = rep(0, length(what$schedule$ruptures))
   )

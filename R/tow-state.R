@@ -77,7 +77,7 @@ conditions_at <- function(what, time, winch_length = winches_at_start(what$sched
 }
 
 winches_at_start <- function(schedule) {
-  vapply(schedule$growing, function(part) first_of(part$winch$length, 0), 0)
+  vapply(schedule$growing, function(part) first_of(part$control$length, 0), 0)
 }
 
 # The gear's numbers at one time: towing speed, warps and current as they are, in the vessel's axes.
@@ -124,7 +124,7 @@ scheduled_engine <- function(engine, schedule, now) {
   broken <- integer(length(schedule$ruptures))
   broken[seq_along(now$broken)] <- as.integer(now$broken)
   done <- list(
-    length = now$winch_length, since = still + now$time, speed = still, speed_wanted = still,
+    length = now$winch_length, since = still + now$time, speed = still, target_speed = still,
     near_limit = still > 0, broken = broken, broken_at = 0 * broken
   )
   found <- engine_scheduled(engine, schedule_as_done(schedule, done), now$time)

@@ -109,12 +109,12 @@ tow_stops <- function(begun, until, every, what) {
   )
 }
 
-# The schedule with its winches and ropes as they are.
+# The schedule with its controlled lengths and ropes as they are.
 schedule_as_done <- function(schedule, done) {
   for (k in seq_along(schedule$growing)) {
-    if (is.null(schedule$growing[[k]]$winch)) next
-    for (field in c("length", "since", "speed", "speed_wanted", "near_limit")) {
-      schedule$growing[[k]]$winch[[field]] <- done[[field]][k]
+    if (is.null(schedule$growing[[k]]$control)) next
+    for (field in c("length", "since", "speed", "target_speed", "near_limit")) {
+      schedule$growing[[k]]$control[[field]] <- done[[field]][k]
     }
   }
   for (k in seq_along(schedule$ruptures)) {

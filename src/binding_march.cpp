@@ -22,7 +22,7 @@ codend::Values node_values(const list& from, const char* name, const codend::Mod
 codend::Motion read_motion(const list& from, const codend::Model& model) {
   return {number(from, "time"), node_values(from, "position", model),
           node_values(from, "velocity", model), node_values(from, "acceleration", model),
-          node_values(from, "carried_acceleration", model)};
+          node_values(from, "algorithmic_acceleration", model)};
 }
 
 void check_count(R_xlen_t count, std::size_t wanted, const char* name) {
@@ -35,7 +35,7 @@ writable::list as_list(const codend::Motion& motion) {
   return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
                          "velocity"_nm = as_doubles(motion.v),
                          "acceleration"_nm = as_doubles(motion.a),
-                         "carried_acceleration"_nm = as_doubles(motion.b)});
+                         "algorithmic_acceleration"_nm = as_doubles(motion.b)});
 }
 
 // In the order of energy_parts in R/tow-frame.R.
@@ -178,10 +178,10 @@ double potential_of(const codend::Model& model, double error) {
       if (march.to(times[k]) != codend::MarchReport::End::reached) break;
       if (steered[k] == TRUE) {
         const doubles speed(steer(frame()));
-        std::vector<codend::GrowingGroup>& groups = conditions.schedule().groups;
-        check_count(speed.size(), groups.size(), "speed");
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-          groups[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
+        std::vector<codend::GrowingGroup>& growing = conditions.schedule().growing;
+        check_count(speed.size(), growing.size(), "speed");
+        for (std::size_t g = 0; g < growing.size(); ++g) {
+          growing[g].control.target_speed = speed[static_cast<R_xlen_t>(g)];
         }
       }
       if (filled[k] == TRUE) {
@@ -190,12 +190,12 @@ double potential_of(const codend::Model& model, double error) {
         const std::vector<int> node = places(moved, "node");
         check_count(weight.size(), model.pressure.weight.size(), "weight");
         check_count(mass.size(), node.size(), "mass");
-        model.pressure.weight = numbers(weight);
+        conditions.model().set_pressure_weight(numbers(weight));
         for (std::size_t p = 0; p < node.size(); ++p) {
           if (node[p] < 0 || node[p] >= model.points()) {
             throw codend::InputError("node", "node has a place that is not there");
           }
-          model.mass[static_cast<std::size_t>(node[p])] = mass[static_cast<R_xlen_t>(p)];
+          conditions.model().set_mass(node[p], mass[static_cast<R_xlen_t>(p)]);
         }
       }
       if (broken[k] == TRUE) march.begin_anew();

@@ -9,118 +9,83 @@ using namespace binding;
 
 namespace {
 
-codend::Curve read_curve(const list& from) {
-  return {numbers(from, "time"), numbers(from, "begin"), numbers(from, "end"),
-          numbers(from, "begin_rate"), numbers(from, "end_rate")};
-}
+// Reads a schedule's structs by their fields (march/schedule.hpp) from an R list under the same names.
+// What they hold is checked by check_schedule().
+class ScheduleReader {
+ public:
+  explicit ScheduleReader(const list& from) : from_(from) {}
 
-codend::LengthControl read_winch(const list& from) {
-  codend::LengthControl winch;
-  winch.target = read_curve(list(from["wanted"]));
-  winch.by_speed = as_cpp<bool>(from["steered"]);
-  winch.target_speed = number(from, "speed_wanted");
-  winch.speed_limit = number(from, "speed_limit");
-  winch.tension_limit = number(from, "tension_limit");
-  winch.near_limit = as_cpp<bool>(from["near_limit"]);
-  winch.stiffness = number(from, "stiffness");
-  winch.bar = place(from, "bar");
-  winch.full_length = number(from, "full_length");
-  winch.least_length = number(from, "least_length");
-  winch.most_length = number(from, "most_length");
-  winch.length = number(from, "length");
-  winch.since = number(from, "since");
-  winch.speed = number(from, "speed");
-  return winch;
-}
-
-codend::PrescribedMotion read_track(const list& from) {
-  codend::PrescribedMotion motion;
-  motion.node = places(from, "node");
-  const std::vector<double> place = numbers(from, "place");
-  for (std::size_t k = 0; 3 * k + 2 < place.size(); ++k) {
-    motion.place.emplace_back(place[3 * k], place[3 * k + 1], place[3 * k + 2]);
+  void operator()(const char* name, double& to) { to = number(from_, name); }
+  void operator()(const char* name, bool& to) { to = as_cpp<bool>(from_[name]); }
+  void operator()(const char* name, std::vector<double>& to) { to = numbers(from_, name); }
+  void operator()(const char* name, std::vector<codend::Vector>& to) {
+    const std::vector<double> flat = numbers(from_, name);
+    for (std::size_t k = 0; 3 * k + 2 < flat.size(); ++k) {
+      to.emplace_back(flat[3 * k], flat[3 * k + 1], flat[3 * k + 2]);
+    }
   }
-  motion.x = read_curve(list(from["x"]));
-  motion.y = read_curve(list(from["y"]));
-  motion.z = read_curve(list(from["heave"]));
-  motion.heading = read_curve(list(from["course"]));
-  return motion;
-}
+  // R counts from 1, and 0 is none.
+  void place(const char* name, int& to) { to = binding::place(from_, name); }
+  void place(const char* name, std::vector<int>& to) { to = places(from_, name); }
 
-codend::GrowingGroup read_group(const list& from) {
-  codend::GrowingGroup group;
-  group.controlled = !Rf_isNull(from["winch"]);
-  if (group.controlled) group.control = read_winch(list(from["winch"]));
-  group.factor = read_curve(list(from["factor"]));
-  group.bars = places(from, "bars");
-  group.rest = numbers(from, "rest");
-  group.points = places(from, "points");
-  group.mass = numbers(from, "mass");
-  group.load = numbers(from, "load");
-  group.spheres = places(from, "spheres");
-  group.drag_area = numbers(from, "drag_area");
-  group.added_mass = numbers(from, "added_mass");
-  group.volumes = places(from, "volumes");
-  group.buoyancy = numbers(from, "buoyancy");
-  return group;
-}
+  template <class Struct>
+  void group(const char* name, Struct& to) {
+    read(list(from_[name]), to);
+  }
+  template <class Struct>
+  bool optional(const char* name, Struct& to) {
+    if (Rf_isNull(from_[name])) return false;
+    group(name, to);
+    return true;
+  }
+  template <class Struct>
+  void items(const char* name, std::vector<Struct>& to) {
+    for (const list item : list(from_[name])) read(item, to.emplace_back());
+  }
 
-codend::Rupture read_rupture(const list& from) {
-  codend::Rupture rupture;
-  rupture.bars = places(from, "bars");
-  rupture.at = place(from, "at");
-  rupture.time = number(from, "time");
-  rupture.strength = number(from, "strength");
-  rupture.broken = place(from, "broken");
-  rupture.broken_at = number(from, "broken_at");
-  return rupture;
-}
+  template <class Struct>
+  static void read(const list& from, Struct& to) {
+    ScheduleReader reader(from);
+    to.fields(reader);
+  }
+
+ private:
+  const list& from_;
+};
 
 }  // namespace
 
 codend::Schedule binding::read_schedule(const list& from) {
   codend::Schedule schedule;
-  schedule.motion = read_track(list(from["track"]));
-  const list shooting(from["shooting"]);
-  schedule.release.node = places(shooting, "node");
-  schedule.release.time = numbers(shooting, "time");
-  for (const list group : list(from["growing"])) schedule.groups.push_back(read_group(group));
-  for (const list curve : list(from["current_x"])) {
-    schedule.current_x.push_back(read_curve(curve));
-  }
-  for (const list curve : list(from["current_y"])) {
-    schedule.current_y.push_back(read_curve(curve));
-  }
-  for (const list one : list(from["ruptures"])) {
-    schedule.ruptures.push_back(read_rupture(one));
-  }
+  ScheduleReader::read(from, schedule);
   return schedule;
 }
 
 writable::list binding::schedule_done(const codend::Schedule& schedule) {
-  writable::doubles length, since, speed, wanted, broken_at;
+  writable::doubles length, since, speed, target_speed, broken_at;
   writable::integers broken;
   writable::logicals near_limit;
-  for (const codend::GrowingGroup& group : schedule.groups) {
+  for (const codend::GrowingGroup& group : schedule.growing) {
     length.push_back(group.control.length);
     since.push_back(group.control.since);
     speed.push_back(group.control.speed);
-    wanted.push_back(group.control.target_speed);
+    target_speed.push_back(group.control.target_speed);
     near_limit.push_back(group.control.near_limit ? TRUE : FALSE);
   }
-  for (const codend::Rupture& rupture : schedule.ruptures) {
-    broken.push_back(rupture.broken + 1);
-    broken_at.push_back(rupture.broken_at);
+  for (const codend::Rupture& rope : schedule.ruptures) {
+    broken.push_back(rope.broken + 1);
+    broken_at.push_back(rope.broken_at);
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
-                         "speed_wanted"_nm = wanted, "near_limit"_nm = near_limit,
+                         "target_speed"_nm = target_speed, "near_limit"_nm = near_limit,
                          "broken"_nm = broken, "broken_at"_nm = broken_at});
 }
 
 // Values of a curve at times (s); at a jump those before it, or after it.
 [[cpp11::register]] doubles engine_curve_at(list curve, doubles time, bool after) {
   return guarded([&]() -> doubles {
-    const codend::Curve read = read_curve(curve);
+    codend::Curve read;
+    ScheduleReader::read(curve, read);
     codend::check_curve(read, "curve");
     const codend::Side side = after ? codend::Side::after : codend::Side::before;
     writable::doubles out(time.size());
@@ -136,13 +101,13 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
   return guarded([&]() -> list {
     codend::Schedule read = read_schedule(schedule);
     codend::check_schedule(read);
-    if (length.size() != time.size() * static_cast<R_xlen_t>(read.groups.size())) {
+    if (length.size() != time.size() * static_cast<R_xlen_t>(read.growing.size())) {
       throw codend::InputError("length", "one length per time and growing group is needed");
     }
     writable::doubles origin, velocity, heading, factor, x, y;
     R_xlen_t next = 0;
     for (const double t : time) {
-      for (codend::GrowingGroup& group : read.groups) {
+      for (codend::GrowingGroup& group : read.growing) {
         group.control.length = length[next++];
         group.control.since = t;
       }

@@ -116,7 +116,7 @@ TEST_CASE("a group grows with its factor and comes back to what it was") {
   group.points = {1, 2};
   group.mass = {0.25, 0.75};
   group.load = {-2.0, -6.0};
-  schedule.groups = {group};
+  schedule.growing = {group};
   Assembly assembly(weights.model);
   ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
   Motion motion = weights.start;
@@ -138,15 +138,15 @@ TEST_CASE("what hangs on a bar that breaks falls freely") {
     Weights weights;
     const double from = weights.start.x[8];
     Schedule schedule;
-    Rupture rupture;
-    rupture.bars = {1};
-    rupture.at = 1;
+    Rupture rope;
+    rope.bars = {1};
+    rope.at = 1;
     if (by_force) {
-      rupture.strength = 0.9 * 2.0 * gravity;  // at once
+      rope.strength = 0.9 * 2.0 * gravity;  // at once
     } else {
-      rupture.time = 0.5;
+      rope.time = 0.5;
     }
-    schedule.ruptures = {rupture};
+    schedule.ruptures = {rope};
     const Motion end = weights.march(schedule, 1.0);
     // Steps are of 1 ms; a bar that is overloaded breaks after the first.
     const double falls = by_force ? 1.0 - 1e-3 : 0.5;
@@ -228,18 +228,18 @@ TEST_CASE("a schedule that does not fit its model is refused with the field") {
   CHECK(complaint(moved) == "schedule.motion.heading must have a piece");
 
   Schedule grown;
-  grown.groups.resize(1);
-  grown.groups[0].factor = constant(1.0);
-  grown.groups[0].bars = {1, -1};
-  CHECK(complaint(grown) == "schedule.groups[1].rest has 0 values, must have 2");
-  grown.groups[0].rest = {1.0, 1.0};
-  CHECK(complaint(grown) == "schedule.groups[1].bars[2] is none of the model's 2 bars");
-  grown.groups[0].bars = {1, 0};
+  grown.growing.resize(1);
+  grown.growing[0].factor = constant(1.0);
+  grown.growing[0].bars = {1, -1};
+  CHECK(complaint(grown) == "schedule.growing[1].rest has 0 values, must have 2");
+  grown.growing[0].rest = {1.0, 1.0};
+  CHECK(complaint(grown) == "schedule.growing[1].bars[2] is none of the model's 2 bars");
+  grown.growing[0].bars = {1, 0};
   CHECK(complaint(grown) == "");
-  grown.groups[0].controlled = true;
-  grown.groups[0].control.target = constant(1.0);
-  grown.groups[0].control.length = none;
-  CHECK(complaint(grown) == "schedule.groups[1].control.length must be a finite number");
+  grown.growing[0].controlled = true;
+  grown.growing[0].control.target = constant(1.0);
+  grown.growing[0].control.length = none;
+  CHECK(complaint(grown) == "schedule.growing[1].control.length must be a finite number");
 
   Schedule broken;
   broken.ruptures.resize(1);

@@ -252,7 +252,7 @@ test_that("a plan's tow is checked with the plan", {
 
 test_that("a march that does not fit its lattice is refused before the engine goes on with it", {
   trajectory <- tow("towed_cable", until = 2, every = 1, nodes = 30)
-  for (field in c("position", "velocity", "acceleration", "carried_acceleration")) {
+  for (field in c("position", "velocity", "acceleration", "algorithmic_acceleration")) {
     for (motion in c("now", "before")) {
       forged <- trajectory
       forged$memory[[motion]][[field]] <- forged$memory[[motion]][[field]][-1]

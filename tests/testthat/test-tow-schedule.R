@@ -24,7 +24,7 @@ test_that("a place or number that is missing from a schedule is named", {
   })
   expect_identical(lost[1], "schedule.ruptures[1].bars[2]")
   beyond <- complaint_of_schedule(function(schedule) {
-    schedule$track$node[1] <- 100000L
+    schedule$motion$node[1] <- 100000L
     schedule
   })
   expect_identical(beyond[1], "schedule.motion.node[1]")
@@ -34,11 +34,11 @@ test_that("a place or number that is missing from a schedule is named", {
     schedule
   })[1], "schedule.ruptures[1].time")
   expect_identical(complaint_of_schedule(function(schedule) {
-    schedule$track$course$end[1] <- NaN
+    schedule$motion$heading$end[1] <- NaN
     schedule
   })[1], "schedule.motion.heading.end[1]")
   expect_identical(complaint_of_schedule(function(schedule) {
-    schedule$track$place <- schedule$track$place[-1]
+    schedule$motion$place <- schedule$motion$place[-1]
     schedule
   })[1], "schedule.motion.place")
 })

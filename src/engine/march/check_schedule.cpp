@@ -126,8 +126,8 @@ void check_schedule(const Schedule& schedule) {
   for (std::size_t k = 0; k < release.time.size(); ++k) {
     if (std::isnan(release.time[k])) fail(item("schedule.release.time", k), "must be a number");
   }
-  for (std::size_t k = 0; k < schedule.groups.size(); ++k) {
-    check_group(schedule.groups[k], item("schedule.groups", k));
+  for (std::size_t k = 0; k < schedule.growing.size(); ++k) {
+    check_group(schedule.growing[k], item("schedule.growing", k));
   }
   check_count(schedule.current_y.size(), schedule.current_x.size(), "schedule.current_y");
   for (std::size_t k = 0; k < schedule.current_x.size(); ++k) {
@@ -135,11 +135,11 @@ void check_schedule(const Schedule& schedule) {
     check_curve(schedule.current_y[k], item("schedule.current_y", k));
   }
   for (std::size_t k = 0; k < schedule.ruptures.size(); ++k) {
-    const Rupture& rupture = schedule.ruptures[k];
+    const Rupture& rope = schedule.ruptures[k];
     const std::string field = item("schedule.ruptures", k);
-    if (std::isnan(rupture.time)) fail(field + ".time", "must be a number");
-    if (std::isnan(rupture.strength)) fail(field + ".strength", "must be a number");
-    check_finite({rupture.broken_at}, field + ".broken_at");
+    if (std::isnan(rope.time)) fail(field + ".time", "must be a number");
+    if (std::isnan(rope.strength)) fail(field + ".strength", "must be a number");
+    check_finite({rope.broken_at}, field + ".broken_at");
   }
 }
 
@@ -147,9 +147,9 @@ void check_schedule(const Schedule& schedule, const Model& model) {
   check_schedule(schedule);
   check_places(schedule.motion.node, model.nodes, "schedule.motion.node", "nodes");
   check_places(schedule.release.node, model.nodes, "schedule.release.node", "nodes");
-  for (std::size_t k = 0; k < schedule.groups.size(); ++k) {
-    const GrowingGroup& group = schedule.groups[k];
-    const std::string field = item("schedule.groups", k);
+  for (std::size_t k = 0; k < schedule.growing.size(); ++k) {
+    const GrowingGroup& group = schedule.growing[k];
+    const std::string field = item("schedule.growing", k);
     check_places(group.bars, model.bars.count(), field + ".bars", "bars");
     check_places(group.points, model.points(), field + ".points", "points");
     check_places(group.spheres, static_cast<int>(model.spheres.node.size()), field + ".spheres",
@@ -164,12 +164,12 @@ void check_schedule(const Schedule& schedule, const Model& model) {
     check_count(schedule.current_x.size(), model.water.current.size(), "schedule.current_x");
   }
   for (std::size_t k = 0; k < schedule.ruptures.size(); ++k) {
-    const Rupture& rupture = schedule.ruptures[k];
+    const Rupture& rope = schedule.ruptures[k];
     const std::string field = item("schedule.ruptures", k);
-    check_places(rupture.bars, model.bars.count(), field + ".bars", "bars");
-    check_place(rupture.at, model.bars.count(), field + ".at", "bars");
-    if (rupture.broken != -1) {
-      check_place(rupture.broken, model.bars.count(), field + ".broken", "bars");
+    check_places(rope.bars, model.bars.count(), field + ".bars", "bars");
+    check_place(rope.at, model.bars.count(), field + ".at", "bars");
+    if (rope.broken != -1) {
+      check_place(rope.broken, model.bars.count(), field + ".broken", "bars");
     }
   }
 }

@@ -16,6 +16,15 @@ struct Curve {
   // Per piece: values at its two ends and their rates of change by time.
   std::vector<double> begin, end, begin_rate, end_rate;
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("time", time);
+    visit("begin", begin);
+    visit("end", end);
+    visit("begin_rate", begin_rate);
+    visit("end_rate", end_rate);
+  }
+
   void at(double t, Side side, double& value, double& rate) const {
     rate = 0.0;
     const bool after = side == Side::after;

@@ -28,6 +28,24 @@ struct LengthControl {
   double length = 0.0, since = 0.0, speed = 0.0;
   bool near_limit = false;  // of tension
 
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.group("target", target);
+    visit("by_speed", by_speed);
+    visit("target_speed", target_speed);
+    visit("speed_limit", speed_limit);
+    visit("tension_limit", tension_limit);
+    visit("stiffness", stiffness);
+    visit.place("bar", bar);
+    visit("full_length", full_length);
+    visit("least_length", least_length);
+    visit("most_length", most_length);
+    visit("length", length);
+    visit("since", since);
+    visit("speed", speed);
+    visit("near_limit", near_limit);
+  }
+
   double length_at(double time) const { return length + (time - since) * speed; }
   // Chooses the speed from a time (s) on, at a tension (N) in the bar.
   void choose_speed(double time, double tension);

@@ -11,8 +11,8 @@ using Values = Eigen::VectorXd;
 
 struct Motion {
   double time = 0.0;  // s
-  // m, m/s, m/s2, 3 per node; zero where a scheme has no use for it: a, and b, the acceleration that
-  // generalised alpha carries beside it.
+  // m, m/s, m/s2, 3 per node; zero where a scheme has no use for it: a, and b, the algorithmic
+  // acceleration of generalised alpha (Arnold and Bruels 2007).
   Values x, v, a, b;
 };
 

@@ -11,7 +11,7 @@ ScheduledValues values_at(const Schedule& schedule, double time, Side side) {
     motion.z.at(time, side, out.origin.z(), out.velocity.z());
     motion.heading.at(time, side, out.heading, out.turning);
   }
-  for (const GrowingGroup& group : schedule.groups) {
+  for (const GrowingGroup& group : schedule.growing) {
     double factor, rate;
     if (group.controlled) {
       factor = group.control.length_at(time) / group.control.full_length;

@@ -6,6 +6,14 @@
 // the rope from its controlled end. Left out is what that does to the water's friction along the
 // rope (its tangential coefficient, at w beside the speed of the flow) and to momentum (mass per
 // length times w^2, 16 N for 4 kg/m at 2 m/s).
+//
+// Each struct names its fields, once, as those of a model do (base/fields.hpp); what they must be
+// is check_schedule.hpp's. Visit offers:
+//   visit(name, value)             numbers, marks, vectors
+//   visit.place(name, place)       places among nodes, points or elements of the model, -1 for none
+//   visit.group(name, struct)      the fields of a struct under its name
+//   visit.optional(name, struct)   the same where it is given; returns whether it is
+//   visit.items(name, vector)      one group per element
 #pragma once
 
 #include <limits>
@@ -23,6 +31,16 @@ struct PrescribedMotion {
   std::vector<Vector> place;  // m from the body's origin, at heading 0
   Curve x, y, z;              // m, of the body's origin
   Curve heading;              // rad, clockwise as seen from above
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.place("node", node);
+    visit("place", place);
+    visit.group("x", x);
+    visit.group("y", y);
+    visit.group("z", z);
+    visit.group("heading", heading);
+  }
 };
 
 // Elements that grow or shrink together by a factor. All numbers are those at factor 1.
@@ -38,6 +56,22 @@ struct GrowingGroup {
   std::vector<double> drag_area, added_mass;  // m2, m3
   std::vector<int> volumes;                   // of the model's immersed volumes
   std::vector<double> buoyancy;               // N, the group's own in each of them
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.group("factor", factor);
+    controlled = visit.optional("control", control);
+    visit.place("bars", bars);
+    visit("rest", rest);
+    visit.place("points", points);
+    visit("mass", mass);
+    visit("load", load);
+    visit.place("spheres", spheres);
+    visit("drag_area", drag_area);
+    visit("added_mass", added_mass);
+    visit.place("volumes", volumes);
+    visit("buoyancy", buoyancy);
+  }
 };
 
 // A rope that breaks at a time, or where a bar's tension exceeds its strength.
@@ -48,20 +82,46 @@ struct Rupture {
   double strength = std::numeric_limits<double>::infinity();  // N
   int broken = -1;                                            // the bar that went
   double broken_at = 0.0;                                     // s
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.place("bars", bars);
+    visit.place("at", at);
+    visit("time", time);
+    visit("strength", strength);
+    visit.place("broken", broken);
+    visit("broken_at", broken_at);
+  }
 };
 
 // Free nodes that stay where they are until they are released.
 struct Release {
   std::vector<int> node;
   std::vector<double> time;  // s
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.place("node", node);
+    visit("time", time);
+  }
 };
 
 struct Schedule {
   PrescribedMotion motion;
   Release release;
-  std::vector<GrowingGroup> groups;
+  std::vector<GrowingGroup> growing;
   std::vector<Curve> current_x, current_y;  // m/s, per depth of the model's water; none: constant
   std::vector<Rupture> ruptures;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.group("motion", motion);
+    visit.group("release", release);
+    visit.items("growing", growing);
+    visit.items("current_x", current_x);
+    visit.items("current_y", current_y);
+    visit.items("ruptures", ruptures);
+  }
 };
 
 // What a schedule says of one time.

@@ -11,7 +11,8 @@ namespace {
 // Steps are no longer (s) while nodes are released, so that each begins in its turn.
 constexpr double releasing_step = 0.5;
 
-double& upward(std::vector<double>& values, int point) {
+template <class Values>
+auto& upward(Values& values, int point) {
   return values[3 * static_cast<std::size_t>(point) + 2];
 }
 
@@ -19,7 +20,7 @@ double& upward(std::vector<double>& values, int point) {
 
 ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Schedule schedule,
                                          const Motion& start)
-    : model_(model),
+    : model_(model, assembly),
       assembly_(assembly),
       schedule_(std::move(schedule)),
       start_(start),
@@ -27,10 +28,10 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
       load_(model.load),
       buoyancy_(model.volumes.buoyancy),
       wake_time_(start.time),
-      factor_(schedule_.groups.size(), 1.0),
-      rate_(schedule_.groups.size(), 0.0) {
+      factor_(schedule_.growing.size(), 1.0),
+      rate_(schedule_.growing.size(), 0.0) {
   check_schedule(schedule_, model);
-  for (const GrowingGroup& group : schedule_.groups) {
+  for (const GrowingGroup& group : schedule_.growing) {
     for (std::size_t k = 0; k < group.points.size(); ++k) {
       mass_[group.points[k]] -= group.mass[k];
       upward(load_, group.points[k]) -= group.load[k];
@@ -40,8 +41,8 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
     }
     answers_ = answers_ || group.controlled;
   }
-  for (Rupture& one : schedule_.ruptures) {
-    if (one.broken >= 0) rupture(one, one.broken, one.broken_at);
+  for (Rupture& rope : schedule_.ruptures) {
+    if (rope.broken >= 0) break_rope(rope, rope.broken, rope.broken_at);
   }
   if (!schedule_.release.node.empty()) {
     held_back_.assign(static_cast<std::size_t>(model.nodes), 0);
@@ -51,8 +52,8 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
 }
 
 void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
-  for (int n = 0; n < model_.nodes; ++n) {
-    if (!model_.held[n]) continue;
+  for (int n = 0; n < model_.now().nodes; ++n) {
+    if (!model_.now().held[n]) continue;
     at(motion.x.data(), n) = at(start_.x.data(), n) + (time - start_.time) * at(start_.v.data(), n);
     at(motion.v.data(), n) = at(start_.v.data(), n);
   }
@@ -68,7 +69,7 @@ void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
         values.velocity + values.turning * (p.y() * forth - p.x() * aside);
   }
   for (std::size_t k = 0; k < values.current.size(); ++k) {
-    model_.water.current[k] = values.current[k];
+    model_.set_current(k, values.current[k]);
   }
   grow(values);
   release(time);
@@ -90,53 +91,54 @@ void ScheduledConditions::release(double time) {
 
 void ScheduledConditions::grow(const ScheduledValues& values) {
   bool changed = false;
-  for (std::size_t g = 0; g < schedule_.groups.size(); ++g) {
+  for (std::size_t g = 0; g < schedule_.growing.size(); ++g) {
     const double factor = values.factor[g], rate = values.rate[g];
     if (factor == factor_[g] && rate == rate_[g]) continue;
     changed = changed || factor != factor_[g];
     factor_[g] = factor;
     rate_[g] = rate;
-    const GrowingGroup& group = schedule_.groups[g];
+    const GrowingGroup& group = schedule_.growing[g];
     for (std::size_t k = 0; k < group.bars.size(); ++k) {
-      model_.bars.rest[group.bars[k]] = factor * group.rest[k];
-      assembly_.update_bar(group.bars[k], rate / factor);
+      model_.set_rest(group.bars[k], factor * group.rest[k], rate / factor);
     }
     for (std::size_t k = 0; k < group.spheres.size(); ++k) {
-      model_.spheres.drag_area[group.spheres[k]] = factor * group.drag_area[k];
-      model_.spheres.added_mass[group.spheres[k]] = factor * group.added_mass[k];
+      model_.set_sphere(group.spheres[k], factor * group.drag_area[k],
+                        factor * group.added_mass[k]);
     }
   }
   if (!changed) return;
-  for (const GrowingGroup& group : schedule_.groups) {
+  for (const GrowingGroup& group : schedule_.growing) {
     for (const int point : group.points) {
-      model_.mass[point] = mass_[point];
-      upward(model_.load, point) = upward(load_, point);
+      model_.set_mass(point, mass_[point]);
+      model_.set_upward_load(point, upward(load_, point));
     }
-    for (const int volume : group.volumes) model_.volumes.buoyancy[volume] = buoyancy_[volume];
+    for (const int volume : group.volumes) model_.set_buoyancy(volume, buoyancy_[volume]);
   }
-  for (std::size_t g = 0; g < schedule_.groups.size(); ++g) {
-    const GrowingGroup& group = schedule_.groups[g];
+  for (std::size_t g = 0; g < schedule_.growing.size(); ++g) {
+    const GrowingGroup& group = schedule_.growing[g];
     for (std::size_t k = 0; k < group.points.size(); ++k) {
-      model_.mass[group.points[k]] += factor_[g] * group.mass[k];
-      upward(model_.load, group.points[k]) += factor_[g] * group.load[k];
+      const int point = group.points[k];
+      model_.set_mass(point, model_.now().mass[point] + factor_[g] * group.mass[k]);
+      model_.set_upward_load(point, upward(model_.now().load, point) + factor_[g] * group.load[k]);
     }
     for (std::size_t k = 0; k < group.volumes.size(); ++k) {
-      model_.volumes.buoyancy[group.volumes[k]] += factor_[g] * group.buoyancy[k];
+      const int volume = group.volumes[k];
+      model_.set_buoyancy(volume,
+                          model_.now().volumes.buoyancy[volume] + factor_[g] * group.buoyancy[k]);
     }
   }
 }
 
-void ScheduledConditions::rupture(Rupture& rupture, int bar, double time) {
-  rupture.broken = bar;
-  rupture.broken_at = time;
-  model_.bars.multiplicity[bar] = 0.0;
-  assembly_.update_bar(bar, 0.0);
+void ScheduledConditions::break_rope(Rupture& rope, int bar, double time) {
+  rope.broken = bar;
+  rope.broken_at = time;
+  model_.break_bar(bar);
 }
 
 double ScheduledConditions::longest_step() const {
   double longest = std::numeric_limits<double>::infinity();
   if (time_ < all_released_) longest = releasing_step;
-  for (const GrowingGroup& group : schedule_.groups) {
+  for (const GrowingGroup& group : schedule_.growing) {
     if (group.controlled) longest = std::min(longest, group.control.longest_step());
   }
   return longest;
@@ -146,21 +148,21 @@ bool ScheduledConditions::broken_at(const Motion& now) {
   bool broken = false;
   if (!answers_) return broken;
   assembly_.move_to(now.x.data(), now.v.data());
-  for (Rupture& one : schedule_.ruptures) {
-    if (one.broken >= 0) continue;
-    int bar = now.time >= one.time * (1.0 - 1e-12) ? one.at : -1;
-    double most = one.strength;
-    for (const int b : one.bars) {
+  for (Rupture& rope : schedule_.ruptures) {
+    if (rope.broken >= 0) continue;
+    int bar = now.time >= rope.time * (1.0 - 1e-12) ? rope.at : -1;
+    double most = rope.strength;
+    for (const int b : rope.bars) {
       const double pull = assembly_.bar_pull(b);
       if (!(pull > most)) continue;
       most = pull;
       bar = b;
     }
     if (bar < 0) continue;
-    rupture(one, bar, now.time);
+    break_rope(rope, bar, now.time);
     broken = true;
   }
-  for (GrowingGroup& group : schedule_.groups) {
+  for (GrowingGroup& group : schedule_.growing) {
     if (!group.controlled) continue;
     group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
   }

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "../model/assembly.hpp"
+#include "../model/changing_model.hpp"
 #include "conditions.hpp"
 #include "schedule.hpp"
 
@@ -14,8 +14,8 @@ namespace codend {
 
 class ScheduledConditions : public Conditions {
  public:
-  // The model is changed as time goes, the assembly over it told. It is given with all groups at
-  // factor 1 and no rope broken. start: where held nodes are that the schedule does not move.
+  // The model is changed as time goes (ChangingModel), the assembly over it told. It is given with all
+  // growing elements at factor 1 and no rope broken. start: where held nodes are that the schedule does not move.
   // Throws InputError where the schedule does not fit the model (check_schedule()).
   ScheduledConditions(Model& model, Assembly& assembly, Schedule schedule, const Motion& start);
 
@@ -27,13 +27,15 @@ class ScheduledConditions : public Conditions {
 
   Schedule& schedule() { return schedule_; }
   const Schedule& schedule() const { return schedule_; }
+  // What others than the schedule change.
+  ChangingModel& model() { return model_; }
 
  private:
   void grow(const ScheduledValues& values);
   void release(double time);
-  void rupture(Rupture& rupture, int bar, double time);
+  void break_rope(Rupture& rope, int bar, double time);
 
-  Model& model_;
+  ChangingModel model_;
   Assembly& assembly_;
   Schedule schedule_;
   Motion start_;
