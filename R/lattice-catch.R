@@ -22,7 +22,7 @@ add_catch <- function(si, lattice) {
   v <- at$v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 4L)
   square <- matrix(rep(orientation == "square", each = 4L), 4L)
   depth <- si$catch$deep - ifelse(square, v, (at$u + v) / 2)
-  triangles <- cell_triangles(corner)
+  triangles <- cell_triangles(has_three_corners(corner))
   place <- triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)
   panel <- panel[triangles$cell]
   lattice$catch <- list(

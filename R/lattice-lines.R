@@ -51,16 +51,16 @@ triangle_area <- function(u, v) {
 # Whether cells (4 x n nodes or places) have three corners.
 has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
 
-# Cells as triangles: of four corners all four, which overlap and count a half each.
+# Cells as triangles: of four corners all four, which overlap and count a half each; pointed: which
+# cells have three.
 # Returns list(cell = which of the cells, corner = 3 x triangles, 1 to 4, weight).
-cell_triangles <- function(corner) {
-  pointed <- has_three_corners(corner)
+cell_triangles <- function(pointed) {
   whole <- which(pointed)
   halved <- which(!pointed)
   list(
     cell = c(whole, rep(halved, each = 4L)),
     corner = cbind(
-      matrix(1:3, 3L, length(whole)), matrix(corner_triangles, 3L, 4L * length(halved))
+      matrix(rep(1:3, length(whole)), 3L), matrix(rep(corner_triangles, length(halved)), 3L)
     ),
     weight = rep(c(1, 0.5), c(length(whole), 4L * length(halved)))
   )

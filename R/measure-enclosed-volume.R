@@ -21,7 +21,7 @@ measure_enclosed_volume <- function(state, measure) {
     )
   }
   corners <- cell_corners(lattice)
-  triangles <- cell_triangles(corners)
+  triangles <- cell_triangles(has_three_corners(corners))
   node <- matrix(corners[triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)], 3L)
   weight <- triangles$weight * cells$multiplicity[triangles$cell]
   x <- state_points(state)

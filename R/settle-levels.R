@@ -83,10 +83,11 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   strain <- if (!is.null(from$strain)) {
     carry_strains(panel_table(si$panels), lattice, from$lattice, from$strain)
   }
-  solve <- function(lattice) {
+  solve <- function(lattice, from = NULL) {
+    if (is.null(from)) from <- list(position = lattice$start, begins = begins, strain = strain)
     engine_settle(
-      lattice$engine, as.double(lattice$start), begins, as.double(strain), settle_tolerance,
-      steps, progress
+      lattice$engine, as.double(from$position), first_of(from$begins, "settled"),
+      as.double(from$strain), settle_tolerance, steps, progress
     )
   }
   settled <- if (is.null(si$catch) || is.na(si$catch$volume)) {

@@ -71,7 +71,7 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 7L
+trajectory_file_version <- 8L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")

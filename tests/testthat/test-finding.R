@@ -91,7 +91,7 @@ test_that("a spread that is odd for the head line, and loose netting, show", {
   found <- expect_finding(narrow, "spread over head line", "rope head_line")
   spread <- measures(narrow)[["upper_wing_spread_m"]]
   expect_equal(found$value, spread / narrow$si$ropes$head_line$length)
-  slow <- quiet(update(gear, towing.speed = "0.2 knot"), nodes = 500)
+  slow <- quiet(update(gear, towing.speed = "0.01 knot"), nodes = 500)
   found <- expect_finding(slow, "slack netting", "netting")
   # what hangs loose is part of what is slack
   expect_lt(found$value, measures(slow)[["slack_netting_percent"]])

@@ -1,4 +1,4 @@
-test_that("tensions have a row per bar and per family of every triangle", {
+test_that("tensions have a row per bar and per family of every cell", {
   state <- settled("midwater_trawl", nodes = 500, netting = "cells")
   table <- as.data.frame(state)
   bars <- length(engine_array(state, "bars", "rest"))

@@ -9,7 +9,7 @@ namespace {
 constexpr int strip = 512;
 
 // m/s, see netting_cell.hpp.
-constexpr double twist_speed = 0.5;
+constexpr double twist_speed = 4.0;
 
 // A column of numbers per array. An odd number of cache lines each: the same place of all columns
 // then falls on different sets of the cache.
