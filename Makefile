@@ -10,6 +10,8 @@
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
+# make soak    ten users of the flume tank for an hour, or MINUTES=..., USERS=...; takes Node.js 20
+#
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
@@ -22,7 +24,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test bench bench-loops \
+.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
   bench-tow errors robust schema schema-check
 trawl:
 	@tools/setup
@@ -62,6 +64,12 @@ check:
 browser-test:
 	@tools/setup --tests
 	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node --test
+
+MINUTES ?= 60
+USERS ?= 10
+soak:
+	@tools/setup --tests
+	@node --experimental-websocket --no-warnings tests/browser/soak.js $(MINUTES) $(USERS)
 
 NODES ?= 100000
 bench:

@@ -15,7 +15,7 @@
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'
 #' Warnings have class `codend_warning`; those of [settle()] about an otter board also
-#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over` or `_unstable`.
+#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`.
 #'
 #' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full
 #' disk too, the old file stays.

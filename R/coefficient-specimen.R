@@ -94,10 +94,11 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
       common, list(straight = numeric(n), inner = integer(n))
     )
   } else if (law == "blended") {
-    held$engine$blended[names(common)] <- common
+    held$engine$blended[c(names(common), "overlap")] <- c(common, list(numeric(n)))
   } else {
     held$engine$screens <- list(
       node = node, twine = twine, twine_area = rep(solidity * side^2, n),
+      overlap = numeric(n),
       diameter = rep(diameter, n), multiplicity = rep(1, n),
       height = rep(diameter, n), law = rep(law, n)
     )

@@ -28,8 +28,20 @@ engine_settle <- function(lattice, start, from, strain, tolerance, iterations, w
   .Call(`_codend_engine_settle`, lattice, start, from, strain, tolerance, iterations, watch)
 }
 
+engine_body_modes <- function(lattice, position, velocity) {
+  .Call(`_codend_engine_body_modes`, lattice, position, velocity)
+}
+
 engine_lay_out <- function(held, position, ends, rest, tension, load) {
   .Call(`_codend_engine_lay_out`, held, position, ends, rest, tension, load)
+}
+
+engine_tangent <- function(lattice, position) {
+  .Call(`_codend_engine_tangent`, lattice, position)
+}
+
+engine_balance <- function(tangent, lattice, position, tolerance, steps) {
+  .Call(`_codend_engine_balance`, tangent, lattice, position, tolerance, steps)
 }
 
 engine_evaluate <- function(lattice, position, velocity) {
@@ -48,6 +60,14 @@ engine_speed_reduction <- function(law, solidity, cosine) {
   .Call(`_codend_engine_speed_reduction`, law, solidity, cosine)
 }
 
+engine_wave_number <- function(frequency, depth) {
+  .Call(`_codend_engine_wave_number`, frequency, depth)
+}
+
+engine_elevation <- function(waves, x, y, time) {
+  .Call(`_codend_engine_elevation`, waves, x, y, time)
+}
+
 file_size <- function(path) {
   .Call(`_codend_file_size`, path)
 }
@@ -58,4 +78,8 @@ file_sync <- function(path) {
 
 file_replace <- function(from, to) {
   .Call(`_codend_file_replace`, from, to)
+}
+
+limit_memory <- function(bytes) {
+  .Call(`_codend_limit_memory`, bytes)
 }

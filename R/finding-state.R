@@ -177,3 +177,20 @@ define_finding("boards", "state",
     Filter(Negate(is.null), out)
   }
 )
+
+define_finding("flutter", "state",
+  "A free otter board or kite whose swings grow: with its mass, added mass and damping a small push
+  is enough.",
+  function(gear, state) {
+    modes <- fluttering_modes(state)
+    modes <- modes[!duplicated(modes$board), ]
+    lapply(seq_len(nrow(modes)), function(k) {
+      mode <- modes[k, ]
+      finding(gsub("_", " ", mode$board), mode$growth_per_s,
+        paste(figures(mode$growth_per_s), "/s"),
+        sprintf("it swings with a period of %s s, and its swings grow by a factor of e in %s s.",
+          figures(mode$period_s), figures(1 / mode$growth_per_s)),
+        "Move the points where warp and backstrops are fastened, or lower its weight.")
+    })
+  }
+)

@@ -1,25 +1,5 @@
 # The fields of a plan that the flume tank shows as controls.
 
-# Usual controls of short forms: paths with their labels, in the order shown.
-usual_fields <- c(
-  towing.speed = "Towing speed", water.current.speed = "Current",
-  warps.length = "Warp out", otter_boards.area = "Otter board area",
-  otter_boards.chord = "Otter board chord", otter_boards.span = "Otter board span",
-  hammers.mass = "Hammer mass", canvas.area = "Canvas area",
-  floats.number = "Number of floats", floats.buoyancy = "Buoyancy of a float",
-  sinkers.mass = "Mass of a sinker", purse_wire.length = "Purse wire",
-  shortening_ratio = "Shortening ratio", branch_lines.length = "Branch lines"
-)
-
-# ... and of parts of an assembly, by their role.
-usual_parts <- data.frame(
-  group = c("ropes", "pieces", "pieces", "pieces", "pieces", "pieces"),
-  role = c("warp", "otter_board", "hammer", "canvas", "float", "float"),
-  field = c("length", "area", "mass", "area", "number", "buoyancy"),
-  label = c("Warp out", "Otter board area", "Hammer mass", "Canvas area", "Number of floats",
-    "Buoyancy of a float")
-)
-
 # The controls of a plan: a named list by id of lists of id, label, help, paths (fields that change
 # together), kind ("number", "choice" or "truth"), value (number, text or truth value), and of
 # numbers unit (as shown), units (factors to SI by name, NULL where it has none), low, high and step
@@ -28,7 +8,7 @@ usual_parts <- data.frame(
 # marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
 # out.
 plan_controls <- function(plan, marked = list()) {
-  usual <- c(usual_field_controls(plan), usual_part_controls(plan))
+  usual <- usual_of_plan(plan)
   asked <- Map(list, label = marked_labels(marked), paths = marked)
   seen <- vapply(asked, function(ask) ask$paths[1], "")
   usual <- Filter(function(ask) !ask$paths[1] %in% seen, usual)
@@ -40,41 +20,6 @@ plan_controls <- function(plan, marked = list()) {
   controls <- Filter(Negate(is.null), controls)
   ids <- sprintf("control_%d", seq_along(controls))
   stats::setNames(Map(function(control, id) c(list(id = id), control), controls, ids), ids)
-}
-
-# Of those that the plan gives; a current by layers has a control each.
-usual_field_controls <- function(plan) {
-  given <- Filter(function(path) isTRUE(plan_field(plan, path)$given), names(usual_fields))
-  layers <- plan$water$current
-  layers <- if (is.null(names(layers))) seq_along(layers)
-  c(
-    Map(function(path, label) list(label = label, paths = path), given, usual_fields[given]),
-    lapply(layers, function(k) {
-      depth <- plan$water$current[[k]]$depth
-      list(
-        label = paste("Current at", if (is.numeric(depth)) format_si(depth, "length") else depth),
-        paths = sprintf("water.current.%d.speed", k)
-      )
-    })
-  )
-}
-
-# Parts of one role with one value have one control, others one each.
-usual_part_controls <- function(plan) {
-  unlist(lapply(seq_len(nrow(usual_parts)), function(k) {
-    usual <- usual_parts[k, ]
-    parts <- plan[[usual$group]]
-    alike <- names(Filter(function(part) {
-      is.list(part) && identical(part$role, usual$role) && !is.null(part[[usual$field]])
-    }, parts))
-    if (!length(alike)) return(NULL)
-    paths <- paste(usual$group, alike, usual$field, sep = ".")
-    values <- unique(lapply(parts[alike], `[[`, usual$field))
-    if (length(values) == 1L) return(list(list(label = usual$label, paths = paths)))
-    unname(Map(function(path, part) {
-      list(label = paste0(usual$label, ", ", gsub("_", " ", part)), paths = path)
-    }, paths, alike))
-  }), recursive = FALSE)
 }
 
 # "otter_boards.lift_coefficient" becomes "Otter boards: lift coefficient", unless it has a name.
@@ -201,19 +146,10 @@ control_of_path <- function(controls, path) {
 
 # Paths of all fields of a plan that can have a control, for the user to mark.
 markable_fields <- function(plan) {
-  paths <- character()
-  walk <- function(value, path) {
-    if (is_map(value) && length(value)) {
-      for (name in names(value)) walk(value[[name]], join(path, name))
-    } else if (is.list(value)) {
-      for (k in seq_along(value)) walk(value[[k]], join(path, as.character(k)))
-    } else if (length(value) == 1L) {
-      field <- plan_field(plan, path)
-      if (!is.null(field) && !is.null(new_control("", path, field))) paths <<- c(paths, path)
-    }
-  }
-  walk(plan[setdiff(names(plan), c("codend", "kind", "name", "notes", "sources", "tow"))], "")
-  paths
+  Filter(function(path) {
+    field <- plan_field(plan, path)
+    !is.null(field) && !is.null(new_control("", path, field))
+  }, given_paths(plan))
 }
 
 # Stops unless every marked field is one that this plan has and a control can show.

@@ -30,19 +30,21 @@
 #' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same
 #' page from a shell.
 #'
-#' The page asks nothing of the network but the R process that serves it. That process settles for
-#' one browser at a time; each browser has a gear of its own and waits for its own last answer
-#' before it asks again, with the latest values.
+#' The page asks nothing of the network but the R process that serves it. Each browser has a gear of
+#' its own, which a process of its own settles; it waits for its last answer before it asks again,
+#' with the latest values. That process ends when the browser leaves.
 #'
 #' @section As a server for others:
-#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a
-#' design at most 20,000 nodes (or twice `nodes`), and an answer takes at most 30 s, during which
-#' the other browsers wait. The size of a message and how often one comes are not bounded here,
-#' there is no password, and `codend flume` answers this computer alone. To let others in, run it
-#' as a service of a user of its own with a limit of memory (systemd: `DynamicUser=yes`,
-#' `MemoryMax=2G`, `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`),
-#' behind a proxy that encrypts, asks who it is, and limits connections and the size
-#' and rate of messages. A process for every few users keeps them from waiting for each other.
+#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a design
+#' at most 20,000 nodes (or twice `nodes`). Every browser's designs settle in an R process of their
+#' own with at most 4 GB of memory (where the system limits that) and 30 s for each answer; what
+#' takes longer is ended, and the other browsers do not wait for it. At most 30 browsers are served
+#' at a time. One that sends messages of more than 6 MB, or more than 40 a second for long, is cut
+#' off. There is no password, and `codend flume` answers this computer alone. To let others in, run
+#' it as a service of a user of its own with a limit of memory (systemd: `DynamicUser=yes`,
+#' `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`), behind a proxy that
+#' encrypts, asks who it is, and limits connections. A process takes some 150 MB, an open page
+#' another.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param fields Further fields of the plan to have a control each: paths as in
@@ -52,7 +54,7 @@
 #' @param nodes About how many nodes the lattice should have; see [settle()].
 #' @return A Shiny app, which runs when printed. A wrong argument is an error of class
 #'   `codend_error_argument`, a wrong plan one of class `codend_error_plan`, a gear that does not
-#'   settle one of class `codend_error_not_converged`, and a missing shiny or bslib one of class
+#'   settle one of class `codend_error_not_converged`, and a missing package one of class
 #'   `codend_error_package`.
 #' @examplesIf interactive()
 #' flume()
@@ -64,7 +66,7 @@ flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, NULL)
   marked <- check_marked(first_of(fields, character()), gear$plan)
-  start <- c(list(gear = gear), settle_noted(gear, nodes, NULL))
+  start <- settled_start(gear, nodes)
   shiny::addResourcePath("codend-flume", system.file("app", package = "codend", mustWork = TRUE))
   shiny::shinyApp(
     ui = flume_page(), server = flume_server(start, marked, nodes),
@@ -76,7 +78,7 @@ flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
 }
 
 check_flume_packages <- function() {
-  needed <- c("shiny", "bslib")
+  needed <- c("shiny", "bslib", "callr", "later", "promises")
   absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
   if (!length(absent)) return(invisible())
   abort_package(

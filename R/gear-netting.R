@@ -16,6 +16,14 @@
 #'   bars are of one twine. Hexagonal netting is always divided into cells of three corners (D.
 #'   Priour, A Finite Element Method for Netting, Springer 2013).
 #'
+#' @section Knots:
+#' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
+#' twice the twine's where not given, which drags by its Reynolds number, and has the mass and the
+#' volume of the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a
+#' single knot takes (J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990: knotted netting
+#' weighs 1 + 16 d / mesh size times as much as knotless). Knotless netting has none of this.
+#' [netting_table()] lists the twine that the panels of a gear take.
+#'
 #' @section Drag of twines and ropes:
 #' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last
 #' wins), is a set by name, or numbers `normal`, `tangential` and `skin` on diameter times length:
@@ -47,7 +55,8 @@
 #' last one's cylinder drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a
 #' solidity of 0.1 `loland` and `aarsnes`, whose least drag is that of 0.04 of the netting's area
 #' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
-#' of a midwater trawl they still give far too much. Solidity counts knots by their spheres. Where
+#' of a midwater trawl they still give far too much. Solidity counts knots by their spheres, and the
+#' crossings of knotless netting once (2d/a - (d/a)^2 in square meshes). Where
 #' netting lies nearly along the flow its twines stand in each other's wake, which the sum over
 #' twines does not know: above some 70 degrees between normal and flow it gives too much drag (flume
 #' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural

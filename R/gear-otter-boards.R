@@ -1,22 +1,5 @@
 # Otter boards, kites and depressors as rigid bodies, in SI numbers and in the engine's axes.
 
-# Added mass of a rectangular plate across its face over rho pi/4 c^2 b, with c its shorter and b
-# its longer side, by b/c (DNV-RP-C205, table D-2).
-plate_added_mass <- data.frame(
-  ratio = c(1, 1.25, 1.59, 2, 2.5, 3.17, 4, 5, 6.25, 8, 10),
-  coefficient = c(0.579, 0.642, 0.690, 0.757, 0.801, 0.840, 0.872, 0.897, 0.917, 0.934, 0.947)
-)
-
-# Volume of water (m3) whose mass a plate adds when it moves across its face.
-plate_added_volume <- function(chord, span) {
-  short <- min(chord, span)
-  long <- max(chord, span)
-  coefficient <- stats::approx(
-    plate_added_mass$ratio, plate_added_mass$coefficient, long / short, rule = 2
-  )$y
-  coefficient * pi / 4 * short^2 * long
-}
-
 # Stiffness of a board's struts over its area, N/m per m2: a board under 25 kN per m2 changes its
 # lengths by a millimetre.
 strut_stiffness <- 3e7
@@ -38,7 +21,7 @@ si_kite <- function(kite, path, fields, known) {
 }
 
 # Whether a board of `otter_boards` is a kite or depressor.
-is_kite <- function(board) board$role == "kite"
+is_kite <- function(board) identical(board$role, "kite")
 
 # axes: a function(place as given) that tells it in the board's axes.
 si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
@@ -106,6 +89,8 @@ strut_line <- function(board) {
 
 # What the engine reads of a board on these nodes.
 engine_board <- function(board, nodes, density) {
+  radii <- plate_added_radii(board$chord, board$span)
+  ratio <- board$span / board$chord
   list(
     node = nodes, attachment = as.double(board$attachment), side = board$side,
     level = is_kite(board), chord = board$chord, span = board$span, area = board$area,
@@ -113,12 +98,17 @@ engine_board <- function(board, nodes, density) {
     pressure_centre = board$pressure_centre, pressure_wanders = board$pressure_wanders,
     weight = gear_gravity * board$mass, buoyancy = gear_gravity * density * board$volume,
     gravity_centre = board$gravity_centre, buoyancy_centre = board$buoyancy_centre,
-    added_mass = board$added_volume, shoe_area = board$shoe_area,
+    mass = board$mass,
+    second_moment = plate_second_moment(board$mass, board$chord, board$span),
+    added_mass = board$added_volume, added_radius_chord = radii[["chord"]],
+    added_radius_span = radii[["span"]], normal_slope = at_ratio(plate_turning, "slope", ratio),
+    yaw_damping = at_ratio(plate_turning, "yaw", ratio),
+    roll_damping = at_ratio(plate_turning, "roll", ratio), shoe_area = board$shoe_area,
     polar = engine_polar(board$polar)
   )
 }
 
-# Struts and mass of the boards of a gear in its lattice; part: number of the part before the first
+# Struts of the boards of a gear in its lattice; part: number of the part before the first
 # board; material: number of the material before the first board's struts.
 add_otter_boards <- function(build, si, division, part, material) {
   for (k in seq_along(si$otter_boards)) {
@@ -131,20 +121,6 @@ add_otter_boards <- function(build, si, division, part, material) {
       multiplicity = rep(1, 3L), height = long, material = rep(material + k, 3L),
       part = rep(part + k, 3L))
   }
-}
-
-# Mass of boards at their points, kg: shares that have the centre of gravity where the board has it,
-# as far as positive shares can.
-board_masses <- function(si, division, points) {
-  mass <- numeric(points)
-  for (board in si$otter_boards) {
-    share <- qr.solve(rbind(board$attachment, rep(10 * board$span, 3L)),
-      c(board$gravity_centre, 10 * board$span))
-    share <- pmax(share, 0.1)
-    nodes <- division$points[board$points]
-    mass[nodes] <- mass[nodes] + board$mass * share / sum(share)
-  }
-  mass
 }
 
 # Angle of attack of a first shape, rad: of a kite half that of its largest lift.

@@ -30,7 +30,12 @@ si_piece <- function(piece, path, fields, known) {
   if (lift > 0 && is.null(piece$lift_direction)) {
     abort_field(paste0(path, ".lift_direction"), NULL, "given with lift", "is missing")
   }
-  if (body$mass == 0 && body$volume == 0 && drag == 0 && lift == 0 &&
+  upward <- first_of(piece$vertical_lift_coefficient, 0) * first_of(piece$area, 0)
+  if (upward != 0 && first_of(piece$lift_direction, "") %in% c("up", "down")) {
+    abort_field(paste0(path, ".vertical_lift_coefficient"), piece$vertical_lift_coefficient,
+      "left out where `lift_direction` is up or down")
+  }
+  if (body$mass == 0 && body$volume == 0 && drag == 0 && lift == 0 && upward == 0 &&
     is.null(piece$added_mass_kg)) {
     abort_plan(
       sprintf("Plan field `%s` does nothing: give it mass, buoyancy, an area or lift.", path),
@@ -41,6 +46,7 @@ si_piece <- function(piece, path, fields, known) {
     at = place, along = along, share = share, number = piece$number, end_to_end = piece$end_to_end,
     mass = body$mass, volume = body$volume,
     area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
+    upward_lift_area = upward,
     smooth_diameter = if (smooth) piece$diameter else 0,
     lift_direction = first_of(piece$lift_direction, NA_character_),
     added_mass = first_of(piece$added_mass_kg, piece$added_mass * body$volume * water),

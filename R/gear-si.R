@@ -26,16 +26,16 @@ check_whole <- function(plan, last = NULL) {
 # last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, measures, share_places). Places stay texts that
-# `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with from
-# and to as fractions of the edge. What a plan may leave out and has no default is NULL (position,
-# at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
-# catch) or, of single numbers and texts, NA.
+# seams, pieces, otter_boards, ground, shooting, vessel, measures, share_places). Places stay texts
+# that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with
+# from and to as fractions of the edge. What a plan may leave out and has no default is NULL
+# (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
+# opening_stiffness, catch) or, of single numbers and texts, NA.
 si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_law(fields$coefficients)
   si <- list(
     name = fields$name, kind = "assembly",
-    water = si_water(fields$water), towing = fields$towing,
+    water = si_water(fields$water, fields$seabed), towing = fields$towing,
     netting = fields$netting, slack_twine = fields$slack_twine
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
@@ -68,6 +68,8 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known$pieces <- names(si$pieces)
   known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
+  si$vessel <- if (!is.null(fields$vessel)) si_vessel(fields$vessel, "vessel")
+  si$sticking <- isTRUE(fields$seabed$sticking)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   si$measures <- map_named(fields$measures, "measures", si_measure, known)
   si$share_places <- share_places(si)
@@ -82,7 +84,7 @@ map_named <- function(parts, group, convert, ...) {
   stats::setNames(out, as.character(names(parts)))
 }
 
-si_water <- function(water) {
+si_water <- function(water, seabed = NULL) {
   layers <- water$current
   if (is.null(layers)) layers <- list(speed = 0, toward = 0)
   if (!is.null(names(layers))) layers <- list(c(layers, depth = 0))
@@ -94,13 +96,16 @@ si_water <- function(water) {
       "water.current", depth
     )
   }
-  list(
-    density = water$density, viscosity = water$viscosity, free_surface = water$free_surface,
+  si <- list(
+    density = water$density, viscosity = water$viscosity,
+    free_surface = water$free_surface || !is.null(water$waves),
     current = list2DF(list(
       depth = depth,
       x = pick("speed") * cos(pick("toward")), y = pick("speed") * sin(pick("toward"))
     ))
   )
+  if (!is.null(water$waves)) si$waves <- si_waves(water$waves, seabed)
+  si
 }
 
 # Coefficients on diameter times length: list(law, normal, tangential, skin); a law that depends on
@@ -136,6 +141,11 @@ si_added_mass <- function(added_mass) {
 # them across, and models of netting by its spheres take 2.
 usual_knot <- 2
 
+# Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot
+# (sheet bend). The weight of knotted netting over that of knotless in J. Prado and P. Y. Dremiere,
+# Fisherman's Workbook, FAO 1990, is 1 + 16 d / mesh size throughout its table; a mesh has one knot.
+usual_knot_twine <- 16
+
 si_panel <- function(panel, path, fields, law) {
   meshes <- panel$meshes
   if (meshes$upper == 0 && meshes$lower == 0) {
@@ -154,13 +164,13 @@ si_panel <- function(panel, path, fields, law) {
   }
   line <- line_properties(twine, fields$materials, paste0(path, ".twine"))
   count <- if (twine$double) 2 else 1
-  if (!panel$knotted && !is.null(panel$knot_diameter)) {
+  for (field in if (!panel$knotted) intersect(c("knot_diameter", "knot_twine"), names(panel))) {
     abort_plan(
-      sprintf("Plan field `%s.knot_diameter` is given, but `%s.knotted` is no.", path, path),
-      paste0(path, ".knot_diameter"), panel$knot_diameter
+      sprintf("Plan field `%s.%s` is given, but `%s.knotted` is no.", path, field, path),
+      paste0(path, ".", field), panel[[field]]
     )
   }
-  knot <- if (panel$knotted) first_of(panel$knot_diameter, usual_knot * twine$diameter) else 0
+  in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path, fields$netting_drag)
   left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
   list(
@@ -168,13 +178,17 @@ si_panel <- function(panel, path, fields, law) {
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,
     twine_diameter = twine$diameter, twine_count = count,
     axial_stiffness = line$axial_stiffness * count,
+    load_table = if (!is.null(line$load_table)) {
+      list(strain = line$load_table$strain, load = line$load_table$load * count)
+    },
     damping = line$damping * count,
     mass_per_length = line$mass_per_length * count,
     volume_per_length = line$volume_per_length * count,
     material = first_of(twine$material, NA_character_),
     orientation = panel$orientation, straight_bar = hexagons,
     taper_left = left, taper_right = 1 - left,
-    knot_diameter = knot,
+    knot_diameter = first_of(panel$knot_diameter, usual_knot * in_knots),
+    knot_twine = first_of(panel$knot_twine, usual_knot_twine) * in_knots,
     netting = first_of(panel$netting, fields$netting),
     shielding = first_of(panel$shielding, fields$shielding),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),
@@ -212,15 +226,17 @@ si_rope <- function(rope, path, fields, law, known) {
         paste0(path, ".along"), rope$along
       )
     }
-    if (!is.null(rope$lengths)) {
-      if (length(rope$lengths) != length(along)) {
-        abort_field(paste0(path, ".lengths"), rope$lengths,
-          sprintf("one length for each of the %d edges of `along`", length(along)))
-      }
-      length <- sum(rope$lengths)
-      shares <- rope$lengths / length
+    lengths <- edge_lengths(rope, path, along, known$panels)
+    if (!is.null(lengths)) {
+      length <- sum(lengths)
+      shares <- lengths / length
     }
     if (is.null(length)) length <- rope$hanging_ratio * netting
+  }
+  if (!is.null(line$load_table) && length(rope$through)) {
+    abort_plan(sprintf(
+      "Plan field `%s.load_by_elongation` is given, but the rope slides; it must have EA.", path
+    ), paste0(path, ".load_by_elongation"), rope$load_by_elongation)
   }
   list(
     material = first_of(rope$material, NA_character_),
@@ -230,16 +246,34 @@ si_rope <- function(rope, path, fields, law, known) {
     through = vapply(as.character(rope$through), find_place, "",
       path = paste0(path, ".through"), known = known, USE.NAMES = FALSE),
     length = length, shares = shares, diameter = rope$diameter,
-    axial_stiffness = line$axial_stiffness, damping = line$damping,
+    axial_stiffness = line$axial_stiffness, load_table = line$load_table,
+    damping = line$damping,
     bending_stiffness = rope$bending_stiffness,
     strut = rope$pushes || rope$bending_stiffness > 0,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
-    coefficients = line_law(rope$coefficients, rope$material, fields, law),
+    coefficients = strummed(line_law(rope$coefficients, rope$material, fields, law),
+      rope$strumming, path),
     added_mass = si_added_mass(rope$added_mass),
     strength = line$strength,
+    friction = if (!is.null(rope$friction)) c(rope$friction$along, rope$friction$across),
     segments = rope$segments, role = first_of(rope$role, NA_character_)
   )
+}
+
+# Lengths (m) of a rope along each of its edges, from its plan's lengths or hanging ratios; NULL
+# where it has neither.
+edge_lengths <- function(rope, path, along, panels) {
+  field <- intersect(c("lengths", "hanging_ratios"), names(rope))
+  if (!length(field)) return(NULL)
+  given <- rope[[field]]
+  if (length(given) != length(along)) {
+    abort_field(paste(path, field, sep = "."), given,
+      sprintf("one %s for each of the %d edges of `along`",
+        if (field == "lengths") "length" else "ratio", length(along)))
+  }
+  if (field == "lengths") return(given)
+  given * vapply(seq_along(along), function(k) chain_length(along[k], panels), 0)
 }
 
 si_seam <- function(seam, path, known) {

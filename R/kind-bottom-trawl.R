@@ -233,25 +233,6 @@ tip_corner <- function(pair, side) {
   paste0(pair[[side]], if (side == "left") ".upper_right" else ".upper_left")
 }
 
-# A line of the mouth with its length along each of its edges, where the plan gives its bosom.
-hung_line <- function(fields, plan, line, edges) {
-  given <- plan[[line]]
-  bosom <- fields[[line]]$bosom
-  if (is.null(bosom)) return(given)
-  whole <- fields[[line]]$length
-  path <- paste0(line, ".bosom")
-  if (bosom >= whole) {
-    abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
-  }
-  if (edges != 3L) {
-    abort_field(path, given$bosom, "left out where the wings meet in the middle of the front edge")
-  }
-  c(
-    given[setdiff(names(given), c("length", "bosom"))],
-    list(lengths = c((whole - bosom) / 2, bosom, (whole - bosom) / 2))
-  )
-}
-
 # A wing's outer edge: list(free = its part that flies, or NULL; joined = the rest).
 flying_edge <- function(wing, name, side) {
   edge <- paste0(name, ".", side)

@@ -96,6 +96,11 @@ trawl_net <- function(fields, plan, ring) {
     }
   }
   mouth <- lapply(ring$mouth, function(panels) front[panels])
+  lines <- c(head_line = "head_line", footrope = "footrope", side_lines = "side_line_port")
+  for (line in intersect(names(lines), names(plan))) {
+    edges <- length(unlist(mouth[[lines[[line]]]]))
+    plan[[line]] <- hung_line(fields, plan, line, edges)
+  }
   net$ropes <- trawl_lines(plan, around, mouth, outer)
   net
 }

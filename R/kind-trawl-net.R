@@ -13,7 +13,7 @@ shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow"
+      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow", "vessel"
     ),
     names(plan)
   )]
@@ -154,4 +154,33 @@ check_section_names <- function(fields) {
   for (name in names(fields$cross_ropes)) {
     check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
   }
+}
+
+# A line of the mouth with its length or hanging ratio along each of its edges, where the plan gives
+# its bosom apart from the wings. edges: how many it has.
+hung_line <- function(fields, plan, line, edges) {
+  given <- plan[[line]]
+  field <- intersect(c("bosom", "bosom_hanging_ratio"), names(fields[[line]]))
+  if (!length(field)) return(given)
+  path <- paste(line, field, sep = ".")
+  if (edges != 3L) {
+    abort_field(path, given[[field]],
+      "left out where it does not run along a wing, the front and a wing")
+  }
+  if (field == "bosom_hanging_ratio") {
+    wing <- given$hanging_ratio
+    ratios <- list(wing, given$bosom_hanging_ratio, wing)
+    return(c(
+      given[setdiff(names(given), c("hanging_ratio", field))], list(hanging_ratios = ratios)
+    ))
+  }
+  bosom <- fields[[line]]$bosom
+  whole <- fields[[line]]$length
+  if (bosom >= whole) {
+    abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
+  }
+  c(
+    given[setdiff(names(given), c("length", "bosom"))],
+    list(lengths = c((whole - bosom) / 2, bosom, (whole - bosom) / 2))
+  )
 }

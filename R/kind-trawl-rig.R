@@ -60,7 +60,7 @@ free_board <- function(plan, side) {
 # What a trawl's boards need by their attitude, and what they cannot take.
 check_boards <- function(fields) {
   boards <- fields$otter_boards
-  fixed <- c("lift_coefficient", "drag_coefficient", "diameter")
+  fixed <- c("lift_coefficient", "drag_coefficient", "diameter", "vertical_lift_coefficient")
   free <- c("chord", "span", "polar", "warp_at", "upper_backstrop_at", "lower_backstrop_at",
     "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area")
   is_free <- boards$attitude == "free"

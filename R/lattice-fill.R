@@ -2,7 +2,7 @@
 # conditions alone, nothing but those is made anew.
 
 # Fields of a gear's SI numbers that a lattice holds as they are.
-condition_fields <- c("name", "water", "towing", "ground", "measures")
+condition_fields <- c("name", "water", "towing", "ground", "sticking", "measures")
 
 # The lattice of `from` (see build_lattice()) with the conditions of a gear, or NULL where more than
 # those has changed or nodes and netting are asked for otherwise.
@@ -26,9 +26,11 @@ fill_lattice <- function(si, nodes, netting, from) {
 
 # The engine's water: the current as the gear meets it, which is towed along -x.
 engine_water <- function(si) {
-  list(
+  water <- list(
     density = si$water$density, viscosity = si$water$viscosity,
     free_surface = si$water$free_surface, depth = si$water$current$depth,
     x = si$water$current$x + si$towing$speed, y = si$water$current$y
   )
+  water$waves <- engine_waves(si$water$waves)
+  water
 }

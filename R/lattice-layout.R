@@ -157,7 +157,7 @@ skeleton_load <- function(si, skeleton, panels, load) {
 
   size <- lengths(skeleton$grids)
   panel <- rep.int(seq_along(size), size)
-  twine <- 2 * panel_bars(panels) * panels$mesh_size / 2 / size
+  twine <- panel_bars(panels) * cell_twine_with_knots(panels) / size
   on_panels <- line_load(twine[panel], panels$mass_per_length[panel],
     panels$volume_per_length[panel], twine_width(panels)[panel])
 
@@ -171,7 +171,8 @@ skeleton_load <- function(si, skeleton, panels, load) {
     lift <- push * piece$lift_area * way$sign
     force <- piece$number * c(
       push * piece$drag_area, if (way$to == "sideways") lift else 0,
-      (if (way$to == "up") lift else 0) - gear_gravity * (piece$mass - density * piece$volume)
+      (if (way$to == "up") lift else 0) + push * piece$upward_lift_area -
+        gear_gravity * (piece$mass - density * piece$volume)
     )
     n <- length(runs[[k]])
     matrix(force / n, n, 3L, byrow = TRUE)

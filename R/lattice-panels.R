@@ -6,7 +6,7 @@ panel_table <- function(panels) {
   fields <- c(
     "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "bar_segments",
     "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
-    "straight_bar"
+    "knot_twine", "straight_bar"
   )
   optional <- c("columns", "rows")
   c(
@@ -43,6 +43,10 @@ panel_bars <- function(panel) {
 
 # Twine of a panel for each of these bars, m: that of one cell of its netting.
 cell_twine <- function(panel) panel$mesh_size - panel$straight_bar
+
+# The same with what its knots take, m: a diamond or square cell has one knot. Three bars meet in
+# each of the two joins of a hexagonal cell, which are taken as half a knot.
+cell_twine_with_knots <- function(panel) cell_twine(panel) + panel$knot_twine
 
 # Fields that place a panel's sides.
 side_fields <- c("upper", "lower", "deep", "taper_left", "taper_right")

@@ -26,10 +26,18 @@ add_rope <- function(build, rope, along, part) {
     surface = rep(height, each = 2L), area = half * rope$diameter)
 }
 
-# Knots as spheres at nodes of panels; count: knots at each node. Those of a screen drag with it.
+# Knots at nodes of panels, with the mass of their twine, as spheres; count: joins of bars at each
+# node. Those of a screen drag with it.
 add_knots <- function(build, panels, parts, panel, node, count) {
   diameter <- panels$knot_diameter[panel]
   some <- diameter > 0
+  joins <- 1 + (panels$straight_bar > 0)
+  twine <- (count * (panels$knot_twine / joins)[panel])[some]
+  build$add("masses", node = node[some],
+    mass = twine * panels$mass_per_length[panel][some],
+    volume = twine * panels$volume_per_length[panel][some], height = diameter[some],
+    surface = surface_height(diameter, panels$mesh_size[panel] * sqrt(count))[some],
+    area = numeric(sum(some)))
   build$add("spheres", node = node[some],
     drag_area = (pi / 4 * diameter^2 * count *
       (panels$netting_drag[panel] %in% c("twines", "blended")))[some],
@@ -247,6 +255,10 @@ add_piece <- function(build, piece, run, places, density, part) {
     way <- lift_directions[[piece$lift_direction]]
     build$add("lifts", node = node, lift_area = n * piece$lift_area * way$sign,
       direction = rep(way$to, k), height = rep(piece$height, k), part = rep(part, k))
+  }
+  if (piece$upward_lift_area != 0) {
+    build$add("lifts", node = node, lift_area = n * piece$upward_lift_area,
+      direction = rep("up", k), height = rep(piece$height, k), part = rep(part, k))
   }
 }
 

@@ -59,10 +59,20 @@ screen_elements <- function(si, lattice) {
   list(
     node = all$node, twine = all$twine,
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
+    # of hexagonal netting bars meet and do not cross
+    overlap = crossing_overlap(of),
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = all$height, multiplicity = all$multiplicity,
     law = vapply(of, `[[`, "", "netting_drag", USE.NAMES = FALSE)
   )
+}
+
+# How much of its twine's share of the area each of some panels (a list) loses where its twines
+# cross without a knot, over that share squared (see netting_screen.hpp). Bars of hexagons meet and
+# do not cross.
+crossing_overlap <- function(panels) {
+  0.25 * vapply(panels, function(p) p$knot_diameter == 0 && p$straight_bar == 0, NA,
+    USE.NAMES = FALSE)
 }
 
 # As BlendedNetting.
@@ -74,6 +84,7 @@ blended_elements <- function(si, lattice) {
     rest = vapply(si$panels[all$panel], function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
       USE.NAMES = FALSE),
     multiplicity = all$multiplicity, height = all$height,
+    overlap = crossing_overlap(si$panels[all$panel]),
     material = as.integer(all$panel), materials = twine_materials(panels, alone = FALSE)
   )
 }

@@ -69,11 +69,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   loads <- cbind(loads, matrix(0, 3L, length(collected$mass) - ncol(loads)))
   loads[3, ] <- loads[3, ] - gear_gravity * (collected$mass - density * collected$volume)
   contacts <- if (!is.null(si$ground)) contact_points(collected$masses) else no_contacts
-  volumes <- if (si$water$free_surface) {
-    immersed_volumes(collected$masses, density)
-  } else {
-    no_volumes
-  }
+  volumes <- immersed_volumes(collected$masses, density)
 
   engine <- list(
     nodes = collected$nodes, held = c(supports$held, rep(FALSE, collected$nodes - division$nodes)),
@@ -81,8 +77,9 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     water = engine_water(si),
     slack_twine = si$slack_twine,
     load = as.vector(loads),
-    mass = collected$mass + board_masses(si, division, length(collected$mass)),
+    mass = collected$mass,
     materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
+    load_table = load_rows(c(si$ropes, si$panels)),
     bars = engine_elements(collected$bars),
     cells = engine_elements(collected$cells), spheres = engine_elements(collected$spheres),
     lifts = engine_elements(collected$lifts),
@@ -90,7 +87,9 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
       engine_board(board, unname(division$points[board$points]), density)
     }),
     sliding = sliding_ropes(si, collected$bars$part),
-    ground = si$ground, contacts = contacts, volumes = volumes,
+    ground = si$ground, contacts = contacts,
+    line_friction = if (!is.null(si$ground)) line_friction(si$ropes, division$ropes),
+    volumes = volumes,
     wake_sheets = wake_sheets(collected$wake_sheets), wake = numeric()
   )
   lattice <- structure(
@@ -162,7 +161,6 @@ element_part <- function(lattice, kind) {
 }
 
 no_contacts <- list(node = integer(), area = numeric(), clearance = numeric())
-no_volumes <- list(node = integer(), buoyancy = numeric(), height = numeric())
 
 # Ropes that slide through places: their bars carry weight and drag alone, the whole pulls.
 sliding_ropes <- function(si, bar_part) {
@@ -237,6 +235,39 @@ twine_materials <- function(lines, alone = TRUE) {
     solidity = vapply(lines, function(line) {
       if (is.null(line$mesh_size)) 0 else panel_solidity(line)
     }, 0, USE.NAMES = FALSE)
+  )
+}
+
+# Nodes of ropes that rub differently along and across themselves, as the engine reads them, or
+# NULL. A node of two such ropes is the first's.
+line_friction <- function(ropes, divided) {
+  some <- names(ropes)[!vapply(lapply(ropes, `[[`, "friction"), is.null, NA)]
+  if (!length(some)) return(NULL)
+  rows <- lapply(some, function(name) {
+    node <- divided[[name]]$node
+    n <- length(node)
+    list(
+      node = node, between = rbind(node[c(1L, seq_len(n - 1L))], node[c(seq_len(n)[-1L], n)]),
+      along = rep(ropes[[name]]$friction[1L], n), across = rep(ropes[[name]]$friction[2L], n)
+    )
+  })
+  pick <- function(field) unlist(lapply(rows, function(row) as.vector(row[[field]])))
+  first <- !duplicated(pick("node"))
+  list(
+    node = pick("node")[first], between = pick("between")[rep(first, each = 2L)],
+    along = pick("along")[first], across = pick("across")[first]
+  )
+}
+
+# Loads by strain of the lines that have them, a row each: columns as the engine reads them, or
+# NULL.
+load_rows <- function(lines) {
+  tables <- lapply(unname(lines), `[[`, "load_table")
+  rows <- lengths(lapply(tables, `[[`, "load"))
+  if (!any(rows)) return(NULL)
+  list(
+    material = rep(seq_along(tables), rows), strain = unlist(lapply(tables, `[[`, "strain")),
+    load = unlist(lapply(tables, `[[`, "load"))
   )
 }
 

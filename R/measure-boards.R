@@ -63,6 +63,17 @@ warn_of_boards <- function(state) {
     )
   }
   if (!length(state$si$otter_boards)) return(invisible())
+  flutter <- fluttering_modes(state)
+  if (nrow(flutter)) {
+    worst <- flutter[1L, ]
+    cli::cli_warn(
+      c("{.field {worst$board}} flutters: pushed a little it swings with a period of
+        {figures(worst$period_s)} s, and each swing is larger than the last, by a factor of e in
+        {figures(1 / worst$growth_per_s)} s.",
+        "i" = "See {.fn board_modes}, and {.fn tow} from this state."),
+      class = c("codend_warning_board_flutter", "codend_warning"), call = NULL
+    )
+  }
   boards <- board_table(state)
   for (k in which(boards$condition != "flying")) {
     board <- boards[k, ]

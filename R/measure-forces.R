@@ -53,7 +53,8 @@ part_drag <- function(state) {
 }
 
 # Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
-# panel by its length in the lattice, so that a rope gathered in one point weighs what is left.
+# panel by its length in the lattice, knots with it, so that a rope gathered in one point weighs
+# what is left.
 part_weight <- function(state) {
   si <- state$si
   lines <- state_lines(state)
@@ -61,7 +62,8 @@ part_weight <- function(state) {
   sums <- rowsum(lines$lines * lines$rest, lines$part)
   length[as.integer(rownames(sums))] <- sums
   for (p in seq_along(si$panels)) {
-    length[length(si$ropes) + p] <- panel_bars(si$panels[[p]]) * cell_twine(si$panels[[p]])
+    panel <- si$panels[[p]]
+    length[length(si$ropes) + p] <- panel_bars(panel) * cell_twine_with_knots(panel)
   }
   excess <- function(mass, volume) mass - si$water$density * volume
   each <- c(

@@ -51,6 +51,56 @@ standard_measures <- c(
       if (has_towing(state) && identical(wings$kind, "spread")) swept_area(state, wings$pairs)
     }
   ),
+  standard_measure("mouth_blockage", "%",
+    "Of a gear with an area `mouth_area` among its measures, the projected area across the flow of
+    all twine, that of twines behind others too, over that area.",
+    function(state, found) {
+      mouth <- state$si$measures$mouth_area
+      if (identical(mouth$kind, "area") && length(state$si$panels)) {
+        twine_across_flow(state) / measure_kinds$area$value(state, mouth)
+      }
+    }
+  ),
+  standard_measure("engine_power", "kW",
+    "With a `vessel`, the power that its engine gives to tow the gear at this speed: full power
+    times the share of the pull there that the gear takes, to the power 3/2. Above full power the
+    vessel cannot tow it so fast.",
+    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$power
+  ),
+  standard_measure("pull_used", "%",
+    "With a `vessel`, the total drag over what it can pull at this speed.",
+    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$pull_share
+  ),
+  standard_measure("fuel_rate", "l/h",
+    "With a `vessel` whose fuel consumption is given, the fuel that towing takes in an hour.",
+    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$fuel
+  ),
+  standard_measure("fuel_per_swept_area", "l/km2",
+    "That fuel over the ground that the lines between the wing ends pass over.",
+    function(state, found) {
+      wings <- state$si$measures$wing_end_spread
+      if (has_vessel(state) && identical(wings$kind, "spread")) {
+        per(engine_need(state, found$drag)$fuel, swept_area(state, wings$pairs))
+      }
+    }
+  ),
+  standard_measure("fuel_per_filtered_volume", "l/Mm3",
+    "That fuel over the water that flows through the mouth, in millions of cubic metres.",
+    function(state, found) {
+      mouth <- state$si$measures$mouth_area
+      if (has_vessel(state) && identical(mouth$kind, "area")) {
+        per(engine_need(state, found$drag)$fuel, filtered_volume(state, mouth$ropes))
+      }
+    }
+  ),
+  standard_measure("fuel_per_catch", "l/t",
+    "That fuel over the catch, where the `vessel` says how much is caught in an hour.",
+    function(state, found) {
+      if (has_vessel(state)) {
+        per(engine_need(state, found$drag)$fuel, state$si$vessel$catch_per_hour / 3600)
+      }
+    }
+  ),
   standard_measure("catch_volume", "m3",
     "With a catch in netting, the volume that the netting behind its front encloses.",
     function(state, found) {

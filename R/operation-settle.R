@@ -45,9 +45,9 @@
 #'   push would carry them away from are pushed and settled again (`perturbations` in the report
 #'   counts how often); where none is found that lasts it is a warning of class
 #'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
-#'   tells of static stability only, not of swinging. A free otter board that
-#'   settles stalled, back-winded or fallen
-#'   over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
+#'   tells of static stability only. One whose swings would grow is a warning of class
+#'   `codend_warning_board_flutter`; see [board_modes()]. A free otter board that settles stalled,
+#'   back-winded or fallen over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
 #'   or `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))

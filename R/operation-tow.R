@@ -43,9 +43,19 @@
 #' default accuracy. Peaks of tension where slack netting or ropes snap taut depend on the accuracy,
 #' by a quarter on a seine.
 #'
-#' Added mass acts on accelerations of the gear alone, by where its lines are at each step; a
-#' current that changes with time brings in no force by its acceleration, and waves move the towing
-#' points, not the water.
+#' Water that accelerates pushes what is in it: by its acceleration times the water that is
+#' displaced (Froude and Krylov) and times the added mass, whose own acceleration is the gear's less
+#' the water's. A current that changes with time does so, but not by its jumps, which happen at
+#' once. Behind netting that slows the water its acceleration is that of the free flow, and a catch
+#' in netting, as heavy as water, is moved by the netting around it alone.
+#'
+#' With `waves` in the plan's `water` they run over the gear: Airy's, of the water's depth,
+#' stretched to the surface (Wheeler 1970), one or as many as stand for a spectrum, from a seed that
+#' gives the same ones again. At time 0 the water is calm, and the waves rise over `rising`. What is
+#' at the surface is in the water as deep as the waves have it there. Left out are forces of second
+#' order, such as drift, and slamming; a current does not change the waves' length, and added mass
+#' and drag are those of water without a surface, by the share that is immersed. `conditions` has
+#' the elevation of the water at the vessel.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
 #'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own
@@ -67,6 +77,14 @@
 #'   depth of the plan's current.
 #' @param heave Height of the towing points above where the plan has them, m: one schedule; a sea
 #'   state is a function of time.
+#' @param vessel_motion How the vessel swings about its way: `list(response = , record = , at = ,
+#'   rising = )`. `response`: a data frame or CSV file with a row per `period` of waves (s) and any
+#'   of the columns `surge` (forwards), `sway` (to starboard), `heave` (up), m per m of the waves'
+#'   amplitude, `roll` (starboard down), `pitch` (bow up), `yaw` (bow to starboard), rad per m, and
+#'   `surge_lag` to `yaw_lag`, rad after the crest at the plan's origin, which moves with the
+#'   vessel; straight between periods. `record`: the same by `time` (s) in m and rad, smooth
+#'   between, which rises over `rising` (10 s). `at`: x, y and z (m) of the place that turns are
+#'   about, the plan's origin when left out.
 #' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and
 #'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
 #'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
@@ -99,7 +117,8 @@
 #' @export
 tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
                 winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                catch = NULL, breaking = NULL, scheme = NULL, accuracy = NULL, step = NULL,
+                vessel_motion = NULL, catch = NULL, breaking = NULL, scheme = NULL,
+                accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
   if (!is.null(file)) {
     check_netcdf()
@@ -119,6 +138,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     speed = asked("speed", speed), course = asked("course", course),
     warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
     control = control, current = asked("current", current), heave = asked("heave", heave),
+    vessel_motion = asked("vessel_motion", vessel_motion),
     catch = asked("catch", catch), breaking = asked("breaking", breaking)
   )
   method <- tow_method(

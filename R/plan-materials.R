@@ -67,13 +67,54 @@ line_properties <- function(given, own, path) {
   } else {
     mass / material[["density"]]
   }
-  stiffness <- first_of(given$axial_stiffness, material[["stiffness"]] * square)
+  table <- load_table(given, path)
+  stiffness <- if (is.null(table)) {
+    first_of(given$axial_stiffness, material[["stiffness"]] * square)
+  } else {
+    table$load[1L] / table$strain[1L]
+  }
   list(
-    axial_stiffness = stiffness,
+    axial_stiffness = stiffness, load_table = table,
     # on the rate of strain, per length of a bar: see elements/twine.hpp
     damping = given$damping_ratio * sqrt(stiffness * mass),
     mass_per_length = mass,
     volume_per_length = first_of(given$volume_per_length, volume),
     strength = first_of(given$strength, material[["strength"]] * square)
   )
+}
+
+# Loads (N) by strain of a rope or twine that a plan gives so: list(strain, load), or NULL.
+load_table <- function(given, path) {
+  rows <- given$load_by_elongation
+  if (is.null(rows)) return(NULL)
+  path <- join(path, "load_by_elongation")
+  if (!is.null(given$axial_stiffness)) {
+    abort_plan(sprintf("Plan field `%s` is given beside `axial_stiffness`; one of them must go.",
+      path), path, rows)
+  }
+  table <- list(
+    strain = vapply(rows, `[[`, 0, "elongation"), load = vapply(rows, `[[`, 0, "load")
+  )
+  for (row in seq_along(rows)[-1L]) {
+    if (all(vapply(table, function(column) column[row] > column[row - 1L], NA))) next
+    abort_field(sprintf("%s.%d", path, row), rows[[row]],
+      "more elongation and more load than the row before")
+  }
+  table
+}
+
+# Factor on the drag across a line that strums in the flow: 1 + 1.043 (2 Y/d)^0.65, Y/d the
+# amplitude (root mean square) over the diameter (J. K. Vandiver, Drag coefficients of long flexible
+# cylinders, Offshore Technology Conference, OTC 4490, 1983).
+strumming_factor <- function(amplitude) if (amplitude > 0) 1 + 1.043 * (2 * amplitude)^0.65 else 1
+
+# A line's law of drag when it strums.
+strummed <- function(law, amplitude, path) {
+  if (is.null(amplitude) || amplitude == 0) return(law)
+  if (law$law != "constant") {
+    abort_field(join(path, "strumming"), amplitude,
+      "left out with coefficients that depend on the Reynolds number; give the rope `coefficients`")
+  }
+  law$normal <- law$normal * strumming_factor(amplitude)
+  law
 }

@@ -1,7 +1,10 @@
 # Units as people read them: conversion from SI, and how names and files spell them.
 
 # Units in which results are shown and no plan is written: their size in SI units.
-shown_units <- c(kW = 1e3, "km2/h" = 1e6 / 3600, "m3/h" = 1 / 3600, meshes = 1)
+shown_units <- c(
+  "km2/h" = 1e6 / 3600, "m3/h" = 1 / 3600, "l/h" = 1e-3 / 3600, "l/km2" = 1e-9, "l/Mm3" = 1e-9,
+  "l/t" = 1e-6, meshes = 1
+)
 
 # The size of a unit such as "kN" in SI units, of `plan_units` or `shown_units`.
 unit_size <- function(unit) {
@@ -36,6 +39,9 @@ words_of <- function(name, unit) {
 
 # Units as the CF conventions spell them in NetCDF files.
 cf_unit <- function(unit) {
-  other <- c("%" = "percent", deg = "degree", meshes = "1")
+  other <- c(
+    "%" = "percent", deg = "degree", meshes = "1", "l/km2" = "l km-2", "l/Mm3" = "1e-9",
+    "l/t" = "l t-1"
+  )
   unname(ifelse(unit %in% names(other), other[unit], sub("^(.+)/(.+)$", "\\1 \\2-1", unit)))
 }

@@ -27,6 +27,8 @@ plan_units <- list(
   mass_per_length = c("kg/m" = 1, "g/m" = 1e-3, "kg/100 m" = 1e-2),
   bending_stiffness = c("N m2" = 1, "kN m2" = 1e3, "MN m2" = 1e6),
   viscosity = c("m2/s" = 1),
+  power = c(W = 1, kW = 1e3, MW = 1e6, hp = 745.69987, PS = 735.49875),
+  consumption = c("kg/J" = 1, "g/kWh" = 1e-3 / 3.6e6),
   stress = c(Pa = 1, kPa = 1e3, MPa = 1e6, GPa = 1e9),
   # Named through setNames(): as an argument's name the degree sign is lost in a C locale.
   angle = stats::setNames(

@@ -33,6 +33,30 @@ measures_columns <- function(measures) {
   columns[c(TRUE, TRUE, TRUE, any(nzchar(said$error)), any(nzchar(force)))]
 }
 
+# Measures that a report tells the slopes of.
+reported_slopes <- 6L
+
+# A row per field, a column per measure: what 10 % or ten more of the field changes.
+slope_columns <- function(slopes) {
+  fields <- unique(slopes$field)
+  first <- slopes[match(fields, slopes$field), ]
+  counted <- grepl("[.]number$", fields)
+  more <- ifelse(counted, 10, 0.1 * first$value)
+  names <- unique(slopes$measure)
+  names <- unique(c(utils::head(names, reported_slopes - 1L), intersect("total_drag_kN", names)))
+  unit <- attr(slopes, "measure_unit")[names]
+  columns <- lapply(names, function(name) {
+    rows <- slopes[slopes$measure == name, ]
+    change <- figures(rows$slope[match(fields, rows$field)] * more)
+    smooth <- rows$smooth[match(fields, rows$field)]
+    ifelse(smooth | !nzchar(change), change, paste0("(", change, ")"))
+  })
+  c(
+    list(` field` = fields, ` more` = trimws(paste0("+", figures(more), " ", first$unit))),
+    stats::setNames(columns, paste(words_of(names, unit), unit))
+  )
+}
+
 finding_columns <- function(found) {
   list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
 }
@@ -165,6 +189,10 @@ conditions_section <- function(state) {
         if (si$water$free_surface) ", with a free surface")
     } else {
       "none"
+    },
+    "Waves" = if (!is.null(si$water$waves)) {
+      paste0(wave_words(si$water$waves),
+        if (is.null(state$time)) "; this is their mean, in still water")
     },
     "Sea bed" = if (!is.null(ground)) {
       sprintf("at a depth of %s m, coefficient of friction %s", short_number(ground$depth),

@@ -17,6 +17,8 @@
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file The HTML file to write. It is written whole or not at all.
+#' @param slopes What more of each field would do: slopes of the state's measures, from
+#'   [sensitivities()], as a table beside the measures; `NULL` for none.
 #' @return `file`, invisibly. See [codend-conditions] for errors.
 #' @seealso [view()] for the three dimensions alone, [summary()][summary.codend_state] for the
 #'   numbers.
@@ -24,11 +26,14 @@
 #' file <- tempfile(fileext = ".html")
 #' report(settle("towed_cable"), file)
 #' @export
-report <- function(state, file) {
+report <- function(state, file, slopes = NULL) {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_file_path(file, ".html")
-  body <- with_plain_numbers(if (moves) trajectory_report(state) else state_report(state))
+  if (!is.null(slopes) && (moves || !inherits(slopes, "codend_sensitivities"))) {
+    abort_argument("{.arg slopes} must be what {.fn sensitivities} returns, of a settled state.")
+  }
+  body <- with_plain_numbers(if (moves) trajectory_report(state) else state_report(state, slopes))
   write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
@@ -38,7 +43,7 @@ report <- function(state, file) {
 
 tag <- htmltools::tags
 
-state_report <- function(state) {
+state_report <- function(state, slopes = NULL) {
   said <- summary(state)
   tag$main(
     report_header(state, paste0(said$conditions, ".")),
@@ -48,6 +53,7 @@ state_report <- function(state) {
     },
     report_section("Measures", report_table(measures_columns(said$measures),
       "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
+    slope_section(slopes),
     finding_section(said$findings),
     conditions_section(state),
     plan_section(state$gear),
@@ -163,6 +169,13 @@ finding_section <- function(found) {
   if (!nrow(found)) return(NULL)
   report_section("Worth a look", report_table(finding_columns(found), "What lies outside what
     practice and tests know, and what to try."))
+}
+
+slope_section <- function(slopes) {
+  if (is.null(slopes)) return(NULL)
+  report_section("What more would do", report_table(slope_columns(slopes), "Changes of measures by
+    10 % more of a field, or ten more of what is counted, as far as the slope at this state holds.
+    In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
 }
 
 plan_section <- function(gear) {

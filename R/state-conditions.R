@@ -17,9 +17,34 @@ water_velocity <- function(state, depth) {
 
 # Such as "towed at 3 knot".
 state_conditions <- function(state) {
+  paste0(still_conditions(state), wave_conditions(state))
+}
+
+# Waves move a gear in a tow; settled it is in their mean.
+wave_conditions <- function(state) {
+  waves <- state$si$water$waves
+  if (is.null(waves)) return("")
+  if (is.null(state$time)) return(sprintf(", in the mean of %s", wave_words(waves)))
+  sprintf(", in %s", wave_words(waves))
+}
+
+still_conditions <- function(state) {
   knots <- state$si$towing$speed / plan_units$speed[["knot"]]
   flow <- flow_past(state)
   if (knots > 0) return(sprintf("towed at %s knot", format(round(knots, 2))))
   if (any(flow != 0)) return(sprintf("in a current of %.2f m/s", sqrt(sum(flow^2))))
   if (state$si$water$density > 0) "in still water" else "in air"
+}
+
+# Such as "regular waves of 2 m and 7 s".
+wave_words <- function(waves) {
+  sprintf(
+    "%s of %s m%s and %s s",
+    switch(waves$spectrum,
+      regular = "regular waves", jonswap = "waves of a JONSWAP spectrum",
+      pierson_moskowitz = "waves of Pierson and Moskowitz's spectrum"
+    ),
+    format(signif(waves$height, 3)), if (waves$spectrum != "regular") " (significant)" else "",
+    format(signif(waves$period, 3))
+  )
 }

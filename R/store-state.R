@@ -89,7 +89,7 @@ read_state <- function(file) {
 }
 
 # Format 1 held objects of R.
-state_file_version <- 5L
+state_file_version <- 7L
 
 define_state_number <- function(nc, name, number) {
   RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)

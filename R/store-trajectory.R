@@ -71,7 +71,7 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 8L
+trajectory_file_version <- 10L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
@@ -150,7 +150,8 @@ define_trajectory <- function(nc, what, frame) {
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy = length(energy_parts),
     part = length(names), growing_part = length(frame$done$length),
-    rupture = length(frame$done$broken), component = 3L * engine$nodes,
+    rupture = length(frame$done$broken), anchor = length(frame$done$anchor),
+    component = 3L * engine$nodes,
     slot = 2L, bar_end = 2L, corner = 4L, letter = max(nchar(names, "bytes")),
     report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
     kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
@@ -234,6 +235,7 @@ define_resume <- function(define) {
   }
   define("resume_broken", "NC_INT", c("rupture", "slot"))
   define("resume_broken_at", "NC_DOUBLE", c("rupture", "slot"), "s")
+  define("resume_anchor", "NC_DOUBLE", c("anchor", "slot"), "m")
   define("resume_report", "NC_DOUBLE", c("report_number", "slot"))
   define("resume_report_end", "NC_INT", "slot")
 }
@@ -285,6 +287,7 @@ put_resume <- function(nc, frame, k) {
   for (name in resume_control) put_all(paste0("control_", name), as.double(frame$done[[name]]))
   put_all("broken", frame$done$broken)
   put_all("broken_at", frame$done$broken_at)
+  put_all("anchor", frame$done$anchor)
   if (is.null(frame$report)) {
     put_one("report_end", 0L)
   } else {
@@ -334,6 +337,7 @@ read_resume <- function(get, n) {
   done$near_limit <- as.logical(done$near_limit)
   done$broken <- as.integer(all("broken"))
   done$broken_at <- all("broken_at")
+  done$anchor <- as.double(all("anchor"))
   report <- NULL
   if (one("report_end") > 0L) {
     report <- c(

@@ -64,9 +64,10 @@ by_time <- function(trajectory, table_at) {
 condition_units <- function(conditions) {
   known <- c(
     time = "time_s", x = "x_m", y = "y_m", speed = "speed_m_per_s", course = "course_deg",
-    heave = "heave_m", energy_imbalance = "energy_imbalance_J",
+    heave = "heave_m", elevation = "elevation_m", energy_imbalance = "energy_imbalance_J",
     energy_put_through = "energy_put_through_J"
   )
+  known <- known[names(known) %in% names(conditions)]
   parts <- setdiff(names(conditions), c(names(known), "x_rate", "y_rate"))
   out <- conditions[c(names(known), parts)]
   out$course <- in_unit(out$course, "deg")

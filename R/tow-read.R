@@ -26,7 +26,18 @@ tow_section <- function(gear) {
   } else if (!is.null(tow$heave)) {
     schedule_table(tow$heave)
   }
+  for (table in intersect(c("response", "record"), names(tow$vessel_motion))) {
+    tow$vessel_motion[[table]] <- rows_table(tow$vessel_motion[[table]])
+  }
   tow
+}
+
+# A list of rows, of which some fields may be missing, as a data frame: 0 for what is.
+rows_table <- function(rows) {
+  names <- unique(unlist(lapply(rows, names)))
+  list2DF(lapply(setNames(names, names), function(name) {
+    vapply(rows, function(row) as.double(first_of(row[[name]], 0)), 0)
+  }))
 }
 
 # A number, or a list of list(time, value), as tow() takes it.

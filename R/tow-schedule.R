@@ -15,7 +15,7 @@ tow_schedule <- function(si, lattice, given, until) {
   }
   heave <- curve("heave", "length", 0)
   moved <- names(held_points(si))[held_points(si) == "moved"]
-  for (name in c("speed", "course", "heave")) {
+  for (name in c("speed", "course", "heave", "vessel_motion")) {
     if (!length(moved) && !is.null(given[[name]])) {
       abort_schedule(name, "needs a point that is moved ({.code held: moved}); this gear has none.")
     }
@@ -31,6 +31,7 @@ tow_schedule <- function(si, lattice, given, until) {
 
   towed <- moved_nodes(si, lattice, moved)
   track <- vessel_track(speed, course, until)
+  track$swing <- vessel_swing(given$vessel_motion, si$water$waves)
   growing <- c(
     lapply(names(warps), function(rope) growing_warp(si, lattice, rope, warps[[rope]], given)),
     if (!is.null(given$catch)) {
@@ -42,13 +43,15 @@ tow_schedule <- function(si, lattice, given, until) {
     schedule = list(
       motion = c(towed, track, list(heading = course, z = heave)),
       release = shooting_times(si, lattice), growing = growing, current_x = current$x,
-      current_y = current$y, ruptures = ruptures
+      current_y = current$y, ruptures = ruptures,
+      sticking = list(present = si$sticking, anchor = numeric())
     ),
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
       curve_breaks(speed, FALSE), curve_breaks(course, FALSE), curve_breaks(heave, FALSE),
       unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
-      unlist(lapply(c(current$x, current$y), curve_breaks, kinks = FALSE)),
+      # the water's acceleration jumps where a current's rate does
+      unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
       vapply(ruptures, `[[`, 0, "time")
     )))
   )
@@ -170,7 +173,7 @@ growing_warp <- function(si, lattice, rope, curve, given) {
 }
 
 # Where a group's buoyancy (N, of bodies that leave the water over these heights at these points) is
-# among the lattice's volumes at a free surface; nowhere in a lattice that knows none.
+# among the lattice's volumes.
 own_volumes <- function(lattice, point, height, buoyancy) {
   known <- lattice$engine$volumes
   at <- match(paste(point, height), paste(known$node, known$height))
@@ -194,13 +197,16 @@ growing_catch <- function(si, lattice, part, curve) {
   node <- lattice$engine$spheres$node[spheres]
   n <- length(node)
   each <- piece$number / max(n, 1L)
-  list(
-    name = lattice$parts$name[part], factor = curve, control = NULL, bars = integer(),
-    rest = numeric(), points = node, mass = rep(each * piece$mass, n),
-    load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
-    spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
-    added_mass = lattice$engine$spheres$added_mass[spheres],
-    volumes = integer(), buoyancy = numeric()
+  c(
+    list(
+      name = lattice$parts$name[part], factor = curve, control = NULL, bars = integer(),
+      rest = numeric(), points = node, mass = rep(each * piece$mass, n),
+      load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
+      spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
+      added_mass = lattice$engine$spheres$added_mass[spheres]
+    ),
+    own_volumes(lattice, node, rep(piece$height, n),
+      rep(gear_gravity * si$water$density * each * piece$volume, n))
   )
 }
 

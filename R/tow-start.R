@@ -77,7 +77,13 @@ add_start <- function(what, position, velocity) {
     length = of("length"), since = of("since"), speed = of("speed"),
     target_speed = of("target_speed"), near_limit = rep(FALSE, length(controls)),
     broken = rep(0L, length(what$schedule$ruptures)),
-    broken_at = rep(0, length(what$schedule$ruptures))
+    broken_at = rep(0, length(what$schedule$ruptures)),
+    # what lies on the ground sticks where it is: see base/ground.hpp
+    anchor = if (isTRUE(what$si$sticking)) {
+      as.double(lattice_points(what$lattice, position)[, what$lattice$engine$contacts$node])
+    } else {
+      numeric()
+    }
   )
   engine <- lattice_at(what, conditions_at(what, 0))$engine
   engine$water$x <- what$lattice$engine$water$x

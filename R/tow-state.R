@@ -39,7 +39,8 @@ to_vessel <- function(course) {
 }
 
 # Conditions of every kept time: a data frame of time, x, y (m, the vessel over the ground), x_rate,
-# y_rate, speed (m/s), course (rad), heave (m), and per growing part its length (m) or share.
+# y_rate, speed (m/s), course (rad), heave (m), in waves the elevation of the water there (m), and
+# per growing part its length (m) or share.
 conditions_table <- function(trajectory) {
   scheduled_table(trajectory, trajectory$time,
     engine_schedule_at(trajectory$schedule, trajectory$time, as.double(trajectory$winch_length)))
@@ -53,6 +54,10 @@ scheduled_table <- function(what, time, found) {
     y_rate = velocity[2, ], speed = curve_at(what$curves$speed, time, after = TRUE),
     course = found$heading, heave = origin[3, ]
   )
+  waves <- what$lattice$engine$water$waves
+  if (!is.null(waves)) {
+    table$elevation <- engine_elevation(waves, table$x, table$y, as.double(time))
+  }
   growing <- what$schedule$growing
   factor <- matrix(found$factor, length(growing), length(time))
   for (k in seq_along(growing)) {
@@ -109,6 +114,8 @@ lattice_at <- function(what, now) {
   lattice$engine <- scheduled_engine(lattice$engine, what$schedule, now)
   lattice$engine$water$x <- si$water$current$x + now$speed
   lattice$engine$water$y <- si$water$current$y
+  lattice$engine$water$waves <-
+    waves_from_vessel(lattice$engine$water$waves, now$time, c(now$x, now$y), now$course)
   if (!is.null(now$wake)) lattice$engine$wake <- now$wake
   if (length(now$catch_front)) lattice <- set_catch_front(lattice, now$catch_front[1L])
   if (!is.null(lattice$engine$ground)) {

@@ -121,6 +121,8 @@ schedule_as_done <- function(schedule, done) {
     schedule$ruptures[[k]]$broken <- done$broken[k]
     schedule$ruptures[[k]]$broken_at <- done$broken_at[k]
   }
+  # where contacts stick, once a march has begun
+  schedule$sticking$anchor <- as.double(done$anchor)
   schedule
 }
 

@@ -13,20 +13,24 @@
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
 #'   nothing of the network. It is written whole or not at all.
+#' @param colour What the colours of netting show, as in [plot.codend_state()]; of a trajectory it
+#' is
+#'   always tension.
 #' @return An HTML widget, which prints in the viewer or browser; invisibly where `file` is given.
 #'   A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' page <- view(settle("towed_cable"))
 #' class(page)
 #' @export
-view <- function(state, file = NULL) {
+view <- function(state, file = NULL, colour = "tension") {
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   if (!is.null(file)) check_file_path(file, ".html")
+  check_colour(colour)
   # In a file a fixed name, so that every new session writes the same page of the same state.
   element <- if (!is.null(file)) "gear"
   page <- with_plain_numbers(
-    if (moves) motion_page(state, element) else gear_page(state, element)
+    if (moves) motion_page(state, element) else gear_page(state, element, colour)
   )
   if (is.null(file)) return(page)
   write_file(file, function(path) {
@@ -38,12 +42,10 @@ view <- function(state, file = NULL) {
 }
 
 # The page of a state as a widget; element is its name in HTML or NULL for a random one.
-gear_page <- function(state, element) {
-  drawing <- state_drawing(state)
-  scales <- list(
-    rope = tension_scale(drawing$ropes$tension, "rope"),
-    netting = tension_scale(drawing$netting$tension, "netting")
-  )
+gear_page <- function(state, element, colour = "tension") {
+  coloured <- coloured_drawing(state, colour)
+  drawing <- coloured$drawing
+  scales <- coloured$scales
   whole <- page_ranges(drawing, state)
   net <- net_to_enlarge(drawing, whole)
   scene <- gear_scene(state, drawing, scales, whole, net)

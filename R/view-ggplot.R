@@ -12,6 +12,7 @@
 #'
 #' @param object What `plot()` takes.
 #' @param plane `"xy"` (from above), `"xz"` (from the port side) or `"yz"` (from astern).
+#' @param colour What the colours of netting show: `"tension"`, `"mesh_opening"` or `"mesh_angle"`.
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
 #' @param ... Not used.
 #' @return A ggplot.
@@ -22,9 +23,10 @@ NULL
 
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
-autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), ...) {
+autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), colour = "tension", ...) {
   plane <- match.arg(plane)
-  figure <- plane_figure(object, plane)
+  check_colour(colour)
+  figure <- plane_figure(object, plane, colour)
   axes <- plane_axes[[plane]]
   flat <- function(lines, scale) {
     up <- if (axes[2L] == 3L) -1 else 1

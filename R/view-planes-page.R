@@ -164,7 +164,7 @@ draw_legends <- function(figure, frame, page) {
 
 scale_heading <- function(scale, kind) {
   paste0(
-    if (kind == "rope") "Tension of ropes" else "Tension of one twine",
+    first_of(scale$words, if (kind == "rope") "Tension of ropes" else "Tension of one twine"),
     if (!is.null(scale)) paste0(" (", scale$unit, ")")
   )
 }

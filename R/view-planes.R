@@ -14,6 +14,9 @@
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
 #'   or `.svg`. It is written whole or not at all.
 #' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the gear.
+#' @param colour What the colours of netting show: `"tension"` of one twine, `"mesh_opening"`
+#' (opening
+#'   over mesh size) or `"mesh_angle"`, as in [mesh_openings()].
 #' @param ... Not used.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @examples
@@ -21,7 +24,7 @@
 #' plot(state, planes = "xz")
 #' @export
 plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, width = 10,
-                              height = NULL, ...) {
+                              height = NULL, colour = "tension", ...) {
   known <- c("xy", "xz", "yz")
   if (!is.character(planes) || !length(planes) || !all(planes %in% known)) {
     abort_argument("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.")
@@ -29,7 +32,8 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
   if (!is.null(file)) check_file_path(file, picture_types)
-  figure <- plane_figure(x, intersect(known, planes))
+  check_colour(colour)
+  figure <- plane_figure(x, intersect(known, planes), colour)
   if (is.null(file)) {
     draw_figure(figure, grDevices::dev.size())
     return(invisible(x))
@@ -41,16 +45,13 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
 
 # What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
 # and netting, flow (m/s, x and y), in_water, bed (see drawn_bed()), planes).
-plane_figure <- function(state, planes) {
-  drawing <- state_drawing(state)
+plane_figure <- function(state, planes, colour = "tension") {
+  coloured <- coloured_drawing(state, colour)
   list(
-    drawing = drawing,
+    drawing = coloured$drawing,
     title = state$gear$plan$name,
     conditions = state_conditions(state),
-    scales = list(
-      rope = tension_scale(drawing$ropes$tension, "rope"),
-      netting = tension_scale(drawing$netting$tension, "netting")
-    ),
+    scales = coloured$scales,
     flow = flow_past(state),
     in_water = state$si$water$density > 0,
     bed = drawn_bed(state),

@@ -58,8 +58,12 @@ trajectory_series <- function(trajectory, wanted) {
 condition_series <- function(trajectory) {
   table <- condition_units(trajectory$conditions)
   table <- table[setdiff(names(table), c("x_m", "y_m"))]
-  known <- c(speed_m_per_s = "vessel speed", course_deg = "vessel course", heave_m = "heave")
-  unit <- c(speed_m_per_s = "m/s", course_deg = "deg", heave_m = "m")
+  known <- c(
+    speed_m_per_s = "vessel speed", course_deg = "vessel course", heave_m = "heave",
+    elevation_m = "elevation of the water"
+  )
+  unit <- c(speed_m_per_s = "m/s", course_deg = "deg", heave_m = "m", elevation_m = "m")
+  table <- table[setdiff(names(table), c("energy_imbalance_J", "energy_put_through_J"))]
   changed <- names(table)[-1L][vapply(table[-1L], function(v) any(v != v[1L]), NA)]
   lapply(changed, function(name) {
     own <- name %in% names(known)

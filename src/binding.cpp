@@ -1,4 +1,6 @@
 // What the engine says of a lattice at given positions, and of itself, for R.
+#include <cmath>
+
 #include "binding_model.hpp"
 #include "engine/base/field_table.hpp"
 #include "engine/model/evaluate.hpp"
@@ -92,6 +94,31 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
     writable::doubles out;
     for (R_xlen_t k = 0; k < solidity.size(); ++k) {
       out.push_back(codend::speed_reduction(kind, solidity[k], cosine[k]));
+    }
+    return out;
+  });
+}
+
+// Wave numbers (1/m) of frequencies (1/s) in water of a depth (m; 0: deep).
+[[cpp11::register]] doubles engine_wave_number(doubles frequency, double depth) {
+  return guarded([&]() -> doubles {
+    writable::doubles out;
+    for (const double w : frequency) {
+      out.push_back(codend::wave_number(w, depth > 0.0 ? depth : INFINITY));
+    }
+    return out;
+  });
+}
+
+// Elevation (m) of the surface by waves, as a lattice's water holds them, at places (m) and times (s).
+[[cpp11::register]] doubles engine_elevation(list waves, doubles x, doubles y, doubles time) {
+  return guarded([&]() -> doubles {
+    codend::Waves read = codend::read_fields<codend::Waves>(ListSource(waves));
+    read.prepare();
+    writable::doubles out;
+    for (R_xlen_t k = 0; k < x.size(); ++k) {
+      read.time = time[k];
+      out.push_back(read.at(codend::Vector(x[k], y[k], 0.0)).elevation);
     }
     return out;
   });

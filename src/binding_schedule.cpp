@@ -24,6 +24,11 @@ class ScheduleReader {
       to.emplace_back(flat[3 * k], flat[3 * k + 1], flat[3 * k + 2]);
     }
   }
+  void operator()(const char* name, codend::Vector& to) {
+    const std::vector<double> flat = numbers(from_, name);
+    if (flat.size() != 3) throw codend::InputError(name, std::string(name) + " must be 3 numbers");
+    to = codend::Vector(flat[0], flat[1], flat[2]);
+  }
   // R counts from 1, and 0 is none.
   void place(const char* name, int& to) { to = binding::place(from_, name); }
   void place(const char* name, std::vector<int>& to) { to = places(from_, name); }
@@ -78,7 +83,8 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
   }
   return writable::list({"length"_nm = length, "since"_nm = since, "speed"_nm = speed,
                          "target_speed"_nm = target_speed, "near_limit"_nm = near_limit,
-                         "broken"_nm = broken, "broken_at"_nm = broken_at});
+                         "broken"_nm = broken, "broken_at"_nm = broken_at,
+                         "anchor"_nm = as_doubles(schedule.sticking.anchor)});
 }
 
 // Values of a curve at times (s); at a jump those before it, or after it.

@@ -1,5 +1,6 @@
 // Equilibria for R.
 #include "binding_model.hpp"
+#include "engine/solve/body_modes.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
 
@@ -55,6 +56,27 @@ using namespace binding;
         "seconds_linear"_nm = report.seconds_linear,
         "seconds_analysis"_nm = report.seconds_analysis,
     });
+  });
+}
+
+// Per motion in which a rigid body takes part: its rate (1/s) by real and imaginary part, the node of a
+// body that moves most, and what is left of the equations.
+[[cpp11::register]] list engine_body_modes(list lattice, doubles position, doubles velocity) {
+  return guarded([&]() -> list {
+    codend::Model model = read_model(lattice);
+    codend::Assembly assembly(model);
+    const std::vector<double> x = of_nodes(position, model, "position");
+    const std::vector<double> v = of_nodes(velocity, model, "velocity");
+    std::vector<double> growth, frequency, residual;
+    writable::integers node;
+    for (const codend::BodyMode& mode : codend::body_modes(assembly, x.data(), v.data())) {
+      growth.push_back(mode.rate.real());
+      frequency.push_back(mode.rate.imag());
+      residual.push_back(mode.residual);
+      node.push_back(mode.node + 1);
+    }
+    return writable::list({"growth"_nm = as_doubles(growth), "frequency"_nm = as_doubles(frequency),
+                           "node"_nm = node, "residual"_nm = as_doubles(residual)});
   });
 }
 

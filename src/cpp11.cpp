@@ -55,10 +55,31 @@ extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP 
   END_CPP11
 }
 // binding_settle.cpp
+list engine_body_modes(list lattice, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velocity) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+  END_CPP11
+}
+// binding_settle.cpp
 doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
 extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
+  END_CPP11
+}
+// binding_tangent.cpp
+SEXP engine_tangent(list lattice, doubles position);
+extern "C" SEXP _codend_engine_tangent(SEXP lattice, SEXP position) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tangent(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position)));
+  END_CPP11
+}
+// binding_tangent.cpp
+list engine_balance(SEXP tangent, list lattice, doubles position, double tolerance, int steps);
+extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position, SEXP tolerance, SEXP steps) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
   END_CPP11
 }
 // binding.cpp
@@ -89,6 +110,20 @@ extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cos
     return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
   END_CPP11
 }
+// binding.cpp
+doubles engine_wave_number(doubles frequency, double depth);
+extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
+extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
+  END_CPP11
+}
 // file_sync.cpp
 double file_size(cpp11::strings path);
 extern "C" SEXP _codend_file_size(SEXP path) {
@@ -110,10 +145,20 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
     return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
   END_CPP11
 }
+// process_limit.cpp
+bool limit_memory(double bytes);
+extern "C" SEXP _codend_limit_memory(SEXP bytes) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
+    {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
+    {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
+    {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
@@ -124,10 +169,13 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
+    {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
+    {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
+    {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
     {NULL, NULL, 0}
 };
 }

@@ -1,28 +1,8 @@
-// Starts codend's flume tank and a headless Chromium for it.
-// CHROMIUM: path of the browser [/usr/bin/chromium]; CODEND: the command [exec/codend of the
-// checkout].
+// A headless Chromium for codend's flume tank.
+// CHROMIUM: path of the browser [/usr/bin/chromium]; for the rest see serve.js.
 'use strict';
-const { spawn } = require('node:child_process');
-const path = require('node:path');
 const { chromium } = require('playwright-core');
-
-const command = process.env.CODEND || path.join(__dirname, '..', '..', 'exec', 'codend');
-
-// Resolves to { url, log (all that the process has said), stop } once the page is served.
-function serve(...arguments_) {
-  const child = spawn(command, ['flume', ...arguments_], { stdio: ['ignore', 'pipe', 'pipe'] });
-  const tank = { log: '', pid: child.pid, stop: () => child.kill('SIGTERM') };
-  return new Promise((resolve, reject) => {
-    const listen = (chunk) => {
-      tank.log += chunk;
-      const found = tank.log.match(/Listening on (http:\S+)/);
-      if (found) { tank.url = found[1]; resolve(tank); }
-    };
-    child.stdout.on('data', listen);
-    child.stderr.on('data', listen);
-    child.on('exit', (code) => reject(new Error(`codend flume ended (${code}): ${tank.log}`)));
-  });
-}
+const { serve } = require('./serve');
 
 const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM || '/usr/bin/chromium',

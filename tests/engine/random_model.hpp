@@ -44,6 +44,7 @@ struct Ingredients {
   NettingScreenLaw screen_law = NettingScreenLaw::loland;
   bool layered = false;  // a current that varies with depth
   bool free_surface = false;
+  bool waves = false;   // so long that the flow hardly changes along x and y
   bool wake = false;    // a flow slowed by netting, differently at every point
   bool struts = false;  // every other bar also pushes
 };
@@ -84,6 +85,14 @@ class Specimen {
     model.materials[1].strut = true;
     model.materials[2].axial_stiffness = 0.0;
     model.water.free_surface = wanted.free_surface;
+    if (wanted.waves) {
+      Waves& waves = model.water.waves;
+      waves.amplitude = {0.3, 0.1};
+      waves.frequency = {0.02, 0.03};
+      waves.phase = {random.between(0.0, 6.0), random.between(0.0, 6.0)};
+      waves.toward = {random.between(0.0, 6.0), random.between(0.0, 6.0)};
+      waves.time = 100.0;
+    }
     ground();
     fill(random, wanted);
     fill_netting(random, wanted);
@@ -148,7 +157,14 @@ class Specimen {
     board.buoyancy = 15.0;
     board.gravity_centre = {0.5, 0.1, -0.2};
     board.buoyancy_centre = {0.5, 0.0, 0.1};
+    board.mass = 3.0;
+    board.second_moment = {0.25, 0.01, 0.6};
     board.added_mass = 0.3;
+    board.added_radius_chord = 0.2;
+    board.added_radius_span = 0.4;
+    board.normal_slope = 2.1;
+    board.yaw_damping = 0.15;
+    board.roll_damping = 0.08;
     board.shoe_area = 0.05;
     const double pi = 3.14159265358979323846;
     board.polar.angle = {-pi, -1.5, -0.3, 0.2, 0.8, 1.6, pi};
@@ -268,6 +284,7 @@ class Specimen {
       cell(random, model.screens.node, model.screens.twine);
       // solidities from some 0.01 to beyond the laws' range
       model.screens.twine_area.push_back(random.between(0.01, 0.5));
+      model.screens.overlap.push_back(random.below(2) ? 0.25 : 0.0);
       model.screens.diameter.push_back(wanted.diameter);
       model.screens.height.push_back(1.5);
       model.screens.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
@@ -278,6 +295,7 @@ class Specimen {
       // some bars taut, some slack
       model.blended.rest.push_back(random.between(0.05, 0.6));
       model.blended.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+      model.blended.overlap.push_back(random.below(2) ? 0.25 : 0.0);
     }
     model.blended.material.assign(wanted.blended, 0);
     model.blended.height.assign(wanted.blended, 1.5);

@@ -193,6 +193,11 @@ void check_against_sparse_lu(const Mesh& mesh, const std::vector<double>& values
   const double scale = norm * x.lpNorm<Eigen::Infinity>();
   CHECK((b - matrix * x).lpNorm<Eigen::Infinity>() <= backward_error * scale);
 
+  Eigen::VectorXd back(b.size());
+  lu.solve_transposed(b.data(), back.data());
+  const double scale_back = greatest_row_sum(matrix.transpose()) * back.lpNorm<Eigen::Infinity>();
+  CHECK((b - matrix.transpose() * back).lpNorm<Eigen::Infinity>() <= backward_error * scale_back);
+
   Eigen::SparseLU<Eigen::SparseMatrix<double>> reference(matrix);
   REQUIRE(reference.info() == Eigen::Success);
   const Eigen::VectorXd y = reference.solve(b);

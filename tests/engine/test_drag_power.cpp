@@ -131,7 +131,9 @@ TEST_CASE("plates in still water lose energy, at every angle of attack") {
     wanted.plates = 1;
     Specimen s(random, wanted);
     s.model.ground.present = false;
-    s.model.plates.plate[0].weight = s.model.plates.plate[0].buoyancy = 0.0;
+    LiftingPlate& plate = s.model.plates.plate[0];
+    plate.weight = plate.buoyancy = plate.mass = plate.added_mass = 0.0;
+    plate.second_moment.setZero();
     s.model.prepare();
     CHECK(power(s).total < 0.0);
   }

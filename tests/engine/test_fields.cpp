@@ -66,6 +66,9 @@ Group empty_model() {
   Group& water = model.groups["water"];
   water.arrays = {{"density", {1025.0}}, {"viscosity", {1e-6}}, {"free_surface", {0.0}},
                   {"depth", {0.0}},      {"x", {0.8}},          {"y", {0.1}}};
+  for (const char* field : {"depth", "rising", "time"}) {
+    water.groups["waves"].arrays[field] = {0.0};
+  }
   model.groups["pressure"].arrays["drag_coefficient"] = {1.4};
   return model;
 }

@@ -103,6 +103,20 @@ void check_front(const FrontKernels<Real>& kernels, int k, int b) {
   const VectorXd solved = x.template cast<double>();
   CHECK((whole * solved - rhs).cwiseAbs().maxCoeff() <= allowed * solved.cwiseAbs().maxCoeff());
 
+  // and those of the transposed matrix its transpose
+  x = rhs.cast<Real>();
+  kernels.forward_transposed(k, b, front.lower.data(), front.upper.data(), front.reciprocal.data(),
+                             x.data());
+  if (b > 0) {
+    const MatrixXd schur = update.topRows(b).transpose();
+    x.tail(b) = VectorXd(schur.partialPivLu().solve(x.tail(b).template cast<double>()))
+                    .template cast<Real>();
+  }
+  kernels.backward_transposed(k, b, front.lower.data(), front.exchange.data(), x.data());
+  const VectorXd back = x.template cast<double>();
+  CHECK((whole.transpose() * back - rhs).cwiseAbs().maxCoeff() <=
+        allowed * back.cwiseAbs().maxCoeff());
+
   // equal bytes where the work is shared out
   StoredFront<Real> shared(given, k);
   REQUIRE(kernels.factorise(shared.view(), &halves));

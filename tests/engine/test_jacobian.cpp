@@ -378,6 +378,26 @@ TEST_CASE("derivatives of tensions that a solver carries") {
   }
 }
 
+TEST_CASE("derivatives at a surface in waves are those of the forces") {
+  Random random(77);
+  Ingredients wanted;
+  wanted.bars = 8;
+  wanted.cells = 3;
+  wanted.hexagons = 2;
+  wanted.bodies = 6;
+  wanted.knots = 6;
+  wanted.lifts_up = 3;
+  wanted.volumes = 8;
+  wanted.plates = 1;
+  wanted.pressed = 2;
+  wanted.screens = 2;
+  wanted.free_surface = true;
+  wanted.waves = true;
+  // The matrix leaves out how the surface and the flow change along x and y, by k a = 2e-5 of what
+  // they do with height, and the immersed share of added mass, with a w^2 = 2e-4 m/s2.
+  for (int k = 0; k < 5; ++k) check_derivatives(random, wanted, 2e-3);
+}
+
 TEST_CASE("strains change as their first-order change says") {
   Random random(20260404);
   Ingredients wanted;

@@ -58,8 +58,6 @@ Motion march(const Model& model, const Motion& start, const Scheme& scheme, doub
 
 namespace {
 
-constexpr double gravity = 9.81;
-
 // A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
 // end of a bar; in vacuum unless told.
 struct String {

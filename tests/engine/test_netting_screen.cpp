@@ -28,6 +28,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   screens.node = {0, 1, 2, 3};
   screens.twine = {0.0, 0.0, 9.0, 0.0, 9.0, 9.0, 0.0, 9.0};
   screens.twine_area = {solidity};
+  screens.overlap = {0.0};
   screens.diameter = screens.height = {diameter};
   screens.multiplicity = {1.0};
   screens.law = {static_cast<NettingScreenLaw>(law)};

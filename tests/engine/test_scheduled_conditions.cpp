@@ -14,8 +14,6 @@ using namespace codend;
 
 namespace {
 
-constexpr double gravity = 9.81;
-
 // From a value at 0 s to another at a time, straight.
 Curve ramp(double from, double to, double time) {
   const double rate = (to - from) / time;
@@ -103,6 +101,64 @@ TEST_CASE("held nodes follow a body that moves and turns") {
   const Values slope = (later.x - motion.x) / 2e-4;
   conditions.to_time(4.0, Side::before, motion);
   CHECK((slope - motion.v).norm() < 1e-9);
+}
+
+TEST_CASE("a vessel swings with the waves and by its own record") {
+  Weights weights;
+  Waves& waves = weights.model.water.waves;
+  waves.amplitude = {0.8};
+  waves.frequency = {1.1};
+  waves.phase = {0.4};
+  waves.toward = {0.5};
+  waves.rising = 6.0;
+  waves.prepare();
+  Schedule schedule;
+  PrescribedMotion& body = schedule.motion;
+  body.node = {0};
+  body.place = {Vector(30.0, 4.0, 6.0)};
+  body.x = ramp(0.0, -20.0, 10.0);
+  body.y = constant(5.0);
+  body.z = constant(0.0);
+  body.heading = ramp(0.0, 1.5, 10.0);
+  body.swing.centre = Vector(-10.0, 0.0, 2.0);
+  body.swing.even = {0.3, 0.2, 0.5, 0.05, 0.04, 0.03};
+  body.swing.odd = {-0.1, 0.4, 0.2, 0.02, -0.03, 0.01};
+  for (int j = 0; j < 6; ++j) body.swing.by_time.push_back(ramp(0.0, 0.1 + 0.02 * j, 10.0));
+  Assembly assembly(weights.model);
+  ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
+  Motion motion = weights.start, sooner = motion, later = motion;
+  for (const double time : {4.0, 8.0}) {
+    // Velocities are those of the positions: second order in 1e-4 s, at 1.1 rad/s and 40 m.
+    conditions.to_time(time - 1e-4, Side::before, sooner);
+    conditions.to_time(time + 1e-4, Side::before, later);
+    conditions.to_time(time, Side::before, motion);
+    const Values slope = (later.x - sooner.x) / 2e-4;
+    CHECK((slope - motion.v).norm() < 1e-7);
+  }
+  // Turned by its parts one after the other, about the centre, at 8 s.
+  const double q =
+      wave_number(1.1, INFINITY) * (std::cos(0.5) * -16.0 + std::sin(0.5) * 5.0) - 1.1 * 8.0 + 0.4;
+  double by[6];
+  for (std::size_t j = 0; j < 6; ++j) {
+    by[j] = 0.8 * (body.swing.even[j] * std::cos(q) + body.swing.odd[j] * std::sin(q)) +
+            0.8 * (0.1 + 0.02 * static_cast<double>(j));
+  }
+  double x = 40.0, y = 4.0, z = 4.0;                    // aft, to starboard and above the centre
+  auto turn = [](double& a, double& b, double angle) {  // from a towards b
+    const double c = std::cos(angle), s = std::sin(angle), a0 = a;
+    a = c * a0 - s * b;
+    b = s * a0 + c * b;
+  };
+  turn(z, y, by[3]);  // starboard down: up turns to starboard
+  turn(z, x, by[4]);  // bow up: up turns aft
+  turn(y, x, by[5]);  // bow to starboard: starboard turns aft
+  x += -10.0 - by[0];
+  y += by[1];
+  z += 2.0 + by[2];
+  const double c = std::cos(1.2), s = std::sin(1.2);
+  CHECK(motion.x[0] == doctest::Approx(-16.0 + x * c + y * s).epsilon(1e-12));
+  CHECK(motion.x[1] == doctest::Approx(5.0 - x * s + y * c).epsilon(1e-12));
+  CHECK(motion.x[2] == doctest::Approx(z).epsilon(1e-12));
 }
 
 TEST_CASE("a group grows with its factor and comes back to what it was") {

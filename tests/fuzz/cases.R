@@ -144,7 +144,7 @@ tank <- local({
     if (is.null(made)) {
       state <- .Random.seed
       gear <- read_gear("midwater_trawl")
-      start <- c(list(gear = gear), codend:::settle_noted(gear, 150, NULL))
+      start <- codend:::settled_start(gear, 150)
       made <<- function() shiny::isolate(codend:::new_tank(start, list(), 150))
       assign(".Random.seed", state, globalenv())
     }
@@ -154,30 +154,38 @@ tank <- local({
 
 try_messages <- function() {
   tank <- tank()
-  said <- function(try) {
-    problem <- shiny::isolate(codend:::flume_problem(try()))
+  memory <- new.env()
+  went_well <- function(problem) {
     if (!is.null(problem) && grepl("codend failed at this", problem$message)) found(problem$message)
     is.null(problem)
   }
+  ask <- function(kind, said) {
+    answer <- codend:::flume_answer(shiny::isolate(tank$request(kind, said)), memory)
+    if (is.null(answer$problem)) shiny::isolate(tank$take(kind, answer$found))
+    went_well(answer$problem)
+  }
   good <- vapply(1:3, function(k) {
-    said(switch(sample.int(5L, 1L),
-      function() {
+    switch(sample.int(5L, 1L),
+      {
         ids <- c(names(tank$controls), "control_0", "", odd_texts)
         values <- lapply(1:3, function(k) {
           value <- if (chance(0.5)) stats::runif(1L, 0, 20) else any_value()
           unit <- one_of(c("m", "knot", "m2", "kg", odd_texts))
           if (chance(0.2)) any_value() else list(value = value, unit = unit)
         })
-        tank$design(stats::setNames(values, vapply(1:3, function(k) one_of(ids), "")))
+        ask("design", stats::setNames(values, vapply(1:3, function(k) one_of(ids), "")))
       },
-      function() tank$replace(codend:::read_typed(typed_plan(), tank$gear)),
-      function() tank$open(codend:::read_opened(list(name = any_value(), text = typed_plan()))),
-      function() {
+      ask("plan_text", typed_plan()),
+      ask("plan_file", list(name = any_value(), text = typed_plan())),
+      {
         fields <- codend:::markable_fields(tank$gear$plan)
-        tank$mark(if (chance(0.5)) any_value() else one_of(fields))
+        path <- if (chance(0.5)) any_value() else one_of(fields)
+        went_well(shiny::isolate(codend:::flume_problem(tank$mark(path))))
       },
-      function() if (chance(0.5)) tank$pin() else tank$reset()
-    ))
+      went_well(shiny::isolate(codend:::flume_problem({
+        if (chance(0.5)) tank$pin() else tank$reset()
+      })))
+    )
   }, NA)
   judged(as.character(codend:::measures_html(tank$measures, tank$pinned$measures)))
   if (all(good)) "taken" else "refused"

@@ -16,7 +16,7 @@ in_flume <- function(gear, test, fields = list(), nodes = 300) {
     found
   }
   shiny::testServer(
-    flume_server(start, as.list(fields), nodes),
+    flume_server(start, as.list(fields), nodes, direct_worker),
     {
       session$flushReact()
       test(session, sent, tank)

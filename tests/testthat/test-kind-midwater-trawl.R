@@ -107,3 +107,46 @@ test_that("what a trawl lacks or names wrongly is told", {
     twine = list(diameter = "4 mm", material = "PE"))
   expect_error(small_trawl(4, wings = wings), "wings.meshes.base", class = "codend_error_plan")
 })
+
+test_that("head line, footrope and side lines are hung edge by edge", {
+  wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 8, deep = 6),
+    twine = list(diameter = "4 mm", material = "PE"))
+  line <- function(...) list(..., diameter = "14 mm", material = "hmpe")
+  whole <- gear_si(small_trawl(4, wings = wings))$ropes$head_line
+  apart <- small_trawl(4, wings = wings, head_line = line(hanging_ratio = 0.8,
+    bosom_hanging_ratio = 0.4))
+  rope <- gear_si(apart)$ropes$head_line
+  # the front has 24 meshes of 1.6 m and each wing takes 8 of them
+  bosom <- 0.4 * 8 * 1.6
+  expect_equal(rope$length * rope$shares[2], bosom)
+  # both wings' inner edges as long as in the plan of one ratio, 0.45 for all
+  wing <- (whole$length / 0.45 - 8 * 1.6) / 2
+  expect_equal(rope$length * rope$shares[c(1, 3)], rep(0.8 * wing, 2))
+  sides <- small_trawl(4, wings = wings)
+  sides$plan$side_lines <- c(list(length = "30 m", bosom = "6 m"), sides$plan$side_lines[-1])
+  side <- gear_si(sides)$ropes$side_line_port
+  expect_equal(side$shares, c(12, 6, 12) / 30)
+  expect_error(small_trawl(4, head_line = line(hanging_ratio = 0.8, bosom_hanging_ratio = 0.4)),
+    "head_line.bosom_hanging_ratio", class = "codend_error_plan")
+  expect_error(small_trawl(4, wings = wings, head_line = line(length = "30 m",
+    bosom_hanging_ratio = 0.4)), "hanging_ratio", class = "codend_error_plan")
+})
+
+test_that("fixed boards lift upwards too", {
+  # a neutral board on a thin line: the line lies along drag, lift and vertical lift
+  plan <- list(
+    codend = 1, name = "Board", towing = list(speed = 2),
+    points = list(block = list(position = c(0, 0, -50), held = "moved"), board = list()),
+    ropes = list(line = list(from = "block", to = "board", length = 10, diameter = 1e-5,
+      axial_stiffness = 1e9, mass_per_length = 0, volume_per_length = 0)),
+    pieces = list(board = list(at = "board", area = 2, lift_coefficient = 1.2,
+      lift_direction = "port", drag_coefficient = 0.6, vertical_lift_coefficient = 0.25))
+  )
+  state <- settle(as_gear(plan))
+  board <- as.vector(state$position[, state$lattice$points[["board"]]])
+  # 10 m of line 0.01 mm thick have 1e-4 of the board's area
+  expect_equal(board - c(0, 0, -50), 10 * c(0.6, -1.2, 0.25) / sqrt(0.6^2 + 1.2^2 + 0.25^2),
+    tolerance = 1e-3)
+  plan$pieces$board$lift_direction <- "up"
+  expect_error(as_gear(plan), "vertical_lift_coefficient", class = "codend_error_plan")
+})

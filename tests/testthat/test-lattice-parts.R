@@ -51,8 +51,9 @@ test_that("the points of a beam bear what hangs from it, with its moments", {
     pull <- 1000 * t(as.matrix(reactions[c("x_kN", "y_kN", "z_kN")]))
     at <- cbind(c(1, -1, 5), c(2, 1, 6))
     weight <- 9.81 * c(engine_array(state, "mass"))
-    # 40 meshes across, 12 deep: 4 bars of 50 mm each, 10 g/m
-    expect_equal(sum(weight), 9.81 * 40 * 12 * 4 * 0.05 * 0.01, tolerance = 1e-12)
+    # 40 meshes across, 12 deep: 4 bars of 50 mm and 2 knots each, of 16 diameters of 2 mm, 10 g/m
+    expect_equal(sum(weight), 9.81 * 40 * 12 * (4 * 0.05 + 2 * 16 * 0.002) * 0.01,
+      tolerance = 1e-12)
     points <- state_points(state)
     moment <- function(r, f) {
       rowSums(rbind(
@@ -134,4 +135,54 @@ test_that("what finds places keeps nothing of the lattice's building", {
   si <- gear_si(read_gear("flat_panel"))
   size <- function(nodes) length(serialize(build_lattice(si, nodes = nodes)$place, NULL))
   expect_identical(size(5000), size(50))
+})
+
+test_that("knotted netting weighs what the published table says, with both kinds of netting", {
+  # J. Prado and P. Y. Dremiere, Fisherman's Workbook (FAO 1990): weight over that of knotless
+  # netting, by mesh size (mm) and twine diameter (mm), two decimals
+  published <- data.frame(
+    mesh = c(20, 50, 100, 120, 200, 400), twine = c(0.25, 2, 1, 4, 3, 4),
+    ratio = c(1.20, 1.64, 1.16, 1.53, 1.24, 1.16)
+  )
+  plan <- function(mesh, twine, knotted, orientation = "diamond") {
+    as_gear(list(
+      codend = 1, name = "Netting", panels = list(net = list(
+        mesh_size = mesh / 1000, meshes = list(upper = 40, lower = 30, deep = 20),
+        twine = list(diameter = twine / 1000, material = "polyethylene"), knotted = knotted,
+        orientation = orientation
+      )), points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed"))
+    ))
+  }
+  mass <- function(gear, netting) sum(build_lattice(gear_si(gear), 300, netting)$engine$mass)
+  for (netting in c("bars", "cells")) {
+    ratio <- mapply(function(mesh, twine) {
+      mass(plan(mesh, twine, TRUE), netting) / mass(plan(mesh, twine, FALSE), netting)
+    }, published$mesh, published$twine)
+    # what is printed is rounded to 0.01
+    expect_lt(max(abs(ratio - published$ratio)), 0.0051)
+  }
+  # square meshes have one knot to two bars, as diamonds have
+  square <- function(knotted) mass(plan(50, 2, knotted, "square"), "bars")
+  expect_equal(square(TRUE) / square(FALSE), 1 + 16 * 2 / 50, tolerance = 1e-10)
+})
+
+test_that("the drag table weighs knots with their panel", {
+  held <- function(knotted) {
+    settle(as_gear(list(
+      codend = 1, name = "Netting", panels = list(net = list(
+        mesh_size = 0.1, meshes = list(upper = 12, lower = 12, deep = 10), knotted = knotted,
+        twine = list(diameter = 0.002, material = "polyamide")
+      )), points = list(
+        nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed"),
+        other = list(at = "net.upper_right", position = c(0, 0.6, 0), held = "fixed")
+      )
+    )), nodes = 200)
+  }
+  for (knotted in c(TRUE, FALSE)) {
+    state <- held(knotted)
+    table <- as.data.frame(state, what = "drag")
+    # still water: the supports carry the weight of what hangs from them
+    pull <- sum(as.data.frame(state, what = "reactions")$z_kN)
+    expect_equal(pull, sum(table$weight_in_water_kN), tolerance = 1e-7)
+  }
 })

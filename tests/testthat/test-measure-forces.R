@@ -32,8 +32,8 @@ test_that("supports of the crossing cables share the loads alike", {
 
 test_that("a hung panel pulls by its weight, twine by twine", {
   state <- settled("hung_panel")
-  # 40 x 60 squares: 2 x 2400 bars of 50 mm and 10 g/m
-  weight <- 2 * 2400 * 0.05 * 0.01 * 9.81
+  # 40 x 60 squares: 2 x 2400 bars of 50 mm and 2400 knots of 16 diameters of 2 mm, 10 g/m
+  weight <- 2400 * (2 * 0.05 + 16 * 0.002) * 0.01 * 9.81
   expect_equal(as.data.frame(state, what = "reactions")$z_kN, weight / 1000, tolerance = 1e-7)
   # each of 8 rows hangs half of its weight on the nodes above it: from the upper row 40 twines
   # carry 15/16 of the weight, from the lowest 1/16

@@ -87,6 +87,10 @@ paper_net <- function(plan) {
     volume[p] <- volume[p] + springs$volume[s] / 2
     added[p] <- added[p] + 1 * water$density * springs$volume[s] / 2 # (8), C_m = 1
   }
+  # twine in the knots, 16 diameters of it (not the paper's, whose knots are spheres without weight)
+  in_knots <- points$knot * 16 * net$twine$diameter
+  mass <- mass + in_knots * net$twine$mass_per_length
+  volume <- volume + in_knots * pi / 4 * net$twine$diameter^2
   added <- added + 0.5 * water$density * points$knot * pi / 6 * net$knot_diameter^3
   for (k in names(pieces)) {
     p <- match(pieces[[k]], points$name)

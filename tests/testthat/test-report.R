@@ -133,3 +133,17 @@ test_that("a browser draws it without an error", {
   # An empty scene of this size packs into about 4 kB.
   expect_gt(nchar(still), 2e4)
 })
+
+test_that("a report tells what more of a field would do, where slopes are given", {
+  state <- settle("towed_cable")
+  slopes <- sensitivities(state, of = c("body_depth_m", "total_drag_kN"), secants = FALSE)
+  columns <- slope_columns(slopes)
+  expect_identical(columns$` field`, c("towing.speed", "ropes.cable.length", "pieces.sphere.mass"))
+  expect_identical(columns$` more`, c("+0.4000 knot", "+100.0 m", "+113.5 kg"))
+  drag <- slopes$slope[slopes$measure == "total_drag_kN"] * c(0.4, 100, 113.5)
+  expect_identical(columns$`total drag kN`, figures(drag))
+  file <- withr::local_tempfile(fileext = ".html")
+  report(state, file, slopes)
+  expect_match(paste(readLines(file, warn = FALSE), collapse = "\n"), "What more would do")
+  expect_error(report(state, file, slopes = 1), class = "codend_error_argument")
+})

@@ -51,7 +51,7 @@ test_that("the laws are as printed", {
       # half as
       # much: 2 %.
       expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
-        tolerance = c(triangles = 0.005, bars = 0.025)[[netting]])
+        tolerance = c(cells = 0.005, bars = 0.025)[[netting]])
       expect_lt(state$report$wake_change, 1e-5)
       expect_gt(state$report$wake_renewals, 1)
     }

@@ -71,3 +71,27 @@ test_that("looser accuracy costs no more", {
   cost <- vapply(c(0.1, 0.01), function(a) tow(steel_chain(), accuracy = a)$report$iterations, 0)
   expect_lte(cost[1], cost[2])
 })
+
+test_that("a motion that loses energy however short its steps stops, with what was done", {
+  # A weight falls 2 m into a rope so stiff that the shock, 1e-6 s long, is over within a step. What
+  # a scheme that damps leaves of it is not what nature would.
+  falling <- gear("a weight that falls into its rope",
+    top = point(position = c(0, 0, 0), held = "moved"), end = point(),
+    line = rope("top", "end", length = "5 m", diameter = "10 mm", axial_stiffness = "1e15 N",
+      mass_per_length = "0.01 kg/m", segments = 1),
+    weight = piece(at = "end", mass = "100 kg", volume = "0 l"), water = list(density = 0)
+  )
+  # faster down than it falls, for 0.3 s
+  error <- expect_error(
+    tow(falling, until = 3, every = 0.1, heave = function(t) -10 * min(t, 0.3)^2),
+    class = "codend_error_energy"
+  )
+  expect_s3_class(error, "codend_error_not_converged")
+  expect_match(conditionMessage(error), "gains or loses energy")
+  done <- error$trajectory
+  expect_s3_class(done, "codend_trajectory")
+  # it fell freely until then
+  late <- done$time[length(done$time)]
+  expect_gt(late, 0.25)
+  expect_lt(late, 1)
+})

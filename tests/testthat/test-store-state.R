@@ -44,7 +44,9 @@ test_that("a file says in plain NetCDF what the state holds", {
       RNetCDF::att.inq.nc(nc, id, k)$name
     }, "")
     if (has_unit && unit(known$name) != "1") {
-      expect_match(unit(known$name), "^(m|m2|m3|N|kN|kW|degree|percent|km2 h-1|m3 h-1)$")
+      expect_match(unit(known$name), paste0(
+        "^(m|m2|m3|N|kN|kW|degree|percent|km2 h-1|m3 h-1|l h-1|l km-2|1e-9)$"
+      ))
     }
   }
   expect_identical(get("part_drag"), as.data.frame(state, what = "drag")$drag_kN)

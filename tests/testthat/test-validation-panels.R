@@ -163,7 +163,8 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
     twine <- meshes * 0.08 * (if (square) 1 else 2)
     knots <- meshes * (if (square) 1 else 2)
     # double twine of polyethylene: 480 kg/m3 on its diameter squared, solid of 950 kg/m3
-    mass <- twine * 2 * 480 * 0.003^2
+    # 16 diameters of it in each knot
+    mass <- (twine + knots * 16 * 0.003) * 2 * 480 * 0.003^2
     for (netting in c("cells", "bars")) {
       for (nodes in c(40, 200, 800)) {
         lattice <- build_lattice(si, nodes, netting)

@@ -9,6 +9,13 @@
 // Coulomb's, regularised against the velocity v_t along the ground:
 //   F_t = -mu N v_t / sqrt(|v_t|^2 + e^2).
 // A body at rest on the ground therefore feels none: what holds by friction alone creeps.
+// In a march it sticks instead: a spring holds it to an anchor, where it last stuck, and slips where
+// that would take more than Coulomb's force, drawing the anchor along (P. A. Cundall and O. D. L.
+// Strack, A discrete numerical model for granular assemblies, Geotechnique 29, 1979):
+//   F_t = -mu N w / max(1, |w|),  w = (d + t v_t) / g,
+// d the way along the ground from the anchor, g what friction gives before it slips, t a short time
+// that damps what sticks. Of a line that rubs differently along and across itself, F_t's two parts have
+// their own mu: what slips lies on an ellipse.
 #pragma once
 
 #include <cmath>
@@ -16,6 +23,12 @@
 #include "geometry.hpp"
 
 namespace codend {
+
+// Coefficients of friction along a direction and across it; of no direction, one for all.
+struct Rubbing {
+  double along = 0.0, across = 0.0;
+  Vector way = Vector::Zero();
+};
 
 struct Ground {
   bool present = false;
@@ -26,6 +39,8 @@ struct Ground {
   double stiffness = 3e6;            // k, Pa/m
   double onset = 0.02;               // h, m
   double slip = 0.02;                // e, m/s
+  double stick_give = 0.01;          // g, m
+  double stick_lag = 0.1;            // t, s
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -57,13 +72,47 @@ struct Ground {
     slope = onset / (k_area * penetration);
   }
 
-  // Force on a point that moves at v, per normal force, and its derivative by v.
-  Vector per_press(const Vector& v, Matrix& by_velocity) const {
+  Rubbing rubbing() const { return {friction, friction, Vector::Zero()}; }
+
+  // How far a body on an anchor is on its way to slipping (w), 1 where it slips; at x - anchor (m), v.
+  Vector stretch(const Vector& from_anchor, const Vector& v) const {
+    const Vector w = (from_anchor + stick_lag * (v - velocity)) / stick_give;
+    return w - normal.dot(w) * normal;
+  }
+
+  // Force on a point that moves at v, per normal force, and its derivatives by position and v.
+  // from_anchor: x - anchor (m) of one that may stick; null for one that slides.
+  Vector per_press(const Vector& v, const Rubbing& rub, const Vector* from_anchor,
+                   Matrix& by_position, Matrix& by_velocity) const {
     const Matrix along = Matrix::Identity() - normal * normal.transpose();
-    const Vector sliding = along * (v - velocity);
-    const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);
-    by_velocity = (-friction / speed) * (along - sliding * sliding.transpose() / (speed * speed));
-    return normal - (friction / speed) * sliding;
+    Vector e;
+    if (from_anchor) {
+      const Vector w = stretch(*from_anchor, v);
+      const double size = w.norm();
+      Matrix slope = along;
+      e = w;
+      if (size > 1.0) {
+        e = w / size;
+        slope = (along - e * e.transpose()) / size;
+      }
+      by_position = slope / stick_give;
+      by_velocity = slope * (stick_lag / stick_give);
+    } else {
+      const Vector sliding = along * (v - velocity);
+      const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);
+      e = sliding / speed;
+      by_position.setZero();
+      by_velocity = (along - e * e.transpose()) / speed;
+    }
+    Matrix share = -rub.across * Matrix::Identity();
+    const Vector way = along * rub.way;
+    const double length = way.norm();
+    if (length > 0.0) {
+      share -= (rub.along - rub.across) / (length * length) * way * way.transpose();
+    }
+    by_position = share * by_position;
+    by_velocity = share * by_velocity;
+    return normal + share * e;
   }
 
   // Penetration (m) of a body of this clearance (m, from its point down to its underside) at x.
@@ -80,7 +129,7 @@ struct Ground {
     by_position.setZero();
     by_velocity.setZero();
     if (slope == 0.0) return;
-    const Vector direction = per_press(v, by_velocity);
+    const Vector direction = per_press(v, rubbing(), nullptr, by_position, by_velocity);
     force = press_force * direction;
     by_position = -slope * direction * normal.transpose();
     by_velocity *= press_force;

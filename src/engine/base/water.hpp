@@ -1,10 +1,11 @@
-// The water: density, viscosity, a horizontal current that varies with depth, and its surface.
+// The water: density, viscosity, a horizontal current that varies with depth, its surface, and waves.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "geometry.hpp"
+#include "waves.hpp"
 
 namespace codend {
 
@@ -14,10 +15,13 @@ struct Water {
   // Current profile, linear between its points and constant beyond them; depths ascend (m, z down).
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
+  // How fast the current changes, m/s2, at the same depths; empty: it does not.
+  std::vector<Vector> current_rate;
 
   // Whether bodies lose buoyancy and drag where they leave the water at z = 0 (immersion.hpp); else
   // water reaches everywhere.
   bool free_surface = false;
+  Waves waves;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -27,31 +31,46 @@ struct Water {
     visit("depth", depth);
     visit.component("x", current, 0);
     visit.component("y", current, 1);
+    visit.optional("waves", waves);
   }
 
   // The same current at all depths.
   bool uniform() const { return depth.size() == 1; }
   // Whether a body's drag depends on its height.
-  bool varies_with_height() const { return free_surface || !uniform(); }
+  bool varies_with_height() const { return free_surface || !uniform() || waves.present(); }
+  // Whether the water's acceleration pushes now.
+  bool accelerates() const { return !current_rate.empty() || waves.running(); }
 
-  // Water velocity at height z (m, up, 0 at the surface) and its derivative by z (1/s).
+  // Velocity of the current at height z (m, up, 0 at the surface) and its derivative by z (1/s).
   void velocity(double z, Vector& value, Vector& slope) const {
+    by_depth(current, z, value, slope);
+  }
+  // Acceleration of the current at height z, m/s2.
+  Vector acceleration(double z) const {
+    if (current_rate.empty()) return Vector::Zero();
+    Vector value, slope;
+    by_depth(current_rate, z, value, slope);
+    return value;
+  }
+
+ private:
+  void by_depth(const std::vector<Vector>& layers, double z, Vector& value, Vector& slope) const {
     const double d = -z;
     slope.setZero();
     if (uniform() || d <= depth.front()) {
-      value = current.front();
+      value = layers.front();
       return;
     }
     if (d >= depth.back()) {
-      value = current.back();
+      value = layers.back();
       return;
     }
     std::size_t k = 1;
     while (depth[k] < d) ++k;
     const double span = depth[k] - depth[k - 1];
     const double share = (d - depth[k - 1]) / span;
-    value = (1.0 - share) * current[k - 1] + share * current[k];
-    slope = (current[k - 1] - current[k]) / span;
+    value = (1.0 - share) * layers[k - 1] + share * layers[k];
+    slope = (layers[k - 1] - layers[k]) / span;
   }
 };
 

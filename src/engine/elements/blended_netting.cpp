@@ -46,8 +46,9 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
   for (int f = 0; f < 2; ++f) {
     drag[f] = twine_drag(m, metres, rest[i], vector[f], u, water, slack);
   }
-  out.force = screen_force(NettingScreenLaw::kristiansen_faltinsen, out.flow,
-                           2.0 * metres * m.diameter, m.diameter, multiplicity[i], water);
+  out.force =
+      screen_force(NettingScreenLaw::kristiansen_faltinsen, out.flow, 2.0 * metres * m.diameter,
+                   overlap[i], m.diameter, multiplicity[i], water);
 
   const double area = out.flow.area.norm(), speed = u.norm();
   double w = 0.0;

@@ -23,6 +23,7 @@ class BlendedNetting : public ElementKind {
   std::vector<double> twine;         // u0 v0 ... u3 v3 per cell
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
+  std::vector<double> overlap;       // as of NettingScreens
   std::vector<int> material;
   std::vector<double> height;  // over which it leaves the water, m
   std::vector<TwineMaterial> materials;
@@ -36,6 +37,7 @@ class BlendedNetting : public ElementKind {
     visit("twine", twine, {8});
     visit("rest", rest);
     visit("multiplicity", multiplicity);
+    visit("overlap", overlap);
     visit("height", height);
     visit("material", material, {1, Among::own_materials});
   }

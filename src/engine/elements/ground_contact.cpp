@@ -1,11 +1,54 @@
 #include "ground_contact.hpp"
 
+#include <algorithm>
+
 namespace codend {
+
+void GroundContacts::prepare() {
+  line_.assign(node.size(), -1);
+  for (std::size_t k = 0; k < lines.node.size(); ++k) {
+    const auto found = std::find(node.begin(), node.end(), lines.node[k]);
+    if (found != node.end())
+      line_[static_cast<std::size_t>(found - node.begin())] = static_cast<int>(k);
+  }
+}
+
+Vector GroundContacts::per_press(int e, const Field& field, Matrix& by_position,
+                                 Matrix& by_velocity) const {
+  const Ground& ground = *field.ground;
+  Rubbing rub = ground.rubbing();
+  if (line_[e] >= 0) {
+    const std::size_t k = static_cast<std::size_t>(line_[e]);
+    rub.along = lines.along[k];
+    rub.across = lines.across[k];
+    rub.way =
+        at(field.position, lines.between[2 * k + 1]) - at(field.position, lines.between[2 * k]);
+  }
+  const Vector v = at(field.velocity, node[e]);
+  if (anchor.empty()) return ground.per_press(v, rub, nullptr, by_position, by_velocity);
+  const Vector away = at(field.position, node[e]) - anchor[e];
+  return ground.per_press(v, rub, &away, by_position, by_velocity);
+}
+
+void GroundContacts::draw_anchors(const Field& field) {
+  const Ground& ground = *field.ground;
+  anchor.resize(node.size());
+  for (int e = 0; e < count(); ++e) {
+    const Vector x = at(field.position, node[e]);
+    if (penetration(e, field) <= 0.0) {
+      anchor[e] = x;
+      continue;
+    }
+    const Vector w = ground.stretch(x - anchor[e], at(field.velocity, node[e]));
+    const double size = w.norm();
+    if (size > 1.0) anchor[e] = x - ground.stick_give / size * w;
+  }
+}
 
 Vector GroundContacts::element_force(int e, const Field& field) const {
   double slope;
-  Matrix by_velocity;
-  return law(e, field, slope) * per_press(e, field, by_velocity);
+  Matrix by_position, by_velocity;
+  return law(e, field, slope) * per_press(e, field, by_position, by_velocity);
 }
 
 void GroundContacts::add_force(const Field& field, const double* press, double* force) const {
@@ -14,8 +57,8 @@ void GroundContacts::add_force(const Field& field, const double* press, double* 
       at(force, node[e]) += element_force(e, field);
       continue;
     }
-    Matrix by_velocity;
-    at(force, node[e]) += press[e] * per_press(e, field, by_velocity);
+    Matrix by_position, by_velocity;
+    at(force, node[e]) += press[e] * per_press(e, field, by_position, by_velocity);
   }
 }
 
@@ -32,11 +75,12 @@ void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& req
       slope = modulus[e];
     }
     if (slope == 0.0 && normal_force == 0.0) continue;
-    Matrix by_velocity;
-    const Vector direction = per_press(e, field, by_velocity);
-    sink.add(e, 0, 0,
-             Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -
-                    (request.damping * normal_force) * by_velocity));
+    Matrix by_position, by_velocity;
+    const Vector direction = per_press(e, field, by_position, by_velocity);
+    sink.add(
+        e, 0, 0,
+        Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -
+               normal_force * (request.stiffness * by_position + request.damping * by_velocity)));
   }
 }
 

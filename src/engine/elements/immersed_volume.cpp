@@ -5,22 +5,34 @@
 namespace codend {
 
 Vector ImmersedVolumes::element_force(int e, const Field& field) const {
-  const double share = immersion(at(field.position, node[e]).z(), height[e]).share;
-  return {0.0, 0.0, -(buoyancy[e] * (1.0 - share))};
+  return {0.0, 0.0, -(buoyancy[e] * (1.0 - field.immersed_share(node[e], height[e])))};
 }
 
 void ImmersedVolumes::add_force(const Field& field, double* force) const {
-  for (int e = 0; e < count(); ++e) at(force, node[e]) += element_force(e, field);
+  const bool pushed = field.water->accelerates();
+  if (!field.water->free_surface && !pushed) return;
+  for (int e = 0; e < count(); ++e) {
+    const double wet = field.immersed_share(node[e], height[e]);
+    at(force, node[e]).z() -= buoyancy[e] * (1.0 - wet);
+    if (pushed) at(force, node[e]) += buoyancy[e] / gravity * wet * field.acceleration(node[e]);
+  }
 }
 
 void ImmersedVolumes::add_jacobian(const Field& field, const JacobianRequest& request,
                                    const BlockSink& sink) const {
-  if (request.stiffness == 0.0) return;
+  if (request.stiffness == 0.0 || !field.water->free_surface) return;
+  const bool pushed = field.water->accelerates();
   for (int e = 0; e < count(); ++e) {
-    const double slope = immersion(at(field.position, node[e]).z(), height[e]).slope;
+    const double slope = immersion(field.above_surface(node[e]), height[e]).slope;
     if (slope == 0.0) continue;
-    Matrix block = Matrix::Zero();
-    block(2, 2) = -request.stiffness * buoyancy[e] * slope;
+    Vector of_share(0.0, 0.0, buoyancy[e]);
+    if (pushed) of_share += buoyancy[e] / gravity * field.acceleration(node[e]);
+    Vector down(0.0, 0.0, 1.0);  // of the height above the surface
+    if (field.waves) {
+      down.x() = -field.waves[node[e]].slope_x;
+      down.y() = -field.waves[node[e]].slope_y;
+    }
+    const Matrix block = (-request.stiffness * slope) * of_share * down.transpose();
     sink.add(e, 0, 0, block);
   }
 }

@@ -1,5 +1,6 @@
-// Buoyancy that is lost above the surface: what a node carries is loaded with the weight less the
-// full buoyancy, and here the share of it that is out of the water (immersion.hpp) is taken back.
+// Volumes that displace water. What a node carries is loaded with the weight less the full buoyancy:
+// at a free surface the share of it that is out of the water (immersion.hpp) is taken back here. Water
+// that accelerates pushes what is in it as it would push the water in its place (Froude and Krylov).
 #pragma once
 
 #include "kind.hpp"
@@ -23,7 +24,7 @@ class ImmersedVolumes : public ElementKind {
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Force (N) on one element.
+  // Buoyancy (N) that one element lacks.
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;

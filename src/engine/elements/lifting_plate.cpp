@@ -86,6 +86,13 @@ struct LiftingPlates::Motion {
   Triple<Scalar> velocity(const PartsOf<Share>& p) const {
     return v[0] + p.a * e1_dot + p.b * e2_dot + p.c * e3_dot;
   }
+  // How fast a vector of the plate changes.
+  Triple<Scalar> rate(const Parts& p) const { return p.a * e1_dot + p.b * e2_dot + p.c * e3_dot; }
+  // What acts on how fast such a vector changes: a couple, where it acts on what is rigid.
+  void hand_on_rate(const Parts& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
+    hand_on(p, load, force);
+    force[0] -= load;
+  }
   template <class Share>
   void hand_on(const PartsOf<Share>& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
     const Triple<Scalar> f1 = p.a * load + p.c * cross(e2, load);
@@ -119,10 +126,38 @@ void LiftingPlates::prepare() {
     f.gravity = place(b.gravity_centre);
     f.buoyancy = place(b.buoyancy_centre);
     f.middle = place({b.pressure_centre * b.chord, 0.0, 0.0});
+    f.centre = place({0.5 * b.chord, 0.0, 0.0});
+    for (int k = 0; k < 4; ++k) {
+      f.added[k] = place({0.5 * b.chord + (k % 2 ? 1.0 : -1.0) * b.added_radius_chord, 0.0,
+                          (k / 2 ? 1.0 : -1.0) * b.added_radius_span});
+    }
+    Eigen::Matrix4d moments = Eigen::Matrix4d::Zero();
+    moments(0, 0) = b.mass;
+    auto numbers = [](const Parts& p) { return Vector(p.a, p.b, p.c); };
+    const Vector gravity = numbers(f.gravity);
+    moments.bottomRightCorner<3, 3>() =
+        b.mass * gravity * gravity.transpose() +
+        inverse * b.second_moment.asDiagonal() * inverse.transpose();
+    moments.bottomLeftCorner<3, 1>() = b.mass * gravity;
+    moments.topRightCorner<1, 3>() = b.mass * gravity.transpose();
+    f.moments = moments;
     f.shoe[0] = place({0.0, 0.0, -0.5 * b.span});
     f.shoe[1] = place({b.chord, 0.0, -0.5 * b.span});
     fixed_.push_back(f);
   }
+}
+
+template <class Scalar>
+void LiftingPlates::hand_on_inertia(const Fixed& f, const Motion<Scalar>& motion,
+                                    const Triple<Scalar>& bending, Triple<Scalar> force[3]) {
+  // The last column of Q accelerates by `bending`, and J spreads that over all.
+  const auto row = f.moments.row(3);
+  const Triple<Scalar> by_c = Scalar(row[3]) * bending;
+  const Triple<Scalar> f1 = row[1] * bending + cross(motion.e2, by_c);
+  const Triple<Scalar> f2 = row[2] * bending + cross(by_c, motion.e1);
+  force[0] -= row[0] * bending - f1 - f2;
+  force[1] -= f1;
+  force[2] -= f2;
 }
 
 template <class Scalar>
@@ -134,17 +169,38 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
 
   const Triple<Scalar> middle = motion.place(f.middle);
   Immersion wet{1.0, 0.0, 1.0, 0.0};
-  if (water.free_surface) wet = immersion(value_of(middle.z()), b.height);
+  const Vector here = values(middle);
+  WavePoint sea;
+  if (field.waves) sea = water.waves.at(here);
+  if (water.free_surface) wet = immersion(here.z() - sea.elevation, b.height);
   const Scalar share = follow(middle.z(), wet.share, wet.slope);
 
   const Scalar none(0.0);
   motion.hand_on(f.gravity, Triple<Scalar>(none, none, Scalar(-b.weight)), force);
-  motion.hand_on(f.buoyancy, Triple<Scalar>(none, none, b.buoyancy * share), force);
+  Triple<Scalar> lifted(none, none, b.buoyancy * share);
+  if (water.accelerates()) {
+    const Vector pushed = b.buoyancy / gravity * (water.acceleration(here.z()) + sea.acceleration);
+    for (int k = 0; k < 3; ++k) lifted[k] += pushed[k] * share;
+  }
+  motion.hand_on(f.buoyancy, lifted, force);
 
   const Triple<Scalar> chord = motion.vector(f.chord), span = motion.vector(f.span),
                        outward = motion.vector(f.outward);
   Vector current, slope;
-  water.velocity(value_of(middle.z()), current, slope);
+  water.velocity(here.z(), current, slope);
+  current += sea.velocity;
+  slope += sea.velocity_slope;
+  if (water.accelerates()) {
+    const Vector speeding = water.acceleration(here.z()) + sea.acceleration;
+    const Scalar across =
+        outward[0] * speeding[0] + outward[1] * speeding[1] + outward[2] * speeding[2];
+    const Scalar push = water.density * b.added_mass * share * across;
+    motion.hand_on(f.centre, push * outward, force);
+  }
+  // What of accelerations is due to velocities.
+  const Triple<Scalar> bending = 2.0 * cross(motion.e1_dot, motion.e2_dot);
+  hand_on_inertia(f, motion, bending, force);
+
   // Of the water relative to a place of the plate, and its parts in the plate's axes.
   Triple<Scalar> u;
   Scalar along_chord, along_outward, along_span;
@@ -154,18 +210,21 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
     along_outward = dot(u, outward);
     along_span = dot(u, span);
   };
-  meet(motion.velocity(f.middle));
-  PartsOf<Scalar> pressed{Scalar(f.middle.a), Scalar(f.middle.b), Scalar(f.middle.c)};
+  meet(motion.velocity(f.centre));
+  const Triple<Scalar> past_centre = u;
+  // Of the centre of pressure, from mid-chord.
+  Scalar aft((b.pressure_centre - 0.5) * b.chord);
   if (b.pressure_wanders) {
-    // The flow that matters is that where the force acts, or it would not always take energy.
     const Scalar first = angle(along_outward, along_chord);
     const PressureCentre centre = joessel_pressure_centre(value_of(first));
-    const Scalar aft = b.chord * (follow(first, centre.share, centre.slope) - b.pressure_centre);
-    pressed.a += aft * f.chord.a;
-    pressed.b += aft * f.chord.b;
-    pressed.c += aft * f.chord.c;
-    meet(motion.velocity(pressed));
+    aft = b.chord * (follow(first, centre.share, centre.slope) - 0.5);
   }
+  auto along_the_chord = [&](const Scalar& way) {
+    return PartsOf<Scalar>{f.centre.a + way * f.chord.a, f.centre.b + way * f.chord.b,
+                           f.centre.c + way * f.chord.c};
+  };
+  const PartsOf<Scalar> pressed = along_the_chord(aft);
+  meet(motion.velocity(along_the_chord(-aft)));
   const Scalar across2 = along_chord * along_chord + along_outward * along_outward;
   const Scalar across = square_root(across2);
   const Scalar speed = square_root(Scalar(dot(u, u)));
@@ -188,6 +247,22 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
     drag_size = value_of(drag_factor) * value_of(speed);
   }
   motion.hand_on(pressed, load, force);
+
+  // Turning, and what of the added mass turning makes.
+  const Scalar damping = 0.5 * water.density * b.area * share * speed;
+  const Scalar yaw_rate = dot(outward, motion.rate(f.chord));
+  const Scalar roll_rate = dot(outward, motion.rate(f.span));
+  const Scalar yaw = damping * (b.chord * b.chord * b.yaw_damping + b.normal_slope * aft * aft);
+  const Scalar roll = damping * (b.span * b.span * b.roll_damping);
+  const Triple<Scalar> against_yaw = Scalar(-yaw * yaw_rate) * outward;
+  const Triple<Scalar> against_roll = Scalar(-roll * roll_rate) * outward;
+  motion.hand_on_rate(f.chord, against_yaw, force);
+  motion.hand_on_rate(f.span, against_roll, force);
+  const double added = water.density * b.added_mass;
+  const Scalar quickening =
+      f.centre.c * dot(outward, bending) - dot(motion.rate(f.outward), past_centre);
+  const Triple<Scalar> held_back = Scalar(-added * quickening) * outward;
+  motion.hand_on(f.centre, held_back, force);
 
   Vector on_ground = Vector::Zero();
   if (field.ground && field.ground->present) {
@@ -288,21 +363,76 @@ void LiftingPlates::add_jacobian(const Field& field, const JacobianRequest& requ
   }
 }
 
-void LiftingPlates::add_added_mass(const Field& field, double* mass) const {
+LiftingPlates::BodyMass LiftingPlates::body_mass(std::size_t number, const Field& field) const {
+  const Fixed& f = fixed_[number];
+  Motion<double> motion;
+  for (std::size_t k = 0; k < 3; ++k) {
+    motion.x[k] = at(field.position, node_[3 * number + k]);
+    motion.v[k].setZero();
+  }
+  motion.complete();
+  // How the columns of Q change with the points.
+  using Columns = Eigen::Matrix<double, 3, 9>;
+  auto crossing = [](const Vector& a) {
+    Matrix m;
+    m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+    return m;
+  };
+  const Matrix one = Matrix::Identity(), none = Matrix::Zero();
+  const Matrix by_first = -crossing(motion.e2), by_second = crossing(motion.e1);
+  std::array<Columns, 4> change;
+  change[0] << one, none, none;
+  change[1] << -one, one, none;
+  change[2] << -one, none, one;
+  change[3] << -by_first - by_second, by_first, by_second;
+  BodyMass mass = BodyMass::Zero();
+  for (int j = 0; j < 4; ++j) {
+    Columns momentum = Columns::Zero();
+    for (int k = 0; k < 4; ++k) momentum += f.moments(j, k) * change[static_cast<std::size_t>(k)];
+    mass += change[static_cast<std::size_t>(j)].transpose() * momentum;
+  }
+  const Vector outward = motion.vector(f.outward), middle = motion.place(f.middle);
+  double wet = 1.0;
+  if (field.water->free_surface) {
+    const double surface = field.waves ? field.water->waves.at(middle).elevation : 0.0;
+    wet = immersion(middle.z() - surface, plate[number].height).share;
+  }
+  const double added = 0.25 * wet * field.water->density * plate[number].added_mass;
+  for (const Parts& p : f.added) {
+    const Eigen::Matrix<double, 1, 9> across =
+        outward.transpose() * (change[0] + p.a * change[1] + p.b * change[2] + p.c * change[3]);
+    mass += added * across.transpose() * across;
+  }
+  return mass;
+}
+
+double LiftingPlates::heaviest_body(const Field& field) const {
+  double most = 0.0;
+  for (const LiftingPlate& one : plate) {
+    most = std::max(most, one.mass + field.water->density * one.added_mass);
+  }
+  return most;
+}
+
+void LiftingPlates::add_body_mass(const Field& field, double factor, const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
-    Motion<double> motion;
-    for (int k = 0; k < 3; ++k) {
-      motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
-      motion.v[k].setZero();
+    const BodyMass mass = factor * body_mass(static_cast<std::size_t>(e), field);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) sink.add(e, i, j, mass.block<3, 3>(3 * i, 3 * j));
     }
-    motion.complete();
-    const Vector across = motion.vector(fixed_[e].outward);
-    const Block share =
-        (field.water->density * plate[static_cast<std::size_t>(e)].added_mass / 3.0) * across *
-        across.transpose();
-    for (int k = 0; k < 3; ++k) {
-      Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(
-                                       node_[static_cast<std::size_t>(3 * e + k)])) += share;
+  }
+}
+
+void LiftingPlates::add_body_inertia(const Field& field, const double* acceleration,
+                                     double* force) const {
+  for (std::size_t e = 0; e < plate.size(); ++e) {
+    Eigen::Matrix<double, 9, 1> a;
+    for (std::size_t k = 0; k < 3; ++k) {
+      a.segment<3>(static_cast<Eigen::Index>(3 * k)) = at(acceleration, node_[3 * e + k]);
+    }
+    const Eigen::Matrix<double, 9, 1> inertia = body_mass(e, field) * a;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at(force, node_[3 * e + k]) += inertia.segment<3>(static_cast<Eigen::Index>(3 * k));
     }
   }
 }
@@ -318,9 +448,16 @@ void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
     Vector u, slope;
     field.relative_velocity(node_[static_cast<std::size_t>(3 * e)],
                             plate[static_cast<std::size_t>(e)].height, u, slope);
-    const double share =
-        0.5 * field.water->density * plate[static_cast<std::size_t>(e)].area * u.norm() / 3.0;
-    for (int k = 0; k < 3; ++k) scale[node_[static_cast<std::size_t>(3 * e + k)]] += share;
+    const LiftingPlate& b = plate[static_cast<std::size_t>(e)];
+    const double drag = 0.5 * field.water->density * b.area * u.norm() / 3.0;
+    // Its mass by shares that have its centre of gravity, as far as positive ones can.
+    const Parts& gravity = fixed_[static_cast<std::size_t>(e)].gravity;
+    const double part[3] = {std::max(1.0 - gravity.a - gravity.b, 0.1), std::max(gravity.a, 0.1),
+                            std::max(gravity.b, 0.1)};
+    const double all = part[0] + part[1] + part[2];
+    for (int k = 0; k < 3; ++k) {
+      scale[node_[static_cast<std::size_t>(3 * e + k)]] += drag + b.mass * part[k] / all;
+    }
   }
 }
 

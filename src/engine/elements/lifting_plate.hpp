@@ -14,8 +14,27 @@
 // Hydrodynamic force, at the centre of pressure, by the part U_p of the relative velocity U across
 // the span s (the flow along the span passes without lift):
 //   L = 1/2 rho S C_L(alpha) |U_p| (+-s x U),  D = 1/2 rho S (C_D(alpha) |U_p|^2 + C_D(0) |U_s|^2) u
-// alpha is the angle of U_p to the chord, positive where the flow meets the inner face. Added mass
-// is that of a plate across its face (DNV-RP-C205), spread over the three points.
+// alpha is the angle of U_p to the chord, positive where the flow meets the inner face.
+//
+// Mass: with q = (1, a, b, c) of a place and J the integral of q q^T over the body's mass, and x0, e1,
+// e2, e1 x e2 the columns of Q, the kinetic energy is 1/2 tr(Q' J Q'^T) (natural coordinates: Garcia
+// de Jalon and Bayo, Kinematic and Dynamic Simulation of Multibody Systems, 1994, ch. 4). What of the
+// accelerations of its points is due to their velocities alone, 2 e1' x e2' of the last column, is a
+// force like any other.
+//
+// Water, for a plate that turns at rates q about its span and p about its chord (positive where the
+// trailing, the upper edge moves outward), n its outward axis, m mid-chord:
+//   added mass   m_a n d/dt(n . V), V the velocity of m in the water, of translation, and
+//                m_a r^2 of turning, with a radius r each about span and chord: four equal masses
+//                that only move across the face, at m +- r_chord, +- r_span;
+//   turning      U is that at the mirror image of the centre of pressure in m, and against q and p
+//                there are couples 1/2 rho |U| S (c^2 C_q + C_N g^2) q and 1/2 rho |U| S s^2 C_p p,
+//                g the way from the centre of pressure to m and C_N, C_q, C_p its normal_slope,
+//                yaw_damping and roll_damping.
+// In the linear theory of a thin plate in steady rotation that is what its moment about m is, and its
+// normal force: q makes of the force what the normal velocity makes of the moment, with the other
+// sign (by reverse flow: Heaslet and Spreiter, NACA Report 1119, 1953). A plate that moves without
+// turning knows nothing of it.
 #pragma once
 
 #include "kind.hpp"
@@ -37,8 +56,14 @@ struct LiftingPlate {
   bool pressure_wanders = false;        // with the angle of attack, see pressure_centre() below
   double weight = 0.0, buoyancy = 0.0;  // N
   Vector gravity_centre = Vector::Zero(), buoyancy_centre = Vector::Zero();
-  double added_mass = 0.0;  // across its face, at density 1 kg/m3 of water, m3
-  double shoe_area = 0.0;   // on the ground, m2, at each end of the lower edge
+  double mass = 0.0;                      // kg
+  Vector second_moment = Vector::Zero();  // of its mass about its centre of gravity, by axis, kg m2
+  double added_mass = 0.0;                // across its face, at density 1 kg/m3 of water, m3
+  // Of the added mass where it turns about its span and about its chord, along these, m.
+  double added_radius_chord = 0.0, added_radius_span = 0.0;
+  // Of the normal force by the angle of attack, of the moments by the rates of turning.
+  double normal_slope = 0.0, yaw_damping = 0.0, roll_damping = 0.0;
+  double shoe_area = 0.0;  // on the ground, m2, at each end of the lower edge
   Polar polar;
 
   template <class Visit>
@@ -57,7 +82,14 @@ struct LiftingPlate {
     visit("buoyancy", buoyancy);
     visit("gravity_centre", gravity_centre);
     visit("buoyancy_centre", buoyancy_centre);
+    visit("mass", mass);
+    visit("second_moment", second_moment);
     visit("added_mass", added_mass);
+    visit("added_radius_chord", added_radius_chord);
+    visit("added_radius_span", added_radius_span);
+    visit("normal_slope", normal_slope);
+    visit("yaw_damping", yaw_damping);
+    visit("roll_damping", roll_damping);
     visit("shoe_area", shoe_area);
     visit.group("polar", polar);
   }
@@ -95,7 +127,12 @@ class LiftingPlates : public ElementKind {
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field& field, double* mass) const override;
+  void add_added_mass(const Field&, double*) const override {}
+  bool has_bodies() const override { return !plate.empty(); }
+  double heaviest_body(const Field& field) const override;
+  void add_body_mass(const Field& field, double factor, const BlockSink& sink) const override;
+  void add_body_inertia(const Field& field, const double* acceleration,
+                        double* force) const override;
   void add_drag_scale(const Field& field, double* scale) const override;
   double unstable_size(const Field&) const override;  // the least chord
   PlateAttitude attitude(int plate, const Field& field) const;
@@ -110,13 +147,25 @@ class LiftingPlates : public ElementKind {
   // What of a plate goes with its points.
   struct Fixed {
     Parts leading, chord, span, outward;  // place; unit vectors
-    Parts gravity, buoyancy, middle, shoe[2];
+    Parts gravity, buoyancy, middle, centre, shoe[2];
+    Parts added[4];           // places of the added mass
+    Eigen::Matrix4d moments;  // J
   };
+  using BodyMass = Eigen::Matrix<double, 9, 9>;
   template <class Scalar>
   struct Motion;
   template <class Scalar>
   void add_forces(int plate, const Field& field, const Motion<Scalar>& motion,
                   Eigen::Matrix<Scalar, 3, 1> force[3], PlateAttitude* attitude) const;
+
+  // Of three points, by all their components.
+  BodyMass body_mass(std::size_t plate, const Field& field) const;
+
+  // Takes off what mass makes of accelerations that are due to velocities, m/s2 of e1 x e2.
+  template <class Scalar>
+  static void hand_on_inertia(const Fixed& fixed, const Motion<Scalar>& motion,
+                              const Eigen::Matrix<Scalar, 3, 1>& bending,
+                              Eigen::Matrix<Scalar, 3, 1> force[3]);
 
   std::vector<int> node_;  // 3 per plate
   std::vector<Fixed> fixed_;

@@ -53,12 +53,13 @@ struct Line {
   }
 };
 
-// Added mass of a line, a point's share, kg.
+// Added mass of a line, of what is in the water, a point's share, kg.
 inline Block added_mass(const LineArrays& lines, int line) {
   const Vector t =
       lines.inverse_span[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);
   Block mass = (lines.added_tangential[line] - lines.added_normal[line]) * (t * t.transpose());
   mass.diagonal().array() += lines.added_normal[line];
+  if (lines.wet) mass *= lines.wet[line];
   return mass;
 }
 

@@ -50,4 +50,10 @@ void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, d
   out[4] = k.b_t;
 }
 
+void load_coefficients(const TwineMaterial& material, double strain, double* out) {
+  const TwinePull pull = twine_pull(material, strain);
+  out[0] = pull.tension - pull.modulus * strain;
+  out[1] = pull.modulus;
+}
+
 }  // namespace codend

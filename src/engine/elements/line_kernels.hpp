@@ -13,11 +13,11 @@ namespace codend {
 struct LineArrays {
   // What the lines are.
   double* inverse_rest;   // 1/L0, 1/m
-  double* stiffness;      // EA, N
+  double* stiffness;      // EA, N; of loads by strain, at the present strain
   double* least_tension;  // 0; of struts, which also push, far below it, N
   double* multiplicity;
   double* drag_weight;  // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
-  double *added_normal, *added_tangential;  // added mass, a point's share, kg
+  double *added_normal, *added_tangential;  // added mass in the water, a point's share, kg
   double *normal, *tangential, *skin;       // C_n, C_t, C_f
   // Null where there are no cells:
   double* twist_weight;     // kappa, by which L^2 = |e|^2 + kappa |q|^2
@@ -26,6 +26,9 @@ struct LineArrays {
   double* rest_rate;                        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
+  // Materials of lines whose loads are given by strain, as above; T is then EA s + offset (N).
+  const TwineMaterial* const* load_law;
+  double* offset;
   double viscosity;  // m2/s
   bool curved;       // SlackDrag::curved
 
@@ -33,6 +36,7 @@ struct LineArrays {
   double *u[3], *speed;  // U and |U|, m/s
   double* slope[3];      // dU/dz, 1/s; null where it is the same everywhere
   double* own;           // -dU/dv of the mean velocity v of its points
+  double* wet;           // share that is in the water; null without a free surface
   double* loose;         // drag of a curled-up line over U, a point's share, N s/m
   double* loose_slope;   // its derivative by |U|
   double* drag_scale;    // drag over U, a point's share, at right angles, N s/m
@@ -91,6 +95,9 @@ struct LineKernels {
 // Coefficients of cylinder_law.hpp for a law that depends on speed: a, a_n, b, b_n, b_t.
 void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, double viscosity,
                         double* out);
+
+// Tension less modulus times strain, and modulus, of a table of loads.
+void load_coefficients(const TwineMaterial& material, double strain, double* out);
 
 // For any processor.
 const LineKernels& portable_line_kernels();

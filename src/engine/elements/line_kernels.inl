@@ -180,7 +180,17 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Pack strain = length * inverse_rest - 1.0;
     store(lines.strain + i, strain);
     const Pack least = load(lines.least_tension + i);
+    if (lines.load_law) {
+      for (int l = 0; l < lanes; ++l) {
+        if (!lines.load_law[i + l] || !(lines.multiplicity[i + l] > 0.0)) continue;
+        double found[2];
+        load_coefficients(*lines.load_law[i + l], strain[l], found);
+        lines.offset[i + l] = found[0];
+        lines.stiffness[i + l] = found[1];
+      }
+    }
     Pack tension = load(lines.stiffness + i) * strain;
+    if (lines.load_law) tension = tension + load(lines.offset + i);
     if (lines.damping) {
       Pack stretching = dot(e, load(lines.e_rate, i));
       if (lines.twist_weight) {
@@ -251,8 +261,9 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
     modulus = load_before_end(request.modulus + i, left);
     taut = modulus > 0.0 ? Pack{} + 1.0 : Pack{};
   } else {
+    const bool by_tension = lines.damping || lines.load_law;
     const Pack tension =
-        lines.damping ? load(lines.tension + i) : stiffness * load(lines.strain + i);
+        by_tension ? load(lines.tension + i) : stiffness * load(lines.strain + i);
     taut = tension > least ? Pack{} + 1.0 : Pack{};
     modulus = taut * stiffness;
   }

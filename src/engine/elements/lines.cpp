@@ -60,8 +60,14 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
                                 &a.drag[1],
                                 &a.drag[2]};
   if (by_height) columns.insert(columns.end(), {&a.slope[0], &a.slope[1], &a.slope[2]});
+  if (water.free_surface) columns.push_back(&a.wet);
   bool damped = false;
-  for (const TwineMaterial& m : materials) damped = damped || m.damping > 0.0;
+  bool by_table = false;
+  for (const TwineMaterial& m : materials) {
+    damped = damped || m.damping > 0.0;
+    by_table = by_table || !m.loads.empty();
+  }
+  if (by_table) columns.push_back(&a.offset);
   if (damped) columns.insert(columns.end(), {&a.damping, &a.rest_rate});
   if (damped || cells.count() > 0) {
     columns.insert(columns.end(), {&a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
@@ -108,6 +114,12 @@ void Lines::describe(const Line<N>& line) {
   if (arrays_.damping) {
     arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
   }
+  if (!m.loads.empty()) {
+    load_law_.resize(column_length(count_));
+    load_law_[k] = &m;
+    arrays_.load_law = load_law_.data();
+    arrays_.offset[k] = 0.0;
+  }
   if (m.law.kind == CylinderLawKind::constant) {
     arrays_.normal[k] = m.law.normal;
     arrays_.tangential[k] = m.law.tangential * m.law.tangential_share;
@@ -124,30 +136,36 @@ void Lines::update_bar(int bar, double rest_rate) {
   if (arrays_.damping) arrays_.rest_rate[bar] = rest_rate;
 }
 
-void Lines::set_velocity(const Field& field, const int* node, const double* share, int points,
-                         double height, std::initializer_list<int> lines) {
-  Vector moving = Vector::Zero();
-  double z = 0.0, own = field.wake ? 0.0 : 1.0;
-  for (int k = 0; k < points; ++k) {
-    moving -= share[k] * at(field.velocity, node[k]);
-    z += share[k] * at(field.position, node[k]).z();
-    if (field.wake) own += share[k] * field.wake[node[k]];
-  }
-  for (const int line : lines) {
-    set_velocity(static_cast<std::size_t>(line), moving, z, own, height);
-  }
+void Lines::Meeting::add(const Field& field, int point, double share) {
+  moving -= share * at(field.velocity, point);
+  z += share * at(field.position, point).z();
+  own += share * (field.wake ? field.wake[point] : 1.0);
+  if (!field.waves) return;
+  const WavePoint& waves = field.waves[point];
+  moving += share * waves.velocity;
+  slope += share * waves.velocity_slope;
+  surface += share * waves.elevation;
 }
 
-void Lines::set_velocity(std::size_t line, const Vector& moving, double z, double own,
-                         double height) {
-  Vector current, slope;
-  water_.velocity(z, current, slope);
-  Vector u = moving + current;
+void Lines::set_velocity(const Field& field, const int* node, const double* share, int points,
+                         double height, std::initializer_list<int> lines) {
+  Meeting meeting;
+  for (int k = 0; k < points; ++k) meeting.add(field, node[k], share[k]);
+  for (const int line : lines) set_velocity(static_cast<std::size_t>(line), meeting, height);
+}
+
+void Lines::set_velocity(std::size_t line, const Meeting& meeting, double height) {
+  Vector u, slope;
+  water_.velocity(meeting.z, u, slope);
+  u += meeting.moving;
+  slope += meeting.slope;
+  double own = meeting.own;
   slope *= own;
   if (water_.free_surface) {
-    const Immersion wet = immersion(z, height);
+    const Immersion wet = immersion(meeting.z - meeting.surface, height);
     slope = wet.root * slope + own * wet.root_slope * u;
     own *= wet.root;
+    arrays_.wet[line] = wet.share;
   }
   u *= own;
   arrays_.own[line] = own;

@@ -53,12 +53,19 @@ class Lines {
  private:
   template <int N>
   void describe(const Line<N>& line);
+  // What lines meet the water with, means of their points.
+  struct Meeting {
+    Vector moving = Vector::Zero();  // velocity of the water but for the current's, m/s
+    Vector slope = Vector::Zero();   // its derivative by height, 1/s
+    double z = 0.0, surface = 0.0;   // heights of the line and of the water's surface, m
+    double own = 0.0;                // share of the flow that is left
+    void add(const Field& field, int point, double share);
+  };
   // Of lines with these points, which have these shares in it; height: over which they leave the
   // water, m.
   void set_velocity(const Field& field, const int* node, const double* share, int points,
                     double height, std::initializer_list<int> lines);
-  // moving: velocity of the water but for the current's, m/s; own: share of the flow that is left.
-  void set_velocity(std::size_t line, const Vector& moving, double z, double own, double height);
+  void set_velocity(std::size_t line, const Meeting& meeting, double height);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
   static void in_strips(int count, Visit visit);
@@ -70,7 +77,7 @@ class Lines {
   const Water& water_;
   int count_;
   std::vector<double> numbers_;
-  std::vector<const TwineMaterial*> speed_law_;
+  std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
 };

@@ -28,14 +28,18 @@ Matrix area_slope(const ScreenFlow& flow, int l) {
 }
 
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double diameter, double multiplicity, const Water& water) {
+                         double overlap, double diameter, double multiplicity, const Water& water) {
   ScreenForce out;
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();
   if (area == 0.0 || speed == 0.0) return out;
   const double along = s.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
   const double cosine = std::min(1.0, std::abs(along) / (area * speed));
-  const double solidity = twine_area / (multiplicity * area);
+  const double twine = twine_area / (multiplicity * area);
+  const bool covered = 2.0 * overlap * twine > 1.0;
+  const double solidity = covered ? 0.25 / overlap : twine * (1.0 - overlap * twine);
+  // - A dSn/dA
+  const double by_closing = covered ? 0.0 : twine * (1.0 - 2.0 * overlap * twine);
   const double re_per_speed = diameter / water.viscosity;
   const ScreenCoefficients k = screen_coefficients(law, cosine, solidity, re_per_speed * speed);
   // F = c (P A |U| U + G |U|^2 sign S) with G = C_L / sin th, P = C_D - G cos th.
@@ -47,11 +51,11 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
       (sign / (area * speed) * s - cosine / (speed * speed) * u).transpose();
   const Eigen::RowVector3d normal = s.transpose() / area, way = u.transpose() / speed;
   const Eigen::RowVector3d g_by_area =
-      g.by_cosine * cosine_by_area - g.by_solidity * solidity / area * normal;
+      g.by_cosine * cosine_by_area - g.by_solidity * by_closing / area * normal;
   const Eigen::RowVector3d g_by_velocity =
       g.by_cosine * cosine_by_velocity + g.by_reynolds * re_per_speed * way;
   const Eigen::RowVector3d p_by_area = k.drag.by_cosine * cosine_by_area -
-                                       k.drag.by_solidity * solidity / area * normal -
+                                       k.drag.by_solidity * by_closing / area * normal -
                                        cosine * g_by_area - g.value * cosine_by_area;
   const Eigen::RowVector3d p_by_velocity = k.drag.by_cosine * cosine_by_velocity +
                                            k.drag.by_reynolds * re_per_speed * way -
@@ -70,7 +74,7 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
 
 ScreenForce NettingScreens::force(int e, const ScreenFlow& flow, const Water& water) const {
   const std::size_t t = static_cast<std::size_t>(e);
-  return screen_force(law[t], flow, twine_area[t], diameter[t], multiplicity[t], water);
+  return screen_force(law[t], flow, twine_area[t], overlap[t], diameter[t], multiplicity[t], water);
 }
 
 Vector NettingScreens::element_force(int e, const Field& field) const {

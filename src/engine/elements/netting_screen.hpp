@@ -2,12 +2,16 @@
 // the sum over their twines.
 //
 // With S = 1/2 (x2-x0) x (x3-x1) the cell's area vector, A = |S|, n = S/A turned so that n.U >= 0, U
-// the mean velocity of the water relative to it, cos th = n.U/|U| and Sn = twine area / A:
+// the mean velocity of the water relative to it, cos th = n.U/|U| and Sn its solidity, from twine
+// area / A:
 //
 //   F = 1/2 rho A |U|^2 (C_D U/|U| + C_L l),  l = n - cos th U/|U|, made a unit vector
 //
-// shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. A cell that closes up
-// loses its area: Sn is held at the law's end, and the force goes to zero.
+// shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. Where twines of two
+// families cross without a knot the crossing would count twice in their areas. With bars a, width d and
+// angle b between the families the twine is s = 2 d / (a sin b) of the area and the crossings s^2 / 4,
+// so that Sn = s - s^2/4 at every opening (2 d/a - (d/a)^2 in square meshes), 1 from s = 2 on. A cell
+// that closes up loses its area: Sn is held at the law's end, and the force goes to zero.
 #pragma once
 
 #include "cell_shape.hpp"
@@ -32,15 +36,16 @@ struct ScreenForce {
   Vector value = Vector::Zero();
   Matrix by_area = Matrix::Zero(), by_velocity = Matrix::Zero();
 };
-// twine_area (m2), diameter (m) and multiplicity as of NettingScreens.
+// twine_area (m2), overlap, diameter (m) and multiplicity as of NettingScreens.
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double diameter, double multiplicity, const Water& water);
+                         double overlap, double diameter, double multiplicity, const Water& water);
 
 class NettingScreens : public ElementKind {
  public:
   std::vector<int> node;             // 4 per cell; of three corners the last one twice
   std::vector<double> twine;         // u0 v0 ... u3 v3 per cell
   std::vector<double> twine_area;    // projected area of its twine and knots, m2
+  std::vector<double> overlap;       // Sn = s - overlap s^2: 1/4, or 0 where crossings are knots
   std::vector<double> diameter;      // of the twine, m
   std::vector<double> height;        // over which they leave the water, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
@@ -51,6 +56,7 @@ class NettingScreens : public ElementKind {
     visit("node", node, {4, Among::points});
     visit("twine", twine, {8});
     visit("twine_area", twine_area);
+    visit("overlap", overlap);
     visit("diameter", diameter);
     visit("height", height);
     visit("multiplicity", multiplicity);

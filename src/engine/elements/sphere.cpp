@@ -64,7 +64,8 @@ void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
 void Spheres::add_added_mass(const Field& field, double* mass) const {
   for (int e = 0; e < count(); ++e) {
     Eigen::Map<Block>(mass + 9 * static_cast<std::ptrdiff_t>(node[e])) +=
-        field.water->density * added_mass[e] * Matrix::Identity();
+        field.immersed_share(node[e], height[e]) * field.water->density * added_mass[e] *
+        Matrix::Identity();
   }
 }
 

@@ -1,9 +1,11 @@
-// Accelerations of free nodes, M a = F with mass and added mass as a 3x3 block per node.
+// Accelerations of free nodes, M a = F with mass and added mass as a 3x3 block per node, and a full
+// matrix over the nodes of a body.
 #pragma once
 
 #include <vector>
 
 #include "../model/assembly.hpp"
+#include "../model/joined_mass.hpp"
 #include "motion.hpp"
 
 namespace codend {
@@ -18,6 +20,7 @@ class Acceleration {
 
  private:
   Assembly& assembly_;
+  JoinedMass joined_;
   std::vector<double> force_, mass_;
 };
 

@@ -69,6 +69,14 @@ void check_motion(const PrescribedMotion& motion, const std::string& field) {
   check_curve(motion.y, field + ".y");
   check_curve(motion.z, field + ".z");
   check_curve(motion.heading, field + ".heading");
+  const Swing& swing = motion.swing;
+  if (!swing.centre.allFinite()) fail(field + ".swing.centre", "must be finite numbers");
+  if (!swing.by_time.empty()) check_count(swing.by_time.size(), 6, field + ".swing.by_time");
+  for (std::size_t k = 0; k < swing.by_time.size(); ++k) {
+    check_curve(swing.by_time[k], item(field + ".swing.by_time", k));
+  }
+  check_finite(swing.even, field + ".swing.even");
+  check_numbers(swing.odd, swing.even.size(), field + ".swing.odd");
 }
 
 void check_control(const LengthControl& control, const std::string& field) {
@@ -159,6 +167,14 @@ void check_schedule(const Schedule& schedule, const Model& model) {
     if (group.controlled) {
       check_place(group.control.bar, model.bars.count(), field + ".control.bar", "bars");
     }
+  }
+  if (!schedule.sticking.anchor.empty()) {
+    check_numbers(schedule.sticking.anchor, 3 * model.contacts.node.size(),
+                  "schedule.sticking.anchor");
+  }
+  if (!schedule.motion.swing.even.empty()) {
+    check_count(schedule.motion.swing.even.size(), 6 * model.water.waves.amplitude.size(),
+                "schedule.motion.swing.even");
   }
   if (!schedule.current_x.empty()) {
     check_count(schedule.current_x.size(), model.water.current.size(), "schedule.current_x");

@@ -17,7 +17,8 @@ double pressed(const Ground& ground, double penetration, double area) {
 // What a line's strain energy loses per length that it is given, N: -dW/dL0.
 double give(const TwineMaterial& material, double length, double rest) {
   if (length <= rest && !material.strut) return 0.0;
-  return 0.5 * material.axial_stiffness * (length * length / (rest * rest) - 1.0);
+  const TwinePull pull = twine_pull(material, length / rest - 1.0);
+  return length / rest * pull.tension - pull.energy;
 }
 
 }  // namespace
@@ -41,6 +42,8 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
   assembly_.mass(moment.mass.data());
   const Field field = assembly_.field();
   const LineArrays& lines = assembly_.lines();
+  moment.place.assign(field.position, field.position + force_.size());
+  moment.velocity.assign(field.velocity, field.velocity + force_.size());
   moment.elastic = moment.supports = moment.damping = 0.0;
   double all = 0.0, named = 0.0;
   for (int n = 0; n < model.nodes; ++n) {
@@ -87,6 +90,31 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
   moment.water = all - named;
 }
 
+double EnergyAccount::gained_by_bodies() {
+  const Model& model = assembly_.model();
+  double gained = 0.0;
+  for (const ElementKind* kind : model.kinds()) {
+    if (!kind->has_bodies()) continue;
+    std::vector<double> change(force_.size(), 0.0);
+    for (const int p : kind->nodes()) {
+      if (p < model.nodes && model.held[p]) continue;
+      at(change.data(), p) = at(to_.velocity.data(), p) - at(from_.velocity.data(), p);
+    }
+    std::fill(other_.begin(), other_.end(), 0.0);
+    Field field = assembly_.field();
+    for (const Moment* end : {&from_, &to_}) {
+      field.position = end->place.data();
+      kind->add_body_inertia(field, change.data(), other_.data());
+    }
+    for (int p = 0; p < model.points(); ++p) {
+      if (p < model.nodes && model.held[p]) continue;
+      gained += 0.25 *
+                at(other_.data(), p).dot(at(from_.velocity.data(), p) + at(to_.velocity.data(), p));
+    }
+  }
+  return gained;
+}
+
 void EnergyAccount::begin(const Motion& now) { measure(now, from_); }
 
 EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before) {
@@ -99,6 +127,7 @@ EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before
     const Eigen::Map<const Block> m1(&to_.mass[9 * static_cast<std::size_t>(n)]);
     step.kinetic += 0.25 * (v0 + v1).dot((m0 + m1) * (v1 - v0));
   }
+  step.kinetic += gained_by_bodies();
   step.elastic = to_.elastic - from_.elastic;
   for (std::size_t b = 0; b < to_.rest.size(); ++b) {
     step.lengths -= 0.5 * (from_.give[b] + to_.give[b]) * (to_.rest[b] - from_.rest[b]);

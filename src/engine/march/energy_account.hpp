@@ -2,7 +2,8 @@
 //
 // Over a step, with v the velocities, M mass and added mass, F the net forces:
 //   kinetic    sum of (v0 + v1)/2 . (M0 + M1)/2 (v1 - v0) over the free nodes: the change of
-//              1/2 v M v but for what M's own change makes of it, which no force answers to
+//              1/2 v M v but for what M's own change makes of it: no force answers to that of added
+//              mass, and that of bodies that turn is booked with the water's
 //   elastic    change of the strain energy of lines and sliding ropes, and of pressed ground
 //   potential  - sum of (load0 + load1)/2 . (x1 - x0)
 //   supports   work of what holds and moves the held nodes: of - F . v
@@ -49,15 +50,18 @@ class EnergyAccount {
     double elastic = 0.0;                               // J
     double supports = 0.0, water = 0.0, damping = 0.0;  // W
     Values x, v;
-    std::vector<double> mass;  // 9 per node, kg
-    std::vector<double> load;  // 3 per point, N
-    std::vector<double> rest;  // of bars, m
+    std::vector<double> mass;             // 9 per node, kg
+    std::vector<double> place, velocity;  // 3 per point, m, m/s; where there are bodies
+    std::vector<double> load;             // 3 per point, N
+    std::vector<double> rest;             // of bars, m
     std::vector<double> give;  // of bars: what their energy loses per length that is paid out, N
   };
   void measure(const Motion& motion, Moment& moment);
 
   Assembly& assembly_;
   Moment from_, to_;
+  // Kinetic energy that bodies gain over the step, as above, J.
+  double gained_by_bodies();
   std::vector<double> force_, other_;
 };
 

@@ -3,17 +3,19 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "../model/assembly.hpp"
+#include "../model/joined_mass.hpp"
 
 namespace codend {
 namespace {
 
 double largest_row(const Assembly& assembly, const std::vector<double>& mass,
-                   const std::vector<double>& values) {
+                   const JoinedMass& joined, const std::vector<double>& values) {
   const BlockPattern& pattern = assembly.pattern();
   double largest = 0.0;
   for (int i = 0; i < pattern.n; ++i) {
+    if (joined.joins(i)) continue;
     const std::size_t node = static_cast<std::size_t>(assembly.free_nodes()[i]);
     const Matrix inverse = Eigen::Map<const Block>(&mass[9 * node]).inverse();
     double sum = 0.0;
@@ -21,6 +23,26 @@ double largest_row(const Assembly& assembly, const std::vector<double>& mass,
       sum += (inverse * Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(k)])).norm();
     }
     largest = std::max(largest, sum);
+  }
+  for (const JoinedMass::Group& group : joined.groups()) {
+    // Rows of the group against all columns that any of them has.
+    const Eigen::Index size = group.mass.rows();
+    std::map<int, Eigen::MatrixXd> columns;
+    for (Eigen::Index i = 0; i < size / 3; ++i) {
+      const auto row = static_cast<std::size_t>(group.unknown[static_cast<std::size_t>(i)]);
+      for (int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
+        Eigen::MatrixXd& column = columns[pattern.column[static_cast<std::size_t>(k)]];
+        if (column.size() == 0) column.setZero(size, 3);
+        column.block<3, 3>(3 * i, 0) =
+            Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(k)]);
+      }
+    }
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(size / 3);
+    for (const auto& [number, column] : columns) {
+      const Eigen::MatrixXd rates = group.factors.solve(column);
+      for (Eigen::Index i = 0; i < size / 3; ++i) sum[i] += rates.block<3, 3>(3 * i, 0).norm();
+    }
+    largest = std::max(largest, sum.maxCoeff());
   }
   return largest;
 }
@@ -32,6 +54,8 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   std::vector<double> values(9 * assembly.pattern().column.size());
   assembly.move_to(motion.x.data(), motion.v.data());
   assembly.mass(mass.data());
+  JoinedMass joined(assembly);
+  joined.update(mass.data());
   DualTension taut;
   const LineArrays& lines = assembly.lines();
   const int count = assembly.model().lines();
@@ -43,9 +67,9 @@ FastestRates fastest_rates(Assembly& assembly, const Motion& motion) {
   }
   FastestRates rates;
   assembly.jacobian({1.0, 0.0}, values.data(), &taut);
-  rates.oscillation = std::sqrt(largest_row(assembly, mass, values));
+  rates.oscillation = std::sqrt(largest_row(assembly, mass, joined, values));
   assembly.jacobian({0.0, 1.0}, values.data());
-  rates.decay = largest_row(assembly, mass, values);
+  rates.decay = largest_row(assembly, mass, joined, values);
   return rates;
 }
 

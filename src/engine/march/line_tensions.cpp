@@ -34,6 +34,7 @@ void LineTensions::prepare() {
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
     double tension = lines.stiffness[k] * lines.strain[k];
+    if (lines.load_law) tension += lines.offset[k];
     if (lines.damping) {
       const double stretching = lines.e[0][k] * lines.e_rate[0][k] +
                                 lines.e[1][k] * lines.e_rate[1][k] +

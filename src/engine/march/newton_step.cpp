@@ -34,6 +34,7 @@ NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccura
       tensions_(assembly),
       force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
       mass_(3 * force_.size()),
+      inertia_(force_.size()),
       values_(9 * assembly.pattern().column.size()),
       right_(3 * static_cast<std::size_t>(assembly.unknowns())),
       allowed_(static_cast<std::size_t>(assembly.model().nodes)),
@@ -84,17 +85,20 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
   assembly_.move_to(next.x.data(), next.v.data());
   assembly_.residual(force_.data());
   assembly_.mass(mass_.data());
+  assembly_.inertia(mass_.data(), next.a.data(), inertia_.data());
   assembly_.balance(balance_share, allowed_.data());
   double most = 0.0;
+  const double heaviest_body = assembly_.heaviest_body();
   for (const int node : assembly_.free_nodes()) {
     const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(node)]);
-    const Vector inertia = mass * at(next.a.data(), node);
+    const double heavy = mass.norm() + (assembly_.in_body(node) ? heaviest_body : 0.0);
+    const Vector inertia = at(inertia_.data(), node);
     const double left = (at(force_.data(), node) - inertia).norm();
     // What rounding of places and velocities makes of accelerations.
     const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
                                        rule.p * at(next.v.data(), node).norm());
     const double ratio = left / (allowed_[static_cast<std::size_t>(node)] +
-                                 balance_share * inertia.norm() + mass.norm() * rounded);
+                                 balance_share * inertia.norm() + heavy * rounded);
     if (left > 0.0 && !(ratio <= most)) {
       most = ratio;
       worst = node;
@@ -105,17 +109,16 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
 
 // One step of Newton's method into dx_, and the share of it that turns lines no further than by
 // their own lengths; false where the matrix is singular.
-bool NewtonStep::correct(const Rule& rule, const Motion& next, double& share) {
+bool NewtonStep::correct(const Rule& rule, double& share) {
   const std::vector<int>& free = assembly_.free_nodes();
   tensions_.prepare();
   assembly_.residual(force_.data(), &tensions_.right());
   for (std::size_t i = 0; i < free.size(); ++i) {
-    const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(free[i])]);
     at(right_.data(), static_cast<int>(i)) =
-        at(force_.data(), free[i]) - mass * at(next.a.data(), free[i]);
+        at(force_.data(), free[i]) - at(inertia_.data(), free[i]);
   }
   assembly_.jacobian({1.0, rule.p}, values_.data(), &tensions_.current());
-  assembly_.add_blocks(mass_.data(), rule.m, values_.data());
+  assembly_.add_mass(mass_.data(), rule.m, values_.data());
   if (!analysed_) {
     std::vector<double> places(right_.size());
     for (std::size_t i = 0; i < free.size(); ++i) {
@@ -181,7 +184,7 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
     if (out.iterations == most_iterations) return out;
     if (out.iterations == 0) tensions_.tighten();
     double share;
-    if (!correct(rule, next, share)) return out;
+    if (!correct(rule, share)) return out;
     moved_before = moved;
     moved = 0.0;
     for (const int node : free) {

@@ -17,7 +17,8 @@
 // Newton's matrix is m M - p dF/dv - dF/dx with the full nonsymmetric derivative of F (drag turns
 // with its line); tensions are unknowns of their own (march/line_tensions.hpp). M is that of the
 // present x1; its own change with x1 is not in the matrix. Added mass acts on accelerations of the
-// nodes alone: no force from a line's turning while it moves, none from accelerations of the water.
+// nodes, and of the water in F: no force from a line's turning while it moves. How waves change along x
+// and y is not in the matrix either, but for the surface where volumes leave it.
 //
 // A step is found when the forces of the law balance on every node: what is left is a small share of
 // the pulls, drags and loads on that very node (balance_share), and Newton's method has next to nothing
@@ -66,7 +67,7 @@ class NewtonStep : public Stepper {
   void follow(const Rule& rule, const Motion& now, Motion& next) const;
   // Largest net force over what a node allows.
   double imbalance(const Rule& rule, const Motion& next, int& worst);
-  bool correct(const Rule& rule, const Motion& next, double& share);
+  bool correct(const Rule& rule, double& share);
   double error(const Rule& rule, const Past& past, const Motion& next, int& worst);
 
   Assembly& assembly_;
@@ -78,7 +79,7 @@ class NewtonStep : public Stepper {
   bool analysed_ = false;
   long long factorisations_ = 0;
   Values v_rest_, a_rest_, b_rest_;
-  std::vector<double> force_, mass_, values_, right_, allowed_, dx_, answer_;
+  std::vector<double> force_, mass_, inertia_, values_, right_, allowed_, dx_, answer_;
   DualTension pull_;
 };
 

@@ -23,8 +23,11 @@ ScheduledValues values_at(const Schedule& schedule, double time, Side side) {
     out.rate.push_back(rate);
   }
   for (std::size_t k = 0; k < schedule.current_x.size(); ++k) {
-    out.current.emplace_back(schedule.current_x[k].at(time, side),
-                             schedule.current_y[k].at(time, side), 0.0);
+    Vector current = Vector::Zero(), rate = Vector::Zero();
+    schedule.current_x[k].at(time, side, current.x(), rate.x());
+    schedule.current_y[k].at(time, side, current.y(), rate.y());
+    out.current.push_back(current);
+    out.current_rate.push_back(rate);
   }
   return out;
 }

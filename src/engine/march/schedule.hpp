@@ -25,12 +25,33 @@
 
 namespace codend {
 
-// Held nodes that move as one rigid body, which stays upright.
+// How a body swings about its way: surge (forwards), sway (to starboard), heave (up), m, and roll
+// (starboard down), pitch (bow up), yaw (bow to starboard), rad, in this order. Turns are made in the
+// order yaw, pitch, roll about a place of the body.
+struct Swing {
+  Vector centre = Vector::Zero();  // m from the body's origin
+  std::vector<Curve> by_time;      // six, or none
+  // Answers to the elevation of the model's waves at the body's origin (Waves::respond()), six per
+  // wave, m/m and rad/m; or none.
+  std::vector<double> even, odd;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("centre", centre);
+    visit.items("by_time", by_time);
+    visit("even", even);
+    visit("odd", odd);
+  }
+  bool present() const { return !by_time.empty() || !even.empty(); }
+};
+
+// Held nodes that move as one rigid body, which stays upright but for its swing.
 struct PrescribedMotion {
   std::vector<int> node;
   std::vector<Vector> place;  // m from the body's origin, at heading 0
   Curve x, y, z;              // m, of the body's origin
   Curve heading;              // rad, clockwise as seen from above
+  Swing swing;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -40,6 +61,7 @@ struct PrescribedMotion {
     visit.group("y", y);
     visit.group("z", z);
     visit.group("heading", heading);
+    visit.optional("swing", swing);
   }
 };
 
@@ -106,12 +128,26 @@ struct Release {
   }
 };
 
+// Contacts with the ground that stick (base/ground.hpp), from where they are at the start, or at anchors
+// that another march has left, 3 per contact, m.
+struct Sticking {
+  bool present = false;
+  std::vector<double> anchor;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("present", present);
+    visit("anchor", anchor);
+  }
+};
+
 struct Schedule {
   PrescribedMotion motion;
   Release release;
   std::vector<GrowingGroup> growing;
   std::vector<Curve> current_x, current_y;  // m/s, per depth of the model's water; none: constant
   std::vector<Rupture> ruptures;
+  Sticking sticking;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -121,16 +157,17 @@ struct Schedule {
     visit.items("current_x", current_x);
     visit.items("current_y", current_y);
     visit.items("ruptures", ruptures);
+    visit.group("sticking", sticking);
   }
 };
 
 // What a schedule says of one time.
 struct ScheduledValues {
   Vector origin = Vector::Zero(),
-         velocity = Vector::Zero();     // m, m/s, of the body that moves nodes
-  double heading = 0.0, turning = 0.0;  // rad, rad/s
-  std::vector<double> factor, rate;     // of the groups; 1/s
-  std::vector<Vector> current;          // m/s, per depth
+         velocity = Vector::Zero();           // m, m/s, of the body that moves nodes
+  double heading = 0.0, turning = 0.0;        // rad, rad/s
+  std::vector<double> factor, rate;           // of the groups; 1/s
+  std::vector<Vector> current, current_rate;  // m/s, m/s2, per depth
 };
 ScheduledValues values_at(const Schedule& schedule, double time, Side side);
 

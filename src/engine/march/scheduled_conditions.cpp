@@ -49,6 +49,33 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
     all_released_ = *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
   }
   answers_ = answers_ || !schedule_.ruptures.empty() || assembly.has_wake();
+  if (schedule_.sticking.present && model.ground.present && model.contacts.count() > 0) stick();
+}
+
+// From here on the schedule's anchors are the model's, so that another march may go on from them.
+void ScheduledConditions::stick() {
+  const GroundContacts& contacts = model_.now().contacts;
+  std::vector<double>& anchor = schedule_.sticking.anchor;
+  answers_ = true;
+  std::vector<Vector> from(contacts.node.size());
+  if (anchor.empty()) {
+    assembly_.move_to(start_.x.data(), start_.v.data());
+    for (int e = 0; e < contacts.count(); ++e) {
+      from[e] = at(assembly_.field().position, contacts.node[e]);
+    }
+  } else {
+    for (int e = 0; e < contacts.count(); ++e) from[e] = at(anchor.data(), e);
+  }
+  model_.set_anchors(std::move(from));
+  keep_anchors();
+}
+
+void ScheduledConditions::keep_anchors() {
+  const std::vector<Vector>& anchor = model_.now().contacts.anchor;
+  schedule_.sticking.anchor.resize(3 * anchor.size());
+  for (std::size_t e = 0; e < anchor.size(); ++e) {
+    at(schedule_.sticking.anchor.data(), static_cast<int>(e)) = anchor[e];
+  }
 }
 
 void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
@@ -68,12 +95,60 @@ void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
     at(motion.v.data(), body.node[k]) =
         values.velocity + values.turning * (p.y() * forth - p.x() * aside);
   }
+  model_.set_wave_time(time);
+  if (body.swing.present()) swing_body(time, side, values, motion);
   for (std::size_t k = 0; k < values.current.size(); ++k) {
     model_.set_current(k, values.current[k]);
   }
+  const bool steady = std::all_of(values.current_rate.begin(), values.current_rate.end(),
+                                  [](const Vector& rate) { return rate.isZero(0.0); });
+  model_.set_current_rate(steady ? std::vector<Vector>() : values.current_rate);
   grow(values);
   release(time);
   assembly_.update();
+}
+
+void ScheduledConditions::swing_body(double time, Side side, const ScheduledValues& values,
+                                     Motion& motion) const {
+  const PrescribedMotion& body = schedule_.motion;
+  const Swing& swing = body.swing;
+  double value[6] = {}, rate[6] = {};
+  if (!swing.even.empty()) {
+    model_.now().water.waves.respond(values.origin, values.velocity, swing.even, swing.odd, value,
+                                     rate);
+  }
+  for (std::size_t j = 0; j < swing.by_time.size(); ++j) {
+    double more, more_rate;
+    swing.by_time[j].at(time, side, more, more_rate);
+    value[j] += more;
+    rate[j] += more_rate;
+  }
+  // The body's x is aft, its y to starboard.
+  const Vector shift(-value[0], value[1], value[2]), shift_rate(-rate[0], rate[1], rate[2]);
+  auto turn = [](double angle, const Vector& axis, Matrix& out, Matrix& slope) {
+    out = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    Matrix across;
+    across << 0.0, -axis.z(), axis.y(), axis.z(), 0.0, -axis.x(), -axis.y(), axis.x(), 0.0;
+    slope = across * out;
+  };
+  Matrix roll, pitch, yaw, roll_slope, pitch_slope, yaw_slope;
+  turn(-value[3], Vector::UnitX(), roll, roll_slope);
+  turn(value[4], Vector::UnitY(), pitch, pitch_slope);
+  turn(-value[5], Vector::UnitZ(), yaw, yaw_slope);
+  const Matrix turned = yaw * pitch * roll;
+  const Matrix turning = -rate[5] * yaw_slope * pitch * roll + rate[4] * yaw * pitch_slope * roll -
+                         rate[3] * yaw * pitch * roll_slope;
+  const double c = std::cos(values.heading), s = std::sin(values.heading);
+  const Vector forth(c, -s, 0.0), aside(s, c, 0.0);
+  for (std::size_t k = 0; k < body.node.size(); ++k) {
+    const Vector arm = body.place[k] - swing.centre;
+    const Vector p = swing.centre + shift + turned * arm, v = shift_rate + turning * arm;
+    at(motion.x.data(), body.node[k]) =
+        values.origin + p.x() * forth + p.y() * aside + p.z() * Vector::UnitZ();
+    at(motion.v.data(), body.node[k]) = values.velocity + v.x() * forth + v.y() * aside +
+                                        v.z() * Vector::UnitZ() +
+                                        values.turning * (p.y() * forth - p.x() * aside);
+  }
 }
 
 void ScheduledConditions::release(double time) {
@@ -165,6 +240,10 @@ bool ScheduledConditions::broken_at(const Motion& now) {
   for (GrowingGroup& group : schedule_.growing) {
     if (!group.controlled) continue;
     group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
+  }
+  if (!model_.now().contacts.anchor.empty()) {
+    model_.draw_anchors();
+    keep_anchors();
   }
   if (assembly_.has_wake()) assembly_.renew_wake_over(now.time - wake_time_);
   wake_time_ = now.time;

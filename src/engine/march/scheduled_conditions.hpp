@@ -1,7 +1,7 @@
 // The conditions that a schedule prescribes: puts a model into those of a time.
 //
 // Motion is computed in axes at rest, where a turn brings in no forces of its own: held nodes move,
-// and water stands still but for its current.
+// and water stands still but for its current and waves.
 #pragma once
 
 #include <vector>
@@ -31,6 +31,9 @@ class ScheduledConditions : public Conditions {
   ChangingModel& model() { return model_; }
 
  private:
+  void swing_body(double time, Side side, const ScheduledValues& values, Motion& motion) const;
+  void stick();
+  void keep_anchors();
   void grow(const ScheduledValues& values);
   void release(double time);
   void break_rope(Rupture& rope, int bar, double time);

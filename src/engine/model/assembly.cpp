@@ -20,6 +20,7 @@ Assembly::Assembly(const Model& model)
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
   if (!model.wake.empty()) wake_.set_share(model.wake);
+  if (model.water.waves.present()) waves_.resize(static_cast<std::size_t>(model.points()));
   std::vector<ElementPoints> elements{{2, model.bars.node},
                                       {4, model.cells.node},
                                       {4, model.hexagons.node},
@@ -32,6 +33,17 @@ Assembly::Assembly(const Model& model)
   diagonal_.reserve(free_nodes().size());
   for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
   change_.strain.resize(static_cast<std::size_t>(model.constraints()));
+  in_body_.assign(static_cast<std::size_t>(model.nodes), 0);
+  for (const ElementKind* kind : kinds_) {
+    if (!kind->has_bodies()) continue;
+    has_bodies_ = true;
+    FreePoints::Share shares[2];
+    for (const int point : kind->nodes()) {
+      const int n = free_.shares(point, shares);
+      for (int s = 0; s < n; ++s)
+        in_body_[static_cast<std::size_t>(free_nodes()[shares[s].unknown])] = 1;
+    }
+  }
 }
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
@@ -61,6 +73,11 @@ void Assembly::move_to(const double* x, const double* v) {
   const bool same_flow = flow_known_ && !model_.water.varies_with_height() &&
                          std::equal(v, v + size, velocity_.begin());
   spread(x, position_);
+  if (model_.water.waves.running()) {
+    for (int p = 0; p < model_.points(); ++p) {
+      waves_[static_cast<std::size_t>(p)] = model_.water.waves.at(at(position_.data(), p));
+    }
+  }
   if (!same_flow) {
     spread(v, velocity_);
     lines_.set_flow(field());
@@ -69,6 +86,17 @@ void Assembly::move_to(const double* x, const double* v) {
   lines_.move_to(position_.data());
   std::copy(model_.load.begin(), model_.load.end(), load_.begin());
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
+  if (model_.water.accelerates()) add_push_of_water();
+}
+
+void Assembly::add_push_of_water() {
+  masses_.assign(3 * position_.size(), 0.0);
+  lines_.add_added_mass(masses_.data());
+  for (const ElementKind* kind : kinds_) kind->add_added_mass(field(), masses_.data());
+  for (int p = 0; p < model_.points(); ++p) {
+    const Eigen::Map<const Block> added(&masses_[9 * static_cast<std::size_t>(p)]);
+    at(load_.data(), p) += added * field().acceleration(p);
+  }
 }
 
 Vector Assembly::flow_past_wake_sheets() const {
@@ -184,12 +212,38 @@ void Assembly::add_diagonal(const double* numbers, double* values) const {
   }
 }
 
-void Assembly::add_blocks(const double* blocks, double factor, double* values) const {
+void Assembly::add_mass(const double* mass, double factor, double* values) const {
   for (int i = 0; i < unknowns(); ++i) {
-    const double* from = blocks + 9 * static_cast<std::ptrdiff_t>(free_nodes()[i]);
+    const double* from = mass + 9 * static_cast<std::ptrdiff_t>(free_nodes()[i]);
     double* block = values + 9 * diagonal_[i];
     for (int k = 0; k < 9; ++k) block[k] += factor * from[k];
   }
+  for (std::size_t k = 0; k < kinds_.size(); ++k) {
+    if (kinds_[k]->has_bodies()) {
+      kinds_[k]->add_body_mass(field(), factor, places_[k + 4].into(values));
+    }
+  }
+}
+
+double Assembly::heaviest_body() const {
+  double most = 0.0;
+  for (const ElementKind* kind : kinds_) most = std::max(most, kind->heaviest_body(field()));
+  return most;
+}
+
+void Assembly::inertia(const double* mass, const double* acceleration, double* force) {
+  for (int n = 0; n < model_.nodes; ++n) {
+    at(force, n) =
+        Eigen::Map<const Block>(mass + 9 * static_cast<std::ptrdiff_t>(n)) * at(acceleration, n);
+  }
+  if (!has_bodies_) return;
+  spread(acceleration, moved_);
+  std::fill(force_.begin(), force_.end(), 0.0);
+  for (const ElementKind* kind : kinds_) {
+    if (kind->has_bodies()) kind->add_body_inertia(field(), moved_.data(), force_.data());
+  }
+  hand_on(force_.data(), 3);
+  for (int n = 0; n < model_.nodes; ++n) at(force, n) += at(force_.data(), n);
 }
 
 void Assembly::mass(double* mass) {

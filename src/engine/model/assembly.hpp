@@ -23,8 +23,9 @@ struct LineChange {
 
 class Assembly {
  public:
-  // The model must outlive the assembly. Loads, masses, weights of pressure and speeds of the
-  // current may change, rest lengths and multiplicities of bars too: update() and update_bar() tell of it. Nothing else may.
+  // The model must outlive the assembly. Loads, masses, weights of pressure, the
+  // current, its rates and the waves' time may change, rest lengths and multiplicities of bars too:
+  // update() and update_bar() tell of it. Nothing else may.
   explicit Assembly(const Model& model);
   Assembly(const Assembly&) = delete;
 
@@ -74,11 +75,16 @@ class Assembly {
   // Adds a number per free node to the diagonal of its block.
   void add_diagonal(const double* numbers, double* values) const;
 
-  // Adds factor times a 3x3 block per node (9 each, row-major) to the diagonal blocks.
-  void add_blocks(const double* blocks, double factor, double* values) const;
-
-  // Mass and added mass, 9 per node (row-major).
+  // Mass and added mass at nodes, 9 each (row-major): all but that of bodies, which joins nodes.
   void mass(double* mass);
+  // Mass, the nodes' as mass() gives it and that of bodies, times accelerations (m/s2, 3 per node):
+  // N, 3 per node.
+  void inertia(const double* mass, const double* acceleration, double* force);
+  // Whether a node, or a point tied to it, is of a body; mass and added mass (kg) of the heaviest body.
+  bool in_body(int node) const { return in_body_[static_cast<std::size_t>(node)]; }
+  double heaviest_body() const;
+  // Adds factor times all mass to a matrix, 9 per block of the pattern; mass: as mass() gives it.
+  void add_mass(const double* mass, double factor, double* values) const;
 
   // Pseudo-time damping per free node, N s/m: drag at the present speed, or mass per second.
   void pseudo_damping(double* damping);
@@ -100,13 +106,20 @@ class Assembly {
   // the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
   Field field() const {
-    return {position_.data(), velocity_.data(), &model_.water, has_wake() ? wake().data() : nullptr,
-            &model_.ground,   &model_.bars};
+    return {position_.data(),
+            velocity_.data(),
+            &model_.water,
+            has_wake() ? wake().data() : nullptr,
+            &model_.ground,
+            &model_.bars,
+            model_.water.waves.running() ? waves_.data() : nullptr};
   }
 
  private:
   // The flow past the wake sheets, at their mean height, m/s.
   Vector flow_past_wake_sheets() const;
+  // Adds what water that accelerates does to added mass to the loads.
+  void add_push_of_water();
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;
@@ -121,6 +134,9 @@ class Assembly {
   bool flow_known_ = false;
   std::vector<char> held_back_;
   LineChange change_;
+  std::vector<WavePoint> waves_;  // per point, where the water moves in waves
+  bool has_bodies_ = false;
+  std::vector<char> in_body_;  // per node
   // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
   std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
 };

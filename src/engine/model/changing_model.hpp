@@ -3,6 +3,8 @@
 // stays as it was read: nodes, what they belong to, materials, laws, ground.
 #pragma once
 
+#include <utility>
+
 #include "assembly.hpp"
 
 namespace codend {
@@ -43,6 +45,17 @@ class ChangingModel {
     model_.water.current[k] = current;
     assembly_.update();
   }
+  // m/s2, by depth; empty: the current is steady.
+  void set_current_rate(std::vector<Vector> rate) { model_.water.current_rate = std::move(rate); }
+  // s, of the waves.
+  void set_wave_time(double time) {
+    model_.water.waves.time = time;
+    assembly_.update();
+  }
+  // m, of all contacts with the ground: they stick there.
+  void set_anchors(std::vector<Vector> anchor) { model_.contacts.anchor = std::move(anchor); }
+  // Where the assembly was last moved to.
+  void draw_anchors() { model_.contacts.draw_anchors(assembly_.field()); }
 
  private:
   Model& model_;

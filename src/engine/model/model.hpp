@@ -53,6 +53,7 @@ struct Model {
   std::vector<double> load;  // N, 3 per point: weight less buoyancy, and loads of the plan
   std::vector<double> mass;  // kg per point, without added mass
   std::vector<TwineMaterial> materials;
+  LoadTable load_table;  // of materials whose loads are given by strain
   Bars bars;
   NettingCells cells;
   HexagonalTriangles hexagons;
@@ -69,7 +70,7 @@ struct Model {
   LiftingPlates plates;
   std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
-  ImmersedVolumes volumes;  // empty where water reaches everywhere
+  ImmersedVolumes volumes;  // what displaces water but plates
   WakeSheets wake_sheets;   // netting that slows the water behind it
   // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
   std::vector<double> wake;
@@ -91,6 +92,7 @@ struct Model {
     visit("slack_twine", slack);
     visit.columns("materials", materials);
     visit.count(Among::materials, materials.size());
+    visit.optional("load_table", load_table);
     visit.group("bars", bars);
     visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
     CellList list;
@@ -106,6 +108,7 @@ struct Model {
     visit.items("plates", plates.plate);
     visit.items("sliding", sliding);
     visit.group("contacts", contacts);
+    visit.optional("line_friction", contacts.lines);
     visit.group("volumes", volumes);
     visit.group("wake_sheets", wake_sheets);
   }
@@ -120,10 +123,21 @@ struct Model {
   }
   // Call once after filling.
   void prepare() {
+    for (std::size_t k = 0; k < load_table.load.size(); ++k) {
+      TwineMaterial& material = materials[static_cast<std::size_t>(load_table.material[k])];
+      if (material.loads.empty()) {
+        material.axial_stiffness = load_table.load[k] / load_table.strain[k];
+      }
+      material.strains.push_back(load_table.strain[k]);
+      material.loads.push_back(load_table.load[k]);
+    }
+    load_table = {};
     cells.first_line = bars.count();
     cells.prepare();
     hexagons.first_line = bars.count() + 2 * cells.count();
     hexagons.prepare();
+    water.waves.prepare();
+    contacts.prepare();
     plates.prepare();
     blended.slack = slack;
     screens.prepare();

@@ -29,11 +29,15 @@ double largest(const double* x, size_t size) {
 
 template <class Real>
 void solve_ordered(const FrontFactors<Real>& factors, const std::vector<int>& order,
-                   const double* b, std::vector<Real>& work, double* x) {
+                   bool transposed, const double* b, std::vector<Real>& work, double* x) {
   Real* y = work.data();
   for (const int node : order)
     for (int k = 0; k < 3; ++k) *y++ = static_cast<Real>(b[3 * static_cast<int64_t>(node) + k]);
-  factors.solve(work.data());
+  if (transposed) {
+    factors.solve_transposed(work.data());
+  } else {
+    factors.solve(work.data());
+  }
   y = work.data();
   for (const int node : order)
     for (int k = 0; k < 3; ++k) x[3 * static_cast<int64_t>(node) + k] = *y++;
@@ -105,13 +109,17 @@ bool BlockLU::factorise(const double* values) {
   return factorised_;
 }
 
-void BlockLU::solve(const double* b, double* x) const {
+void BlockLU::solve(const double* b, double* x) const { solve(false, b, x); }
+
+void BlockLU::solve_transposed(const double* b, double* x) const { solve(true, b, x); }
+
+void BlockLU::solve(bool transposed, const double* b, double* x) const {
   if (!factorised_) throw std::logic_error("block LU: no factors to solve with");
   if (const auto* factors = std::get_if<0>(&factors_)) {
-    solve_ordered(**factors, tree_.order, b, in_double_, x);
+    solve_ordered(**factors, tree_.order, transposed, b, in_double_, x);
   } else {
     const FlushedDenormals flushed;
-    solve_ordered(*std::get<1>(factors_), tree_.order, b, in_single_, x);
+    solve_ordered(*std::get<1>(factors_), tree_.order, transposed, b, in_single_, x);
   }
 }
 

@@ -49,6 +49,8 @@ class BlockLU {
   // b, x: 3n doubles each; x may be b. Throws std::logic_error without factors. Uses the object's
   // own work space: one call at a time.
   void solve(const double* b, double* x) const;
+  // The same for the transposed matrix.
+  void solve_transposed(const double* b, double* x) const;
 
   // solve(), then iterative refinement (Wilkinson 1963) in double precision until the residual is
   // at most `tolerance` times b, both by their largest entry, or no longer halves. pattern, values:
@@ -63,6 +65,7 @@ class BlockLU {
       std::variant<std::unique_ptr<FrontFactors<double>>, std::unique_ptr<FrontFactors<float>>>;
 
   void measure();
+  void solve(bool transposed, const double* b, double* x) const;
 
   Precision precision_;
   int threads_;

@@ -269,29 +269,40 @@ template <class Real>
 void FrontFactors<Real>::solve(Real* x) const {
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   for (int f = 0; f < tree_.fronts(); ++f) {
-    const int pivots = 3 * tree_.pivots(f), boundary = tree_.boundary_nodes(f);
-    const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
-    kernels.forward(pivots, 3 * boundary, factor_.data.get() + layout_[f].lower,
-                    exchange_.data() + first, local_.data());
-    std::copy_n(local_.data(), pivots, x + first);
-    const int* outside = tree_.boundary.data() + tree_.first_boundary[f];
-    const Real* from = local_.data() + pivots;
-    for (int i = 0; i < boundary; ++i, from += 3) {
-      Real* to = x + 3 * static_cast<int64_t>(outside[i]);
-      to[0] = from[0];
-      to[1] = from[1];
-      to[2] = from[2];
-    }
+    kernels.forward(
+        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
+        exchange_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
+    scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {
-    const int pivots = 3 * tree_.pivots(f), boundary = 3 * tree_.boundary_nodes(f);
     const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
-    kernels.backward(pivots, boundary, factor_.data.get() + layout_[f].lower,
-                     factor_.data.get() + layout_[f].upper, reciprocal_.data() + first,
-                     local_.data());
-    std::copy_n(local_.data(), pivots, x + first);
+    kernels.backward(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
+                     factor_.data.get() + layout_[f].lower, factor_.data.get() + layout_[f].upper,
+                     reciprocal_.data() + first, local_.data());
+    std::copy_n(local_.data(), 3 * tree_.pivots(f), x + first);
+  }
+}
+
+template <class Real>
+void FrontFactors<Real>::solve_transposed(Real* x) const {
+  const FrontKernels<Real>& kernels = front_kernels<Real>();
+  for (int f = 0; f < tree_.fronts(); ++f) {
+    gather(x, f);
+    kernels.forward_transposed(
+        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
+        factor_.data.get() + layout_[f].upper,
+        reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
+    scatter(x, f);
+  }
+  for (int f = tree_.fronts() - 1; f >= 0; --f) {
+    const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
+    gather(x, f);
+    kernels.backward_transposed(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
+                                factor_.data.get() + layout_[f].lower, exchange_.data() + first,
+                                local_.data());
+    std::copy_n(local_.data(), 3 * tree_.pivots(f), x + first);
   }
 }
 
@@ -303,6 +314,20 @@ void FrontFactors<Real>::gather(const Real* x, int f) const {
   Real* to = local_.data() + pivots;
   for (int i = 0; i < boundary; ++i, to += 3) {
     const Real* from = x + 3 * static_cast<int64_t>(outside[i]);
+    to[0] = from[0];
+    to[1] = from[1];
+    to[2] = from[2];
+  }
+}
+
+template <class Real>
+void FrontFactors<Real>::scatter(Real* x, int f) const {
+  const int pivots = 3 * tree_.pivots(f), boundary = tree_.boundary_nodes(f);
+  std::copy_n(local_.data(), pivots, x + 3 * static_cast<int64_t>(tree_.first_pivot[f]));
+  const int* outside = tree_.boundary.data() + tree_.first_boundary[f];
+  const Real* from = local_.data() + pivots;
+  for (int i = 0; i < boundary; ++i, from += 3) {
+    Real* to = x + 3 * static_cast<int64_t>(outside[i]);
     to[0] = from[0];
     to[1] = from[1];
     to[2] = from[2];

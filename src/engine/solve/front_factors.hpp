@@ -33,6 +33,8 @@ class FrontFactors {
   bool factorise(const double* values, SecondThread* second);
   // Right side and solution in the order of elimination, 3 per node, in place.
   void solve(Real* x) const;
+  // With the transposed matrix.
+  void solve_transposed(Real* x) const;
 
   int64_t stack_entries() const { return stack_.size; }
   int largest_front() const { return static_cast<int>(local_.size()); }
@@ -70,6 +72,7 @@ class FrontFactors {
   void map_entries(const BlockPattern& pattern);
   bool factorise_front(int front, const double* values, const Sharing* sharing);
   void gather(const Real* x, int front) const;  // its part of x into local_
+  void scatter(Real* x, int front) const;       // and back
 
   const AssemblyTree& tree_;
   Shares shares_;

@@ -48,6 +48,11 @@ struct FrontKernels {
   // Back substitution. `x` holds the pivots, to be solved for, then the boundary, already solved.
   void (*backward)(int pivots, int boundary, const Real* lower, const Real* upper,
                    const Real* reciprocal, Real* x);
+  // The same two for the transposed matrix: forward with U transposed, back with L transposed.
+  void (*forward_transposed)(int pivots, int boundary, const Real* lower, const Real* upper,
+                             const Real* reciprocal, Real* x);
+  void (*backward_transposed)(int pivots, int boundary, const Real* lower, const int* exchange,
+                              Real* x);
 };
 
 // For any processor. Real is float or double here and below: these are specialised, since a

@@ -495,4 +495,22 @@ void backward(int pivots, int boundary, const Real* lower, const Real* upper,
   }
 }
 
-constexpr FrontKernels<Real> kernels{factorise, extend_add, forward, backward};
+void forward_transposed(int pivots, int boundary, const Real* lower, const Real* upper,
+                        const Real* reciprocal, Real* x) {
+  const int64_t rows = padded_rows(boundary), step = pivots + rows;
+  for (int p = 0; p < pivots; ++p)
+    x[p] = (x[p] - sum_of_products(p, lower + p * step, x)) * reciprocal[p];
+  for (int p = 0; p < pivots; p += 3)
+    subtract_columns(boundary, upper + p * rows, rows, x[p], x[p + 1], x[p + 2], x + pivots);
+}
+
+void backward_transposed(int pivots, int boundary, const Real* lower, const int* exchange,
+                         Real* x) {
+  const int64_t step = pivots + padded_rows(boundary);
+  for (int p = pivots - 1; p >= 0; --p)
+    x[p] -= sum_of_products(pivots + boundary - p - 1, lower + p + 1 + p * step, x + p + 1);
+  for (int p = pivots - 1; p >= 0; --p) swap(x[p], x[exchange[p]]);
+}
+
+constexpr FrontKernels<Real> kernels{factorise, extend_add,         forward,
+                                     backward,  forward_transposed, backward_transposed};

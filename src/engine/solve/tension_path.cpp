@@ -29,12 +29,14 @@ TensionPath::TensionPath(const Model& model, double load)
   stiffness_.resize(lines);
   scale_.resize(lines);
   strut_.assign(lines, 0);
+  table_.assign(lines, nullptr);
   slack_.assign(lines, first_parameter / first_tension);
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = model.material(line).axial_stiffness;
     strut_[line.index] = model.material(line).strut;
+    if (!model.material(line).loads.empty()) table_[line.index] = &model.material(line);
     scale_[line.index] = model.material(line).strut
                              ? 0.0
                              : std::min(0.01 * model.material(line).axial_stiffness, load);
@@ -70,7 +72,9 @@ void TensionPath::follow(const std::vector<double>& strain, double parameter) {
 }
 
 void TensionPath::stretch(std::size_t k, double tension, double& strain, double& slope) const {
-  if (k < lines_) {
+  if (table_[k]) {
+    twine_stretch(*table_[k], tension, strain, slope);
+  } else if (k < lines_) {
     strain = tension / stiffness_[k];
     slope = 1.0 / stiffness_[k];
   } else {

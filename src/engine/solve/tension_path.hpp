@@ -47,7 +47,9 @@ class TensionPath {
   void stretch(std::size_t k, double tension, double& strain, double& slope) const;
 
   std::vector<char> strut_;  // lines that also push
-  std::size_t lines_;        // before the contacts
+  // Materials of lines whose loads are given by strain, null for others.
+  std::vector<const TwineMaterial*> table_;
+  std::size_t lines_;  // before the contacts
   Ground ground_;
   bool begun_ = false;
   DualTension current_, predicted_;

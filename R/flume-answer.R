@@ -1,0 +1,102 @@
+# What a worker of the flume tank answers to a request. It knows no page: it may run in a process of
+# its own.
+
+# Steps of the solver from a crude start, at most, before a design counts as one that does not
+# settle: someone is waiting.
+flume_steps <- 1000L
+
+# Most nodes of a design, whatever its plan asks for.
+flume_nodes <- 20000
+
+# request: list(kind, said (of the page), base, controls (of the tank), file (of the gear on
+# screen), nodes, state (to settle from or to save)); without `state` it is the one that the memory,
+# an environment, holds from the last answer. Returns list(found, problem): found NULL where there
+# is a problem, problem as flume_problem() gives it.
+flume_answer <- function(request, memory) {
+  if (!is.null(request$state)) memory$state <- request$state
+  found <- NULL
+  problem <- flume_problem({
+    if (request$kind == "save") {
+      save_state(memory$state, request$said)
+    } else {
+      found <- settled_design(request, memory$state)
+      memory$state <- found$state
+    }
+  })
+  list(found = found, problem = problem)
+}
+
+# list(gear, state, notes, drawing, measures) of what the page asks for.
+settled_design <- function(request, from) {
+  gear <- switch(request$kind,
+    design = apply_controls(request$base, request$controls, request$said),
+    plan_text = read_typed(request$said, request$file),
+    plan_file = read_opened(request$said)
+  )
+  settled_start(gear, request$nodes, if (request$kind != "plan_file") from)
+}
+
+settled_start <- function(gear, nodes, from = NULL) {
+  found <- settle_noted(gear, nodes, from)
+  shown <- list(drawing = flume_drawing(found$state), measures = measures(found$state))
+  c(list(gear = gear), found, shown)
+}
+
+# said: list(format, file).
+save_state <- function(state, said) {
+  if (said$format == "report") return(report(state, said$file))
+  Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
+}
+
+# Settles from a state where it has the same parts, else anew: list(state, notes = warnings,
+# then what is worth a look).
+settle_noted <- function(gear, nodes, from) {
+  notes <- character()
+  check_lattice_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
+  settle_from <- function(from) settle_gear(gear, nodes, NULL, from, flume_steps)
+  state <- withCallingHandlers(
+    tryCatch(settle_from(from), codend_error_argument = function(e) settle_from(NULL)),
+    codend_warning = function(w) {
+      notes <<- c(notes, plain_message(w))
+      invokeRestart("muffleWarning")
+    }
+  )
+  list(state = state, notes = c(notes, finding_sentences(findings(state))))
+}
+
+# NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A
+# mistake of the program's own is told and logged, and the page lives on.
+flume_problem <- function(expression) {
+  tryCatch(
+    {
+      force(expression)
+      NULL
+    },
+    codend_error = function(e) list(message = plain_message(e), path = e$path),
+    error = function(e) {
+      message("codend flume: ", conditionMessage(e))
+      list(message = paste0("codend failed at this: ", plain_message(e)), path = NULL)
+    }
+  )
+}
+
+# The gear of a file that the page has read: list(name, text). The page sends what is in it and
+# never a path, which could be any file of this computer's. It is nowhere that R code could read it
+# from.
+read_opened <- function(given) {
+  given <- as.list(given)
+  name <- if (is_text(given$name)) substr(given$name, 1L, 100L) else "on this page"
+  read_sent(given$text, name)
+}
+
+# The gear of a plan typed on the page; file: of the gear whose plan it was.
+read_typed <- function(text, file) {
+  gear <- read_sent(text, "on this page")
+  gear["file"] <- list(file)
+  gear
+}
+
+read_sent <- function(text, name) {
+  if (!is_text(text)) abort_plan("A plan is text.", NULL)
+  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), name))
+}

@@ -1,0 +1,187 @@
+# Where a session of the flume tank settles its designs: an R process of its own, so that no user
+# waits for another's design, none takes more than its time and memory, and one that hangs is ended.
+#
+# A worker is an environment of
+#   ask(kind, make, then)  asks for what flume_answer() answers: make() gives the request when its
+#                          turn comes, or NULL when it is out of date; then(answer) is called once,
+#                          with NULL for a request that is out of date
+#   stop()                 ends it
+#   holds                  a number for the tank: the state that the worker remembers; 0 for none
+
+# Seconds that the answer to one request may take, and bytes that a worker may take.
+flume_seconds <- 30
+flume_memory <- 4e9
+
+# Seconds that a process may take to start.
+start_seconds <- 120
+
+# Requests that may wait for a worker beside the one that it is about.
+most_waiting <- 4L
+
+# How often a process is looked at while it works, s.
+look_every <- 0.01
+
+# In this process, which answers at once; for tests.
+direct_worker <- function() {
+  worker <- new.env(parent = emptyenv())
+  memory <- new.env(parent = emptyenv())
+  worker$holds <- 0
+  worker$stop <- function() NULL
+  worker$ask <- function(kind, make, then) {
+    request <- make()
+    then(if (!is.null(request)) flume_answer(request, memory))
+  }
+  worker
+}
+
+process_worker <- function(seconds = flume_seconds, bytes = flume_memory) {
+  worker <- new.env(parent = emptyenv())
+  process <- NULL
+  idle <- FALSE
+  waiting <- list()
+  current <- NULL
+  stopped <- FALSE
+
+  start <- function() {
+    process <<- callr::r_session$new(wait = FALSE)
+    worker$holds <- 0
+    idle <<- FALSE
+    current <<- list(until = now() + start_seconds)
+    look_later()
+  }
+  now <- function() proc.time()[["elapsed"]]
+  # an error here, outside of every session, would end the tank for all
+  tell <- function(job, answer) {
+    tryCatch(job$then(answer), error = function(e) {
+      message("codend flume: ", conditionMessage(e))
+    })
+  }
+  look_later <- function() later::later(look, look_every)
+  call <- function(job, what, arguments, seconds) {
+    idle <<- FALSE
+    current <<- c(job, list(until = now() + seconds))
+    process$call(what, arguments)
+    look_later()
+  }
+  go_on <- function() {
+    # one that was ended from elsewhere has lost nothing but time
+    if (idle && length(waiting) && !process$is_alive()) return(start())
+    while (idle && length(waiting)) {
+      job <- waiting[[1L]]
+      waiting <<- waiting[-1L]
+      request <- job$make()
+      if (is.null(request)) {
+        tell(job, NULL)
+      } else {
+        # without this frame, which would be sent along
+        ask <- function(request) asNamespace("codend")$worker_answer(request)
+        environment(ask) <- baseenv()
+        call(job, ask, list(request), seconds)
+      }
+    }
+  }
+  finish <- function(answer) {
+    job <- current
+    current <<- NULL
+    if (!is.null(job$then)) tell(job, answer)
+    go_on()
+  }
+  # Its answer is what is wrong; another process takes its place, at the next request where this one
+  # did not even start.
+  replace_process <- function(message) {
+    process$kill()
+    process <<- NULL
+    answer <- list(problem = list(message = message))
+    jobs <- if (is.null(current$then)) waiting else list(current)
+    if (is.null(current$then)) waiting <<- list() else start()
+    for (job in jobs) tell(job, answer)
+  }
+  look <- function() {
+    if (stopped || idle || is.null(process)) return()
+    said <- if (process$poll_process(0) == "ready") process$read()
+    if (is.null(said)) {
+      if (now() < current$until) return(look_later())
+      return(replace_process(sprintf(
+        "This takes longer than %s s, which is all that the tank gives it.", format(seconds)
+      )))
+    }
+    if (said$code == 201L) {
+      prepare <- function(bytes) asNamespace("codend")$prepare_worker(bytes)
+      environment(prepare) <- baseenv()
+      return(call(list(), prepare, list(bytes), start_seconds))
+    }
+    if (said$code != 200L) {
+      return(replace_process("The process that settles ended at this; a new one takes its place."))
+    }
+    idle <<- TRUE
+    finish(if (is.null(said$error)) said$result else {
+      list(problem = list(message = paste0("codend failed at this: ", plain_message(said$error))))
+    })
+  }
+  worker$ask <- function(kind, make, then) {
+    # of designs the latest counts
+    old <- vapply(waiting, function(job) kind != "save" && job$kind != "save", NA)
+    passed <- waiting[old]
+    waiting <<- waiting[!old]
+    for (job in passed) tell(job, NULL)
+    if (length(waiting) >= most_waiting) {
+      then(list(problem = list(message = "Too much is asked for at once; try again in a while.")))
+      return(invisible())
+    }
+    waiting <<- c(waiting, list(list(kind = kind, make = make, then = then)))
+    if (is.null(process)) start() else go_on()
+  }
+  worker$stop <- function() {
+    stopped <<- TRUE
+    if (!is.null(process)) process$kill()
+  }
+  worker$process <- function() process
+  start()
+  worker
+}
+
+# ---- in the worker's process ---------------------------------------------------------------------
+
+worker_memory <- new.env(parent = emptyenv())
+
+prepare_worker <- function(bytes) {
+  limit_memory(bytes)
+  NULL
+}
+
+worker_answer <- function(request) flume_answer(request, worker_memory)
+
+# ---- what a page may send ------------------------------------------------------------------------
+
+# Bytes of a message: a plan as JSON. Messages at once and a second after that.
+most_message_bytes <- 6 * 1024^2
+message_burst <- 200
+message_rate <- 40
+
+# A function(bytes) that says whether a message may pass; now(): s.
+message_gate <- function(now = function() proc.time()[["elapsed"]]) {
+  left <- message_burst
+  last <- now()
+  function(bytes) {
+    time <- now()
+    left <<- min(message_burst, max(left, 0) + message_rate * (time - last)) - 1
+    last <<- time
+    bytes <= most_message_bytes && left >= 0
+  }
+}
+
+# Ends a session whose page sends more than a page does. Shiny has no limit of its own for messages;
+# they are counted at its connection. Returns whether that was found.
+bound_messages <- function(session) {
+  socket <- tryCatch(session$.__enclos_env__$private$websocket, error = function(e) NULL)
+  if (!is.environment(socket) || !is.list(socket$messageCallbacks)) return(FALSE)
+  pass <- message_gate()
+  open <- TRUE
+  handlers <- socket$messageCallbacks
+  socket$messageCallbacks <- list(function(binary, message) {
+    if (!open) return()
+    open <<- pass(if (is.raw(message)) length(message) else nchar(message, "bytes"))
+    if (open) for (handler in handlers) handler(binary, message) else session$close()
+  })
+  TRUE
+}

@@ -1,0 +1,59 @@
+# How free otter boards and kites swing about where a state has them.
+
+# Of a motion that grows or dies more slowly than this (1/s) nothing is said: over a tow's
+# manoeuvres it does not show.
+slowest_told <- 0.002
+
+#' How free otter boards and kites swing
+#'
+#' The motions of a settled gear in which a free otter board, kite or depressor takes part: pushed a
+#' little, the gear moves as a sum of them. They are eigenvalues of its equations of motion, with
+#' mass and added mass, drag and lift of everything as in [tow()], where the state has it; that flow
+#' slowed by netting follows the netting is left out. Motions that boards only follow, with less
+#' than a tenth of the way of the node that moves most, and those faster than 20 rad/s are left out
+#' too.
+#'
+#' A board is one rigid body: its mass about its own centre of gravity, as of a plate of one
+#' thickness with a camber of 12 %; the added mass of a flat plate about mid-chord, across its face
+#' (DNV-RP-C205) and of turning; and the moments against turning of a thin plate in a steady flow.
+#' The angle of attack follows the flow without delay, so that flutter which comes from a delay is
+#' not found.
+#'
+#' @param state A state, from [settle()].
+#' @return A data frame with a row per motion, the one that grows fastest first: `board` (that moves
+#'   most), `period_s` (`NA` where it does not swing), `growth_per_s` (rate at which it grows; of one
+#'   that dies negative), `decay_s` (time in which it falls to 1/e; `NA` where it grows), `damping`
+#'   (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without swinging),
+#'   `"flutters"` (swings and grows) or `"diverges"` (grows without swinging).
+#' @export
+board_modes <- function(state) {
+  check_is_state(state)
+  found <- if (length(state$si$otter_boards)) {
+    engine_body_modes(state$lattice$engine, as.double(state$position), as.double(state$velocity))
+  }
+  growth <- as.double(found$growth)
+  frequency <- as.double(found$frequency)
+  swings <- frequency > 0
+  data.frame(
+    board = board_of_nodes(state, found$node),
+    period_s = ifelse(swings, 2 * pi / frequency, NA_real_), growth_per_s = growth,
+    decay_s = ifelse(growth < 0, -1 / growth, NA_real_),
+    damping = -growth / sqrt(growth^2 + frequency^2),
+    condition = ifelse(growth > 0, ifelse(swings, "flutters", "diverges"),
+      ifelse(swings, "swings", "creeps"))
+  )
+}
+
+board_of_nodes <- function(state, nodes) {
+  boards <- state$si$otter_boards
+  of <- lapply(boards, function(board) state$lattice$points[board$points])
+  vapply(nodes, function(node) {
+    names(boards)[which(vapply(of, function(points) node %in% points, NA))[1L]]
+  }, "", USE.NAMES = FALSE)
+}
+
+# The rows of board_modes() that tell of flutter which shows.
+fluttering_modes <- function(state) {
+  modes <- board_modes(state)
+  modes[modes$condition == "flutters" & modes$growth_per_s > slowest_told, ]
+}

@@ -1,0 +1,191 @@
+# How far the meshes of a net stand open, and what its twine covers of the flow.
+
+# Meshes at every place on the rows of panels (panel_rows()), as the netting between rows stands.
+#
+# With x_i and x_j the derivatives of position by meshes across and by meshes down a panel, a mesh
+# of diamonds has the bars (x_j + x_i) / 2 and (x_j - x_i) / 2, one of squares the bars x_i and x_j.
+#
+# Returns a data frame with a row per place: panel (number), row, s and t (shares of the panel's
+# width and depth), x, y and z (m),
+# opening (m: |x_i|, how wide a mesh stands across the panel; of squares the distance of its bars),
+# depth (m, |x_j|), angle (rad, between the bars of a mesh, 0 where it is closed across the panel;
+# NA where a bar has no length), meshes (how many the place stands for), and for each family of bars
+# its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
+mesh_places <- function(state, names = base::names(state$si$panels)) {
+  panels <- panel_table(state$si$panels)
+  all <- panel_rows(panels, state$lattice, state_points(state))
+  numbers <- match(names, base::names(state$si$panels))
+  kept <- all$panel[all$row] %in% numbers
+  rows <- list(
+    panel = all$panel, t = all$t, row = all$row[kept], s = all$s[kept],
+    x = all$x[, kept, drop = FALSE]
+  )
+  row <- rows$row
+  panel <- rows$panel[row]
+  own <- pick_panels(panels, panel)
+  t <- rows$t[row]
+  across <- own$upper + (own$lower - own$upper) * t
+
+  # Along a row: to the neighbours on both sides.
+  n <- length(row)
+  place <- seq_len(n)
+  before <- pmax(place - 1L, 1L)
+  before[row[before] != row] <- place[row[before] != row]
+  after <- pmin(place + 1L, n)
+  after[row[after] != row] <- place[row[after] != row]
+  lost <- rows$s[after] - rows$s[before]
+  step <- function(from, to) rows$x[, to, drop = FALSE] - rows$x[, from, drop = FALSE]
+  chord <- sqrt(colSums(step(before, place)^2)) + sqrt(colSums(step(place, after)^2))
+  per_mesh <- 1 / pmax(lost * across, 1e-12)
+  x_i <- step(before, after) * rep(per_mesh, each = 3L)
+  # Where the row bends the bars follow it.
+  straight <- sqrt(colSums(x_i^2))
+  opening <- chord * per_mesh
+  x_i <- x_i * rep(ifelse(straight > 0, opening / pmax(straight, 1e-300), 1), each = 3L)
+
+  # Between rows: from the one above to the one below, at the same share of the width.
+  count <- length(rows$panel)
+  number <- seq_len(count)
+  above <- pmax(number - 1L, 1L)
+  above[rows$panel[above] != rows$panel] <- number[rows$panel[above] != rows$panel]
+  below <- pmin(number + 1L, count)
+  below[rows$panel[below] != rows$panel] <- number[rows$panel[below] != rows$panel]
+  at <- function(other) {
+    on_rows(list(panel = panel, s = rows$s, t = rows$t[other][row]), all)
+  }
+  deep <- (rows$t[below] - rows$t[above])[row] * own$deep
+  x_t <- (at(below) - at(above)) / rep(pmax(deep, 1e-12), each = 3L)
+  # Down a column i changes with j where the panel tapers.
+  slant <- panel_left(own, 1) + rows$s * (panel_right(own, 1) - panel_left(own, 1) -
+    (panel_right(own, 0) - panel_left(own, 0)))
+  x_j <- x_t - x_i * rep(slant, each = 3L)
+
+  square <- is_square(own)
+  half <- rep(ifelse(square, 1, 0.5), each = 3L)
+  u <- (x_j * rep(!square, each = 3L) + x_i) * half
+  v <- (x_j - x_i * rep(!square, each = 3L)) * half
+  # Of diamonds u leans one way and v the other; of squares they are across and down.
+  cosine <- colSums(u * v) / sqrt(colSums(u^2) * colSums(v^2))
+  angle <- acos(pmin(pmax(cosine, -1), 1))
+  angle[own$orientation == "turned"] <- pi - angle[own$orientation == "turned"]
+  angle[!is.finite(cosine)] <- NA
+  # Each place stands for half the way to its neighbours.
+  thick <- ((rows$t[below] - rows$t[above]) / 2)[row] * own$deep
+  data.frame(
+    panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
+    angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ],
+    u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
+    x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
+  )
+}
+
+# Mean over the meshes of panels, SI.
+mean_of_meshes <- function(state, panels, field) {
+  found <- mesh_places(state, panels)
+  known <- !is.na(found[[field]]) & found$meshes > 0
+  sum((found[[field]] * found$meshes)[known]) / sum(found$meshes[known])
+}
+
+define_measure("mesh_opening", "mm",
+  "How wide the meshes of panels stand across them, the mean over their meshes: of diamonds from
+  knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
+  asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "opening")
+)
+
+define_measure("mesh_angle", "deg",
+  "Angle between the bars of the meshes of panels, the mean over their meshes: 0 where diamonds are
+  closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
+  panel.",
+  asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
+)
+
+# Projected area (m2) of all twine across the flow, each twine counted where it is hidden too.
+twine_across_flow <- function(state) {
+  panels <- state$si$panels
+  found <- mesh_places(state)
+  width <- vapply(panels, twine_width, 0)[found$panel]
+  square <- is_square(panel_table(panels))[found$panel]
+  flow <- flow_axes(state$si)[, "flow"]
+  across <- function(family) {
+    bar <- t(as.matrix(found[paste0(family, c("_x", "_y", "_z"))]))
+    sqrt(pmax(colSums(bar^2) - colSums(bar * flow)^2, 0))
+  }
+  # A diamond mesh of the panel's count has two bars of each family, a square one has one.
+  sum(found$meshes * (2 - square) * width * (across("u") + across("v")))
+}
+
+#' Meshes along a net
+#'
+#' How far the meshes stand open along every panel: what decides which fish pass through them. Each
+#' row is a row of the lattice across a panel, from its front edge to its rear edge.
+#'
+#' Of diamond meshes the opening is the distance of the knots across the panel and the angle that
+#' between two bars, so that opening = mesh size times sin(angle / 2) where the twine is taut; of
+#' square meshes the opening is the distance of the bars. Hexagonal meshes are taken as diamonds of
+#' their cells. The edge of a codend that is gathered has opening 0.
+#'
+#' For a model of selection take the codend's rows: `mesh_openings(state, "codend")` has the mean,
+#' the least and the greatest opening by distance from its rear end.
+#'
+#' @param state A state, from [settle()] or [state_at()].
+#' @param parts Names of panels or of parts of the net (`"codend"`, `"section_3"`), or `NULL` for
+#'   all. An unknown one is an error of class `codend_error_argument`.
+#' @return A data frame of class `codend_mesh_openings` with a row per row of a panel: `panel`,
+#'   `part`, `meshes_from_front`, `from_front_m` and `from_rear_m` (along the netting), `x_m`,
+#'   `depth_m` (middle of the row), `meshes_across`, `mesh_size_mm`, `mesh_opening_mm` (mean),
+#'   `least_opening_mm`, `greatest_opening_mm`, `opening_percent` (mean opening over mesh size, of
+#'   square meshes over a bar), `mesh_angle_deg` (mean).
+#' @seealso [plot.codend_mesh_openings()]; [measures()] for the mean of a panel; [swept()] for the
+#'   water that passed the mouth.
+#' @export
+#' @examples
+#' state <- settle("t90_codend")
+#' head(mesh_openings(state))
+mesh_openings <- function(state, parts = NULL) {
+  check_is_state(state)
+  panels <- state$si$panels
+  part <- vapply(panels, `[[`, "", "part")
+  known <- unique(c(names(panels), part[!is.na(part)]))
+  if (!length(panels)) abort_argument("The gear has no netting.")
+  if (!is.null(parts) && !(is.character(parts) && length(parts) && all(parts %in% known))) {
+    abort_argument("{.arg parts} is {.val {parts}}; it must be any of {.val {known}}.")
+  }
+  some <- names(panels)[is.null(parts) | names(panels) %in% parts | part %in% parts]
+  found <- mesh_places(state, some)
+  by_row <- split(seq_len(nrow(found)), found$row)
+  mean_of <- function(field, weight = found$meshes) {
+    vapply(by_row, function(k) {
+      good <- !is.na(found[[field]][k])
+      # a row at a point has no meshes
+      w <- if (sum(weight[k][good]) > 0) weight[k][good] else rep(1, sum(good))
+      if (any(good)) sum(found[[field]][k][good] * w) / sum(w) else NA_real_
+    }, 0, USE.NAMES = FALSE)
+  }
+  first <- vapply(by_row, `[`, 0L, 1L, USE.NAMES = FALSE)
+  number <- found$panel[first]
+  of <- function(field) vapply(panels, `[[`, 0, field, USE.NAMES = FALSE)[number]
+  j <- found$t[first] * of("deep")
+  depth <- mean_of("depth")
+  gap <- (depth + c(0, depth[-length(depth)])) / 2 * c(0, diff(j))
+  from_front <- stats::ave(ifelse(c(TRUE, diff(number) != 0), 0, gap), number, FUN = cumsum)
+  whole <- stats::ave(from_front, number, FUN = max)
+  mesh <- of("mesh_size")
+  square <- is_square(panel_table(panels))[number]
+  opening <- mean_of("opening")
+  mm <- function(x) in_unit(x, "mm")
+  structure(
+    data.frame(
+      panel = names(panels)[number], part = ifelse(is.na(part), "", part)[number],
+      meshes_from_front = j, from_front_m = from_front, from_rear_m = whole - from_front,
+      x_m = mean_of("x"), depth_m = -mean_of("z"),
+      meshes_across = of("upper") + (of("lower") - of("upper")) * found$t[first],
+      mesh_size_mm = mm(mesh), mesh_opening_mm = mm(opening),
+      least_opening_mm = mm(vapply(by_row, function(k) min(found$opening[k]), 0)),
+      greatest_opening_mm = mm(vapply(by_row, function(k) max(found$opening[k]), 0)),
+      opening_percent = 100 * opening / (mesh / (1 + square)),
+      mesh_angle_deg = in_unit(mean_of("angle"), "deg"), row.names = NULL
+    ),
+    class = c("codend_mesh_openings", "data.frame"), gear_name = state$gear$plan$name,
+    conditions = state_conditions(state)
+  )
+}

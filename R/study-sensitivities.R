@@ -1,0 +1,329 @@
+#' Slopes of measures by fields of the plan
+#'
+#' How every measure of a settled gear changes with fields of its plan: which lengths, areas and
+#' masses matter, and how much. The slopes are exact, and one matrix is factorised for all of them.
+#'
+#' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
+#' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
+#' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are
+#' in balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
+#' Slopes agree with differences of settled shapes to 1e-6 where these are smooth.
+#'
+#' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
+#' table of coefficients turns. So the gear is also settled at 1 % less and 1 % more of each field,
+#' from this state, and the slopes of these two secants stand beside the tangent's. `smooth` tells
+#' whether the slope holds that far: whether the secants' mean is within 0.5 % of it, the secants
+#' differ by less than a fifth of it and the slopes on both sides at the state itself by 0.5 %. (Of
+#' an elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as
+#' with much slack netting, or the field is at the end of its range, the slope is the secants' and
+#' not called smooth. Of fields of whole numbers it is the mean of the secants to one less and one
+#' more, smooth where these differ by no more than three times as much as the field, as shares.
+#'
+#' @param state A settled state, from [settle()].
+#' @param of Names of measures, as [measures()] has them; all when `NULL`.
+#' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a
+#'   list may hold several paths, of parts that are alike: their fields change together. `NULL`
+#'   takes those that people change first, a dozen at most; `"all"` every number that the plan
+#'   gives beside those that divide it into meshes and segments.
+#' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
+#'   `smooth` speaks of the state itself alone.
+#' @return A data frame of class `codend_sensitivities` with a row per measure and field:
+#'
+#'   - `measure`, and the `field` by its path (several are joined by ` + `);
+#'   - `value` of the field with its `unit` in the plan (the SI unit of a bare number);
+#'   - `slope`, in `slope_unit`: the measure's change per unit of the field;
+#'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the
+#'     measure is 0;
+#'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
+#'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
+#'     other nodes;
+#'   - `smooth`, as told above.
+#'
+#'   The attribute `factorisations` counts what it cost. A field that the plan has not, that is no
+#'   number or that is 0 is an error of class `codend_error_argument`, as are other wrong arguments.
+#' @seealso [plot.codend_sensitivities()], [vary()] for large changes.
+#' @export
+#' @examples
+#' found <- sensitivities(settle("towed_cable"), to = c("towing.speed", "ropes.cable.length"))
+#' found[found$measure == "total_drag_kN", ]
+#' plot(found)
+sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
+  check_is_state(state)
+  if (!is.null(state$time) || !isTRUE(state$report$converged)) {
+    abort_argument("{.arg state} must be settled, not a moment of a tow.")
+  }
+  if (!isTRUE(secants) && !isFALSE(secants)) {
+    abort_argument("{.arg secants} must be TRUE or FALSE.")
+  }
+  base <- measures(state)
+  known <- names(base)
+  if (is.null(of)) of <- known
+  if (!(is.character(of) && length(of) && all(of %in% known))) {
+    abort_argument("{.arg of} is {.val {of}}; it must be any of {.val {known}}.")
+  }
+  fields <- slope_fields(state$gear, to)
+  work <- tangent_work(state)
+  rows <- lapply(fields, function(field) {
+    found <- lapply(field_slopes(work, field, secants), `[`, of)
+    unit <- attr(base, "unit")[of]
+    data.frame(
+      measure = of, field = field$name, value = field$value, unit = field$unit,
+      slope = found$slope / field$value,
+      slope_unit = paste(unit, "per", if (nzchar(field$unit)) field$unit else "1"),
+      elasticity = ifelse(work$values[of] == 0, NA_real_, found$slope / work$values[of]),
+      secant_below = found$below / field$value, secant_above = found$above / field$value,
+      smooth = found$smooth, row.names = NULL
+    )
+  })
+  structure(
+    do.call(rbind, rows), class = c("codend_sensitivities", "data.frame"),
+    gear_name = state$gear$plan$name, conditions = state_conditions(state),
+    measure_unit = attr(base, "unit"), factorisations = work$cost$factorisations
+  )
+}
+
+# Shares of a field's value: of the tangent, as large as it holds (tensions of stiff ropes are
+# differences of positions, which round), and of secants.
+tangent_shares <- c(1e-4, 1e-5)
+secant_share <- 0.01
+# Steps of one matrix at most, how often it is made again, and the net force over the largest
+# tension that they end at.
+chord_steps <- 20L
+most_renewals <- 3L
+chord_tolerance <- 1e-8
+# Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
+# the secants from each other; and the least slope, as an elasticity, that this is a share of.
+kink_share <- 0.005
+most_bend <- 0.2
+least_elasticity <- 0.01
+# Fields that are taken where none are asked for, and how those begin that are not among the usual.
+most_slope_fields <- 12L
+telling_fields <- c("length", "mass", "area", "buoyancy", "lift_coefficient", "drag_area")
+
+# ---- fields --------------------------------------------------------------------------------------
+
+# The fields asked for: lists of name, paths, value, unit and whole.
+slope_fields <- function(gear, to) {
+  if (is.null(to) || identical(to, "all")) {
+    every <- as.list(given_paths(gear$plan))
+    if (is.null(to)) {
+      last <- vapply(every, function(path) sub(".*[.]", "", path), "")
+      every <- every[last %in% telling_fields]
+    }
+    groups <- unique(c(unname(lapply(usual_of_plan(gear$plan), `[[`, "paths")), every))
+    found <- Filter(is.list, lapply(groups, function(paths) slope_field(gear, paths)))
+    # other counts divide the gear otherwise
+    found <- Filter(function(field) {
+      if (field$whole) grepl("[.]number$", field$name) else !grepl("[.]meshes[.]", field$name)
+    }, found)
+    seen <- character()
+    found <- Filter(function(field) {
+      fresh <- !any(field$paths %in% seen)
+      seen <<- c(seen, field$paths)
+      fresh
+    }, found)
+    if (!length(found)) abort_argument("The plan gives no field of a number.")
+    return(if (is.null(to)) utils::head(found, most_slope_fields) else found)
+  }
+  groups <- as.list(to)
+  if (!length(groups) || !all(vapply(groups, is.character, NA)) || !all(lengths(groups) > 0L) ||
+    anyNA(unlist(groups))) {
+    abort_argument("{.arg to} must be paths of plan fields, such as {.val towing.speed}, or a
+      list of such paths that change together.")
+  }
+  lapply(groups, function(paths) {
+    found <- slope_field(gear, paths)
+    if (is.list(found)) return(found)
+    path <- paste(paths, collapse = " + ")
+    abort_argument("{.arg to} holds {.val {path}}, which {found}.")
+  })
+}
+
+# A field as slopes need it, or in words why it has none.
+slope_field <- function(gear, paths) {
+  numbers <- lapply(paths, function(path) field_number(gear$plan, path))
+  wrong <- Filter(is.character, numbers)
+  if (length(wrong)) return(wrong[[1L]])
+  first <- numbers[[1L]]
+  if (first$value == 0) return("is 0: a slope is by shares of a value")
+  alike <- vapply(numbers, function(number) identical(number, first), NA)
+  if (!all(alike)) return("has fields with different values: they do not change together")
+  c(list(name = paste(paths, collapse = " + "), paths = paths), first)
+}
+
+# The number of a field: list(value, unit, whole), or in words why it is none.
+field_number <- function(plan, path) {
+  field <- plan_field(plan, path)
+  if (is.null(field)) return("this plan does not have")
+  if (is.null(field$node) || !field$node$shape %in% c("quantity", "number", "integer")) {
+    return("is no single number")
+  }
+  if (is.character(field$value)) {
+    parts <- split_quantity(field$value)
+    return(list(value = as.double(parts[1L]), unit = trimws(parts[2L]), whole = FALSE))
+  }
+  dimension <- first_of(field$node[["x-dimension"]], "number")
+  list(
+    value = as.double(field$value),
+    unit = if (dimension == "number") "" else names(plan_units[[dimension]])[1L],
+    whole = field$node$shape == "integer"
+  )
+}
+
+# The gear with a field changed by a share of its value, or NULL where the plan does not allow it.
+scaled_gear <- function(gear, field, share) {
+  value <- field$value * (1 + share)
+  if (field$whole) {
+    value <- as.integer(round(value))
+  } else if (nzchar(field$unit)) {
+    value <- paste(format(value, digits = 17), field$unit)
+  }
+  tryCatch(
+    do.call(update, c(list(gear), setNames(rep(list(value), length(field$paths)), field$paths))),
+    codend_error_plan = function(e) NULL
+  )
+}
+
+# ---- slopes --------------------------------------------------------------------------------------
+
+# What all fields share: the state with its factors and, where steps of these hold it in balance,
+# its lattice, position and measures as they leave it.
+tangent_work <- function(state) {
+  asked <- state$lattice$counts$asked
+  work <- list(
+    state = state, shape = state_shape(state), nodes = asked$nodes,
+    netting = Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
+      list(NULL, "bars", "cells")),
+    cost = new.env(parent = emptyenv())
+  )
+  work$values <- plain_measures(measures(state))
+  work$measures <- names(work$values)
+  work$cost$factorisations <- 0L
+  # A catch given by its volume moves its front with the shape.
+  if (is.null(state$si$catch) || is.na(state$si$catch$volume)) {
+    factors <- engine_tangent(state$lattice$engine, as.double(state$position))
+    work$cost$factorisations <- 1L
+    base <- if (!is.null(factors)) balanced(c(work, list(factors = factors)), state$gear)
+    if (!is.null(base)) {
+      work$factors <- factors
+      work[c("lattice", "position", "values")] <- base[c("lattice", "position", "values")]
+    }
+  }
+  work
+}
+
+# A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice
+# (with the wakes of the new shape), position, values), or NULL.
+balanced <- function(work, gear) {
+  if (is.null(gear)) return(NULL)
+  si <- gear_si(gear)
+  lattice <- build_lattice(si, work$nodes, work$netting, work$shape)
+  if (!settled_alike(lattice, work$shape)) return(NULL)
+  if (!is.null(si$catch)) {
+    lattice <- set_catch_front(lattice, work$shape$lattice$catch$blocked)
+  }
+  start <- as.double(lattice$start)
+  if (!is.null(work$position)) {
+    free <- !rep(lattice$engine$held, each = 3L)
+    start[free] <- work$position[free]
+  }
+  found <- engine_balance(work$factors, lattice$engine, start, chord_tolerance, chord_steps)
+  # Lines that are all but slack turn the matrix with every step: it is made again.
+  for (again in seq_len(if (is.null(work$position)) 0L else most_renewals)) {
+    if (found$converged || !all(is.finite(found$position))) break
+    factors <- engine_tangent(lattice$engine, found$position)
+    work$cost$factorisations <- work$cost$factorisations + 1L
+    if (is.null(factors)) break
+    found <- engine_balance(factors, lattice$engine, found$position, chord_tolerance, chord_steps)
+  }
+  if (!found$converged) return(NULL)
+  lattice$engine$wake <- found$wake
+  list(
+    lattice = lattice, position = found$position,
+    values = values_at(work, gear, si, lattice, found$position)
+  )
+}
+
+values_at <- function(work, gear, si, lattice, position) {
+  found <- plain_measures(measures(new_state(gear, si, lattice, position, work$state$report)))
+  found[work$measures]
+}
+
+# A field's slopes by its share: list(slope, below, above, smooth), each by measure.
+field_slopes <- function(work, field, secants) {
+  found <- if (!is.null(work$factors) && !field$whole) tangent_slopes(work, field)
+  if (is.null(found)) {
+    step <- if (field$whole) 1 / abs(field$value) else secant_share
+    sides <- secant_slopes(work, field, step)
+    return(slopes_of_secants(work, sides, if (field$whole) step else 0))
+  }
+  if (secants) {
+    sides <- secant_slopes(work, field, secant_share)
+    found[names(sides)] <- sides
+    scale <- slope_scale(work, found$slope)
+    off <- abs((sides$below + sides$above) / 2 - found$slope) / scale
+    bend <- abs(sides$above - sides$below) / scale
+    # what does not settle on both sides is not smooth
+    found$smooth <- found$smooth & !is.na(off) & off <= kink_share & bend <= most_bend
+  }
+  found
+}
+
+# What slopes differ by is told as a share of this; no measure is without one.
+slope_scale <- function(work, slope) {
+  pmax(abs(slope), least_elasticity * abs(work$values), .Machine$double.xmin)
+}
+
+# By the tangent, over the largest share at which steps of the factors lead to balance on both
+# sides; NULL where there is none.
+tangent_slopes <- function(work, field) {
+  side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
+  for (share in tangent_shares) {
+    up <- side(share)
+    down <- if (!is.null(up)) side(-share)
+    if (!is.null(down)) break
+  }
+  if (is.null(down)) return(NULL)
+  slope <- (up$values - down$values) / (2 * share)
+  # where a kink lies at the state itself, slopes on both sides differ
+  turn <- abs(up$values + down$values - 2 * work$values) / share
+  list(
+    slope = slope, below = NA * slope, above = NA * slope,
+    smooth = turn <= kink_share * slope_scale(work, slope)
+  )
+}
+
+# By gears settled at both sides: list(below, above).
+secant_slopes <- function(work, field, step) {
+  side <- function(way) {
+    gear <- scaled_gear(work$state$gear, field, way * step)
+    values <- if (!is.null(gear)) settled_values(work, gear)
+    if (is.null(values)) return(NA * work$values)
+    way * (values - work$values) / step
+  }
+  list(below = side(-1), above = side(1))
+}
+
+# Measures of a gear settled from the state on its lattice, or NULL.
+settled_values <- function(work, gear) {
+  si <- gear_si(gear)
+  found <- settle_level(
+    si, work$nodes, work$netting, work$shape, near_steps, function(iteration, residual) NULL
+  )
+  work$cost$factorisations <- work$cost$factorisations + found$report$factorisations
+  if (!found$report$converged || !settled_alike(found$lattice, work$shape)) return(NULL)
+  values_at(work, gear, si, found$lattice, found$position)
+}
+
+# The slope between two secants, or one. curvature: by which share of it they may differ if the
+# field is of whole numbers, else 0: nothing is called smooth.
+slopes_of_secants <- function(work, sides, curvature) {
+  slope <- (sides$below + sides$above) / 2
+  one <- ifelse(is.na(sides$below), sides$above, sides$below)
+  smooth <- abs(sides$above - sides$below) <= most_curvature * curvature * slope_scale(work, slope)
+  slope <- ifelse(is.na(slope), one, slope)
+  list(slope = slope, below = sides$below, above = sides$above, smooth = smooth & !is.na(smooth))
+}
+
+# How many times as much a slope may change as its field, to be a curve's.
+most_curvature <- 3

@@ -1,0 +1,163 @@
+#include "body_modes.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "../model/joined_mass.hpp"
+#include "block_lu.hpp"
+
+namespace codend {
+namespace {
+
+// Rates (1/s) of the projection: boards and kites swing within a second to some minutes.
+constexpr double shifts[] = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0};
+// Beyond twice that a body's swings are those of its struts.
+constexpr double fastest = 20.0;
+// Of a vector that is left when those before it are taken off, to be another one.
+constexpr double independent = 1e-9;
+// A mode of the small problem is one of the gear's where its equations are left with less than this.
+constexpr double most_residual = 0.02;
+// Of the largest way of any node that a body has to go in a mode of its own.
+constexpr double least_share = 0.1;
+
+using Columns = Eigen::MatrixXd;
+
+// y = A x for a matrix in the assembly's pattern.
+template <class Numbers>
+Numbers times(const BlockPattern& pattern, const std::vector<double>& values, const Numbers& x) {
+  Numbers y = Numbers::Zero(x.rows(), x.cols());
+  for (int row = 0; row < pattern.n; ++row) {
+    for (std::int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
+      const auto b = static_cast<std::size_t>(k);
+      y.template middleRows<3>(3 * row) +=
+          Eigen::Map<const Block>(&values[9 * b]) * x.template middleRows<3>(3 * pattern.column[b]);
+    }
+  }
+  return y;
+}
+
+// Adds what of the columns is new to an orthonormal basis (Gram and Schmidt, twice).
+void extend(Columns& basis, const Columns& by) {
+  for (Eigen::Index k = 0; k < by.cols(); ++k) {
+    Eigen::VectorXd column = by.col(k);
+    const double size = column.norm();
+    for (int twice = 0; twice < 2; ++twice) column -= basis * (basis.transpose() * column);
+    if (!(column.norm() > independent * size)) continue;
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = column.normalized();
+  }
+}
+
+// Translations and turns of every body, 1 m or 1 rad.
+Columns rigid_motions(const Assembly& assembly, const JoinedMass& joined, const double* x) {
+  Columns motions =
+      Columns::Zero(3 * assembly.unknowns(), 6 * static_cast<Eigen::Index>(joined.groups().size()));
+  Eigen::Index first = 0;
+  for (const JoinedMass::Group& group : joined.groups()) {
+    Vector middle = Vector::Zero();
+    for (const int i : group.unknown) middle += at(x, assembly.free_nodes()[i]);
+    middle /= static_cast<double>(group.unknown.size());
+    for (const int i : group.unknown) {
+      const Vector arm = at(x, assembly.free_nodes()[i]) - middle;
+      for (int c = 0; c < 3; ++c) {
+        motions.col(first + c).segment<3>(3 * i) = Vector::Unit(c);
+        motions.col(first + 3 + c).segment<3>(3 * i) = Vector::Unit(c).cross(arm);
+      }
+    }
+    first += 6;
+  }
+  return motions;
+}
+
+}  // namespace
+
+std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const double* v) {
+  std::vector<BodyMode> modes;
+  assembly.move_to(x, v);
+  JoinedMass joined(assembly);
+  if (joined.groups().empty()) return modes;
+  const BlockPattern& pattern = assembly.pattern();
+  const std::size_t size = 9 * pattern.column.size();
+  std::vector<double> nodes(9 * static_cast<std::size_t>(assembly.model().nodes));
+  std::vector<double> mass(size, 0.0), damping(size), stiffness(size), values(size);
+  assembly.mass(nodes.data());
+  assembly.add_mass(nodes.data(), 1.0, mass.data());
+  assembly.jacobian({0.0, 1.0}, damping.data());
+  assembly.jacobian({1.0, 0.0}, stiffness.data());
+
+  std::vector<double> places;
+  for (const int node : assembly.free_nodes()) {
+    for (int c = 0; c < 3; ++c) places.push_back(at(x, node)[c]);
+  }
+  BlockLU lu;
+  lu.analyse(pattern, places.data());
+  const Columns on_bodies = rigid_motions(assembly, joined, x);
+  Columns basis(on_bodies.rows(), 0);
+  for (const double s : shifts) {
+    for (std::size_t k = 0; k < size; ++k) {
+      values[k] = stiffness[k] + s * (damping[k] + s * mass[k]);
+    }
+    if (!lu.factorise(values.data())) continue;
+    Columns answer(on_bodies.rows(), on_bodies.cols());
+    auto solve = [&](const Columns& right) {
+      for (Eigen::Index k = 0; k < right.cols(); ++k) {
+        const Eigen::VectorXd column = right.col(k);
+        Eigen::VectorXd found(column.size());
+        lu.solve(column.data(), found.data());
+        answer.col(k) = found;
+      }
+    };
+    solve(on_bodies);
+    extend(basis, answer);
+    const Columns by_rate =
+        times(pattern, damping, answer) + 2.0 * s * times(pattern, mass, answer);
+    solve(by_rate);
+    extend(basis, answer);
+  }
+
+  const Eigen::Index n = basis.cols();
+  const Columns mass_there = times(pattern, mass, basis),
+                damping_there = times(pattern, damping, basis),
+                stiffness_there = times(pattern, stiffness, basis);
+  const Eigen::LDLT<Columns> small_mass(basis.transpose() * mass_there);
+  Columns companion = Columns::Zero(2 * n, 2 * n);
+  companion.topRightCorner(n, n).setIdentity();
+  companion.bottomLeftCorner(n, n) = -small_mass.solve(basis.transpose() * stiffness_there);
+  companion.bottomRightCorner(n, n) = -small_mass.solve(basis.transpose() * damping_there);
+  const Eigen::EigenSolver<Columns> found(companion);
+  if (found.info() != Eigen::Success) return modes;
+  for (Eigen::Index k = 0; k < 2 * n; ++k) {
+    BodyMode mode;
+    mode.rate = found.eigenvalues()[k];
+    if (mode.rate.imag() < 0.0 || !(std::abs(mode.rate) <= fastest)) continue;
+    const Eigen::VectorXcd shares = found.eigenvectors().col(k).head(n);
+    const Eigen::VectorXcd inertia = mode.rate * mode.rate * (mass_there * shares),
+                           drag = mode.rate * (damping_there * shares),
+                           spring = stiffness_there * shares;
+    mode.residual =
+        (inertia + drag + spring).norm() / (inertia.norm() + drag.norm() + spring.norm());
+    if (!(mode.residual < most_residual)) continue;
+    const Eigen::VectorXcd motion = basis * shares;
+    double most = 0.0, most_of_bodies = 0.0;
+    for (int i = 0; i < assembly.unknowns(); ++i) {
+      const double way = motion.segment<3>(3 * i).norm();
+      most = std::max(most, way);
+      if (!joined.joins(i) || way <= most_of_bodies) continue;
+      most_of_bodies = way;
+      mode.node = assembly.free_nodes()[i];
+    }
+    if (!(most_of_bodies > least_share * most)) continue;
+    mode.motion.resize(static_cast<std::size_t>(motion.size()));
+    for (Eigen::Index i = 0; i < motion.size(); ++i) {
+      mode.motion[static_cast<std::size_t>(i)] = motion[i] / most;
+    }
+    modes.push_back(mode);
+  }
+  std::sort(modes.begin(), modes.end(),
+            [](const BodyMode& a, const BodyMode& b) { return a.rate.real() > b.rate.real(); });
+  return modes;
+}
+
+}  // namespace codend

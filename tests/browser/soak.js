@@ -1,0 +1,171 @@
+// A long run of the flume tank as a server: node --experimental-websocket soak.js [minutes] [users].
+// Every user has a gear of its own name, moves its towing speed about once a second, leaves now and
+// then and comes again, and one of them asks for what takes too long. No answer may be another user's,
+// none may fail, no process may outlive its page, and the memory of the server may not grow. Needs no
+// browser: it speaks Shiny's protocol. Prints how long answers took and the memory by minute; ends with
+// status 1 when anything went wrong.
+'use strict';
+const fs = require('node:fs');
+const { serve } = require('./serve');
+
+const minutes = Number(process.argv[2] || 60);
+const users = Number(process.argv[3] || 10);
+const wrong = [];
+const times = [];
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+// MB that a process holds and its children's ids (Linux); NaN and none elsewhere.
+function memory(pid) {
+  try {
+    const status = fs.readFileSync(`/proc/${pid}/status`, 'utf8');
+    return Number(status.match(/VmRSS:\s*(\d+)/)[1]) / 1024;
+  } catch (error) {
+    return NaN;
+  }
+}
+function children(pid) {
+  try {
+    return fs.readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8').split(' ').filter(Boolean);
+  } catch (error) {
+    return [];
+  }
+}
+
+// A page without a browser: wait(type, test) resolves to the next message of a type, or null after a
+// minute.
+function page(url) {
+  const socket = new WebSocket(url.replace('http', 'ws') + '/websocket/');
+  const waiting = new Set();
+  const where = new URL(url);
+  socket.onmessage = (event) => {
+    if (typeof event.data !== 'string' || event.data[0] !== '{') return;
+    const custom = JSON.parse(event.data).custom || {};
+    for (const [type, message] of Object.entries(custom)) {
+      for (const one of [...waiting]) {
+        if (one.types.includes(type) && one.test(message)) {
+          waiting.delete(one);
+          one.resolve({ type, ...message });
+        }
+      }
+    }
+  };
+  const send = (method, data) => socket.send(JSON.stringify({ method, data }));
+  return {
+    wait: (types, test = () => true, seconds = 60) => new Promise((resolve) => {
+      const one = { types, test, resolve };
+      waiting.add(one);
+      setTimeout(() => { if (waiting.delete(one)) resolve(null); }, 1000 * seconds);
+    }),
+    set: (inputs) => send('update', inputs),
+    open: () => new Promise((resolve, reject) => {
+      socket.onerror = (event) => reject(new Error(`no connection to ${socket.url}: ${event.message}`));
+      socket.onopen = () => {
+        const shown = ['controls', 'measures', 'markable', 'tensions', 'drag', 'code'];
+        const data = {
+          '.clientdata_url_protocol': 'http:', '.clientdata_url_hostname': where.hostname,
+          '.clientdata_url_port': where.port, '.clientdata_url_pathname': '/',
+          '.clientdata_url_search': '', '.clientdata_pixelratio': 1
+        };
+        for (const name of shown) data[`.clientdata_output_${name}_hidden`] = false;
+        send('init', data);
+        resolve();
+      };
+    }),
+    close: () => socket.close()
+  };
+}
+
+// One user until the end; visits: how often it comes.
+async function use(url, name, end) {
+  let number = 0;
+  for (let visit = 1; Date.now() < end; visit++) {
+    const tank = page(url);
+    const opened = tank.wait(['flume_picture']);
+    await tank.open();
+    if (!await opened) { wrong.push(`${name}: no picture`); tank.close(); continue; }
+    const text = tank.wait(['flume_plan']);
+    tank.set({ shown: 'Plan' });
+    const sent = await text;
+    if (!sent) { wrong.push(`${name}: no plan`); tank.close(); continue; }
+    const plan = sent.text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
+    const named = tank.wait(['flume_picture', 'flume_refused']);
+    tank.set({ 'plan_text': plan });
+    const own = await named;
+    if (!own || own.name !== `${name} ${visit}`) wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
+    const leaves = Date.now() + 60e3 + 60e3 * Math.random();
+    while (Date.now() < Math.min(end, leaves)) {
+      number += 1;
+      const mine = number;
+      const speed = (3 + 2 * Math.random()).toFixed(2);
+      const answer = tank.wait(['flume_picture', 'flume_refused'], (m) => m.answers === mine);
+      const asked = performance.now();
+      tank.set({ design: { number: mine, values: { control_1: { value: Number(speed), unit: 'knot' } } } });
+      const came = await answer;
+      if (!came || came.type === 'flume_refused') {
+        wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
+      } else {
+        times.push(performance.now() - asked);
+        if (came.name !== `${name} ${visit}`) wrong.push(`${name} got the picture of ${came.name}`);
+        const told = Number((came.conditions.match(/([0-9.]+) knot/) || [])[1]);
+        if (Math.abs(told - speed) > 0.006) wrong.push(`${name} asked ${speed}, got "${came.conditions}"`);
+      }
+      await sleep(500 + 1000 * Math.random());
+    }
+    tank.close();
+  }
+}
+
+// Asks for a net that takes longer than a page may wait.
+async function trouble(url, end) {
+  while (Date.now() < end) {
+    const tank = page(url);
+    const opened = tank.wait(['flume_picture']);
+    await tank.open();
+    await opened;
+    const text = tank.wait(['flume_plan']);
+    tank.set({ shown: 'Plan' });
+    const sent = await text;
+    if (sent) tank.set({ 'plan_text': sent.text + '\nresolution: {nodes: 20000}\n' });
+    tank.set({ 'plan_text': 'x'.repeat(3e6) });
+    await sleep(5e3);
+    tank.close();
+    await sleep(15e3);
+  }
+}
+
+const quantile = (sorted, share) => sorted[Math.floor(share * (sorted.length - 1))];
+
+let tank;
+(async () => {
+  tank = await serve();
+  const end = Date.now() + 60e3 * minutes;
+  const resident = [];
+  const look = setInterval(() => {
+    const at = children(tank.pid);
+    resident.push(memory(tank.pid));
+    const all = at.map(memory).filter(Number.isFinite).reduce((a, b) => a + b, 0);
+    console.log(`server ${resident[resident.length - 1].toFixed(0)} MB, ${at.length} processes of ` +
+      `users ${all.toFixed(0)} MB, ${times.length} answers, ${wrong.length} wrong`);
+  }, 60e3);
+  const visits = [trouble(tank.url, end)];
+  for (let k = 1; k <= users; k++) visits.push(use(tank.url, `User ${k}`, end));
+  await Promise.all(visits);
+  clearInterval(look);
+  await sleep(5e3);
+  const left = children(tank.pid).length;
+  if (left) wrong.push(`${left} processes outlive their pages`);
+  // once all have come and gone; a leak of each answer or visit goes on
+  const settled = resident.slice(Math.floor(resident.length / 2));
+  if (settled.length > 1 && settled[settled.length - 1] > 1.15 * settled[0]) {
+    wrong.push(`the server grew from ${settled[0].toFixed(0)} to ${settled[settled.length - 1].toFixed(0)} MB`);
+  }
+  tank.stop();
+  const sorted = [...times].sort((a, b) => a - b);
+  console.log(`${sorted.length} answers to ${users} users: median ${quantile(sorted, 0.5).toFixed(0)} ms, ` +
+    `95 % within ${quantile(sorted, 0.95).toFixed(0)} ms, longest ${quantile(sorted, 1).toFixed(0)} ms`);
+  for (const what of wrong.slice(0, 20)) console.log(`wrong: ${what}`);
+  process.exit(wrong.length || !sorted.length ? 1 : 0);
+})().catch((error) => {
+  console.error(error, tank && tank.log);
+  process.exit(1);
+});

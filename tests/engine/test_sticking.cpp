@@ -1,0 +1,110 @@
+// Friction that sticks and slips, against Coulomb's law on a slope.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "march/march.hpp"
+#include "march/newton_step.hpp"
+#include "march/scheduled_conditions.hpp"
+
+using namespace codend;
+
+namespace {
+
+// 10 kg on 0.01 m2 in vacuum, as deep in the ground as its weight presses it, on a slope (rad) that falls
+// towards +x.
+struct Body {
+  Model model;
+  Motion start;
+  explicit Body(double slope) {
+    model.nodes = 3;
+    model.held = {0, 1, 1};
+    model.water.density = 0.0;
+    model.mass = {10.0, 0.0, 0.0};
+    model.load.assign(9, 0.0);
+    model.load[2] = -10.0 * gravity;
+    model.ground.present = true;
+    model.ground.normal = Vector(std::sin(slope), 0.0, std::cos(slope));
+    model.ground.friction = 0.5;
+    model.contacts.node = {0};
+    model.contacts.area = {0.01};
+    model.contacts.clearance = {0.0};
+    double deep, change;
+    model.ground.give(10.0 * gravity * std::cos(slope), 0.01 * model.ground.stiffness, deep,
+                      change);
+    start.x = start.v = Values::Zero(9);
+    at(start.x.data(), 0) = -deep * model.ground.normal;
+    at(start.x.data(), 2) = Vector(1.0, 1.0, 0.0);
+  }
+  Body(const Body&) = delete;
+
+  Motion march(double until) {
+    model.prepare();
+    Assembly assembly(model);
+    Schedule schedule;
+    schedule.sticking.present = true;
+    ScheduledConditions conditions(model, assembly, schedule, start);
+    conditions.to_time(0.0, Side::after, start);
+    NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-4, 1e9, 1e-9}, start.x);
+    MarchControl control;
+    control.adaptive = true;
+    control.step = 1e-3;
+    Past past;
+    past.now = start;
+    March march(assembly, stepper, conditions, control, past);
+    CHECK(march.to(until) == MarchReport::End::reached);
+    return march.now();
+  }
+  double moved(const Motion& motion) const {
+    return (at(motion.x.data(), 0) - at(start.x.data(), 0)).norm();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a body on a slope that friction holds stays") {
+  Body body(0.35);  // tan 0.365 < 0.5
+  const Motion soon = body.march(5.0);
+  Body other(0.35);
+  const Motion late = other.march(500.0);
+  // It gives way by its share of what friction can hold, and no more.
+  const double give = 0.01 * std::tan(0.35) / 0.5;
+  CHECK(body.moved(soon) == doctest::Approx(give).epsilon(0.01));
+  CHECK(other.moved(late) == doctest::Approx(give).epsilon(1e-3));
+}
+
+TEST_CASE("a body on a slope that friction does not hold slides as Coulomb says") {
+  Body body(0.6);  // tan 0.684 > 0.5
+  const Motion end = body.march(2.0);
+  const double pull = gravity * (std::sin(0.6) - 0.5 * std::cos(0.6));
+  // It begins when friction has given its 0.01 m.
+  CHECK(body.moved(end) == doctest::Approx(0.5 * pull * 4.0).epsilon(0.05));
+  CHECK(at(end.v.data(), 0).norm() == doctest::Approx(2.0 * pull).epsilon(0.03));
+}
+
+TEST_CASE("a body that is thrown comes to rest where its energy is gone") {
+  Body body(0.0);
+  at(body.start.v.data(), 0) = Vector(2.0, 0.0, 0.0);
+  const Motion end = body.march(20.0);
+  // v^2 / (2 mu g), and back by no more than friction gives.
+  CHECK(body.moved(end) == doctest::Approx(4.0 / (2.0 * 0.5 * gravity)).epsilon(0.03));
+  CHECK(at(end.v.data(), 0).norm() < 1e-6);
+}
+
+TEST_CASE("a line rubs along and across itself with its own friction") {
+  // Between nodes on the way (1, 1): sliding along x pushes back by both.
+  Body body(0.0);
+  body.model.contacts.lines.node = {0};
+  body.model.contacts.lines.between = {1, 2};
+  body.model.contacts.lines.along = {0.2};
+  body.model.contacts.lines.across = {0.8};
+  at(body.start.v.data(), 0) = Vector(20.0, 0.0, 0.0);
+  body.model.prepare();
+  Assembly assembly(body.model);
+  assembly.move_to(body.start.x.data(), body.start.v.data());
+  std::vector<double> force(9);
+  assembly.residual(force.data());
+  const double press = 10.0 * gravity;
+  CHECK(force[0] == doctest::Approx(-press * 0.5 * (0.2 + 0.8)).epsilon(1e-5));
+  CHECK(force[1] == doctest::Approx(press * 0.5 * (0.8 - 0.2)).epsilon(1e-5));
+}

@@ -1,0 +1,148 @@
+# Workers of the flume tank, in processes of their own.
+
+for (package in c("shiny", "callr", "later")) skip_if_not_installed(package)
+skip_on_os("windows")
+
+# Runs the event loop until done() says so, or for too long.
+wait_until <- function(done, seconds = 120) {
+  end <- proc.time()[["elapsed"]] + seconds
+  while (!done() && proc.time()[["elapsed"]] < end) later::run_now(0.05)
+  done()
+}
+
+# A worker's answers in the order in which they come, with the name of who asked.
+asking <- function(...) {
+  worker <- process_worker(...)
+  answers <- list()
+  list(
+    worker = worker,
+    ask = function(name, request, kind = "design") {
+      force(name)
+      force(request)
+      worker$ask(kind, function() request, function(answer) {
+        answers[[length(answers) + 1L]] <<- list(name = name, answer = answer)
+      })
+    },
+    answers = function() answers,
+    wait = function(n) wait_until(function() length(answers) >= n)
+  )
+}
+
+start <- list(gear = settled_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
+tank <- shiny::isolate(new_tank(start, list(), 300))
+towed_at <- function(speed) {
+  tank$request("design", list(control_1 = list(value = speed, unit = "knot")))
+}
+
+test_that("a worker's process finds what this one would, and remembers what it found", {
+  one <- asking()
+  on.exit(one$worker$stop())
+  one$ask("first", towed_at(5))
+  expect_true(one$wait(1))
+  expect_null(one$answers()[[1]]$answer$problem)
+  memory <- new.env()
+  here <- flume_answer(towed_at(5), memory)
+  expect_identical(one$answers()[[1]]$answer$found$measures, here$found$measures)
+  # without a state the worker goes on from its own
+  next_one <- towed_at(5.2)
+  next_one["state"] <- list(NULL)
+  one$ask("second", next_one)
+  expect_true(one$wait(2))
+  expect_identical(
+    one$answers()[[2]]$answer$found$measures, flume_answer(next_one, memory)$found$measures
+  )
+  # what is wrong is told as in this process
+  one$ask("wrong", towed_at(-1))
+  expect_true(one$wait(3))
+  expect_match(one$answers()[[3]]$answer$problem$message, "`towing.speed`", fixed = TRUE)
+})
+
+test_that("of designs that wait the latest counts, and too many files are refused", {
+  one <- asking()
+  on.exit(one$worker$stop())
+  for (speed in 3:6) one$ask(speed, towed_at(speed))
+  folder <- test_folder()
+  for (k in 1:6) {
+    file <- file.path(folder, paste0(k, ".vtu"))
+    one$ask(
+      paste("save", k), kind = "save",
+      tank$request("save", list(format = "vtu", file = file))
+    )
+  }
+  expect_true(one$wait(10))
+  came <- vapply(one$answers(), function(answer) as.character(answer$name), "")
+  problem <- lapply(one$answers(), function(answer) answer$answer$problem$message)
+  # the process was not there yet, so all waited
+  expect_identical(came[1:3], c("3", "4", "5"))
+  refused <- grepl("Too much", vapply(problem, function(x) paste(x, collapse = ""), ""))
+  expect_identical(came[refused], paste("save", 4:6))
+  expect_length(list.files(folder, "vtu$"), 3L)
+})
+
+# Whether a process is there: signal 0 asks and does nothing.
+ps_there <- function(pid) tools::pskill(pid, 0L)
+
+test_that("what takes too long ends, others do not wait for it, and the next is answered", {
+  slow <- asking(seconds = 5)
+  quick <- asking()
+  on.exit({
+    slow$worker$stop()
+    quick$worker$stop()
+  })
+  slow$ask("before", towed_at(4))
+  quick$ask("quick", towed_at(4))
+  expect_true(slow$wait(1) && quick$wait(1))
+  first <- slow$worker$process()$get_pid()
+  # one that stands still takes too long for sure
+  tools::pskill(first, tools::SIGSTOP)
+  slow$ask("slow", towed_at(5))
+  quick$ask("quick", towed_at(5))
+  expect_true(quick$wait(2))
+  expect_length(slow$answers(), 1L)
+  expect_true(slow$wait(2))
+  expect_match(slow$answers()[[2]]$answer$problem$message, "longer than 5 s", fixed = TRUE)
+  expect_identical(slow$worker$holds, 0)
+  second <- slow$worker$process()$get_pid()
+  expect_false(identical(first, second))
+  expect_false(ps_there(first))
+  slow$ask("after", towed_at(5))
+  expect_true(slow$wait(3))
+  expect_null(slow$answers()[[3]]$answer$problem)
+  # a process that is ended from elsewhere is replaced too
+  tools::pskill(slow$worker$process()$get_pid(), tools::SIGKILL)
+  expect_true(wait_until(function() !slow$worker$process()$is_alive()))
+  slow$ask("again", towed_at(4))
+  expect_true(slow$wait(4))
+  expect_null(slow$answers()[[4]]$answer$problem)
+})
+
+test_that("a worker gets no more memory than the tank gives it", {
+  skip_on_os(c("mac", "windows"))
+  # the command beyond its own needs asks for 2.4 GB
+  said <- callr::r(function() {
+    asNamespace("codend")$prepare_worker(1.5e9)
+    tryCatch(length(numeric(3e8)), error = conditionMessage)
+  })
+  expect_match(said, "cannot allocate")
+  one <- asking(bytes = 1.5e9)
+  on.exit(one$worker$stop())
+  one$ask("small", towed_at(5))
+  expect_true(one$wait(1))
+  expect_null(one$answers()[[1]]$answer$problem)
+})
+
+test_that("a page that sends too much is told from one that is used", {
+  time <- 0
+  pass <- message_gate(function() time)
+  expect_true(pass(1000))
+  expect_false(pass(most_message_bytes + 1))
+  # a slider that is moved as quickly as answers come, for a minute
+  for (k in 1:1800) {
+    time <- time + 1 / 30
+    expect_true(pass(200))
+  }
+  passed <- vapply(1:1000, function(k) pass(200), NA)
+  expect_lte(sum(passed), message_burst)
+  time <- time + 10
+  expect_true(pass(200))
+})

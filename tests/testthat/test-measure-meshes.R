@@ -1,0 +1,77 @@
+# Panels in a known flat shape: diamonds and squares at a given opening.
+flat_state <- function(orientation, netting, across, down, shear = 0, upper = 12, lower = 12) {
+  deep <- 10
+  gear <- as_gear(list(
+    codend = 1, name = "Flat net", water = list(current = list(speed = 1, toward = 0)),
+    points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed")),
+    panels = list(net = list(
+      mesh_size = 0.1, meshes = list(upper = upper, lower = lower, deep = deep),
+      orientation = orientation, part = "codend", columns = 4,
+      twine = list(diameter = 0.002, material = "polyethylene")
+    ))
+  ))
+  si <- gear_si(gear)
+  lattice <- build_lattice(si, 150, netting)
+  panels <- panel_table(si$panels)
+  place <- panel_places(panels, lattice$division, lattice$panels)
+  j <- place$t * deep
+  left <- panel_left(panels, j)
+  i <- left + place$s * (panel_right(panels, j) - left)
+  x <- matrix(0, 3L, lattice$nodes)
+  x[2, place$node] <- i * across + shear * j
+  x[3, place$node] <- -j * down
+  list(state = structure(
+    list(gear = gear, si = si, lattice = lattice, position = x,
+      report = list(converged = TRUE)), class = "codend_state"
+  ), across = across, down = down)
+}
+
+test_that("opening and angle of flat netting are those of its meshes", {
+  for (netting in c("cells", "bars")) {
+    for (lower in c(12, 6)) {
+      flat <- flat_state("diamond", netting, 0.03, 0.09, lower = lower)
+      found <- mesh_openings(flat$state, "codend")
+      # exact on linear shapes but for rounding
+      expect_equal(found$mesh_opening_mm, rep(30, nrow(found)), tolerance = 1e-9)
+      expect_equal(found$mesh_angle_deg, rep(2 * atan2(3, 9) * 180 / pi, nrow(found)),
+        tolerance = 1e-9)
+      expect_equal(found$opening_percent, rep(30, nrow(found)), tolerance = 1e-9)
+      expect_equal(max(found$from_front_m), 10 * 0.09, tolerance = 1e-9)
+      expect_equal(measure_kinds$mesh_opening$value(flat$state, list(panels = "net")), 0.03,
+        tolerance = 1e-9)
+    }
+    square <- flat_state("square", netting, 0.05, 0.05, shear = 0.01)
+    angle <- acos(0.01 / sqrt(0.01^2 + 0.05^2)) * 180 / pi
+    found <- mesh_openings(square$state)
+    expect_equal(found$opening_percent, rep(100, nrow(found)), tolerance = 1e-9)
+    expect_equal(range(found$mesh_angle_deg), c(angle, angle), tolerance = 1e-9)
+  }
+  expect_error(mesh_openings(square$state, "wing"), "codend", class = "codend_error_argument")
+})
+
+test_that("twine across the flow is that of its bars", {
+  for (netting in c("cells", "bars")) {
+    # across the flow along x every bar shows its whole length
+    flat <- flat_state("diamond", netting, 0.03, 0.09)
+    bar <- sqrt(0.03^2 + 0.09^2) / 2
+    expect_equal(twine_across_flow(flat$state), 12 * 10 * 4 * bar * 0.002, tolerance = 1e-9)
+    flat <- flat_state("square", netting, 0.05, 0.05)
+    expect_equal(twine_across_flow(flat$state), 12 * 10 * 2 * 0.05 * 0.002, tolerance = 1e-9)
+  }
+})
+
+test_that("a codend's meshes and their pictures", {
+  state <- settled("t90_codend")
+  found <- mesh_openings(state)
+  # twine is taut or slack, so that a mesh is at most as wide as it is long, stretched a little
+  expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
+  expect_gt(max(found$mesh_opening_mm), 0)
+  file <- withr::local_tempfile(fileext = ".png")
+  plot(found, file = file)
+  expect_gt(file.size(file), 1000)
+  lines <- coloured_drawing(state, "mesh_opening")
+  value <- lines$drawing$netting$tension
+  expect_length(value, length(state_drawing(state)$netting$tension))
+  expect_true(all(value > 0 & value < 105))
+  expect_error(plot(state, colour = "red"), "mesh_angle", class = "codend_error_argument")
+})

@@ -1,0 +1,118 @@
+# Ropes and twine by other laws than EA, strumming and friction.
+
+hanging <- function(mass, ...) {
+  gear("a rope with a weight",
+    top = point(position = c(0, 0, 0), held = "fixed"), end = point(),
+    line = rope("top", "end", length = "10 m", diameter = "20 mm", mass_per_length = "0.001 kg/m",
+      volume_per_length = "0 m2", segments = 4, ...),
+    weight = piece(at = "end", mass = mass, volume = "0 l")
+  )
+}
+
+law <- list(
+  list(elongation = "1 %", load = "1 kN"), list(elongation = "3 %", load = "6 kN"),
+  list(elongation = "5 %", load = "20 kN")
+)
+
+test_that("a rope stretches as its table says", {
+  depth <- function(load) {
+    state <- settle(hanging(load / gear_gravity, load_by_elongation = law))
+    -state$position[3, nodes_at(state, "end")]
+  }
+  # the rope's own 0.1 N of 500 N and more
+  expect_equal(depth(500), 10 * 1.005, tolerance = 1e-5)
+  expect_equal(depth(3500), 10 * 1.02, tolerance = 1e-5)
+  expect_equal(depth(13000), 10 * 1.04, tolerance = 1e-5)
+  expect_equal(depth(27000), 10 * 1.06, tolerance = 1e-5)
+})
+
+test_that("a straight table is EA", {
+  straight <- hanging("100 kg", load_by_elongation = list(
+    list(elongation = "2 %", load = "2 kN"), list(elongation = "4 %", load = "4 kN")
+  ))
+  plain <- hanging("100 kg", axial_stiffness = "100 kN")
+  expect_equal(settle(straight)$position, settle(plain)$position, tolerance = 1e-12)
+})
+
+test_that("energy is kept by a rope with a table", {
+  # hung from a point that heaves, so that its load passes from row to row
+  bouncing <- gear("a rope with a weight that heaves",
+    top = point(position = c(0, 0, 0), held = "moved"), end = point(),
+    line = rope("top", "end", length = "10 m", diameter = "20 mm", mass_per_length = "0.001 kg/m",
+      volume_per_length = "0 m2", segments = 4, load_by_elongation = law),
+    weight = piece(at = "end", mass = "300 kg", volume = "0 l"), water = list(density = 0)
+  )
+  found <- tow(bouncing, until = 4, every = 0.05, accuracy = 1e-4,
+    heave = function(t) 0.15 * sin(pi * min(t, 2))^2)
+  tension <- apply(found$bar_tension, 2L, max)
+  expect_lt(min(tension), 1000)
+  expect_gt(max(tension), 6000)
+  last <- found$conditions[nrow(found$conditions), ]
+  expect_lt(abs(last$energy_imbalance), 0.02 * last$energy_put_through)
+})
+
+test_that("a table that does not grow, or stands beside EA, is refused", {
+  bad <- law
+  bad[[3]]$load <- "5 kN"
+  error <- expect_error(hanging("1 kg", load_by_elongation = bad), class = "codend_error_plan")
+  expect_identical(error$path, "ropes.line.load_by_elongation.3")
+  expect_error(hanging("1 kg", load_by_elongation = law, axial_stiffness = "1 kN"),
+    "beside", class = "codend_error_plan")
+})
+
+test_that("a warp that strums has the drag that Vandiver found", {
+  drag <- function(...) {
+    state <- settle(gear("a bar",
+      a = point(position = c(0, 0, -5), held = "fixed"),
+      b = point(position = c(0, 1, -5), held = "fixed"),
+      bar = rope("a", "b", length = "1 m", diameter = "20 mm", axial_stiffness = "1 MN",
+        mass_per_length = "3 kg/m", segments = 1,
+        coefficients = list(normal = 1.2, tangential = 0, skin = 0), ...),
+      water = list(current = list(speed = "1 m/s", toward = "0 deg"))
+    ))
+    state$forces$bar_drag[1, 1]
+  }
+  expect_equal(drag(strumming = 0.5) / drag(), 2.043, tolerance = 1e-12)
+  expect_error(
+    rope_law_error <- gear("a bar", a = point(position = c(0, 0, 0), held = "fixed"), b = point(),
+      bar = rope("a", "b", length = 1, diameter = 0.02, material = "PA", strumming = 0.5,
+        coefficients = "choo_casarella")),
+    class = "codend_error_plan"
+  )
+})
+
+test_that("what friction holds stays, and creeps where nothing sticks", {
+  chain <- function(sticking) {
+    gear("a chain on the bed",
+      start = point(position = c(0, 0, -9.9), held = "moved"), end = point(),
+      chain = rope("start", "end", length = "8 m", diameter = "20 mm", material = "steel_chain",
+        segments = 8),
+      water = list(current = list(speed = "0.3 m/s", toward = "90 deg")),
+      seabed = list(depth = "10 m", friction = 0.5, sticking = sticking)
+    )
+  }
+  # dragged 6 m ahead across the current, then left
+  creeps <- function(sticking) {
+    found <- tow(chain(sticking), until = 240, every = 20,
+      speed = data.frame(time = c(0, 20, 20), value = c(0.3, 0.3, 0)))
+    max(abs(found$position[, , 13] - found$position[, , 4]))
+  }
+  # within what friction gives before it slips, 10 mm; the current takes the other 0.7 mm/s along
+  expect_lt(creeps(TRUE), 0.005)
+  expect_gt(creeps(FALSE), 0.05)
+})
+
+test_that("a chain that is easier to draw along than across slides along itself", {
+  # a chain askew to its tow turns into its way; drawn along it pulls with its weight's share
+  pull <- function(...) {
+    found <- tow(gear("a chain that is towed",
+      start = point(position = c(0, 0, -9.98), held = "moved"), end = point(),
+      chain = rope("start", "end", length = "8 m", diameter = "20 mm", material = "steel_chain",
+        segments = 8, coefficients = list(normal = 0, tangential = 0, skin = 0), ...),
+      towing = list(speed = "0.5 m/s"), seabed = list(depth = "10 m", friction = 0.5)
+    ), until = 60, every = 30)
+    found$bar_tension[1, 3]
+  }
+  # 0.5 and 0.25 of the same weight on the ground
+  expect_equal(pull(friction = list(along = 0.25, across = 0.8)) / pull(), 0.5, tolerance = 0.02)
+})

@@ -1,0 +1,210 @@
+# Slopes against closed forms and differences of settled shapes, and kinks that are planted.
+
+# A sphere on one line without weight or drag: its drag is D = C_D A rho v^2 / 2.
+towed_sphere <- list(
+  codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
+  points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
+  ropes = list(line = list(
+    from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "12 MN",
+    mass_per_length = 0, volume_per_length = 0, segments = 1,
+    coefficients = list(normal = 0, tangential = 0, skin = 0)
+  )),
+  pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
+    volume = "0.01 m3")),
+  measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
+)
+
+# A weight of 1000 N on two lines of 1 MN side by side, one of which may be slack.
+two_lines <- function(second) {
+  line <- list(from = "nail", to = "ring", length = 10, diameter = 0.01, axial_stiffness = 1e6,
+    mass_per_length = 0, segments = 1)
+  as_gear(list(
+    codend = 1, name = "Two lines", water = list(density = 0),
+    points = list(nail = list(position = c(0, 0, 0), held = "fixed"),
+      ring = list(load = c(0, 0, -1000))),
+    ropes = list(first = line, second = utils::modifyList(line, list(length = second))),
+    measures = list(depth = list(depth = "ring"), pull = list(tension = "first.start"))
+  ))
+}
+
+# A weight on a line above a bed at 10 m.
+above_bed <- function(length) {
+  as_gear(list(
+    codend = 1, name = "Weight above the bed", seabed = list(depth = "10 m"),
+    points = list(nail = list(position = c(0, 0, 0), held = "fixed"), ring = c(a = 1)[0]),
+    ropes = list(line = list(from = "nail", to = "ring", length = length, diameter = 0.01,
+      axial_stiffness = 1e6, mass_per_length = 0.1, segments = 4)),
+    pieces = list(weight = list(at = "ring", mass = 100, volume = 0.01, diameter = 0.2)),
+    measures = list(depth = list(depth = "ring"), pull = list(tension = "line.start"))
+  ))
+}
+
+slope_of <- function(found, measure, field) {
+  found[found$measure == measure & found$field == field, ]
+}
+
+test_that("slopes of a towed sphere are those of its closed form", {
+  state <- settle(as_gear(towed_sphere))
+  found <- sensitivities(state, to = c("towing.speed", "ropes.line.length", "pieces.sphere.mass"))
+  drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2
+  weight <- 9.81 * (200 - 0.01 * 1025)
+  pull <- sqrt(drag^2 + weight^2)
+  # A line of 12 MN stretches by 1.6e-4 of its length, which the closed form leaves out of the
+  # angle,
+  # not of the forces: those are the sphere's alone.
+  of <- function(measure, field) slope_of(found, measure, field)$slope
+  expect_equal(of("total_drag_kN", "towing.speed"), drag / 1000, tolerance = 1e-8)
+  expect_equal(of("pull_kN", "towing.speed"), drag^2 / pull / 1000, tolerance = 1e-6)
+  expect_equal(of("pull_kN", "pieces.sphere.mass"), 9.81 * weight / pull / 1000, tolerance = 1e-6)
+  expect_equal(of("depth_m", "ropes.line.length"), weight / pull * (1 + pull / 12e6),
+    tolerance = 1e-8)
+  # powers of the speed
+  expect_equal(slope_of(found, "total_drag_kN", "towing.speed")$elasticity, 2, tolerance = 1e-8)
+  expect_equal(slope_of(found, "tow_power_kW", "towing.speed")$elasticity, 3, tolerance = 1e-8)
+  expect_true(all(found$smooth))
+  expect_identical(unique(found$unit), c("m/s", "m", "kg"))
+  expect_identical(slope_of(found, "depth_m", "towing.speed")$slope_unit, "m per m/s")
+  # secants of v^2 to 1 % less and more
+  secants <- unlist(slope_of(found, "total_drag_kN", "towing.speed")[
+    c("secant_below", "secant_above")])
+  expect_equal(unname(secants), drag / 1000 * c(1.99, 2.01) / 2, tolerance = 1e-5)
+})
+
+test_that("kinks that are planted are all flagged", {
+  # The second line comes taut at 0.3 % more of the first: half of the load on each from there.
+  near <- sensitivities(settle(two_lines(10.03)), of = c("depth_m", "pull_kN"),
+    to = "ropes.first.length")
+  expect_false(any(near$smooth))
+  expect_equal(near$slope[1], 1 + 1e-3, tolerance = 1e-6)
+  expect_equal(near$secant_below[1], 1 + 1e-3, tolerance = 1e-6)
+  # Then both go down with the second, which is not paid out.
+  expect_equal(near$secant_above[1], 0.3003, tolerance = 1e-3)
+  # Both taut: one goes slack 0.1 % to either side, and its secants are as far off above as below.
+  both <- sensitivities(settle(two_lines(10)), of = "depth_m", to = "ropes.first.length")
+  expect_equal(both$slope, 0.5, tolerance = 1e-3)
+  expect_false(both$smooth)
+  # None near: smooth, and a line that is slack matters to nothing.
+  far <- sensitivities(settle(two_lines(10.3)), of = "depth_m",
+    to = c("ropes.first.length", "ropes.second.length"))
+  expect_true(all(far$smooth))
+  expect_equal(far$slope, c(1 + 1e-3, 0), tolerance = 1e-6)
+  # The bed, 0.5 % below the weight, and 4 %.
+  expect_identical(
+    sensitivities(settle(above_bed(9.85)), of = c("depth_m", "pull_kN"),
+      to = "ropes.line.length")$smooth, c(FALSE, FALSE)
+  )
+  expect_true(all(sensitivities(settle(above_bed(9.5)), of = c("depth_m", "pull_kN"),
+    to = "ropes.line.length")$smooth))
+})
+
+test_that("slopes of a trawl are those of settled shapes, from few factorisations", {
+  gear <- read_gear("midwater_trawl")
+  state <- settle(gear)
+  # Of both shares the central differences together are of fourth order: from small ones where the
+  # measures bend, from larger ones where they change so little that rounding shows.
+  shares <- list(
+    towing.speed = 1e-3, warps.length = 1e-3, otter_boards.area = 1e-3,
+    # netting is all but slack: lines change within 0.1 %
+    hand_ropes.upper.length = 2e-4,
+    otter_boards.mass = 4e-3, floats.buoyancy = 4e-3, sections.section_5.twine.diameter = 4e-3
+  )
+  of <- c("door_spread_m", "net_mouth_height_m", "total_drag_kN", "warp_tension_port_kN",
+    "door_depth_m")
+  found <- sensitivities(state, of = of, to = names(shares), secants = FALSE)
+  # One of all, and three at most of each side of a field.
+  expect_lt(attr(found, "factorisations"), state$report$factorisations)
+  expect_true(all(is.na(found$secant_above)))
+
+  quiet <- function(iteration, residual) NULL
+  work <- tangent_work(state)
+  tightly <- function(gear) {
+    si <- gear_si(gear)
+    near <- settle_level(si, 1500, NULL, work$shape, 200L, quiet)
+    tight <- engine_settle(near$lattice$engine, as.double(near$position), "settled",
+      as.double(near$strain), 1e-13, 200L, quiet)
+    values_at(work, gear, si, near$lattice, tight$position)[of]
+  }
+  for (field in slope_fields(gear, names(shares))) {
+    difference <- function(share) {
+      at <- function(share) tightly(scaled_gear(gear, field, share))
+      (at(share) - at(-share)) / (2 * share)
+    }
+    share <- shares[[field$name]]
+    wanted <- (4 * difference(share) - difference(2 * share)) / 3
+    rows <- found[found$field == field$name, ]
+    # of small slopes, of an elasticity of 0.01
+    scale <- pmax(abs(wanted), 0.01 * abs(work$values[of]))
+    off <- abs(rows$slope * rows$value - wanted) / scale
+    label <- paste(field$name, paste(signif(off, 2), collapse = " "))
+    expect_lt(max(off), if (share < 1e-3) 2e-5 else 1e-6, label = label)
+  }
+})
+
+test_that("a wake follows the netting that makes it", {
+  state <- suppressWarnings(settle("cage", nodes = 300))
+  work <- tangent_work(state)
+  expect_gt(length(work$lattice$engine$wake), 0)
+  field <- slope_fields(state$gear, "water.current.speed")[[1]]
+  slope <- tangent_slopes(work, field)$slope
+  # Wakes are settled to 1e-5 of the free flow's speed, over twice 0.2 % of it: 0.3 %.
+  sides <- secant_slopes(work, field, 2e-3)
+  drag <- "total_drag_kN"
+  expect_equal(slope[[drag]], (sides$below[[drag]] + sides$above[[drag]]) / 2, tolerance = 3e-3)
+})
+
+test_that("fields go by themselves, together and by default", {
+  state <- settle("towed_cable")
+  found <- sensitivities(state, of = "total_drag_kN", secants = FALSE)
+  expect_identical(found$field, c("towing.speed", "ropes.cable.length", "pieces.sphere.mass"))
+  expect_s3_class(found, "codend_sensitivities")
+  expect_named(found, c("measure", "field", "value", "unit", "slope", "slope_unit", "elasticity",
+    "secant_below", "secant_above", "smooth"))
+  expect_output(print(found), "kN per knot")
+  expect_output(print(found[1:2]), "total_drag_kN")
+  every <- sensitivities(state, of = "total_drag_kN", to = "all", secants = FALSE)
+  expect_true(all(c("ropes.cable.diameter", "pieces.sphere.volume") %in% every$field))
+  expect_false("ropes.cable.segments" %in% every$field)
+  of_trawl <- vapply(slope_fields(read_gear("midwater_trawl"), "all"), `[[`, "", "name")
+  expect_true(all(c("sections.codend.twine.diameter", "floats.number") %in% of_trawl))
+  expect_false(any(grepl("meshes", of_trawl)))
+  # Two fields together have the sum of their slopes, as shares.
+  gear <- update(state$gear, pieces.sphere.drag_coefficient = 1.5,
+    ropes.cable.coefficients.normal = 1.5)
+  state <- settle(gear)
+  paths <- c("pieces.sphere.drag_coefficient", "ropes.cable.coefficients.normal")
+  both <- sensitivities(state, of = "total_drag_kN", to = list(paths), secants = FALSE)
+  each <- sensitivities(state, of = "total_drag_kN", to = paths, secants = FALSE)
+  expect_identical(both$field, paste(paths, collapse = " + "))
+  expect_equal(both$elasticity, sum(each$elasticity), tolerance = 1e-7)
+})
+
+test_that("a field of whole numbers changes by one", {
+  state <- settle("midwater_trawl", nodes = 300)
+  found <- sensitivities(state, of = "net_mouth_height_m", to = "floats.number")
+  more <- settle(update(state$gear, floats.number = 31), nodes = 300, from = state)
+  change <- measures(more)[["net_mouth_height_m"]] - measures(state)[["net_mouth_height_m"]]
+  expect_equal(found$secant_above, change, tolerance = 1e-6)
+  expect_true(found$smooth)
+})
+
+test_that("a tornado is drawn, to a file whole or not at all", {
+  found <- sensitivities(settle(as_gear(towed_sphere)), secants = FALSE)
+  file <- withr::local_tempfile(fileext = ".png")
+  expect_identical(plot(found, file = file), found)
+  expect_gt(file.size(file), 5000)
+  expect_error(plot(found, measures = "none"), class = "codend_error_argument")
+})
+
+test_that("wrong arguments are told", {
+  state <- settle(as_gear(towed_sphere))
+  wrong <- function(...) expect_error(sensitivities(...), class = "codend_error_argument")
+  wrong(1)
+  wrong(state, of = "none")
+  wrong(state, to = "none.at.all")
+  wrong(state, to = "points.ship.held")
+  wrong(state, to = 3)
+  wrong(state, to = list(c("towing.speed", "ropes.line.length")))
+  wrong(state, secants = "yes")
+  wrong(settle(update(as_gear(towed_sphere), ropes.line.mass_per_length = 0)),
+    to = "ropes.line.mass_per_length")
+})

@@ -1,0 +1,179 @@
+# Waves and vessels that swing: plans, tows and what is known of them.
+
+buoy <- function(..., water = list()) {
+  gear("buoy line",
+    anchor = point(position = c(0, 0, -12), held = "fixed"), at_buoy = point(),
+    line = rope("anchor", "at_buoy", length = "13 m", diameter = "8 mm", material = "PA",
+      segments = 6),
+    buoy = piece(at = "at_buoy", mass = "20 kg", diameter = "600 mm"),
+    water = water, ...
+  )
+}
+
+long_waves <- function(...) {
+  list(waves = list(height = "0.8 m", period = "7 s", rising = "5 s", ...))
+}
+
+test_that("a spectrum's waves have its energy, wherever it is cut", {
+  of <- function(...) {
+    gear_si(buoy(water = list(waves = list(height = "2 m", period = "8 s", ...))))$water$waves
+  }
+  jonswap <- of(spectrum = "jonswap", components = 200)
+  # significant: four times the standard deviation of sums of cosines
+  expect_equal(4 * sqrt(sum(jonswap$amplitude^2) / 2), 2, tolerance = 1e-12)
+  # closed form of Pierson and Moskowitz: the share of energy below s is exp(-1.25 s^-4)
+  plain <- of(spectrum = "pierson_moskowitz", components = 200)
+  share <- (seq_len(200) - 0.5) / 200
+  # beyond 6 times the peak lies 1.25 / 6^4 = 0.001 of it, which is shared out
+  exact <- 2 * pi / 8 * (1.25 / -log(share * exp(-1.25 / 6^4)))^0.25
+  expect_equal(plain$frequency, exact, tolerance = 1e-5)
+  expect_equal(of(spectrum = "jonswap", peakedness = 1, components = 200)$frequency, exact,
+    tolerance = 1e-5)
+  # a peaked spectrum gathers round its peak
+  near <- function(waves) sum(abs(waves$frequency * 8 / (2 * pi) - 1) < 0.1)
+  expect_gt(near(jonswap), 1.5 * near(plain))
+})
+
+test_that("the same seed gives the same sea, and another one another", {
+  phase <- function(seed) {
+    gear_si(buoy(water = list(waves = list(height = 2, period = 8, spectrum = "jonswap",
+      seed = seed))))$water$waves$phase
+  }
+  expect_identical(phase(3), phase(3))
+  expect_false(any(phase(3) == phase(4)))
+  # the published test of the generator: after 10,000 draws from 1
+  state <- 2147483647 * drawn_numbers(1, 9990)[9990]
+  expect_equal(state, 1043618065, tolerance = 1e-12)
+  # as many in each quarter as chance has it: four standard deviations
+  expect_lt(max(abs(table(cut(drawn_numbers(1, 4000), 0:4 / 4)) - 1000)), 4 * sqrt(750))
+})
+
+test_that("waves that would break, and a swing that nothing answers to, are refused", {
+  error <- expect_error(buoy(water = list(waves = list(height = "5 m", period = "4 s"))),
+    class = "codend_error_plan")
+  expect_identical(error$path, "water.waves.height")
+  # 0.142 of 1.56 T^2
+  expect_match(conditionMessage(error), "at most 3.55 m")
+  expect_error(
+    tow("towed_cable", until = 2, vessel_motion = list(response = data.frame(period = 6))),
+    "water has none", class = "codend_error_argument"
+  )
+  expect_error(tow("towed_cable", until = 2, vessel_motion = list(record = data.frame(time = 1:3))),
+    "begin at time 0", class = "codend_error_argument")
+})
+
+test_that("a gear settles in the mean of its waves, and says so", {
+  still <- settle(buoy(water = list(free_surface = TRUE)))
+  mean <- settle(buoy(water = long_waves()))
+  expect_identical(mean$position, still$position)
+  expect_match(state_conditions(mean), "in the mean of regular waves of 0.8 m and 7 s")
+})
+
+test_that("a buoy on its line rides on long waves", {
+  found <- tow(buoy(water = long_waves()), until = 33, every = 0.25)
+  late <- found$time >= 12
+  node <- found$lattice$points[["at_buoy"]]
+  z <- found$position[3, node, late]
+  # The buoy's own swing takes 1.5 s, so it follows; the line's weight is 3 % of its buoyancy.
+  expect_equal(diff(range(z)), 0.8, tolerance = 0.06)
+  expect_equal(diff(range(found$conditions$elevation[late])), 0.8, tolerance = 0.01)
+  expect_lt(abs(utils::tail(found$conditions$energy_imbalance, 1L)),
+    0.02 * utils::tail(found$conditions$energy_put_through, 1L) + 1)
+  # as the vessel's, which is at the origin
+  expect_equal(found$conditions$elevation[late], 0.4 * cos(2 * pi * found$time[late] / 7),
+    tolerance = 1e-9)
+  expect_match(state_conditions(state_at(found, 20)), "in regular waves")
+})
+
+swinging <- function() {
+  gear("a line from a vessel",
+    block = point(position = c(6, 2, 3), held = "moved"), end = point(),
+    line = rope("block", "end", length = "25 m", diameter = "10 mm", material = "PA",
+      segments = 8),
+    weight = piece(at = "end", mass = "30 kg", diameter = "200 mm"),
+    towing = list(speed = "1 m/s"), water = long_waves(toward = "180 deg")
+  )
+}
+
+test_that("a vessel's response moves its towing points with the water", {
+  answers <- data.frame(period = c(5, 9), heave = 1, pitch = c(0.02, 0.04), pitch_lag = pi / 2)
+  found <- tow(swinging(), until = 20, every = 0.5,
+    vessel_motion = list(response = answers, at = c(1, 0, 0)))
+  late <- found$time > 6
+  block <- found$position[, found$lattice$points[["block"]], late]
+  elevation <- found$conditions$elevation[late]
+  # The vessel runs with the waves and is met by them later.
+  angle <- 2 * pi / 7 - (2 * pi / 7)^2 / gear_gravity * 1
+  expect_equal(elevation, 0.4 * cos(angle * found$time[late]), tolerance = 1e-9)
+  # between the periods: 0.03 rad per metre, a quarter period late; the bow goes up, the stern down
+  pitch <- 0.03 * 0.4 * cos(angle * found$time[late] - pi / 2)
+  expect_equal(block[3, ], elevation + 3 * cos(pitch) - 5 * sin(pitch), tolerance = 1e-9)
+})
+
+test_that("a record moves the towing points, rising from nothing", {
+  time <- seq(0, 40, by = 0.05)
+  record <- data.frame(time = time, sway = 0.5 * sin(time), yaw = 0.1)
+  found <- tow(swinging(), until = 16, every = 4, vessel_motion = list(record = record, rising = 8))
+  block <- found$position[, found$lattice$points[["block"]], ]
+  expect_equal(block[, 1], c(6, 2, 3), tolerance = 1e-12)
+  # bow to starboard: what is aft goes to port
+  at <- function(t) 2 * cos(0.1) - 6 * sin(0.1) + 0.5 * sin(t)
+  # cubics through points 0.05 s apart: h^3 / 15 of the third derivative
+  expect_equal(block[2, 4:5], at(found$time[4:5]), tolerance = 1e-4)
+})
+
+test_that("a tow in waves that goes on gives the same bytes", {
+  answers <- data.frame(period = 7, heave = 0.8, roll = 0.05, roll_lag = 1)
+  motion <- list(response = answers)
+  whole <- tow(swinging(), until = 12, every = 3, vessel_motion = motion)
+  half <- tow(swinging(), until = 6, every = 3, vessel_motion = motion)
+  on <- tow(half, until = 12)
+  expect_identical(on$position, whole$position)
+  expect_identical(on$velocity, whole$velocity)
+  skip_if_not_installed("RNetCDF")
+  file <- withr::local_tempfile(fileext = ".nc")
+  write_trajectory(half, file)
+  expect_identical(tow(read_trajectory(file), until = 12)$position, whole$position)
+})
+
+test_that("waves pull at a cage the more the higher they are, and the more in a current", {
+  # Published tests of cages in regular waves: pull grows with height, by more than in proportion
+  # where drag counts, and with a current (Lader and Fredheim 2006; Zhao et al. 2007).
+  pull <- function(height, current) {
+    cage <- update(read_gear("model_cage"),
+      water.current = list(speed = current, toward = "0 deg"),
+      water.waves = list(height = height, period = "2.5 s", rising = "2 s"))
+    found <- tow(cage, until = 7.5, every = 0.125, nodes = 150)
+    force <- vapply(found$time[found$time > 5], function(t) {
+      -sum(support_forces(state_at(found, t))[1, ])
+    }, 0)
+    c(largest = max(force), swing = diff(range(force)))
+  }
+  low <- pull("60 mm", "0 m/s")
+  high <- pull("120 mm", "0 m/s")
+  # drag alone would make it 4, inertia alone 2
+  ratio <- high[["swing"]] / low[["swing"]]
+  expect_gt(ratio, 2)
+  expect_lt(ratio, 4.5)
+  slow <- pull("120 mm", "0.1 m/s")
+  # drag by the sum of both speeds
+  expect_gt(slow[["largest"]], 1.5 * high[["largest"]])
+  expect_gt(slow[["swing"]], high[["swing"]])
+})
+
+test_that("a current that swings takes a body along that is as heavy as water", {
+  # a sphere of 300 mm, 14.49 kg, on a line too long and thin to hold it: it rises 0.03 m
+  free <- gear("a body in a current",
+    held = point(position = c(0, 0, -20), held = "fixed"), at = point(),
+    line = rope("held", "at", length = "60 m", diameter = "0.1 mm", axial_stiffness = "100 N",
+      mass_per_length = "8.05e-6 kg/m", segments = 2, coefficients =
+        list(normal = 0, tangential = 0, skin = 0)),
+    body = piece(at = "at", mass = "14.5 kg", diameter = "300 mm", drag_coefficient = 0.47)
+  )
+  found <- tow(free, until = 12, every = 0.1, current = list(
+    speed = function(t) sin(2 * pi * t / 6)
+  ))
+  x <- found$position[1, found$lattice$points[["at"]], ]
+  # 1 m/s over 2 pi / 6 s
+  expect_equal(diff(range(x)) / 2, 6 / (2 * pi), tolerance = 0.01)
+})
