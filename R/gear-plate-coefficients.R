@@ -17,7 +17,8 @@ plate_added_mass <- data.frame(
 # along the longer over b^2/12. Both are 1 for a long plate (in two dimensions, as of an ellipse
 # without thickness; and by strips).
 plate_added_radius <- data.frame(
-  ratio = c(1, 2, 4, 10), shorter = c(1.41, 1.20, 1.10, 1.04), longer = c(0.530, 0.655, 0.786, 0.907)
+  ratio = c(1, 2, 4, 10), shorter = c(1.41, 1.20, 1.10, 1.04),
+  longer = c(0.530, 0.655, 0.786, 0.907)
 )
 
 # Of a thin plate in a steady flow, by the ratio of span to chord: the normal force on 1/2 rho U^2 S

@@ -21,10 +21,10 @@ slowest_told <- 0.002
 #'
 #' @param state A state, from [settle()].
 #' @return A data frame with a row per motion, the one that grows fastest first: `board` (that moves
-#'   most), `period_s` (`NA` where it does not swing), `growth_per_s` (rate at which it grows; of one
-#'   that dies negative), `decay_s` (time in which it falls to 1/e; `NA` where it grows), `damping`
-#'   (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without swinging),
-#'   `"flutters"` (swings and grows) or `"diverges"` (grows without swinging).
+#'   most), `period_s` (`NA` where it does not swing), `growth_per_s` (rate at which it grows;
+#'   negative where it dies), `decay_s` (time in which it falls to 1/e; `NA` where it grows),
+#'   `damping` (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without
+#'   swinging), `"flutters"` (swings and grows) or `"diverges"` (grows without swinging).
 #' @export
 board_modes <- function(state) {
   check_is_state(state)

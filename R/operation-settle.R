@@ -47,8 +47,8 @@
 #'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
 #'   tells of static stability only. One whose swings would grow is a warning of class
 #'   `codend_warning_board_flutter`; see [board_modes()]. A free otter board that settles stalled,
-#'   back-winded or fallen over is a warning of class `codend_warning_board_stalled`, `codend_warning_board_back_winded`
-#'   or `codend_warning_board_fallen_over`; see [board_table()].
+#'   back-winded or fallen over is a warning of class `codend_warning_board_stalled`,
+#'   `codend_warning_board_back_winded` or `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)

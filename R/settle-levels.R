@@ -81,7 +81,8 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
   strain <- if (!is.null(from$strain)) {
-    carry_strains(panel_table(si$panels), lattice, from$lattice, from$strain)
+    drag_growth(si, from$settled) *
+      carry_strains(panel_table(si$panels), lattice, from$lattice, from$strain)
   }
   solve <- function(lattice, from = NULL) {
     if (is.null(from)) from <- list(position = lattice$start, begins = begins, strain = strain)
@@ -102,6 +103,13 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
   c(found, list(report = report, from = from))
+}
+
+# How many times the drag of a gear that was settled (NULL: none) it has at its speed now: drag
+# grows with the square of the speed, and most lines pull against drag.
+drag_growth <- function(si, settled) {
+  speeds <- c(si$towing$speed, settled$towing$speed)
+  if (length(speeds) == 2L && all(speeds > 0)) (speeds[1] / speeds[2])^2 else 1
 }
 
 # Whether a shape to begin with was settled on the same lattice, whatever its numbers.

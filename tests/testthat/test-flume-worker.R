@@ -83,7 +83,7 @@ test_that("of designs that wait the latest counts, and too many files are refuse
 ps_there <- function(pid) tools::pskill(pid, 0L)
 
 test_that("what takes too long ends, others do not wait for it, and the next is answered", {
-  slow <- asking(seconds = 5)
+  slow <- asking(seconds = 15)
   quick <- asking()
   on.exit({
     slow$worker$stop()
@@ -100,7 +100,7 @@ test_that("what takes too long ends, others do not wait for it, and the next is 
   expect_true(quick$wait(2))
   expect_length(slow$answers(), 1L)
   expect_true(slow$wait(2))
-  expect_match(slow$answers()[[2]]$answer$problem$message, "longer than 5 s", fixed = TRUE)
+  expect_match(slow$answers()[[2]]$answer$problem$message, "longer than 15 s", fixed = TRUE)
   expect_identical(slow$worker$holds, 0)
   second <- slow$worker$process()$get_pid()
   expect_false(identical(first, second))

@@ -129,7 +129,7 @@ without_flutter <- function(code) {
   withCallingHandlers(code, codend_warning_board_flutter = function(w) rlang::cnd_muffle(w))
 }
 
-test_that("a board swings with the period of boards at sea, and comes to rest within some seconds", {
+test_that("a board swings with the period of boards at sea, and rests within some seconds", {
   state <- settle(towed_board())
   modes <- board_modes(state)
   # Y.-H. Kim, J. Korean Soc. Fish. Ocean Technol. 53, 2017: the tilt of a bottom trawl's boards

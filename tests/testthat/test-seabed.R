@@ -63,10 +63,12 @@ test_that("a gear lies on sloping ground, and all forces balance", {
 })
 
 test_that("an otter board stands on the ground by its shoe", {
+  # Upright and on its side are both balances of a board on the ground. With its centre of gravity
+  # at -0.6 m the lattice decides which is found; here most lattices have it upright.
   board <- read_gear(test_path("plans", "towed_board.yaml"))
   state <- settle(update(board,
     seabed = list(depth = "9.7 m", friction = 0.5), ropes.warp.length = "60 m",
-    otter_boards.otter_board.centre_of_gravity.up = "-0.6 m"
+    otter_boards.otter_board.centre_of_gravity.up = "-0.5 m"
   ), nodes = 100)
   table <- board_table(state)
   expect_equal(table$condition, "flying")

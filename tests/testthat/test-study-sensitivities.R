@@ -141,7 +141,7 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
 })
 
 test_that("a wake follows the netting that makes it", {
-  state <- suppressWarnings(settle("cage", nodes = 300))
+  state <- suppressWarnings(settle("cage", nodes = 400))
   work <- tangent_work(state)
   expect_gt(length(work$lattice$engine$wake), 0)
   field <- slope_fields(state$gear, "water.current.speed")[[1]]
