@@ -46,7 +46,7 @@
 #' @examples
 #' found <- sensitivities(settle("towed_cable"), to = c("towing.speed", "ropes.cable.length"))
 #' found[found$measure == "total_drag_kN", ]
-#' plot(found)
+#' plot(found[found$measure %in% c("depth_m", "total_drag_kN"), ])
 sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {

@@ -1,7 +1,7 @@
 // What the engine says of a lattice at given positions, and of itself, for R.
 #include <cmath>
 
-#include "binding_model.hpp"
+#include "binding_model.h"
 #include "engine/base/field_table.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/wake.hpp"

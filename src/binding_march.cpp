@@ -1,8 +1,8 @@
 // Motion in time for R.
 #include <ctime>
 
-#include "binding_model.hpp"
-#include "binding_schedule.hpp"
+#include "binding_model.h"
+#include "binding_schedule.h"
 #include "engine/march/march.hpp"
 #include "engine/march/scheduled_conditions.hpp"
 #include "engine/march/schemes.hpp"

@@ -1,7 +1,7 @@
 // Schedules for R: read, and asked what they say of a time.
-#include "binding_schedule.hpp"
+#include "binding_schedule.h"
 
-#include "binding_model.hpp"
+#include "binding_model.h"
 #include "engine/march/check_schedule.hpp"
 #include "engine/march/scheduled_conditions.hpp"
 

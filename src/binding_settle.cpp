@@ -1,5 +1,5 @@
 // Equilibria for R.
-#include "binding_model.hpp"
+#include "binding_model.h"
 #include "engine/solve/body_modes.hpp"
 #include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"

@@ -1,5 +1,5 @@
 // Small changes of an equilibrium for R.
-#include "binding_model.hpp"
+#include "binding_model.h"
 #include "engine/solve/tangent.hpp"
 
 using namespace binding;

@@ -20,7 +20,7 @@ END
   find . -name '*.cpp' | LC_ALL=C sort | sed 's|^\./|  |; s|\.cpp$|.o|' |
     while IFS= read -r line; do printf ' \\\n%s' "$line"; done
   printf '\n\nHEADERS ='
-  find . \( -name '*.hpp' -o -name '*.inl' \) | LC_ALL=C sort | sed 's|^\./|  |' |
+  find . \( -name '*.h' -o -name '*.hpp' -o -name '*.inl' \) | LC_ALL=C sort | sed 's|^\./|  |' |
     while IFS= read -r line; do printf ' \\\n%s' "$line"; done
   cat <<'END'
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "binding_errors.hpp"
-#include "binding_numbers.hpp"
+#include "binding_errors.h"
+#include "binding_numbers.h"
 #include "engine/base/read_fields.hpp"
 #include "engine/model/model.hpp"
 

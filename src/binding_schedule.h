@@ -1,7 +1,7 @@
 // The engine's schedule from that of a tow, which is an R list.
 #pragma once
 
-#include "binding_numbers.hpp"
+#include "binding_numbers.h"
 #include "engine/march/schedule.hpp"
 
 namespace binding {
