@@ -31,10 +31,10 @@ engine_need_at <- function(vessel, force, speed) {
   )
 }
 
-# The same of a state whose total drag is `drag` (N).
+# The same of a state whose total drag is `drag` (N); NULL without a vessel that tows it.
 engine_need <- function(state, drag) {
-  engine_need_at(state$si$vessel, drag, state$si$towing$speed)
+  if (has_vessel(state)) engine_need_at(state$si$vessel, drag, state$si$towing$speed)
 }
 
 # x / y, or NULL where either is not known or y is 0.
-per <- function(x, y) if (!is.null(x) && !is.na(y) && y != 0) x / y
+per <- function(x, y) if (!is.null(x) && !is.null(y) && !is.na(y) && y != 0) x / y

@@ -37,19 +37,13 @@ standard_measures <- c(
     "Of a towed gear with an area `mouth_area` among its measures, the water that flows through the
     ropes around it: that area times the water's speed, past the ropes as they move and at their
     mean depth, across it.",
-    function(state, found) {
-      mouth <- state$si$measures$mouth_area
-      if (has_towing(state) && identical(mouth$kind, "area")) filtered_volume(state, mouth$ropes)
-    }
+    function(state, found) filtered_volume(state)
   ),
   standard_measure("swept_area", "km2/h",
     "Of a towed gear with a spread `wing_end_spread` among its measures, the ground that the lines
     between the wing ends pass over: that spread times their speed over the ground across them, the
     mean over its pairs.",
-    function(state, found) {
-      wings <- state$si$measures$wing_end_spread
-      if (has_towing(state) && identical(wings$kind, "spread")) swept_area(state, wings$pairs)
-    }
+    function(state, found) swept_area(state)
   ),
   standard_measure("mouth_blockage", "%",
     "Of a gear with an area `mouth_area` among its measures, the projected area across the flow of
@@ -65,40 +59,28 @@ standard_measures <- c(
     "With a `vessel`, the power that its engine gives to tow the gear at this speed: full power
     times the share of the pull there that the gear takes, to the power 3/2. Above full power the
     vessel cannot tow it so fast.",
-    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$power
+    function(state, found) engine_need(state, found$drag)$power
   ),
   standard_measure("pull_used", "%",
     "With a `vessel`, the total drag over what it can pull at this speed.",
-    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$pull_share
+    function(state, found) engine_need(state, found$drag)$pull_share
   ),
   standard_measure("fuel_rate", "l/h",
     "With a `vessel` whose fuel consumption is given, the fuel that towing takes in an hour.",
-    function(state, found) if (has_vessel(state)) engine_need(state, found$drag)$fuel
+    function(state, found) engine_need(state, found$drag)$fuel
   ),
   standard_measure("fuel_per_swept_area", "l/km2",
     "That fuel over the ground that the lines between the wing ends pass over.",
-    function(state, found) {
-      wings <- state$si$measures$wing_end_spread
-      if (has_vessel(state) && identical(wings$kind, "spread")) {
-        per(engine_need(state, found$drag)$fuel, swept_area(state, wings$pairs))
-      }
-    }
+    function(state, found) per(engine_need(state, found$drag)$fuel, swept_area(state))
   ),
   standard_measure("fuel_per_filtered_volume", "l/Mm3",
     "That fuel over the water that flows through the mouth, in millions of cubic metres.",
-    function(state, found) {
-      mouth <- state$si$measures$mouth_area
-      if (has_vessel(state) && identical(mouth$kind, "area")) {
-        per(engine_need(state, found$drag)$fuel, filtered_volume(state, mouth$ropes))
-      }
-    }
+    function(state, found) per(engine_need(state, found$drag)$fuel, filtered_volume(state))
   ),
   standard_measure("fuel_per_catch", "l/t",
     "That fuel over the catch, where the `vessel` says how much is caught in an hour.",
     function(state, found) {
-      if (has_vessel(state)) {
-        per(engine_need(state, found$drag)$fuel, state$si$vessel$catch_per_hour / 3600)
-      }
+      per(engine_need(state, found$drag)$fuel, state$si$vessel$catch_per_hour / 3600)
     }
   ),
   standard_measure("catch_volume", "m3",
@@ -167,8 +149,12 @@ total_drag <- function(state) {
   -sum(rowSums(support_forces(state)) * flow_axes(state$si)[, "flow"])
 }
 
-# Water (m3/s) that flows horizontally through ropes, end to end, as they move.
-filtered_volume <- function(state, ropes) {
+# Water (m3/s) that flows horizontally through the ropes around a towed gear's mouth, end to end, as
+# they move; NULL of other gears.
+filtered_volume <- function(state) {
+  mouth <- state$si$measures$mouth_area
+  if (!has_towing(state) || !identical(mouth$kind, "area")) return()
+  ropes <- mouth$ropes
   node <- unique(unlist(lapply(ropes, function(rope) state$lattice$ropes[[rope]]$node)))
   outline <- rope_outline(state, ropes)
   past <- water_velocity(state, -mean(outline[3, ])) -
@@ -176,11 +162,14 @@ filtered_volume <- function(state, ropes) {
   abs(sum(outline_area(outline) * past))
 }
 
-# Ground (m2/s) that the straight line between two places passes over, the mean over pairs.
-swept_area <- function(state, pairs) {
+# Ground (m2/s) that the straight line between a towed gear's wing ends passes over, the mean over
+# their pairs; NULL of gears without.
+swept_area <- function(state) {
+  wings <- state$si$measures$wing_end_spread
+  if (!has_towing(state) || !identical(wings$kind, "spread")) return()
   # the vessel goes towards -x
   over_ground <- state$velocity - c(state$si$towing$speed, 0, 0)
-  mean(vapply(pairs, function(pair) {
+  mean(vapply(wings$pairs, function(pair) {
     across <- apart(state, pair)
     ends <- vapply(pair, state$lattice$place, 0L)
     v <- rowMeans(over_ground[, ends])
