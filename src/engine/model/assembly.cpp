@@ -89,10 +89,14 @@ void Assembly::move_to(const double* x, const double* v) {
   if (model_.water.accelerates()) add_push_of_water();
 }
 
-void Assembly::add_push_of_water() {
-  masses_.assign(3 * position_.size(), 0.0);
+void Assembly::gather_added_mass() {
   lines_.add_added_mass(masses_.data());
   for (const ElementKind* kind : kinds_) kind->add_added_mass(field(), masses_.data());
+}
+
+void Assembly::add_push_of_water() {
+  masses_.assign(3 * position_.size(), 0.0);
+  gather_added_mass();
   for (int p = 0; p < model_.points(); ++p) {
     const Eigen::Map<const Block> added(&masses_[9 * static_cast<std::size_t>(p)]);
     at(load_.data(), p) += added * field().acceleration(p);
@@ -250,8 +254,7 @@ void Assembly::mass(double* mass) {
   for (int p = 0; p < model_.points(); ++p) {
     for (int k = 0; k < 3; ++k) masses_[9 * static_cast<std::size_t>(p) + 4 * k] = model_.mass[p];
   }
-  lines_.add_added_mass(masses_.data());
-  for (const ElementKind* kind : kinds_) kind->add_added_mass(field(), masses_.data());
+  gather_added_mass();
   hand_on(masses_.data(), 9);
   std::copy(masses_.begin(), masses_.begin() + 9 * static_cast<std::ptrdiff_t>(model_.nodes), mass);
 }

@@ -118,6 +118,8 @@ class Assembly {
  private:
   // The flow past the wake sheets, at their mean height, m/s.
   Vector flow_past_wake_sheets() const;
+  // Adds the added mass of all elements to masses_.
+  void gather_added_mass();
   // Adds what water that accelerates does to added mass to the loads.
   void add_push_of_water();
   void spread(const double* nodes, std::vector<double>& points) const;
