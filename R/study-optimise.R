@@ -27,8 +27,8 @@
 #'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
 #'   text with a unit beside measures named without theirs.
 #' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
-#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))`. Fields that change
-#'   together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own value lies within.
+#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [between()] them.
+#'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own value lies within.
 #' @param nodes,netting As in [settle()].
 #' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
 #' @param most Settled gears at most, for each start.

@@ -1,7 +1,8 @@
 # Fields that a study may change, within ranges.
 
 # Free fields: lists of name, paths, value (of the gear), unit, whole, dimension, lower and upper,
-# all in the plan's unit. change: ranges by paths; paths that change together are joined by " + ".
+# all in the plan's unit, and prior (mean and standard deviation of a normal() one, or NULL).
+# change: ranges or distributions by paths; paths that change together are joined by " + ".
 # what: the argument's name, for errors.
 free_fields <- function(gear, change, what = "change") {
   if (!is.list(change) || !length(change) || is.null(names(change)) || !all(nzchar(names(change)))) {
@@ -27,6 +28,13 @@ free_field <- function(gear, paths, range, what) {
   }
   field <- c(list(name = name, paths = paths), found[[1L]])
   field$dimension <- first_of(field_dimension(gear, paths[1L]), NA_character_)
+  field$prior <- NULL
+  if (is_distribution(range)) {
+    if (range$kind == "normal") {
+      field$prior <- vapply(in_words(range$numbers, range), range_end, 0, field = field, what = what)
+    }
+    range <- in_words(distribution_ends(range), range)
+  }
   ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
   if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
     said <- paste(unlist(range), collapse = ", ")
@@ -51,6 +59,21 @@ free_field <- function(gear, paths, range, what) {
     })
   }
   field
+}
+
+# Where a normal distribution has no ends it is taken over this many standard deviations.
+normal_reach <- 4
+
+distribution_ends <- function(of) {
+  ends <- of$ends
+  wide <- of$numbers[1L] + c(-1, 1) * normal_reach * of$numbers[2L]
+  ifelse(is.finite(ends), ends, wide)
+}
+
+# Numbers of a distribution in the plan's words.
+in_words <- function(numbers, of) {
+  if (!nzchar(of$unit)) return(as.list(numbers))
+  as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
 }
 
 # An end of a range in the field's unit.
