@@ -21,14 +21,16 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param minimise The name of a measure, or a formula of [measures()]:
-#'   `~ total_drag / door_spread`. A measure is in the unit that its name ends in, or without that unit in its name in SI. Put a
+#'   `~ total_drag / door_spread`. A measure is in the unit that its name ends in, or without that
+#'   unit in its name in SI. Put a
 #'   minus before what is to be large. A field that changes may stand there by its path, in SI.
 #' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
 #'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
 #'   text with a unit beside measures named without theirs.
 #' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
 #'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [between()] them.
-#'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own value lies within.
+#'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
+#'   value lies within.
 #' @param nodes,netting As in [settle()].
 #' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
 #' @param most Settled gears at most, for each start.

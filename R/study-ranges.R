@@ -5,7 +5,8 @@
 # change: ranges or distributions by paths; paths that change together are joined by " + ".
 # what: the argument's name, for errors.
 free_fields <- function(gear, change, what = "change") {
-  if (!is.list(change) || !length(change) || is.null(names(change)) || !all(nzchar(names(change)))) {
+  named <- is.list(change) && length(change) > 0L && !is.null(names(change))
+  if (!named || !all(nzchar(names(change)))) {
     abort_argument("{.arg {what}} must be a list of ranges by the paths of fields, such as
       {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
   }
@@ -31,7 +32,8 @@ free_field <- function(gear, paths, range, what) {
   field$prior <- NULL
   if (is_distribution(range)) {
     if (range$kind == "normal") {
-      field$prior <- vapply(in_words(range$numbers, range), range_end, 0, field = field, what = what)
+      prior <- in_words(range$numbers, range)
+      field$prior <- vapply(prior, range_end, 0, field = field, what = what)
     }
     range <- in_words(distribution_ends(range), range)
   }

@@ -52,7 +52,7 @@ test_that("the optimum of a towed sphere is that of its closed form", {
 
 test_that("a grid finds nothing better, and every start the same", {
   aim <- ~ (total_drag + 500) / towing.speed
-  change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = c("8 m", "12 m"))
+  change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = between("8 m", "12 m"))
   found <- optimise(towed_sphere(), aim, ~ depth >= 9, change, starts = 3)
   grid <- vary(towed_sphere(), towing.speed = seq(1, 3, by = 0.1),
     ropes.line.length = c(8, 9.6, 10.8, 12))
