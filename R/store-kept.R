@@ -105,7 +105,7 @@ read_kept_numbers <- function(get) {
 
 gear_of_text <- function(text, file) {
   if (!is_text(text)) stop("it holds no plan")
-  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
+  gear_of_bytes(charToRaw(enc2utf8(text)), "plan", file)
 }
 
 # Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own
