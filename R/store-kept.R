@@ -76,7 +76,7 @@ kept_numbers <- function(what) {
   what$plan_text <- enc2utf8(format(what$gear))
   what$plan_file <- what$gear$file
   # a function of what it was made from
-  what$places <- environment(what$lattice$place)$places
+  what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
   flat <- flatten_tree(what)
   list(
