@@ -30,21 +30,11 @@ division_again <- function(si, from) {
   old <- from$settled
   lattice <- from$lattice
   if (is.null(old) || !"runs" %in% names(lattice$division)) return(NULL)
-  if (!identical(division_base(si), division_base(old))) return(NULL)
+  if (!identical(gear_structure(si), gear_structure(old))) return(NULL)
   c(
     lattice$division, lattice[c("points", "ropes", "held_edges")],
     list(places = lattice_places(lattice))
   )
-}
-
-# All that chains, breaks and divide() take of a gear besides the meshes of its panels.
-division_base <- function(si) {
-  c(si[c("seams", "share_places")], list(
-    points = lapply(si$points, `[[`, "at"),
-    ropes = lapply(si$ropes, `[`, c("along", "shares", "through", "from", "to")),
-    pieces = lapply(si$pieces, `[[`, "along"),
-    mesh_size = vapply(si$panels, `[[`, 0, "mesh_size")
-  ))
 }
 
 # The engine's water: the current as the gear meets it, which is towed along -x.
