@@ -24,8 +24,8 @@ fill_lattice <- function(si, nodes, netting, from) {
   lattice
 }
 
-# The division that divide() made for `from`'s lattice, for a gear of which the same counts are asked
-# for; NULL where it would be another, or may be.
+# The division that divide() made for the lattice of `from`, for a gear of which the same counts are
+# asked for; NULL where it would be another, or may be.
 division_again <- function(si, from) {
   old <- from$settled
   lattice <- from$lattice

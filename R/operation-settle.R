@@ -47,9 +47,10 @@
 #'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
 #'   tells of static stability only. One whose swings would grow is a warning of class
 #'   `codend_warning_board_flutter`, where the gear is not settled `from` a state (which takes less
-#'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that settles stalled,
-#'   back-winded or fallen over is a warning of class `codend_warning_board_stalled`,
-#'   `codend_warning_board_back_winded` or `codend_warning_board_fallen_over`; see [board_table()].
+#'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
+#'   settles stalled, back-winded or fallen over is a warning of class
+#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
+#'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
@@ -127,8 +128,8 @@ check_settle_arguments <- function(gear, nodes, netting) {
 }
 
 # Boards that do not fly, and laws outside what they were measured for.
-# swings: whether to look for swings of boards that grow, which in a whole trawl takes longer than to
-# settle it from a state.
+# swings: whether to look for swings of boards that grow, which in a whole trawl takes longer than
+# to settle it from a state.
 warn_of_doubts <- function(state, swings) {
   warn_of_boards(state, swings)
   warn_of_laws(state)

@@ -64,7 +64,8 @@ constexpr double same_height = 1e-11;
     if (!(v[k] > 0.0 && h[k] > 0.0)) continue;
     int& last = newest[static_cast<std::size_t>(place[k])];
     int group = last;
-    while (group >= 0 && std::abs(h[first[group]] - h[k]) > same_height * h[k]) group = before[group];
+    while (group >= 0 && std::abs(h[first[group]] - h[k]) > same_height * h[k])
+      group = before[group];
     if (group < 0) {
       before.push_back(last);
       last = group = static_cast<int>(first.size());
@@ -75,5 +76,6 @@ constexpr double same_height = 1e-11;
   }
   writable::integers places(static_cast<R_xlen_t>(first.size()));
   for (std::size_t g = 0; g < first.size(); ++g) places[static_cast<R_xlen_t>(g)] = first[g] + 1;
-  return writable::list({"first"_nm = places, "volume"_nm = writable::doubles(sum.begin(), sum.end())});
+  return writable::list(
+      {"first"_nm = places, "volume"_nm = writable::doubles(sum.begin(), sum.end())});
 }
