@@ -99,50 +99,19 @@ define_measure("mesh_angle", "deg",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
 )
 
-# Area (m2) across the flow that the twine of a net hides: twine behind other twine counts once.
-#
-# A piece of netting that casts a shadow of the area A lets the share (1 - a_u / A) (1 - a_v / A) of it
-# through, a_u and a_v the areas that its two families of bars show, and never less than a
-# hundredth. Pieces one behind another let through the product of their shares: seen along the flow,
-# twines of different pieces lie anyhow to each other. That is summed up over a grid across the flow,
-# a third as many cells a way as the square root of the places, each place spread over the four
-# nearest cells.
-twine_shadow <- function(state) {
-  found <- mesh_places(state)
-  found <- found[found$meshes > 0, ]
+# Projected area (m2) of all twine across the flow, each twine counted where it is hidden too.
+twine_across_flow <- function(state) {
   panels <- state$si$panels
+  found <- mesh_places(state)
   width <- vapply(panels, twine_width, 0)[found$panel]
   square <- is_square(panel_table(panels))[found$panel]
-  axes <- flow_axes(state$si)
-  seen_along <- function(columns) as.matrix(found[columns]) %*% axes
-  bar <- list(u = seen_along(c("u_x", "u_y", "u_z")), v = seen_along(c("v_x", "v_y", "v_z")))
-  seen <- function(family) {
-    found$meshes * (2 - square) * width *
-      sqrt(bar[[family]][, "across"]^2 + bar[[family]][, "up"]^2)
+  flow <- flow_axes(state$si)[, "flow"]
+  across <- function(family) {
+    bar <- t(as.matrix(found[paste0(family, c("_x", "_y", "_z"))]))
+    sqrt(pmax(colSums(bar^2) - colSums(bar * flow)^2, 0))
   }
-  # a mesh of diamonds is the parallelogram of two bars of each family, one of squares of one
-  area <- found$meshes * (2 - square) *
-    abs(bar$u[, "across"] * bar$v[, "up"] - bar$u[, "up"] * bar$v[, "across"])
-  through <- function(family) 1 - pmin(seen(family) / pmax(area, 1e-12), 1)
-  depth <- -log(pmax(through("u") * through("v"), 0.01)) * area
-
-  across <- seen_along(c("x", "y", "z"))[, c("across", "up")]
-  cells <- max(4, min(60, round(sqrt(nrow(found)) / 3)))
-  low <- apply(across, 2, min)
-  size <- pmax((apply(across, 2, max) - low) / cells, 1e-9)
-  at <- t((t(across) - low) / size) + 0.5
-  cell <- floor(at)
-  part <- at - cell
-  thick <- matrix(0, cells + 2L, cells + 2L)
-  for (up in 0:1) {
-    for (side in 0:1) {
-      share <- abs(1 - side - part[, 1]) * abs(1 - up - part[, 2])
-      key <- cell[, 1] + side + 1 + (cell[, 2] + up) * nrow(thick)
-      sums <- rowsum(depth * share, key)
-      thick[as.integer(rownames(sums))] <- thick[as.integer(rownames(sums))] + sums
-    }
-  }
-  sum(1 - exp(-thick / prod(size))) * prod(size)
+  # A diamond mesh of the panel's count has two bars of each family, a square one has one.
+  sum(found$meshes * (2 - square) * width * (across("u") + across("v")))
 }
 
 #' Meshes along a net

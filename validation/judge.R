@@ -3,7 +3,8 @@
 # rows: of all cases, as compared() and trend() give them.
 # A quantity is held where the mean size of its misfits is within its band, a trend where all its
 # signs are right. Tuned rows count only where there are no others: the quantity then is `tuned`.
-# Returns a row per quantity and per trend of every case and what was varied (by), misfits in percent of what was measured.
+# Returns a row per quantity and per trend of every case and what was varied (by),
+# misfits in percent of what was measured.
 judge <- function(rows, manifest) {
   # what is varied is the first word of a trend's place
   varied <- ifelse(rows$kind == "trend", sub(" .*", "", rows$at), "")

@@ -48,8 +48,8 @@ page_summary <- function(judged) {
       length(unique(judged$case)), sum(of), of[["held"]], of[["missed"]], of[["tuned"]]),
     sprintf("%d trends: %d have the sign that was measured, %d have not.", sum(trends),
       trends[["held"]], trends[["missed"]]),
-    sprintf(paste("Trawls in the flume and at sea, geometry and tension, %d quantities that nothing",
-      "is tuned on: %.1f %% off on the mean."), trawls[["quantities"]], trawls[["mean"]])
+    sprintf(paste("Trawls in the flume and at sea, geometry and tension, %d quantities that",
+      "nothing is tuned on: %.1f %% off on the mean."), trawls[["quantities"]], trawls[["mean"]])
   )
 }
 
@@ -60,19 +60,19 @@ page_lines <- function(judged, manifest) {
   tuned <- Filter(function(case) !is.null(case$tuned), manifest)
   c(
     "# The validation book", "",
-    paste("What codend is held against, and how far off it is. `make validate` computes this page from",
-      "[manifest.yaml](manifest.yaml); [README.md](README.md) tells how. Every value is in",
+    paste("What codend is held against, and how far off it is. `make validate` computes this page",
+      "from [manifest.yaml](manifest.yaml); [README.md](README.md) tells how. Every value is in",
       "[misfits.csv](misfits.csv)."), "",
     paste("-", page_summary(judged)), "",
-    paste("A quantity is **held** where the mean size of its misfits is within its band: the tolerance",
-      "of what was measured, or what the division of the lattice leaves of a closed form. Misfits are",
-      "in percent of what was measured. Nothing is tuned to a haul, a speed or a ship."), "",
+    paste("A quantity is **held** where the mean size of its misfits is within its band: the",
+      "tolerance of what was measured, or what the division of the lattice leaves of a closed form.",
+      "Misfits are in percent of what was measured. Nothing is tuned to a haul, a speed or a ship."), "",
     "![Misfit by case](figures/misfit-by-case.png)", "",
     "![Misfit by quantity](figures/misfit-by-quantity.png)", "",
     "## Hauls by warp", "",
-    paste("A GOV 36/47 from published particulars ([plan](plans/gov_36_47.yaml)) with what each ship",
-      "reports of boards, warps, floats and sweeps, and the survey trawl of the Gulf of Alaska: means of",
-      "hauls (points) and codend (lines)."), "",
+    paste("A GOV 36/47 from published particulars ([plan](plans/gov_36_47.yaml)) with what each",
+      "ship reports of boards, warps, floats and sweeps, and the survey trawl of the Gulf of Alaska:",
+      "means of hauls (points) and codend (lines)."), "",
     "![Hauls by warp](figures/hauls-by-warp.png)", "",
     "## The flume of 2025", "",
     "![Flume tests](figures/flume.png)", "",
@@ -88,21 +88,26 @@ page_lines <- function(judged, manifest) {
         "")
     })),
     "## Trends", "",
-    paste("Slopes of the logarithm of a quantity by that of what was varied, as mean over the series of",
-      "a case; where only a direction is published it is 1 or -1. **held**: all signs are right."), "",
+    paste("Slopes of the logarithm of a quantity by that of what was varied, as mean over the series",
+      "of a case; where only a direction is published it is 1 or -1. **held**: all signs are right."),
+    "",
     "| case | quantity | by | series | measured | codend | |", "|---|---|---|--:|--:|--:|---|",
     sprintf("| %s | %s | %s | %d | %.2f | %.2f | %s |", title_of(trends$case, manifest),
-      in_words(trends$quantity), in_words(trends$by), trends$values, trends$measured, trends$computed,
+      in_words(trends$quantity), in_words(trends$by), trends$values, trends$measured,
+      trends$computed,
       ifelse(trends$found == "missed", "**missed**", trends$found)), "",
     "## Why what is missed is missed", "",
     "| case | quantity | why |", "|---|---|---|",
     sprintf("| %s | %s | %s |", title_of(missed$case, manifest),
-      paste0(in_words(missed$quantity), ifelse(missed$kind == "trend", ", trend", "")), missed$why), "",
+      paste0(in_words(missed$quantity), ifelse(missed$kind == "trend", ", trend", "")), missed$why),
+    "",
     "## What is tuned on what", "",
     vapply(tuned, function(case) sprintf("- **%s.** %s", case$title, case$tuned), ""), "",
     "## Plans and sources", "",
     "| case | plan | held against |", "|---|---|---|",
-    vapply(manifest, function(case) sprintf("| %s | %s | %s |", case$title, case$plan, case$source), "")
+    vapply(manifest, function(case) {
+      sprintf("| %s | %s | %s |", case$title, case$plan, case$source)
+    }, "")
   )
 }
 
@@ -128,11 +133,12 @@ draw_misfits <- function(judged, manifest) {
     col = found_colours[judged$found], cex = 1.3)
   first <- !duplicated(judged$case)
   graphics::abline(h = which(first)[-1] - 0.5, col = "grey80")
-  graphics::axis(2, seq_len(n), in_words(judged$quantity), tick = FALSE, line = -0.8, cex.axis = 0.8)
+  graphics::axis(2, seq_len(n), in_words(judged$quantity), tick = FALSE, line = -0.8,
+    cex.axis = 0.8)
   graphics::axis(2, which(first), abbreviate_title(title_of(judged$case[first], manifest)),
     tick = FALSE, line = 6.2, cex.axis = 0.85, font = 2)
-  graphics::legend("top", names(found_colours), pch = found_marks, col = found_colours, horiz = TRUE,
-    bty = "n", inset = c(0, -0.035), xpd = NA)
+  graphics::legend("top", names(found_colours), pch = found_marks, col = found_colours,
+    horiz = TRUE, bty = "n", inset = c(0, -0.035), xpd = NA)
 }
 
 abbreviate_title <- function(title) sub("sweeps of ", "", title)
@@ -202,6 +208,6 @@ draw_flume <- function(rows) {
     graphics::abline(0, 1.1, col = "grey75", lty = 2)
     graphics::abline(0, 0.9, col = "grey75", lty = 2)
   }
-  graphics::legend("bottomright", c("speed", "spread", "split bridles", "pulling height", "tuned on"),
-    col = c(colours, "black"), pch = c(16, 16, 16, 16, 1), bty = "n")
+  graphics::legend("bottomright",
+    c("speed", "spread", "split bridles", "pulling height", "tuned on"), col = c(colours, "black"), pch = c(16, 16, 16, 16, 1), bty = "n")
 }

@@ -51,8 +51,8 @@ test_that("what is wrong in a manifest is told", {
 
 test_that("quick closed forms are held as the manifest says", {
   book(function(room, manifest) {
-    quick <- c("elastic_catenary", "isolated_cable", "critical_angle", "towed_body", "hanging_sphere",
-      "kite_line", "neutral_cable", "twine_panel", "screen_panel")
+    quick <- c("elastic_catenary", "isolated_cable", "critical_angle", "towed_body",
+      "hanging_sphere", "kite_line", "neutral_cable", "twine_panel", "screen_panel")
     for (id in quick) {
       rows <- cbind(case = id, room[[room$runner(id)]]())
       judged <- room$judge(rows, manifest)

@@ -84,7 +84,9 @@ flume_case <- function(tests, found, by) {
 }
 
 # The tests at the usual pulling height of a rigging.
-usual_pull <- function(tests) tests$pulling_point_mm == ifelse(tests$rigging == "standard", 200, 150)
+usual_pull <- function(tests) {
+  tests$pulling_point_mm == ifelse(tests$rigging == "standard", 200, 150)
+}
 
 case_flume_speed <- function() {
   tests <- flume_tests()

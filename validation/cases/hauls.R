@@ -59,7 +59,8 @@ gov_of <- function(hauls, sweep) {
   buoyancy <- mean(hauls$Buoyancy) / 60
   fields <- list(
     sweeps.length = paste(sweep, "m"), warps.diameter = reported("Warpdia", "mm"),
-    otter_boards.area = reported("DoorSurface", "m2"), otter_boards.mass = reported("DoorWgt", "kg"),
+    otter_boards.area = reported("DoorSurface", "m2"),
+    otter_boards.mass = reported("DoorWgt", "kg"),
     floats.buoyancy = if (is.finite(buoyancy)) paste(buoyancy, "kgf"),
     # the discs of one ship, 700 kg, weigh in air
     ground_gear.mass_in_water = if (isTRUE(mean(hauls$WgtGroundRope) < 300)) {
@@ -67,7 +68,8 @@ gov_of <- function(hauls, sweep) {
     }
   )
   gear <- do.call(update, c(list(plan), Filter(Negate(is.null), fields)))
-  # the kite at the middle of the head line: area reported, coefficients of a plate at some 30 degrees
+  # the kite at the middle of the head line: area reported, coefficients of a plate
+  # at some 30 degrees
   update(assembly(gear), pieces.kite = list(at = "head_line.middle", area = 0.7,
     lift_coefficient = 1, drag_coefficient = 0.4, lift_direction = "up", role = "kite"))
 }
