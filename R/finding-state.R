@@ -63,8 +63,8 @@ ropes_of_role <- function(si, roles) {
   names(Filter(function(rope) rope$role %in% roles, si$ropes))
 }
 
-# Share of the meshes of a towed gear that are loose in both directions. Where the netting is stiff,
-# triangles leave one of the two slack however taut the netting is.
+# Share of the meshes of a towed gear that are loose in both directions. One family alone may hang
+# loose in netting that is well set, such as along a rope that takes the load.
 greatest_loose_share <- 0.3
 
 define_finding("slack netting", "state",
@@ -86,9 +86,9 @@ define_finding("slack netting", "state",
 # Share of netting, by length of twine, whose twines all are slack.
 loose_netting <- function(state) {
   engine <- state$lattice$engine
-  triangles <- engine$triangles
-  all <- seq_along(triangles$rest)
-  twine <- 2 * triangle_bars(triangles, all) * triangles$rest
+  cells <- engine$cells
+  all <- seq_along(cells$rest)
+  twine <- 2 * cell_bars(cells, all) * cells$rest
   loose <- state$u_tension == 0 & state$v_tension == 0
   bars <- state$lattice$parts$kind[state$lattice$bar_part] == "netting"
   long <- (engine$bars$multiplicity * engine$bars$rest)[bars]

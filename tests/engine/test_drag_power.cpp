@@ -79,7 +79,7 @@ TEST_CASE("drag in still water takes energy from every line") {
         wanted.slack = slack;
         wanted.diameter = diameter;
         wanted.bars = repeat % 3 == 0;
-        wanted.triangles = repeat % 3 == 1;
+        wanted.cells = repeat % 3 == 1;
         wanted.hexagons = repeat % 3 == 2;
         Specimen s(random, wanted);
         CAPTURE(diameter);
@@ -208,7 +208,7 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
     each_law([&](const CylinderLaw& law, SlackDrag slack) {
       Ingredients wanted;
       wanted.bars = 10;
-      wanted.triangles = 6;
+      wanted.cells = 6;
       wanted.hexagons = wanted.pressed = wanted.screens = wanted.blended = 3;
       wanted.openings = wanted.bends = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;

@@ -64,9 +64,7 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
           lines.multiplicity[k] * give(model.material(line), length, line.rest);
     }
     if (tension == 0.0) return;
-    const double stretching =
-        lines.inverse_length[k] *
-        line.vector(field.velocity).dot(Vector(lines.e[0][k], lines.e[1][k], lines.e[2][k]));
+    const double stretching = line.stretching(lines, field.velocity);
     named -= tension * stretching;
     const double spring =
         lines.multiplicity[k] * twine_tension(model.material(line), length, line.rest);
