@@ -14,7 +14,8 @@ struct Power {
   double total, size;
 };
 
-// Power of all forces on the nodes, and the sum of its terms' sizes.
+// Power of all forces on the nodes but of what holds the twist of netting, which gives its energy
+// back, and the sum of its terms' sizes.
 Power power(Specimen& s) {
   Assembly assembly(s.model);
   std::vector<double> force(s.x.size());
@@ -25,6 +26,9 @@ Power power(Specimen& s) {
     out.total += force[k] * s.v[k];
     out.size += std::abs(force[k] * s.v[k]);
   }
+  s.model.each_line([&](const auto& line) {
+    out.total -= line.held_power(assembly.lines(), assembly.field().velocity);
+  });
   return out;
 }
 

@@ -22,8 +22,8 @@ void append(std::vector<double>& to, const double* from, int count) {
 void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
          const BlockPattern& pattern, const std::vector<double>& points,
          const std::vector<double>& speeds, const std::vector<double>& moved, Found& out) {
-  Lines lines(model.materials, model.bars, model.cells, model.hexagons, model.water,
-              model.slack, kernels);
+  Lines lines(model.materials, model.bars, model.cells, model.hexagons, model.water, model.slack,
+              kernels);
   lines.set_flow({points.data(), speeds.data(), &model.water});
   lines.move_to(points.data());
   std::vector<double> tension, modulus;  // that tell the lines' vectors from each other

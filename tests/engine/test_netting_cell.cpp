@@ -68,13 +68,20 @@ TEST_CASE("a cell's length is the root mean square of bilinear bars over a paral
 
 TEST_CASE("a rectangle's twist weighs as its sides say, and all corners share alike") {
   const double p = 4.0, q = 1.5;
-  const double twine[8] = {0.0, 0.0, p, 0.0, p, q, 0.0, q};
-  const CellShape shape = cell_shape(twine);
-  CHECK(shape.bars == doctest::Approx(p * q));
-  for (int family = 0; family < 2; ++family) {
-    CHECK(shape.twist_weight[family] == doctest::Approx((1.0 / (p * p) + 1.0 / (q * q)) / 3.0));
-  }
-  for (int k = 0; k < 4; ++k) CHECK(shape.share[k] == doctest::Approx(0.25));
+  auto check = [](const double* twine, double bars, double of_u, double of_v) {
+    const CellShape shape = cell_shape(twine);
+    CHECK(shape.bars == doctest::Approx(bars));
+    CHECK(shape.twist_weight[0] == doctest::Approx(of_u));
+    CHECK(shape.twist_weight[1] == doctest::Approx(of_v));
+    for (int k = 0; k < 4; ++k) CHECK(shape.share[k] == doctest::Approx(0.25));
+  };
+  // Sides along the twines, of p and q bars: u twines differ from one v to the next only.
+  const double along[8] = {0.0, 0.0, p, 0.0, p, q, 0.0, q};
+  check(along, p * q, 4.0 / (3.0 * p * p), 4.0 / (3.0 * q * q));
+  // Sides across meshes, of p and q bars of each family: both differ along both.
+  const double both = (1.0 / (p * p) + 1.0 / (q * q)) / 3.0;
+  const double across[8] = {0.0, 0.0, p, p, p + q, p - q, q, -q};
+  check(across, 2.0 * p * q, both, both);
 }
 
 TEST_CASE("cells of any shape know uniform netting exactly") {

@@ -10,18 +10,19 @@
 // The mean square of a family's bar vector over the cell is |e|^2 + kappa |q|^2, with
 //   kappa = 1/3 sum_t A_t/(2A) ((a_t.h - a.h)/(g.h))^2
 // over the four triangles t of its corners, of areas A_t and shapes a_t: their mean square at a third,
-// which is exact of a bilinear parallelogram ((1/p^2 + 1/q^2)/3 of p by q bars).
+// which is exact of a bilinear parallelogram: (1/p^2 + 1/q^2)/3 of both families, of a cell whose
+// sides run across p and q bars of each; 4/(3 p^2) of u and 4/(3 q^2) of v, of one of p by q bars.
 #pragma once
 
 namespace codend {
 
 struct CellShape {
-  double bars;               // |D|/2, of one family; as many knots
-  double along[2][4];        // a, b, 1
-  double twist[4];           // g, 1
-  double twist_weight[2];    // kappa of u and v
-  double share[4];           // of what is spread evenly over the cell, of each corner; their sum is 1
-  double amplitude;          // 1/(g.h): of the motion h_k w, of which the twist is w/amplitude
+  double bars;             // |D|/2, of one family; as many knots
+  double along[2][4];      // a, b, 1
+  double twist[4];         // g, 1
+  double twist_weight[2];  // kappa of u and v
+  double share[4];         // of what is spread evenly over the cell, of each corner; their sum is 1
+  double amplitude;        // 1/(g.h): of the motion h_k w, of which the twist is w/amplitude
 };
 
 // twine: u and v of the four corners. A cell without area has no shape: its numbers are not finite.

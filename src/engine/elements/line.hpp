@@ -47,9 +47,26 @@ struct Line {
     }
     return lines.inverse_length[index] * sum;
   }
+  // What holds its twist besides its tension (netting_cell.hpp): its energy, J, and its power (W)
+  // as its points move at v (m/s).
+  double held_energy(const LineArrays& lines) const {
+    if (twist_weight == 0.0) return 0.0;
+    return 0.5 * lines.twist_stiffness[index] * twist_of(lines).squaredNorm();
+  }
+  double held_power(const LineArrays& lines, const double* v) const {
+    if (twist_weight == 0.0) return 0.0;
+    Vector twist_rate = Vector::Zero();
+    for (int k = 0; k < N; ++k) twist_rate += twist[k] * at(v, nodes[k]);
+    return -lines.twist_stiffness[index] * twist_of(lines).dot(twist_rate);
+  }
   // The most that a unit of its tension pulls at point k.
   double pull_at(int k) const {
     return std::sqrt(shape[k] * shape[k] + twist_weight * twist[k] * twist[k]);
+  }
+
+ private:
+  Vector twist_of(const LineArrays& lines) const {
+    return {lines.twist[0][index], lines.twist[1][index], lines.twist[2][index]};
   }
 };
 

@@ -22,8 +22,8 @@ struct LineArrays {
   // Null where there are no cells:
   double* twist_weight;     // kappa, by which L^2 = |e|^2 + kappa |q|^2
   double* twist_stiffness;  // by which a twist is held besides, N/m
-  double* damping;                          // c, N s; null where no line has any
-  double* rest_rate;                        // dL0/dt over L0, 1/s; with damping
+  double* damping;          // c, N s; null where no line has any
+  double* rest_rate;        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
   // Materials of lines whose loads are given by strain, as above; T is then EA s + offset (N).
@@ -45,8 +45,8 @@ struct LineArrays {
   double* twist_rate[3];  // dq/dt, m/s; with cells
 
   // Where they are.
-  double* e[3];            // m
-  double* twist[3];        // q of a netting cell's lines, 0 of others, m; null where there are no cells
+  double* e[3];      // m
+  double* twist[3];  // q of a netting cell's lines, 0 of others, m; null where there are no cells
   double* inverse_span;    // 1/|e|; 1/L0 where that is 0
   double* inverse_length;  // 1/L, the same of lines without a twist; 1/L0 for a line without length
   double* strain;          // L/L0 - 1

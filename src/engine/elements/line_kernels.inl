@@ -194,11 +194,11 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     if (lines.damping) {
       Pack stretching = dot(e, load(lines.e_rate, i));
       if (lines.twist_weight) {
-        stretching = stretching + load(lines.twist_weight + i) * dot(load(lines.twist, i),
-                                                                     load(lines.twist_rate, i));
+        stretching = stretching + load(lines.twist_weight + i) *
+                                      dot(load(lines.twist, i), load(lines.twist_rate, i));
       }
-      const Pack rate = inverse_length * inverse_rest * stretching -
-                        (strain + 1.0) * load(lines.rest_rate + i);
+      const Pack rate =
+          inverse_length * inverse_rest * stretching - (strain + 1.0) * load(lines.rest_rate + i);
       tension = tension + load(lines.damping + i) * rate;
     }
     store(lines.tension + i, tension > least ? tension : least);
@@ -262,8 +262,7 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
     taut = modulus > 0.0 ? Pack{} + 1.0 : Pack{};
   } else {
     const bool by_tension = lines.damping || lines.load_law;
-    const Pack tension =
-        by_tension ? load(lines.tension + i) : stiffness * load(lines.strain + i);
+    const Pack tension = by_tension ? load(lines.tension + i) : stiffness * load(lines.strain + i);
     taut = tension > least ? Pack{} + 1.0 : Pack{};
     modulus = taut * stiffness;
   }
@@ -274,8 +273,7 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
     out.by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
     modulus = modulus - damping * load(lines.rest_rate + i);
   }
-  out.tension =
-      many * load_before_end(request.tension + i, left) * load(lines.inverse_length + i);
+  out.tension = many * load_before_end(request.tension + i, left) * load(lines.inverse_length + i);
   out.modulus = many * modulus * inverse_rest;
   return out;
 }
@@ -336,7 +334,6 @@ INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& reques
   }
   return out;
 }
-
 
 // With F_k = drag - a_k pull at point k, e = sum_k a_k x_k, a point's share of U and drag: the
 // block of points (k, l) is a_k a_l pull - a_l turn + everywhere. Of lines without a twist.
@@ -453,8 +450,7 @@ INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std
     out.answer[k] = (out.k.modulus - out.k.tension) * out.pull[k];
     if (!lines.damping) continue;
     const Triple turned = a * e_rate + g * q_rate - rate * out.pull[k];
-    out.answer[k] = out.answer[k] +
-                    (request.stiffness * out.k.by_rate * inverse_length) * turned +
+    out.answer[k] = out.answer[k] + (request.stiffness * out.k.by_rate * inverse_length) * turned +
                     (request.damping * out.k.by_rate) * out.pull[k];
   }
 }
@@ -484,8 +480,7 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
       const Triple way = inverse_or_zero(load(lines.speed + at_u)) * load(lines.u, at_u);
       damped_u = (Pack{} - request.damping) * load(lines.own + at_u) * ninth * slope * way;
       if (lines.slope[0]) {
-        damped_u.z +=
-            request.stiffness * ninth * slope * dot(way, load(lines.slope, at_u));
+        damped_u.z += request.stiffness * ninth * slope * dot(way, load(lines.slope, at_u));
       }
     }
     for (int k = 0; k < 4; ++k) {

@@ -21,8 +21,8 @@ std::size_t column_length(int lines) {
 }  // namespace
 
 Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
-             const NettingCells& cells, const HexagonalTriangles& hexagons,
-             const Water& water, SlackDrag slack, const LineKernels& kernels)
+             const NettingCells& cells, const HexagonalTriangles& hexagons, const Water& water,
+             SlackDrag slack, const LineKernels& kernels)
     : materials_(materials),
       bars_(bars),
       cells_(cells),
@@ -73,9 +73,9 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
     columns.insert(columns.end(), {&a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
   }
   if (cells.count() > 0) {
-    columns.insert(columns.end(),
-                   {&a.inverse_length, &a.twist_weight, &a.twist_stiffness, &a.twist[0], &a.twist[1], &a.twist[2],
-                    &a.twist_rate[0], &a.twist_rate[1], &a.twist_rate[2]});
+    columns.insert(columns.end(), {&a.inverse_length, &a.twist_weight, &a.twist_stiffness,
+                                   &a.twist[0], &a.twist[1], &a.twist[2], &a.twist_rate[0],
+                                   &a.twist_rate[1], &a.twist_rate[2]});
   }
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
@@ -314,14 +314,15 @@ double Lines::change(const double* dx, double* strain) const {
   double largest = 0.0;
   in_strips(bars_.count(), [&](int begin, int end) {
     bars_.vectors(dx, begin, end, change_u);
-    largest = std::max(largest, kernels_.change(arrays_, begin, end, change_u, nullptr, strain + begin));
+    largest =
+        std::max(largest, kernels_.change(arrays_, begin, end, change_u, nullptr, strain + begin));
   });
   const int cells = cells_.count();
   in_strips(cells, [&](int begin, int end) {
     const std::ptrdiff_t first = bars_.count() + begin, second = first + cells, size = end - begin;
     cells_.vectors(dx, begin, end, change_u, change_v, change_q);
-    largest = std::max(largest, kernels_.change(arrays_, first, first + size, change_u, change_q,
-                                                strain + first));
+    largest = std::max(
+        largest, kernels_.change(arrays_, first, first + size, change_u, change_q, strain + first));
     largest = std::max(largest, kernels_.change(arrays_, second, second + size, change_v, change_q,
                                                 strain + second));
   });
@@ -329,9 +330,8 @@ double Lines::change(const double* dx, double* strain) const {
     in_strips(hexagons_.count(), [&](int begin, int end) {
       const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count() + begin;
       hexagons_.vectors(which, dx, begin, end, change_u);
-      largest = std::max(
-          largest,
-          kernels_.change(arrays_, first, first + end - begin, change_u, nullptr, strain + first));
+      largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
+                                                  nullptr, strain + first));
     });
   }
   return std::sqrt(largest);

@@ -19,9 +19,9 @@ namespace codend {
 class Lines {
  public:
   // What is passed must outlive this and not change.
-  Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
-        const NettingCells& cells, const HexagonalTriangles& hexagons, const Water& water,
-        SlackDrag slack, const LineKernels& kernels = line_kernels());
+  Lines(const std::vector<TwineMaterial>& materials, const Bars& bars, const NettingCells& cells,
+        const HexagonalTriangles& hexagons, const Water& water, SlackDrag slack,
+        const LineKernels& kernels = line_kernels());
   Lines(const Lines&) = delete;
 
   int count() const { return count_; }
@@ -39,8 +39,7 @@ class Lines {
   void add_force(const double* tension, double* force) const;
   // Adds blocks; tension and modulus (N) of one line each, modulus null for the law's.
   void add_jacobian(const JacobianRequest& request, const double* tension, const double* modulus,
-                    const BlockSink& bars, const BlockSink& cells,
-                    const BlockSink& hexagons) const;
+                    const BlockSink& bars, const BlockSink& cells, const BlockSink& hexagons) const;
   // Adds added mass (kg, 9 per point).
   void add_added_mass(double* mass) const;
   // Adds the drag's damping (N s/m, 1 per point) of lines at right angles to the flow.

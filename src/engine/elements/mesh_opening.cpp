@@ -76,8 +76,7 @@ void MeshOpenings::add_force(const Field& field, double* force) const {
     const Vector by_v = 2.0 * o.slope[1] * o.v + o.slope[2] * o.u;
     const std::size_t t = static_cast<std::size_t>(e);
     for (std::size_t k = 0; k < 4; ++k) {
-      at(force, node[4 * t + k]) -=
-          shape_[t].along[0][k] * by_u + shape_[t].along[1][k] * by_v;
+      at(force, node[4 * t + k]) -= shape_[t].along[0][k] * by_u + shape_[t].along[1][k] * by_v;
     }
   }
 }
@@ -104,9 +103,8 @@ void MeshOpenings::add_jacobian(const Field& field, const JacobianRequest& reque
                  *b = shape_[static_cast<std::size_t>(e)].along[1];
     for (int k = 0; k < 4; ++k) {
       for (int l = 0; l < 4; ++l) {
-        const Matrix block =
-            request.stiffness * (a[k] * a[l] * uu + b[k] * b[l] * vv + a[k] * b[l] * uv +
-                                 b[k] * a[l] * uv.transpose());
+        const Matrix block = request.stiffness * (a[k] * a[l] * uu + b[k] * b[l] * vv +
+                                                  a[k] * b[l] * uv + b[k] * a[l] * uv.transpose());
         sink.add(e, k, l, block);
       }
     }

@@ -83,10 +83,9 @@ void NettingCells::add_force(const LineArrays& lines, const double* tension, dou
       const double along_u = pull_u * lines.e[c][u], along_v = pull_v * lines.e[c][v];
       const double twisted = held * lines.twist[c][u] + damped * lines.twist_rate[c][u];
       for (int k = 0; k < 4; ++k) {
-        force[3 * static_cast<std::ptrdiff_t>(n[k]) + c] += share[k][e] * drag -
-                                                            along[0][k][e] * along_u -
-                                                            along[1][k][e] * along_v -
-                                                            twist[k][e] * twisted;
+        force[3 * static_cast<std::ptrdiff_t>(n[k]) + c] +=
+            share[k][e] * drag - along[0][k][e] * along_u - along[1][k][e] * along_v -
+            twist[k][e] * twisted;
       }
     }
   }

@@ -59,6 +59,8 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
     const double tension = lines.multiplicity[k] * lines.tension[k];
     const double length = line.rest * (1.0 + lines.strain[k]);
     moment.elastic += lines.multiplicity[k] * twine_energy(model.material(line), length, line.rest);
+    moment.elastic += line.held_energy(lines);
+    named += line.held_power(lines, field.velocity);
     if (k < model.bars.count()) {
       moment.give[static_cast<std::size_t>(k)] =
           lines.multiplicity[k] * give(model.material(line), length, line.rest);

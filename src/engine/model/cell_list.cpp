@@ -18,7 +18,7 @@ void copy(const std::vector<Value>& from, std::size_t width, std::size_t element
 }  // namespace
 
 void CellList::divide(NettingCells& plain, HexagonalTriangles& hexagons,
-                          std::vector<char>& hexagonal) const {
+                      std::vector<char>& hexagonal) const {
   hexagonal.clear();
   const auto append = [this](std::size_t e, std::size_t corners, auto& to) {
     for (std::size_t k = 0; k < corners; ++k) {

@@ -71,9 +71,9 @@ void read_lines(const LineArrays& lines, int first, int count, std::vector<doubl
     const int line = first + k;
     double square = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).squaredNorm();
     if (lines.twist_weight && lines.twist_weight[line] > 0.0) {
-      square += lines.twist_weight[line] *
-                Vector(lines.twist[0][line], lines.twist[1][line], lines.twist[2][line])
-                    .squaredNorm();
+      square +=
+          lines.twist_weight[line] *
+          Vector(lines.twist[0][line], lines.twist[1][line], lines.twist[2][line]).squaredNorm();
     }
     length[k] = std::sqrt(square);
   }
