@@ -132,6 +132,15 @@ test_that("findings are told in the summary, the report and the record", {
   expect_error(findings(1), class = "codend_error_argument")
 })
 
+test_that("a weight that hangs on netting alone shows", {
+  cage <- update(read_gear("model_cage"), side_ropes = NULL)
+  found <- expect_finding(quiet(cage, nodes = 300), "weight on netting", "piece sinker_1")
+  expect_equal(found$value, 0.4)
+  # a rope along the edge will do as well
+  roped <- update(cage, bottom_rope = list(diameter = "2 mm", material = "polyamide"))
+  expect_false("weight on netting" %in% findings(quiet(roped, nodes = 300))$check)
+})
+
 test_that("a law outside what it was measured for warns", {
   gear <- update(read_gear("poly_noreastern_trawl"), netting_drag = "loland")
   expect_warning(state <- settle(gear, nodes = 500), class = "codend_warning_drag_law")
