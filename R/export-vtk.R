@@ -6,15 +6,16 @@
 #' @details
 #' Cells are lines (bars of ropes and of netting), quadrilaterals and triangles (of netting that is
 #' divided into cells), vertices (where pieces sit) and quadrilaterals again (free otter boards, in
-#' their true size and attitude). Numbers are in double precision, low byte first, as codend has them.
+#' their true size and attitude). Numbers are in double precision, low byte first, as codend has
+#' them.
 #'
 #' Every cell has
 #'
 #' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same
 #'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
-#' - `tension_N` of one line or twine, in cells of netting the larger of the two families of twine, which
-#'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in
-#'   other cells; negative in poles and struts that push;
+#' - `tension_N` of one line or twine, in cells of netting the larger of the two families of twine,
+#'   which are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN
+#'   in other cells; negative in poles and struts that push;
 #' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
 #' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
 #'   catch in netting, `catch_force_N`.

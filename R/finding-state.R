@@ -54,8 +54,9 @@ define_finding("bridles", "state",
 )
 
 define_finding("weight on netting", "state",
-  "A weight hangs on an edge of netting alone, without a rope there. Lattices hand it on to the meshes beside, so
-  that the netting comes together around it, where a line or one row of knots carries it.",
+  "A weight hangs on an edge of netting alone, without a rope there. Lattices hand it on to the
+  meshes beside, so that the netting comes together around it, where a line or one row of knots
+  carries it.",
   function(gear, state) {
     si <- state$si
     ropes <- which(state$lattice$parts$kind == "rope")

@@ -98,5 +98,5 @@ read_typed <- function(text, file) {
 
 read_sent <- function(text, name) {
   if (!is_text(text)) abort_plan("A plan is text.", NULL)
-  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), name))
+  gear_of_bytes(charToRaw(enc2utf8(text)), name)
 }

@@ -94,12 +94,19 @@ check_seams <- function(si) {
           ),
           path, format_si(min(size), "length"), format_si(max(size), "length")
         ),
-        paste0(path, ".edges"), size
+        paste0(path, ".edges"), size, mesh_sizes = joined_mesh_sizes(si, seam)
       )
     }
     if (!is.null(seam$held_between)) check_held_between(si, seam$held_between, min(size), path)
   }
   check_taken(si$seams)
+}
+
+# Mesh sizes (m) of the panels that a seam joins, by panel; one of each size.
+joined_mesh_sizes <- function(si, seam) {
+  panels <- unique(vapply(unlist(seam$edges, recursive = FALSE), `[[`, "", "panel"))
+  sizes <- vapply(si$panels[panels], `[[`, 0, "mesh_size")
+  sizes[!duplicated(sizes)]
 }
 
 # No stretch of an edge may be in two seams.

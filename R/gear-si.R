@@ -10,7 +10,16 @@
 # assembly that it stands for as expanded and in plain form (NULL where it is one); that assembly's
 # checked fields; and the SI numbers of si_of().
 check_whole <- function(plan, last = NULL) {
-  now <- list(plan = plan, fields = check_plan(plan, last$plan, last$fields))
+  fields <- check_plan(plan, last$plan, last$fields)
+  tryCatch(
+    check_parts(plan, fields, last),
+    codend_error_plan = function(e) abort_as_written(e, plan)
+  )
+}
+
+# What check_whole() does once every field is as the schema has it.
+check_parts <- function(plan, fields, last) {
+  now <- list(plan = plan, fields = fields)
   if (now$fields$kind == "assembly") {
     now$assembly <- now$fields
   } else {

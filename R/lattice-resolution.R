@@ -11,8 +11,8 @@ nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 # settling.
 greatest_bar_segments <- 4
 
-# Width and depth of panels, m, from which the counts of elements follow: list(width, depth). Cells of
-# as many meshes across as deep follow the twines best, whatever shape they hang in, so both are
+# Width and depth of panels, m, from which the counts of elements follow: list(width, depth). Cells
+# of as many meshes across as deep follow the twines best, whatever shape they hang in, so both are
 # stretched lengths by one factor, with which the area is that of netting at its nominal ratio.
 even_size <- function(panels) {
   even <- mesh_unit(panels) *

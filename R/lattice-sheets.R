@@ -1,5 +1,5 @@
-# Sheets between equivalent bars, on which netting of bars has the drag that cells have as a whole: as
-# a screen or blended.
+# Sheets between equivalent bars, on which netting of bars has the drag that cells have as a whole:
+# as a screen or blended.
 
 # Adds sheets to those panels of bars that have their drag as a whole: triangles between the rows of
 # their knots, which end on the panel's sides.
@@ -37,8 +37,8 @@ add_bar_sheets <- function(build, panels, numbers, parts, division, points, id, 
   )
 }
 
-# Rows of knots with an end on either side of their panel: list(panel, row, i, id, s = fraction of the
-# panel's width).
+# Rows of knots with an end on either side of their panel: list(panel, row, i, id, s = fraction of
+# the panel's width).
 sided_rows <- function(build, panels, numbers, rows, known, division) {
   of <- sort(unique(known$panel))
   panel <- rep.int(of, rows[of] + 1L)
@@ -74,8 +74,8 @@ row_facets <- function(panel, row, s) {
   do.call(cbind, Map(strip_between, groups[upper], groups[upper + 1L], list(s)))
 }
 
-# Facets (3 x n) between two rows of places: in the order of s each makes one with the last ones met of
-# its own and of the other row.
+# Facets (3 x n) between two rows of places: in the order of s each makes one with the last ones met
+# of its own and of the other row.
 strip_between <- function(upper, lower, s) {
   all <- c(upper, lower)
   order <- order(s[all])

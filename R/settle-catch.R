@@ -7,8 +7,9 @@ catch_tolerance <- 1e-6
 # A front within this of one that is settled, in the logarithm of meshes, is settled from there.
 near_front <- 0.2
 
-# solve: function(lattice, from) that settles, from its own start or from a report of itself. Returns list(lattice = with the front that was found,
-# report = what `solve` returned for that, with the steps and factorisations of all tries).
+# solve: function(lattice, from) that settles, from its own start or from a report of itself.
+# Returns list(lattice = with the front that was found, report = what `solve` returned for that,
+# with the steps and factorisations of all tries).
 settle_catch <- function(si, lattice, solve) {
   wanted <- log(si$catch$volume)
   # Fronts known to enclose too little and too much, in the logarithms of meshes and of volume.
@@ -18,8 +19,8 @@ settle_catch <- function(si, lattice, solve) {
   iterations <- factorisations <- 0L
   for (try in seq_len(40L)) {
     lattice <- set_catch_front(lattice, exp(front))
-    # From the first start: a shape settled far off leads the path astray. From near by: slack netting
-    # before the front may balance in several ways, and the volume is to follow one of them.
+    # From the first start: a shape settled far off leads the path astray. From near by: slack
+    # netting before the front may balance in several ways, and the volume is to follow one of them.
     near <- !is.null(before) && abs(front - before$front) < near_front
     report <- solve(lattice, if (near) before$report)
     report$iterations <- iterations <- iterations + report$iterations

@@ -29,8 +29,8 @@ nodes_at <- function(x, places) {
 # A rope's nodes and where they are, as shares of its length: list(node, at).
 along_rope <- function(x, rope) lattice_of(x)$ropes[[rope]]
 
-# How panels are divided, by name: each list(netting, and grid and places of cells in it, or node, i, j,
-# lambda and segments of bars).
+# How panels are divided, by name: each list(netting, and grid and places of cells in it, or node,
+# i, j, lambda and segments of bars).
 panels_of <- function(x) lattice_of(x)$panels
 panel_of <- function(x, name) panels_of(x)[[name]]
 

@@ -221,8 +221,9 @@ test_that("the survey trawl closes and pulls with speed as its flume model does"
   off <- rowMeans(abs(found / measured - 1))
   expect_lt(max(off[-2]), 0.1)
   expect_lt(off[2], 0.12)
-  # The flume's own powers scatter by 0.07 (tension) and 0.14 (height) among its six series. Refined,
-  # the height's is off by 0.18 (cells) and 0.17 (bars): it falls too little at the highest speeds.
+  # The flume's own powers scatter by 0.07 (tension) and 0.14 (height) among its six series.
+  # Refined, the height's is off by 0.18 (cells) and 0.17 (bars): it falls too little at the highest
+  # speeds.
   power <- function(y) unname(coef(lm(log(y) ~ log(tests$speed_knot)))[2])
   expect_lt(abs(power(found[1, ]) - power(measured[1, ])), 0.14)
   expect_lt(abs(power(found[2, ]) - power(measured[2, ])), 0.2)

@@ -273,7 +273,8 @@ test_that("sheets between bars cover their panel and have the drag of cells", {
           0.12 * (if (name == "square") 1 else 2) * 0.002
         } else if (name == "square") 1 else 2, tolerance = 1e-9, label = paste(name, netting))
         expect_equal(sum(abs(found$forces$bar_drag)), 0)
-        rowSums(matrix(found$forces[[if (law == "aarsnes") "screen_force" else "blended_force"]], 3L))
+        rowSums(matrix(
+          found$forces[[if (law == "aarsnes") "screen_force" else "blended_force"]], 3L))
       })
       # the same flat panel, divided otherwise: sums of some hundred terms in another order
       expect_equal(force[[2]], force[[1]], tolerance = 1e-9, label = paste(name, law))

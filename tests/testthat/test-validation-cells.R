@@ -18,16 +18,17 @@ hung_diamonds <- function(stiffness) {
       along = "net.lower", hanging_ratio = 0.625, diameter = 0.016, material = "steel_chain"
     )),
     measures = list(
-      foot_width = list(spread = list("chain.start", "chain.end")), net_drag = list(drag = list("net"))
+      foot_width = list(spread = list("chain.start", "chain.end")),
+      net_drag = list(drag = list("net"))
     )
   ))
 }
 
 test_that("cells of stiff twine hang as netting does mesh by mesh", {
   # Bars mesh by mesh in two pieces each (58,000 nodes), computed once: at EA of 3 kN the foot is
-  # 3.372 m wide, the drag 0.4716 kN and no twine is slack. Kinks run along the twines from the upper
-  # corners, so the width closes in slowly: it is to be within 3 % at 1,000 nodes, where triangles
-  # were 21 % off, and 1.5 % at 3,000.
+  # 3.372 m wide, the drag 0.4716 kN and no twine is slack. Kinks run along the twines from the
+  # upper corners, so the width closes in slowly: it is to be within 3 % at 1,000 nodes, where
+  # triangles were 21 % off, and 1.5 % at 3,000.
   within <- c(0.03, 0.015)
   for (k in 1:2) {
     state <- settle(hung_diamonds(3000), nodes = c(1000, 3000)[k])
@@ -43,8 +44,8 @@ test_that("cells of stiff twine hang as netting does mesh by mesh", {
   expect_lt(rigid[["slack_netting_percent"]], 2.5)
 })
 
-# A closed tube of diamond netting, `around` meshes around, filled with catch over most of its length,
-# its entrance held on a circle of radius r.
+# A closed tube of diamond netting, `around` meshes around, filled with catch over most of its
+# length, its entrance held on a circle of radius r.
 full_tube <- function(around, deep, filled, speed, size, radius) {
   names <- paste0("net_", seq_len(around))
   ring <- lapply(seq_len(around), function(k) {
