@@ -51,19 +51,18 @@ whole_drag_elements <- function(si, lattice, kind) {
 # As NettingScreens.
 screen_elements <- function(si, lattice) {
   all <- whole_drag_elements(si, lattice, "screens")
-  of <- si$panels[all$panel]
-  number <- function(field) vapply(of, `[[`, 0, field, USE.NAMES = FALSE)
-  width <- vapply(of, twine_width, 0, USE.NAMES = FALSE)
+  number <- function(field) vapply(si$panels, `[[`, 0, field, USE.NAMES = FALSE)[all$panel]
+  width <- vapply(si$panels, twine_width, 0, USE.NAMES = FALSE)[all$panel]
   twine <- all$bars * (number("mesh_size") - number("straight_bar")) * width
   knots <- all$bars * (1 + (number("straight_bar") > 0))
   list(
     node = all$node, twine = all$twine,
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     # of hexagonal netting bars meet and do not cross
-    overlap = crossing_overlap(of),
+    overlap = crossing_overlap(si$panels)[all$panel],
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = all$height, multiplicity = all$multiplicity,
-    law = vapply(of, `[[`, "", "netting_drag", USE.NAMES = FALSE)
+    law = vapply(si$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[all$panel]
   )
 }
 
@@ -81,10 +80,10 @@ blended_elements <- function(si, lattice) {
   panels <- if (length(all$panel)) si$panels
   list(
     node = all$node, twine = all$twine,
-    rest = vapply(si$panels[all$panel], function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
-      USE.NAMES = FALSE),
+    rest = vapply(si$panels, function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
+      USE.NAMES = FALSE)[all$panel],
     multiplicity = all$multiplicity, height = all$height,
-    overlap = crossing_overlap(si$panels[all$panel]),
+    overlap = crossing_overlap(si$panels)[all$panel],
     material = as.integer(all$panel), materials = twine_materials(panels, alone = FALSE)
   )
 }
@@ -94,17 +93,21 @@ opening_elements <- function(si, lattice) {
   cells <- lattice$engine$cells
   panel <- cell_panel(si, lattice)
   stiffness <- lapply(si$panels, `[[`, "opening_stiffness")
-  some <- which(!vapply(stiffness, is.null, NA)[panel])
-  of <- stiffness[panel[some]]
+  stiff <- !vapply(stiffness, is.null, NA)
+  some <- which(stiff[panel])
+  number <- function(field) {
+    of <- numeric(length(stiff))
+    of[stiff] <- vapply(stiffness[stiff], `[[`, 0, field, USE.NAMES = FALSE)
+    of[panel[some]]
+  }
   turned <- vapply(si$panels, `[[`, "", "orientation")[panel[some]] == "turned"
-  angle <- vapply(of, `[[`, 0, "angle", USE.NAMES = FALSE)
+  angle <- number("angle")
   angle[turned] <- pi - angle[turned]
   list(
     node = cells$node[corners_of(some)],
     twine = cells$twine[twine_of(some)] *
       rep(cells$rest[some], each = 8L),
-    couple = vapply(of, `[[`, 0, "couple", USE.NAMES = FALSE),
-    angle = angle,
+    couple = number("couple"), angle = angle,
     multiplicity = cells$multiplicity[some] / cells$rest[some]^2
   )
 }

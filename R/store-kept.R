@@ -77,7 +77,7 @@ kept_numbers <- function(what) {
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
   # a function of what it was made from
-  what$places <- environment(what$lattice$place)$places
+  what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
   flat <- flatten_tree(what)
   list(
