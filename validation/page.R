@@ -64,15 +64,16 @@ page_lines <- function(judged, manifest) {
       "from [manifest.yaml](manifest.yaml); [README.md](README.md) tells how. Every value is in",
       "[misfits.csv](misfits.csv)."), "",
     paste("-", page_summary(judged)), "",
-    paste("A quantity is **held** where the mean size of its misfits is within its band: the",
-      "tolerance of what was measured, or what the division of the lattice leaves of a closed form.",
-      "Misfits are in percent of what was measured. Nothing is tuned to a haul, a speed or a ship."), "",
+    paste("A quantity is **held** where the mean size of its misfits is within its band:",
+      "the tolerance of what was measured, or what the division of the lattice leaves of a closed",
+      "form. Misfits are in percent of what was measured. Nothing is tuned to a haul, a speed or a",
+      "ship."), "",
     "![Misfit by case](figures/misfit-by-case.png)", "",
     "![Misfit by quantity](figures/misfit-by-quantity.png)", "",
     "## Hauls by warp", "",
-    paste("A GOV 36/47 from published particulars ([plan](plans/gov_36_47.yaml)) with what each",
-      "ship reports of boards, warps, floats and sweeps, and the survey trawl of the Gulf of Alaska:",
-      "means of hauls (points) and codend (lines)."), "",
+    paste("A GOV 36/47 from published particulars ([plan](plans/gov_36_47.yaml)) with what",
+      "each ship reports of boards, warps, floats and sweeps, and the survey trawl of the Gulf of",
+      "Alaska: means of hauls (points) and codend (lines)."), "",
     "![Hauls by warp](figures/hauls-by-warp.png)", "",
     "## The flume of 2025", "",
     "![Flume tests](figures/flume.png)", "",
@@ -88,8 +89,9 @@ page_lines <- function(judged, manifest) {
         "")
     })),
     "## Trends", "",
-    paste("Slopes of the logarithm of a quantity by that of what was varied, as mean over the series",
-      "of a case; where only a direction is published it is 1 or -1. **held**: all signs are right."),
+    paste("Slopes of the logarithm of a quantity by that of what was varied, as mean over the",
+      "series of a case; where only a direction is published it is 1 or -1. **held**: all",
+      "signs are right."),
     "",
     "| case | quantity | by | series | measured | codend | |", "|---|---|---|--:|--:|--:|---|",
     sprintf("| %s | %s | %s | %d | %.2f | %.2f | %s |", title_of(trends$case, manifest),
@@ -209,5 +211,6 @@ draw_flume <- function(rows) {
     graphics::abline(0, 0.9, col = "grey75", lty = 2)
   }
   graphics::legend("bottomright",
-    c("speed", "spread", "split bridles", "pulling height", "tuned on"), col = c(colours, "black"), pch = c(16, 16, 16, 16, 1), bty = "n")
+    c("speed", "spread", "split bridles", "pulling height", "tuned on"),
+    col = c(colours, "black"), pch = c(16, 16, 16, 16, 1), bty = "n")
 }

@@ -2,6 +2,7 @@
 
 use_tests("test-validation-cables")
 use_tests("test-validation-published-cases")
+use_tests("test-validation-cells")
 
 case_elastic_catenary <- function() {
   state <- hanging_catenary(128)
@@ -118,52 +119,32 @@ case_loaded_line <- function() {
   compared("depth", paste("hook", 1:8), hung_longline(state)[1:8], found)
 }
 
-# A long closed tube of diamond netting under the pressure of a catch, 40 meshes around: the angle
-# f of the bars to its axis has tan(f)^2 = 2, so that r = N m sin(f) / (2 pi), and a bar of length a
-# has p r a / sqrt(2) (axial and hoop tension of a closed tube, p r / 2 and p r, in two families of
-# bars; inextensible twine).
-pressure_tube <- function(around = 40, deep = 60, mesh = 0.1) {
-  r <- around * mesh * sqrt(2 / 3) / (2 * pi)
-  angle <- 2 * pi * (seq_len(around) - 1) / around
-  names <- paste0("net_", seq_len(around))
-  net <- list(mesh_size = mesh, meshes = list(upper = 1, lower = 1, deep = deep), knotted = FALSE,
-    columns = 1, rows = deep,
-    twine = list(diameter = 0.003, axial_stiffness = 1e5,
-      mass_per_length = 1025 * pi / 4 * 0.003^2))
-  as_gear(list(
-    codend = 1, name = "Tube under pressure", netting = "triangles", towing = list(speed = 1.5),
-    coefficients = list(normal = 0),
-    points = c(stats::setNames(lapply(seq_len(around), function(k) {
-      list(position = c(0, r * cos(angle[k]), -10 + r * sin(angle[k])), held = "moved",
-        at = paste0(names[k], ".upper_left"))
-    }), paste0("ring_", seq_len(around))), list(codline = list())),
-    panels = stats::setNames(rep(list(net), around), names),
-    seams = c(stats::setNames(lapply(seq_len(around), function(k) {
-      list(edges = list(paste0(names[k], ".right"), paste0(names[k %% around + 1], ".left")))
-    }), paste0("side_", seq_len(around))),
-      list(codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline"))),
-    catch = list(panels = names, blocked_meshes = deep)
-  ))
+# A closed tube of inextensible diamond netting under the pressure of a catch: the angle f of the bars
+# to its axis has tan(f)^2 = 2, so that r = N m sin(f) / (2 pi), and a bar of length a has
+# p r a / sqrt(2): axial and hoop tension p r / 2 and p r in two families of bars.
+case_pressure_tube <- function() {
+  around <- 24
+  size <- 0.1
+  radius <- around * size * sqrt(2 / 3) / (2 * pi)
+  state <- settle(full_tube(around, 40, 32, 1.5, size, radius))
+  lines <- as.data.frame(state, what = "tensions")
+  x <- range(state$position[1, ])
+  # well behind the front of the catch and before the closed end
+  middle <- function(at) at > x[1] + 0.45 * diff(x) & at < x[1] + 0.65 * diff(x)
+  bars <- 1000 * lines$tension_kN[lines$kind == "netting" & middle(lines$x_m)]
+  wall <- state$position[, middle(state$position[1, ])]
+  rbind(
+    compared("place", "radius", radius, mean(sqrt(wall[2, ]^2 + (wall[3, ] + 10)^2))),
+    compared("tension", c("mean of the bars", "5 % have less", "5 % have more"),
+      0.5 * 1.4 * 1025 * 1.5^2 * radius * size / 2 / sqrt(2),
+      c(mean(bars), stats::quantile(bars, c(0.05, 0.95))))
+  )
 }
 
-case_pressure_tube <- function() {
-  state <- settle(pressure_tube(), nodes = 400)
-  r <- 40 * 0.1 * sqrt(2 / 3) / (2 * pi)
-  pressure <- 0.5 * 1.4 * 1025 * 1.5^2
-  # the front half, away from the codline
-  x <- state$position[1, panels_of(state)[[1]]$grid[1, ]]
-  rows <- which(x > 0.1 * max(x) & x < 0.5 * max(x))
-  radius <- vapply(panels_of(state), function(panel) {
-    mean(sqrt(colSums((state$position[2:3, panel$grid[1, rows]] + c(0, 10))^2)))
-  }, 0)
-  tensions <- as.data.frame(state, what = "tensions")
-  tensions <- tensions[tensions$x_m > 0.1 * max(x) & tensions$x_m < 0.5 * max(x), ]
-  exact <- pressure * r * 0.05 / sqrt(2)
-  bars <- 1000 * tensions$tension_kN
+case_hanging_panel <- function() {
+  found <- measures(settle(hung_diamonds(3000), nodes = 3000))
   rbind(
-    compared("place", "radius", r, mean(radius)),
-    compared("tension", "mean of the bars", exact, mean(bars)),
-    compared("single_tension", c("5 % of the bars have less", "5 % have more"), exact,
-      stats::quantile(bars, c(0.05, 0.95)))
+    compared("place", "width of the foot", 3.372, found[["foot_width_m"]]),
+    compared("drag", "netting", 0.4716, found[["net_drag_kN"]])
   )
 }
