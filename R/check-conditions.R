@@ -5,7 +5,7 @@
 #'
 #' | class | what is wrong | fields of the condition |
 #' |---|---|---|
-#' | `codend_error_plan` | a field of a plan | `path`, `value` |
+#' | `codend_error_plan` | a field of a plan | `path`, `value`; of a file `line`, `column` |
 #' | `codend_error_argument` | an argument of a function | |
 #' | `codend_error_file` | a file that cannot be read or written | `file`; of a tow `trajectory` |
 #' | `codend_error_not_converged` | no balance is found | `report`; of a tow `trajectory` |

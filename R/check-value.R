@@ -7,3 +7,40 @@ is_map <- function(value) {
 }
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
+
+# The known name most like `name`, or NULL when none is near.
+nearest <- function(name, known) {
+  if (length(known) == 0 || nchar(name) > 100) return(NULL)
+  distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
+  best <- which.min(distance)
+  if (distance[best] <= max(2, nchar(name) / 3)) known[best] else NULL
+}
+
+# One of several words that an argument may be; the first where nobody chose. choices: as the
+# argument's default lists them.
+chosen <- function(value, choices) {
+  argument <- deparse(substitute(value))
+  if (identical(value, choices)) return(choices[1])
+  k <- if (is_text(value)) pmatch(value, choices) else NA
+  if (is.na(k)) abort_unknown_word(argument, value, choices, "one of")
+  choices[k]
+}
+
+# The names of measures that an argument asks for, all where it is NULL.
+chosen_measures <- function(measures, known) {
+  if (is.null(measures)) return(known)
+  if (!is.character(measures) || !length(measures) || !all(measures %in% known)) {
+    wrong <- if (is.character(measures)) setdiff(measures, known)[1] else measures
+    abort_unknown_word("measures", wrong, known, "any of")
+  }
+  measures
+}
+
+abort_unknown_word <- function(argument, value, known, must) {
+  near <- if (is_text(value)) nearest(value, known)
+  hint <- if (length(near)) " Did you mean {.val {near}}?"
+  said <- if (is.null(value) || is.atomic(value)) value else class(value)
+  abort_argument(paste0(
+    "{.arg {argument}} is {.val {said}}; it must be ", must, " {.or {.val {known}}}.", hint
+  ))
+}

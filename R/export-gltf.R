@@ -31,7 +31,7 @@
 #' write_gltf(settle("towed_cable"), file)
 write_gltf <- function(state, file, colours = c("tension", "part")) {
   check_is_state(state)
-  colours <- match.arg(colours)
+  colours <- chosen(colours, c("tension", "part"))
   extension <- check_file_path(file, c(".glb", ".gltf"))
   write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))

@@ -2,10 +2,11 @@
 
 # A gear from a tree of lists: put into its plain form and checked in full.
 # like: a gear, parts of which are checked already where this one is the same.
-as_gear <- function(tree, file = NULL, like = NULL) {
+# source: the text that it was read from, whose remarks a file of it keeps.
+as_gear <- function(tree, file = NULL, like = NULL, source = like$source) {
   plan <- plain_tree(tree)
   structure(
-    list(plan = plan, file = file, checked = check_whole(plan, like$checked)),
+    list(plan = plan, file = file, source = source, checked = check_whole(plan, like$checked)),
     class = "codend_gear"
   )
 }
@@ -55,7 +56,15 @@ read_gear <- function(plan) {
       NULL, plan
     )
   }
-  as_gear(read_plan(file), file = file)
+  gear_of_bytes(plan_bytes(file), file, file)
+}
+
+# The gear of a plan's bytes (raw, of its YAML). name: what messages call them; file: their path or
+# NULL.
+gear_of_bytes <- function(bytes, name, file = NULL) {
+  tree <- plan_of_bytes(bytes, name)
+  text <- plan_text_of(bytes, name)
+  with_places(as_gear(tree, file = file, source = text), text)
 }
 
 # Paths of the plans that ship with the package, named by file name.
@@ -114,6 +123,22 @@ update.codend_gear <- function(object, ...) {
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
   as_gear(plan, file = object$file, like = object)
+}
+
+#' @export
+update.codend_state <- function(object, ...) {
+  abort_argument(c(
+    "A state cannot be changed: it is the balance of its gear.",
+    i = "Change the gear and settle that: {.code settle(update(state$gear, ...), from = state)}."
+  ))
+}
+
+#' @export
+update.codend_trajectory <- function(object, ...) {
+  abort_argument(c(
+    "A tow that is done cannot be changed.",
+    i = "Change the gear and tow that: {.code tow(update(trajectory$gear, ...))}."
+  ))
 }
 
 # The gear with one field changed (NULL: taken out), checked in full again.

@@ -34,23 +34,22 @@ triangles_with_drag <- function(si, lattice, drag) {
 # As NettingScreens.
 screen_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
-  panel <- triangle_panel(si, lattice)
   some <- lattice$on_triangle$screens
-  of <- si$panels[panel[some]]
-  number <- function(field) vapply(of, `[[`, 0, field, USE.NAMES = FALSE)
+  panel <- triangle_panel(si, lattice)[some]
+  number <- function(field) vapply(si$panels, `[[`, 0, field, USE.NAMES = FALSE)[panel]
   cells <- triangle_bars(triangles, some)
-  width <- vapply(of, twine_width, 0, USE.NAMES = FALSE)
+  width <- vapply(si$panels, twine_width, 0, USE.NAMES = FALSE)[panel]
   twine <- cells * (number("mesh_size") - number("straight_bar")) * width
   knots <- cells * (1 + (number("straight_bar") > 0))
   list(
     node = triangles$node[corners_of(some)],
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     # of hexagonal netting bars meet and do not cross
-    overlap = crossing_overlap(of),
+    overlap = crossing_overlap(si$panels)[panel],
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = triangles$height[some],
     multiplicity = triangles$multiplicity[some],
-    law = vapply(of, `[[`, "", "netting_drag", USE.NAMES = FALSE)
+    law = vapply(si$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[panel]
   )
 }
 
@@ -82,17 +81,21 @@ opening_elements <- function(si, lattice) {
   triangles <- lattice$engine$triangles
   panel <- triangle_panel(si, lattice)
   stiffness <- lapply(si$panels, `[[`, "opening_stiffness")
-  some <- which(!vapply(stiffness, is.null, NA)[panel])
-  of <- stiffness[panel[some]]
+  stiff <- !vapply(stiffness, is.null, NA)
+  some <- which(stiff[panel])
+  number <- function(field) {
+    of <- numeric(length(stiff))
+    of[stiff] <- vapply(stiffness[stiff], `[[`, 0, field, USE.NAMES = FALSE)
+    of[panel[some]]
+  }
   turned <- vapply(si$panels, `[[`, "", "orientation")[panel[some]] == "turned"
-  angle <- vapply(of, `[[`, 0, "angle", USE.NAMES = FALSE)
+  angle <- number("angle")
   angle[turned] <- pi - angle[turned]
   list(
     node = triangles$node[corners_of(some)],
     twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)] *
       rep(triangles$rest[some], each = 6L),
-    couple = vapply(of, `[[`, 0, "couple", USE.NAMES = FALSE),
-    angle = angle,
+    couple = number("couple"), angle = angle,
     multiplicity = triangles$multiplicity[some] / triangles$rest[some]^2
   )
 }

@@ -22,13 +22,16 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   bars <- panels_of_bars(si, netting)
   check_triangles_needed(si, bars)
   panels <- panel_table(si$panels)
-  chains <- gear_chains(si)
-  frame <- division_frame(chains, linked = !bars)
-  resolution <- resolution_table(si, panels, frame$pieces, bars)
+  # what a shape of the same division needs not
+  delayedAssign("chains", gear_chains(si))
+  delayedAssign("frame", division_frame(chains, linked = !bars))
   asked <- list(nodes = nodes, bars = bars, meshes = panels[c(side_fields, "orientation")])
   alike <- identical(asked, from$lattice$counts$asked)
-  counts <- if (alike) from$lattice$counts else division_counts(resolution, asked)
-  division <- divide(si, frame, counts$pieces, counts$ropes, bars)
+  counts <- if (alike) from$lattice$counts else {
+    division_counts(resolution_table(si, panels, frame$pieces, bars), asked)
+  }
+  division <- if (alike) division_again(si, from)
+  if (is.null(division)) division <- divide(si, frame, counts$pieces, counts$ropes, bars)
 
   parts <- list2DF(list(
     name = as.character(c(names(si$ropes), names(si$panels), names(si$pieces),
@@ -98,7 +101,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
       bar_part = collected$bars$part, triangle_part = collected$triangles$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
       board_part = before_boards + seq_along(si$otter_boards),
-      division = division[c("nodes", "fraction", "edge_node", "count", "before", "grids")],
+      division = division[c("nodes", "fraction", "edge_node", "count", "before", "grids", "runs")],
       ropes = division$ropes, points = division$points, place = place_finder(division$places),
       held_edges = division$held_edges, panels = drawn, counts = counts
     ),
@@ -179,6 +182,9 @@ place_finder <- function(places) {
   force(places)
   function(text) places[[text]]
 }
+
+# The nodes of all places of a lattice, by their texts.
+lattice_places <- function(lattice) environment(lattice$place)$places
 
 # How finely a gear is divided: list(asked, pieces, ropes = elements of every piece of edge and
 # rope, grouping = see bar_grouping()).

@@ -1,8 +1,22 @@
 # What a wrong plan is answered with: one message form, one condition class.
 
-# Stops with a "codend_error_plan" that carries the field's path and its value.
-abort_plan <- function(message, path, value = NULL) {
-  abort_as("plan", "{message}", path = path, value = value, envir = environment())
+# Stops with a "codend_error_plan" that carries the field's path and its value, and `said`, the
+# message as it is here; `...`: further fields of the condition.
+abort_plan <- function(message, path, value = NULL, ...) {
+  abort_as("plan", "{message}", path = path, value = value, said = message, ...,
+    envir = environment())
+}
+
+# The same error with line and column of its field in the text of a plan file, where they are known.
+with_places <- function(expression, text) {
+  tryCatch(expression, codend_error_plan = function(e) {
+    place <- if (is.null(e$line)) field_place(text, e$path)
+    if (is.null(place)) stop(e)
+    abort_plan(
+      sprintf("%s (line %d, column %d)", e$said, place$line, place$column), e$path, e$value,
+      line = place$line, column = place$column
+    )
+  })
 }
 
 # "Plan field `path` is VALUE; it must be MUST."
@@ -24,14 +38,6 @@ abort_unknown <- function(path, name, known, value = NULL) {
     ),
     where, value
   )
-}
-
-# The known name most like `name`, or NULL when none is near.
-nearest <- function(name, known) {
-  if (length(known) == 0 || nchar(name) > 100) return(NULL)
-  distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
-  best <- which.min(distance)
-  if (distance[best] <= max(2, nchar(name) / 3)) known[best] else NULL
 }
 
 show_value <- function(value) {

@@ -32,6 +32,23 @@ material_abbreviations <- c(
   PE = "polyethylene", PA = "polyamide", PES = "polyester", PP = "polypropylene", HMPE = "hmpe"
 )
 
+# What the trade also calls them, for the hint of an error; a plan has the names above.
+material_trade_names <- c(
+  nylon = "PA", perlon = "PA", kapron = "PA", courlene = "PE", polythene = "PE",
+  polyethene = "PE", nymplex = "PE", hdpe = "PE", terylene = "PES",
+  dacron = "PES", trevira = "PES", tergal = "PES", polysteel = "PP",
+  dyneema = "HMPE", spectra = "HMPE", uhmwpe = "HMPE", steel = "steel_wire", wire = "steel_wire",
+  wire_rope = "steel_wire", chain = "steel_chain", iron = "steel_chain",
+  combination = "combination_rope", compound = "combination_rope", taifun = "combination_rope"
+)
+
+# The known material that a name is like or another word for, or NULL.
+material_meant <- function(name, known) {
+  word <- gsub("[ -]+", "_", tolower(name))
+  if (word %in% names(material_trade_names)) return(material_trade_names[[word]])
+  nearest(name, known)
+}
+
 # The row of `gear_materials` for a name, or of the plan's own materials (solid circles).
 find_material <- function(name, own, path) {
   if (!is.null(own[[name]])) {
@@ -46,7 +63,7 @@ find_material <- function(name, own, path) {
   if (name %in% names(material_abbreviations)) name <- material_abbreviations[[name]]
   if (!name %in% rownames(gear_materials)) {
     known <- c(names(own), rownames(gear_materials), names(material_abbreviations))
-    abort_field(path, name, paste("one of", word_list(known)), hint = nearest(name, known))
+    abort_field(path, name, paste("one of", word_list(known)), hint = material_meant(name, known))
   }
   gear_materials[name, ]
 }

@@ -22,9 +22,9 @@ plan_of_bytes <- function(bytes, file) {
         invokeRestart("muffleWarning")
       }
     ),
-    error = function(e) abort_plan(yaml_problem(file, conditionMessage(e)), NULL)
+    error = function(e) abort_yaml(file, text, conditionMessage(e))
   )
-  if (length(warned)) abort_plan(yaml_problem(file, warned[1]), NULL)
+  if (length(warned)) abort_yaml(file, text, warned[1])
   tree <- plain_tree(tree)
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan(
@@ -105,13 +105,50 @@ check_one_document <- function(text, file) {
   }
 }
 
-yaml_problem <- function(file, problem) {
-  hint <- if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
-    " (an edge with a mesh range inside [ ] needs quotes, such as [\"belly.upper[0:6]\"])"
+# Stops with what is wrong in a file that YAML cannot read, its line and its column.
+# problem: as the parser says it.
+abort_yaml <- function(file, text, problem) {
+  doubled <- if (grepl("Duplicate map key", problem, fixed = TRUE)) doubled_key(text)
+  place <- if (is.null(doubled)) yaml_place(problem, text) else doubled[c("line", "column")]
+  line <- if (!is.null(place)) strsplit(text, "\n", fixed = TRUE)[[1]][place$line]
+  why <- if (!is.null(doubled)) {
+    sprintf("the field `%s` is given twice, first in line %d", doubled$path, doubled$first)
+  } else if (!is.null(place) && !is.na(line) && grepl("^ *\t", line)) {
+    "a line begins with a tab; it must be indented by spaces"
+  } else if (grepl("mapping values are not allowed", problem, fixed = TRUE)) {
+    paste(
+      "there is a colon where none can be: text that holds a colon needs quotes, and fields that",
+      "stand beside each other the same indentation"
+    )
+  } else if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
+    paste(
+      "a list is not closed by ]; an edge with a mesh range inside [ ] needs quotes, such as",
+      "[\"belly.upper[0:6]\"]"
+    )
+  } else if (grepl("did not find expected ',' or '}'", problem, fixed = TRUE)) {
+    "a map is not closed by }, or a comma between its fields is missing"
+  } else if (grepl("while scanning a quoted scalar", problem, fixed = TRUE)) {
+    "a quoted text has no end"
+  } else if (grepl("did not find expected key", problem, fixed = TRUE)) {
+    "a field is indented unlike those beside it"
   } else {
-    ""
+    gsub("[[:space:]]+", " ", sub(" at line [0-9]+, column [0-9]+[[:space:]]*$", "", problem))
   }
-  sprintf("Plan file \"%s\" is not valid YAML: %s%s", file, trimws(problem), hint)
+  where <- if (!is.null(place)) sprintf(", line %d, column %d,", place$line, place$column) else ""
+  abort_plan(
+    sprintf("Plan file \"%s\"%s is not valid YAML: %s.", file, where, sub("[.]$", "", trimws(why))),
+    doubled$path, line = place$line, column = place$column
+  )
+}
+
+# The place that a parser's message ends with: where it could not go on.
+yaml_place <- function(problem, text) {
+  found <- regmatches(problem, gregexpr("line ([0-9]+), column ([0-9]+)", problem))[[1]]
+  if (!length(found)) return(NULL)
+  # a quoted text without an end is told of where it begins
+  pick <- if (grepl("quoted scalar", problem, fixed = TRUE)) found[1] else found[length(found)]
+  numbers <- as.integer(regmatches(pick, gregexpr("[0-9]+", pick))[[1]])
+  list(line = numbers[1], column = numbers[2])
 }
 
 # YAML 1.1 reads more than people mean: only yes, no, true and false are truth values, numbers are

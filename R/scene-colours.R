@@ -78,6 +78,14 @@ colour_numbers <- function(scale, tension) {
   numbers
 }
 
+# What stands over a scale.
+scale_heading <- function(scale, kind) {
+  paste0(
+    first_of(scale$words, if (kind == "rope") "Tension of ropes" else "Tension of one twine"),
+    if (!is.null(scale)) paste0(" (", scale$unit, ")")
+  )
+}
+
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)
 
 # Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE

@@ -75,8 +75,9 @@ file_getter <- function(nc) {
 kept_numbers <- function(what) {
   what$plan_text <- enc2utf8(format(what$gear))
   what$plan_file <- what$gear$file
+  if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
   # a function of what it was made from
-  what$places <- environment(what$lattice$place)$places
+  what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
   flat <- flatten_tree(what)
   list(
@@ -95,17 +96,20 @@ read_kept_numbers <- function(get) {
   # NA is the least of all integers
   integers <- suppressWarnings(as.integer(get("kept_integers")))
   what <- build_tree(text, as.vector(get("kept_numbers")), integers, stop)
-  gear <- gear_of_text(what$plan_text, what$plan_file)
+  gear <- gear_of_text(what$plan_text, what$plan_file, what$plan_source)
   if (!inherits(what$lattice, "codend_lattice")) stop("it holds no lattice")
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
-  what$plan_text <- what$plan_file <- what$places <- NULL
+  what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL
   c(list(gear = gear), what)
 }
 
-gear_of_text <- function(text, file) {
+gear_of_text <- function(text, file, source) {
   if (!is_text(text)) stop("it holds no plan")
-  as_gear(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), file = file)
+  if (!is.null(source) && !is_text(source)) stop("its plan has no text")
+  gear <- gear_of_bytes(charToRaw(enc2utf8(text)), "plan", file)
+  gear["source"] <- list(source)
+  gear
 }
 
 # Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own

@@ -83,7 +83,8 @@ read_state <- function(file) {
     }
     state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
     state$time <- what$time
-    state$levels <- what$levels
+    levels <- what$levels
+    if (length(levels)) state$levels <- list(own = function() levels)
     state
   })
 }
@@ -124,7 +125,8 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time", "levels")]
+  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time")]
+  kept$levels <- levels_of(state, plain_measures(measures(state)))
   c(
     do.call(c, vectors),
     list(

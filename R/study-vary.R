@@ -7,8 +7,9 @@
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param ... Values by the path of their field, as in [update()][update.codend_gear]:
 #'   `towing.speed = c("3 knot", "4 knot")`. Several fields are combined in every way, the first
-#'   changing fastest. Fields that change together go as columns of a data frame without a name. All
-#'   plans are checked before anything is computed.
+#'   changing fastest. Fields that change together go as columns of a data frame without a name,
+#'   such as [designs()]; what is missing there stays as in the plan. All plans are checked before
+#'   anything is computed.
 #' @param nodes,netting As in [settle()].
 #' @return A data frame of class `codend_variations` with a row per variation:
 #'
@@ -29,13 +30,11 @@
 vary <- function(gear, ..., nodes = 1500, netting = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
-  axes <- vary_axes(list(...))
+  axes <- design_axes(list(...))
   place <- do.call(expand.grid, lapply(axes, function(axis) seq_len(nrow(axis))))
   gears <- lapply(seq_len(nrow(place)), function(row) {
-    fields <- do.call(c, lapply(seq_along(axes), function(k) {
-      lapply(axes[[k]], `[[`, place[row, k])
-    }))
-    do.call(update, c(list(gear), fields))
+    fields <- lapply(seq_along(axes), function(k) design_fields(axes[[k]], place[row, k]))
+    do.call(update, c(list(gear), do.call(c, fields)))
   })
   for (one in gears) check_lattice_size(gear_si(one), nodes, netting)
   found <- vary_settle(gears, as.matrix(place), nodes, netting)
@@ -57,47 +56,6 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL) {
   )
   structure(table, class = c("codend_variations", "data.frame"), gear_name = gear$plan$name,
     unit = c(unlist(lapply(columns, `[[`, "unit")), units))
-}
-
-# The axes of a study: data frames whose columns are fields that change together.
-vary_axes <- function(given) {
-  if (!length(given)) abort_argument("Give {.fn vary} at least one field with its values.")
-  paths <- names(given)
-  if (is.null(paths)) paths <- character(length(given))
-  axes <- lapply(seq_along(given), function(k) {
-    values <- given[[k]]
-    if (is.data.frame(values)) {
-      if (nzchar(paths[k])) {
-        abort_argument(
-          "A data frame of fields that change together has no name, not {.arg {paths[k]}}."
-        )
-      }
-    } else {
-      if (!nzchar(paths[k])) {
-        abort_argument(
-          "Every field must be named by its path, such as {.code towing.speed = 1:3}."
-        )
-      }
-      if (is.list(values)) {
-        abort_argument("{.arg {paths[k]}} must be a vector of numbers or texts.")
-      }
-      values <- setNames(data.frame(values), paths[k])
-    }
-    values[] <- lapply(values, function(column) {
-      if (is.factor(column)) as.character(column) else column
-    })
-    if (!nrow(values) || anyNA(values)) {
-      name <- names(values)[1L]
-      abort_argument("{.arg {name}} must have at least one value and none missing.")
-    }
-    values
-  })
-  fields <- unlist(lapply(axes, names))
-  if (anyDuplicated(fields)) {
-    twice <- fields[duplicated(fields)][1L]
-    abort_argument("{.arg {twice}} is given twice.")
-  }
-  axes
 }
 
 # Settles gears that lie on a grid, each from the nearest that has settled. place: a row per gear,
@@ -166,7 +124,10 @@ field_columns <- function(axis, gear) {
 }
 
 field_column <- function(values, path, gear) {
+  path <- paths_of(path)[1L]
   dimension <- field_dimension(gear, path)
+  # as in the plan
+  values[is.na(values)] <- first_of(plan_field(gear$plan, path)$value, NA)
   if (is.na(dimension)) return(list(value = values, unit = ""))
   split <- if (is.character(values)) lapply(values, split_quantity)
   units <- unique(vapply(split, function(text) plain_unit(text[2L]), ""))

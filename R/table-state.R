@@ -54,7 +54,8 @@
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
                                        what = c("tensions", "nodes", "measures", "drag",
                                                 "pieces", "reactions"), ...) {
-  table <- switch(match.arg(what),
+  tables <- c("tensions", "nodes", "measures", "drag", "pieces", "reactions")
+  table <- switch(chosen(what, tables),
     tensions = line_table(x),
     nodes = node_table(x),
     measures = measure_table(x),

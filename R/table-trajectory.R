@@ -36,7 +36,7 @@
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
                                             what = c("measures", "conditions", "tensions", "nodes"),
                                             ...) {
-  what <- match.arg(what)
+  what <- chosen(what, c("measures", "conditions", "tensions", "nodes"))
   table <- switch(what,
     measures = by_time(x, function(k) measure_table(state_at(x, x$time[k]))),
     conditions = condition_units(x$conditions),

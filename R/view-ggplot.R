@@ -24,7 +24,7 @@ NULL
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), colour = "tension", ...) {
-  plane <- match.arg(plane)
+  plane <- chosen(plane, c("xy", "xz", "yz"))
   check_colour(colour)
   figure <- plane_figure(object, plane, colour)
   axes <- plane_axes[[plane]]

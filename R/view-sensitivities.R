@@ -19,10 +19,7 @@
 plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                       ...) {
   known <- unique(x$measure[is.finite(x$elasticity) & x$elasticity != 0])
-  if (is.null(measures)) measures <- known
-  if (!(is.character(measures) && length(measures) && all(measures %in% known))) {
-    abort_argument("{.arg measures} is {.val {measures}}; it must be any of {.val {known}}.")
-  }
+  measures <- chosen_measures(measures, known)
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
   if (!is.null(file)) check_file_path(file, picture_types)

@@ -41,10 +41,7 @@ time_figure <- function(series) {
 trajectory_series <- function(trajectory, wanted) {
   table <- as.data.frame(trajectory, what = "measures")
   known <- unique(table$measure)
-  if (!is.null(wanted) && !(is.character(wanted) && length(wanted) && all(wanted %in% known))) {
-    abort_argument("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.")
-  }
-  shown <- if (is.null(wanted)) known else wanted
+  shown <- chosen_measures(wanted, known)
   of_measures <- lapply(shown, function(measure) {
     of <- table[table$measure == measure, ]
     list(

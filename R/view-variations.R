@@ -40,9 +40,7 @@ variations_study <- function(x, wanted) {
   columns <- names(x)
   fields <- columns[seq_len(match("settled", columns) - 1L)]
   known <- columns[-seq_len(match("warning", columns))]
-  if (!is.null(wanted) && !(is.character(wanted) && length(wanted) && all(wanted %in% known))) {
-    abort_argument("{.arg measures} is {.val {wanted}}; it must be any of {.val {known}}.")
-  }
+  shown_measures <- chosen_measures(wanted, known)
   field <- fields[1L]
   text <- !is.numeric(x[[field]])
   ticks <- if (text) unique(x[[field]])
@@ -56,7 +54,7 @@ variations_study <- function(x, wanted) {
   labels <- unique(label)
   list(
     field = field, ticks = ticks, at = if (text) match(x[[field]], ticks) else x[[field]],
-    measures = if (is.null(wanted)) known else wanted,
+    measures = shown_measures,
     group = match(label, labels), group_labels = labels,
     groups_title = if (length(apart)) {
       paste(vapply(apart, function(other) field_words(x, other), ""), collapse = ", ")

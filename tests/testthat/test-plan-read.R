@@ -8,7 +8,7 @@ test_that("a hostile or broken file is one clear error, and nothing is evaluated
     list("", "must hold a map of fields"), list("# nothing", "must hold a map of fields"),
     list("- 1\n- 2", "must hold a map of fields"), list("hello", "must hold a map of fields"),
     list("a: [1", "not valid YAML"), list("\ta: 1", "not valid YAML"),
-    list("a: 1\na: 2", "Duplicate map key"), list("a: *nowhere", "not valid YAML"),
+    list("a: 1\na: 2", "`a` is given twice"), list("a: *nowhere", "not valid YAML"),
     list(as.raw(c(0x61, 0x3a, 0x00, 0x31)), "NUL bytes"),
     list(as.raw(c(0x61, 0x3a, 0x20, 0xff, 0xfe)), "not UTF-8"),
     list(strrep("x", 2.2e6), "at most 2 MB"), list(strrep("[", 1e5), "nested too deeply"),

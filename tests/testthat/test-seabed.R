@@ -11,28 +11,37 @@ dragged_chain <- function(...) {
   )
 }
 
-test_that("a dragged chain hangs in the catenary above the length that its friction needs", {
-  state <- settle(dragged_chain(), nodes = 400)
+# Its closed form: a hanging length s pulls down with V = w s; what lies drags with
+# H = mu w (L - s), mu reduced by the slip speed of 0.02 m/s; the catenary rises by
+# H/w (sqrt(1 + (V/H)^2) - 1). Returns s (m) and, in N, both forces at the ship, what lies on the
+# ground and the weight of a metre.
+hung_chain <- function() {
   w <- 4 * gear_gravity
-  # A hanging length s pulls down with V = w s; what lies drags with H = mu w (L - s), mu reduced by
-  # the slip speed of 0.02 m/s; the catenary rises by H/w (sqrt(1 + (V/H)^2) - 1).
   mu <- 0.6 / sqrt(1 + 0.02^2)
   rise <- function(s) {
     h <- mu * (60 - s)
     h * (sqrt(1 + (s / h)^2) - 1)
   }
   s <- uniroot(function(s) rise(s) - 15, c(15, 59), tol = 1e-10)$root
+  c(hanging = s, along = mu * w * (60 - s), vertical = w * s, ground = w * (60 - s), metre = w)
+}
+
+test_that("a dragged chain hangs in the catenary above the length that its friction needs", {
+  state <- settle(dragged_chain(), nodes = 400)
+  exact <- hung_chain()
+  s <- exact[["hanging"]]
+  w <- exact[["metre"]]
   found <- measures(state)
   pull <- summary(state)$reactions
   # Elements of 0.15 m: the lowest hanging one is half on the ground, 0.15 m of s = 30 m.
-  expect_equal(pull$z_kN, w * s / 1000, tolerance = 0.15 / s)
-  expect_equal(-pull$x_kN, mu * w * (60 - s) / 1000, tolerance = 0.15 / (60 - s))
+  expect_equal(pull$z_kN, exact[["vertical"]] / 1000, tolerance = 0.15 / s)
+  expect_equal(-pull$x_kN, exact[["along"]] / 1000, tolerance = 0.15 / (60 - s))
   expect_equal(found[["ground_load_kN"]], 60 * w / 1000 - pull$z_kN, tolerance = 1e-6)
   expect_equal(found[["ground_friction_percent"]], 100, tolerance = 1e-6)
   # It sinks in until the ground bears it: p^2 = 2 h w / (k d), h = 0.02 m, k = 3e6 Pa/m.
   sunk <- sqrt(2 * 0.02 * w / (3e6 * 0.013))
   # So the chain, curved with a radius of H/w, touches the ground sooner by sqrt(2 sunk H/w).
-  sooner <- sqrt(2 * sunk * mu * (60 - s))
+  sooner <- sqrt(2 * sunk * exact[["along"]] / w)
   expect_gt(found[["rope_on_ground_m"]], 60 - s)
   expect_lt(found[["rope_on_ground_m"]], 60 - s + sooner + 0.15)
   tail <- state$position[3, nodes_at(state, "tail")]

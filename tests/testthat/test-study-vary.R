@@ -74,3 +74,21 @@ test_that("wrong fields and values are told before anything is computed", {
     class = "codend_error_plan")
   expect_error(vary("towed_cable", towing.speed = 2, nodes = 0), class = "codend_error_argument")
 })
+
+test_that("what is missing stays as in the plan, and one column may be several fields", {
+  gear <- read_gear("crossing_cables")
+  both <- update(gear, ropes.south_1.length = 4.1, ropes.south_2.length = 4.1)
+  found <- vary(gear, designs(data.frame(
+    "ropes.south_1.length + ropes.south_2.length" = c("4.1 m", NA), check.names = FALSE
+  )))
+  for (row in 1:2) {
+    alone <- measures(settle(list(both, gear)[[row]]))
+    # both are settled to 1e-8 of the largest tension, from different starts
+    expect_equal(unlist(found[row, names(alone)]), plain_measures(alone), tolerance = 1e-6)
+  }
+  found <- vary("towed_cable", designs(towing.speed = c("3 knot", "5 knot"),
+    ropes.cable.length = c("300 m", "500 m"), how = "one_at_a_time"))
+  # the plan's 4 knot and 1000 m
+  expect_equal(found[["towing.speed_knot"]], c(4, 3, 5, 4, 4))
+  expect_equal(found[["ropes.cable.length_m"]], c(1000, 1000, 1000, 300, 500))
+})

@@ -76,85 +76,103 @@ test_that("the catenary's lowest point is where the closed form has it", {
   expect_lt(abs(b[1] + b[2] * at + b[3] * at^2 - benchmark("elastic_catenary", "lowest_z")), 0.005)
 })
 
-test_that("an isolated cable yields under its load as two exact catenaries do", {
-  settled_at <- function(load) {
-    part <- function(from, to, length) {
-      line(from, to, length, axial_stiffness = 548.4e-6 * 131.0e9,
-        mass_per_length = weight_per_metre(46.12), segments = 60)
-    }
-    node_at(settle(gear("Isolated cable",
-      water = air, left = point(c(0, 0, 0), "fixed"), right = point(c(304.8, 0, 0), "fixed"),
-      node = point(load = c(0, 0, -load)), short = part("left", "node", 125.847),
-      long = part("node", "right", 186.855)
-    )), "node")
+# Where the loaded point of an isolated cable lies (m); load: N.
+isolated_cable <- function(load) {
+  part <- function(from, to, length) {
+    line(from, to, length, axial_stiffness = 548.4e-6 * 131.0e9,
+      mass_per_length = weight_per_metre(46.12), segments = 60)
   }
-  hanging <- settled_at(0)
+  node_at(settle(gear("Isolated cable",
+    water = air, left = point(c(0, 0, 0), "fixed"), right = point(c(304.8, 0, 0), "fixed"),
+    node = point(load = c(0, 0, -load)), short = part("left", "node", 125.847),
+    long = part("node", "right", 186.855)
+  )), "node")
+}
+
+test_that("an isolated cable yields under its load as two exact catenaries do", {
+  hanging <- isolated_cable(0)
   # the unstretched lengths are known to 0.5 mm, which moves a cable of this sag by some 2 mm
   expect_lt(max(abs(hanging[c(1, 3)] - c(121.92, -29.276))), 0.002)
-  moved <- settled_at(35586) - c(121.92, 0, -29.276)
+  moved <- isolated_cable(35586) - c(121.92, 0, -29.276)
   expect_lt(abs(moved[1] - benchmark("isolated_cable", "displacement_x")), 0.002)
   expect_lt(abs(moved[3] - benchmark("isolated_cable", "displacement_z")), 0.002)
 })
 
+critical_cables <- data.frame(
+  d = c(0.0173, 0.032, 0.012), w = c(8.89, 35, 0.5), normal = c(1.5, 1.2, 1.2),
+  speed = c(6 * 1852 / 3600, 2.315, 1)
+)
+
+# Angles (degrees) of the elements of a towed cable without tangential drag; of: its row above.
+critical_angles <- function(of) {
+  state <- settle(gear("Critical angle",
+    towing = list(speed = of$speed), ship = point(c(0, 0, 0), "moved"), tail = point(),
+    cable = line("ship", "tail", 50, diameter = of$d, axial_stiffness = 1e7,
+      mass_per_length = weight_per_metre(of$w), segments = 10,
+      coefficients = list(normal = of$normal, tangential = 0, skin = 0))
+  ))
+  x <- state$position[, along_rope(state, "cable")$node]
+  atan2(-diff(x[3, ]), diff(x[1, ])) * 180 / pi
+}
+
 test_that("a towed cable without tangential drag hangs straight at its critical angle", {
-  cases <- data.frame(
-    d = c(0.0173, 0.032, 0.012), w = c(8.89, 35, 0.5), normal = c(1.5, 1.2, 1.2),
-    speed = c(6 * 1852 / 3600, 2.315, 1)
-  )
   for (k in 1:3) {
-    of <- cases[k, ]
-    state <- settle(gear("Critical angle",
-      towing = list(speed = of$speed), ship = point(c(0, 0, 0), "moved"), tail = point(),
-      cable = line("ship", "tail", 50, diameter = of$d, axial_stiffness = 1e7,
-        mass_per_length = weight_per_metre(of$w), segments = 10,
-        coefficients = list(normal = of$normal, tangential = 0, skin = 0))
-    ))
-    x <- state$position[, along_rope(state, "cable")$node]
-    angle <- atan2(-diff(x[3, ]), diff(x[1, ])) * 180 / pi
     # every element has the same balance, so there is no error of division; the first case's speed
     # is 6 knot to six digits of a knot, and the solver ends at 1e-8 of the tension
-    expect_equal(angle, rep(benchmark(paste0("critical_angle_", k), "angle"), 10),
-      tolerance = 1e-6)
+    expect_equal(critical_angles(critical_cables[k, ]),
+      rep(benchmark(paste0("critical_angle_", k), "angle"), 10), tolerance = 1e-6)
   }
 })
+
+# Layback and depth of the body (m), tension (N) and angle (degrees) at the ship.
+towed_body <- function(segments) {
+  # the table's weight to all its digits: 8.89 N/m
+  state <- settle(update(read_gear("towed_cable"),
+    ropes.cable.volume_per_length = (1.12 - 8.89 / 9.81) / 1025, ropes.cable.segments = segments
+  ))
+  x <- node_at(state, "body")
+  pull <- reaction(state, "ship")
+  c(x[1], -x[3], sqrt(sum(pull^2)), atan2(pull[3], -pull[1]) * 180 / pi)
+}
 
 test_that("a towed cable with a body approaches the steady cable equations", {
   wanted <- c(
     benchmark("towed_cable_body", "layback"), benchmark("towed_cable_body", "depth"),
     benchmark("towed_cable_body", "top_tension"), benchmark("towed_cable_body", "top_angle")
   )
-  found <- vapply(c(25, 50, 100), function(n) {
-    # the table's weight to all its digits: 8.89 N/m
-    state <- settle(update(read_gear("towed_cable"),
-      ropes.cable.volume_per_length = (1.12 - 8.89 / 9.81) / 1025, ropes.cable.segments = n
-    ))
-    x <- node_at(state, "body")
-    pull <- reaction(state, "ship")
-    c(x[1], -x[3], sqrt(sum(pull^2)), atan2(pull[3], -pull[1]) * 180 / pi)
-  }, numeric(4))
+  found <- vapply(c(25, 50, 100), towed_body, numeric(4))
   # second order: 16 times less from 25 to 100, where 6e-5 is left
   error <- abs(found - wanted) / wanted
   expect_lt(max(error[, 3]), 6e-5)
   expect_gt(min(error[, 1] / error[, 3]), 10)
 })
 
-test_that("a neutrally buoyant cable with normal drag alone has one tension, and is a catenary", {
-  # R sin^2 across the cable alone keeps T constant: a catenary of parameter c = T / R across the
-  # flow, half length c sinh(b / c) for a half span b.
+# R sin^2 across the cable alone keeps T constant: a catenary of parameter c = T / R across the
+# flow, half length c sinh(b / c) for a half span b. Tension (N) and depth of the bight (m).
+neutral_catenary <- function() {
   drag <- 0.5 * 1025 * 1.2 * 0.02 * 1.5^2
   c <- 30 / uniroot(function(u) sinh(u) / u - 40 / 30, c(0.1, 5), tol = 1e-14)$root
+  list(tension = drag * c, bight = c * (cosh(30 / c) - 1))
+}
+# The same of the gear, with every element's tension.
+neutral_cable <- function(segments) {
+  state <- settle(gear("Neutral cable",
+    towing = list(speed = 1.5), port = point(c(0, -30, -10), "moved"),
+    starboard = point(c(0, 30, -10), "moved"),
+    cable = line("port", "starboard", 80, axial_stiffness = 1e9,
+      coefficients = list(normal = 1.2, tangential = 0, skin = 0), segments = segments)
+  ))
+  bight <- state$position[1, along_rope(state, "cable")$node[segments / 2 + 1]]
+  list(tension = state$bar_tension, bight = bight)
+}
+
+test_that("a neutrally buoyant cable with normal drag alone has one tension, and is a catenary", {
+  wanted <- neutral_catenary()
   spread <- vapply(c(20, 40, 80), function(n) {
-    state <- settle(gear("Neutral cable",
-      towing = list(speed = 1.5), port = point(c(0, -30, -10), "moved"),
-      starboard = point(c(0, 30, -10), "moved"),
-      cable = line("port", "starboard", 80, axial_stiffness = 1e9,
-        coefficients = list(normal = 1.2, tangential = 0, skin = 0), segments = n)
-    ))
-    tension <- state$bar_tension
-    bight <- state$position[1, along_rope(state, "cable")$node[n / 2 + 1]]
+    found <- neutral_cable(n)
     c(
-      diff(range(tension)) / mean(tension), mean(tension) / (drag * c) - 1,
-      bight / (c * (cosh(30 / c) - 1)) - 1
+      diff(range(found$tension)) / mean(found$tension), mean(found$tension) / wanted$tension - 1,
+      found$bight / wanted$bight - 1
     )
   }, numeric(3))
   for (k in 1:3) expect_equal(order_of(abs(spread[k, ])), rep(2, 2), tolerance = 0.1)
@@ -162,15 +180,24 @@ test_that("a neutrally buoyant cable with normal drag alone has one tension, and
   expect_lt(max(abs(spread[, 3])), 2e-3)
 })
 
-test_that("a hanging sphere stands in the current at atan(D / W)", {
-  state <- settle(gear("Hanging sphere",
+# A sphere on a line in a current of 1.2 m/s toward 30 degrees: the state, and what statics give.
+hanging_sphere <- function() {
+  settle(gear("Hanging sphere",
     water = list(current = list(speed = 1.2, toward = "30 deg")),
     buoy = point(c(0, 0, -5), "fixed"), ball = point(),
     line = line("buoy", "ball", 10, axial_stiffness = 1e6, coefficients = no_drag, segments = 4),
     sphere = piece(at = "ball", mass = 100, diameter = 0.4, drag_coefficient = 0.47)
   ))
-  drag <- 0.5 * 1025 * 1.2^2 * 0.47 * pi / 4 * 0.4^2
-  weight <- 9.81 * (100 - 1025 * pi / 6 * 0.4^3)
+}
+hanging_sphere_forces <- list(
+  drag = 0.5 * 1025 * 1.2^2 * 0.47 * pi / 4 * 0.4^2,
+  weight = 9.81 * (100 - 1025 * pi / 6 * 0.4^3)
+)
+
+test_that("a hanging sphere stands in the current at atan(D / W)", {
+  state <- hanging_sphere()
+  drag <- hanging_sphere_forces$drag
+  weight <- hanging_sphere_forces$weight
   tension <- sqrt(drag^2 + weight^2)
   pull <- reaction(state, "buoy")
   # exact statics: what is left is the solver's 1e-8 of the tension
@@ -180,7 +207,8 @@ test_that("a hanging sphere stands in the current at atan(D / W)", {
   expect_equal(node_at(state, "ball") - c(0, 0, -5), run, tolerance = 1e-7)
 })
 
-test_that("a kite on a weightless line stands at atan(L / D)", {
+# Angle of the line (degrees) at the winch of a kite.
+kite_line <- function() {
   state <- settle(gear("Kite",
     towing = list(speed = 2), winch = point(c(0, 0, -100), "moved"), end = point(),
     line = line("winch", "end", 20, axial_stiffness = 1e7, coefficients = no_drag, segments = 4),
@@ -188,9 +216,12 @@ test_that("a kite on a weightless line stands at atan(L / D)", {
       lift_direction = "up")
   ))
   pull <- reaction(state, "winch")
+  atan2(-pull[3], -pull[1]) * 180 / pi
+}
+
+test_that("a kite on a weightless line stands at atan(L / D)", {
   # the table has 7 digits; the solver's 1e-8 of the tension is less
-  expect_equal(atan2(-pull[3], -pull[1]) * 180 / pi, benchmark("kite_line", "angle"),
-    tolerance = 1e-7)
+  expect_equal(kite_line(), benchmark("kite_line", "angle"), tolerance = 1e-7)
 })
 
 # Steady cable in a current that turns with depth: integrated from the body up to the ship in the
@@ -228,22 +259,24 @@ shoot_cable <- function(water_at, cable, body, steps) {
   list(body = c(-y[1:2], z), tension = y[4:6])
 }
 
-test_that("a current that turns with depth moves a towed cable as shooting says", {
-  layers <- list(
-    list(depth = 0, speed = 0.2, toward = "0 deg"),
-    list(depth = 120, speed = 0.8, toward = "90 deg"),
-    list(depth = 300, speed = 0.3, toward = "200 deg")
-  )
-  tow <- function(segments) {
-    settle(gear("Cable in a shear",
-      water = list(current = layers), towing = list(speed = 1.5),
-      ship = point(c(0, 0, 0), "moved"), body = point(),
-      cable = line("ship", "body", 400, diameter = 0.015, axial_stiffness = 5e6,
-        mass_per_length = weight_per_metre(6), segments = segments,
-        coefficients = list(normal = 1.3, tangential = 0.03, skin = 0)),
-      sphere = piece(at = "body", mass = 300, drag_area = 0.3)
-    ))
-  }
+sheared_layers <- list(
+  list(depth = 0, speed = 0.2, toward = "0 deg"),
+  list(depth = 120, speed = 0.8, toward = "90 deg"),
+  list(depth = 300, speed = 0.3, toward = "200 deg")
+)
+# A cable towed with a body through those layers.
+sheared_cable <- function(segments) {
+  settle(gear("Cable in a shear",
+    water = list(current = sheared_layers), towing = list(speed = 1.5),
+    ship = point(c(0, 0, 0), "moved"), body = point(),
+    cable = line("ship", "body", 400, diameter = 0.015, axial_stiffness = 5e6,
+      mass_per_length = weight_per_metre(6), segments = segments,
+      coefficients = list(normal = 1.3, tangential = 0.03, skin = 0)),
+    sphere = piece(at = "body", mass = 300, drag_area = 0.3)
+  ))
+}
+# The same by shooting.
+sheared_cable_exact <- function() {
   depth <- c(0, 120, 300)
   toward <- c(0, 90, 200) * pi / 180
   speed <- c(0.2, 0.8, 0.3)
@@ -251,11 +284,15 @@ test_that("a current that turns with depth moves a towed cable as shooting says"
     at <- function(v) stats::approx(depth, v, -z, rule = 2)$y
     c(1.5 + at(speed * cos(toward)), at(speed * sin(toward)), 0)
   }
-  exact <- shoot_cable(
+  shoot_cable(
     water_at, list(d = 0.015, ea = 5e6, w = 6, length = 400, normal = 1.3, tangential = 0.03),
     list(w = 300 * 9.81, drag_area = 0.3), steps = 400
   )
-  found <- lapply(c(50, 100), tow)
+}
+
+test_that("a current that turns with depth moves a towed cable as shooting says", {
+  exact <- sheared_cable_exact()
+  found <- lapply(c(50, 100), sheared_cable)
   error <- vapply(found, function(s) max(abs(node_at(s, "body") - exact$body)), 0)
   # second order but for the kinks of the profile, which fall anywhere in an element
   expect_lt(error[2], 0.02)

@@ -37,6 +37,14 @@ integrate_warp <- function(steps) {
   c(x = -y[1], z = -y[2], tension = sqrt(sum(y[3:4]^2)))
 }
 
+# The same of the shipped warp.
+towed_warp <- function(segments) {
+  state <- settle(case_gear("towed_warp", ropes.warp.segments = segments))
+  ends <- nodes_at(state, c("lower_end", "upper_end"))
+  run <- state$position[, ends[1]] - state$position[, ends[2]]
+  c(run[c(1, 3)], sqrt(sum(state$force[, ends[2]]^2)))
+}
+
 test_that("a warp with a clump approaches the continuum as segments^-2", {
   wanted <- integrate_warp(2000)
   # m and N: a thousand times less than the errors below
@@ -46,12 +54,7 @@ test_that("a warp with a clump approaches the continuum as segments^-2", {
   expect_lt(abs(wanted[3] - 18965.0), 0.05)
 
   segments <- c(50, 100, 200)
-  error <- vapply(segments, function(n) {
-    state <- settle(case_gear("towed_warp", ropes.warp.segments = n))
-    ends <- nodes_at(state, c("lower_end", "upper_end"))
-    run <- state$position[, ends[1]] - state$position[, ends[2]]
-    c(run[c(1, 3)], sqrt(sum(state$force[, ends[2]]^2))) - wanted
-  }, numeric(3))
+  error <- vapply(segments, function(n) towed_warp(n) - wanted, numeric(3))
   # lumped masses and straight bars are both second order; the tolerance is for the next order, of
   # which less is left at 200 segments
   for (k in 1:3) {
@@ -129,54 +132,6 @@ solve_square_net <- function(n) {
     x[free, ] <- x[free, ] + step * min(1, 0.25 / max(abs(step)))
   }
   stop("the net written by hand does not settle")
-}
-
-square_net <- function(n) {
-  knot <- matrix(seq_len(n * n), n, n)
-  # bars down, and across below the upper edge
-  from <- c(knot[, -n], knot[-n, -1])
-  to <- c(knot[, -1], knot[-1, -1])
-  free <- as.vector(knot[, -1])
-  bars <- seq_along(from)
-  start <- stop <- matrix(0, n * n, length(bars))
-  start[cbind(from, bars)] <- stop[cbind(to, bars)] <- 1
-  load <- matrix(0, n * n, 3)
-  load[, 3] <- -9.81 * 0.25 * (0.014326 - 1025 * pi / 4 * 0.004^2) * rowSums(start + stop)
-  load[knot[, n], 3] <- load[knot[, n], 3] - 9.81 * (1 - 1025 * 1.274e-4)
-  # pull on the first end and drag, of every bar along e
-  force <- function(e) {
-    long <- sqrt(rowSums(e^2))
-    list(
-      pull = 12e3 * pmax(0, long / 0.5 - 1) * e / long,
-      drag = 0.5 * cylinder_drag(e / long, cbind(0.5, 0 * long, 0 * long), 0.004)
-    )
-  }
-  gather <- function(f) (start - stop) %*% f$pull + (start + stop) %*% (f$drag / 2)
-  x <- cbind(0, rep((seq_len(n) - (n + 1) / 2) / 2, n), rep(-10 - (seq_len(n) - 1) / 2, each = n))
-  pseudo_step <- 1e-3
-  size <- Inf
-  repeat {
-    e <- x[to, ] - x[from, ]
-    f <- force(e)
-    net <- (gather(f) + load)[free, ]
-    if (max(abs(net)) < 1e-8) return(t(x))
-    if (pseudo_step > 1e12) stop("the net does not settle")
-    pseudo_step <- pseudo_step * (if (max(abs(net)) < size) 1.5 else 0.5)
-    size <- max(abs(net))
-    slope <- lapply(1:3, function(k) {
-      moved <- e
-      moved[, k] <- moved[, k] + 1e-7
-      g <- force(moved)
-      lapply(1:3, function(i) {
-        bar <- (start - stop) %*% diag((g$pull - f$pull)[, i] / 1e-7) +
-          (start + stop) %*% diag((g$drag - f$drag)[, i] / 2e-7)
-        (bar %*% t(stop - start))[free, free]
-      })
-    })
-    jacobian <- do.call(cbind, lapply(slope, do.call, what = rbind))
-    step <- solve(diag(1 / pseudo_step, 3 * length(free)) - jacobian, as.vector(net))
-    x[free, ] <- x[free, ] + step * min(1, 0.25 / max(abs(step)))
-  }
 }
 
 square_net <- function(n) {

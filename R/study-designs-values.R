@@ -1,0 +1,162 @@
+#' Ranges and distributions of fields
+#'
+#' What a field of a plan may be in a study, in the plan's words and units, for [designs()].
+#'
+#' @param low,high Ends of the range: texts with a unit, such as `"3 knot"`, or numbers in SI. Of
+#'   `normal()`: what is cut off, so that all of the distribution lies between them.
+#' @param mean,sd Mean and standard deviation of a normal distribution (of what it is cut from), in
+#'   units of one dimension.
+#' @param log Whether equal ratios are equally likely, not equal differences.
+#' @param whole Whether values are whole numbers, as of meshes and floats.
+#' @return A distribution, of class `codend_distribution`. Wrong arguments are an error of class
+#'   `codend_error_argument`.
+#' @name codend_distributions
+#' @examples
+#' between("3 knot", "5 knot")
+#' between(40, 120, whole = TRUE)
+#' normal("600 m", "20 m", low = "550 m")
+NULL
+
+#' @rdname codend_distributions
+#' @export
+between <- function(low, high, log = FALSE, whole = FALSE) {
+  ends <- alike_numbers(list(low = low, high = high))
+  if (ends$value[1L] >= ends$value[2L]) {
+    abort_argument("{.arg low} is {.val {low}} and {.arg high} is {.val {high}}; the first must be
+      the smaller.")
+  }
+  check_truth(log, "log")
+  check_truth(whole, "whole")
+  if (log && ends$value[1L] <= 0) {
+    abort_argument("{.arg low} is {.val {low}}; with {.arg log} it must be above 0.")
+  }
+  new_distribution("between", ends$value, ends$unit, ends$value, whole, log = log)
+}
+
+#' @rdname codend_distributions
+#' @export
+normal <- function(mean, sd, low = NULL, high = NULL, whole = FALSE) {
+  given <- Filter(Negate(is.null), list(mean = mean, sd = sd, low = low, high = high))
+  numbers <- alike_numbers(given)
+  value <- setNames(numbers$value, names(given))
+  check_truth(whole, "whole")
+  if (value[["sd"]] <= 0) abort_argument("{.arg sd} is {.val {sd}}; it must be above 0.")
+  ends <- c(-Inf, Inf)
+  if (!is.null(low)) ends[1L] <- value[["low"]]
+  if (!is.null(high)) ends[2L] <- value[["high"]]
+  shares <- stats::pnorm(ends, value[["mean"]], value[["sd"]])
+  if (diff(shares) < 1e-6) {
+    abort_argument("Less than a millionth of the normal distribution lies between {.arg low} and
+      {.arg high}.")
+  }
+  new_distribution("normal", unname(value[c("mean", "sd")]), numbers$unit, ends, whole)
+}
+
+new_distribution <- function(kind, numbers, unit, ends, whole, log = FALSE) {
+  structure(
+    list(kind = kind, numbers = numbers, unit = unit, ends = ends, whole = whole, log = log),
+    class = "codend_distribution"
+  )
+}
+
+is_distribution <- function(value) inherits(value, "codend_distribution")
+
+check_truth <- function(value, name) {
+  if (!isTRUE(value) && !isFALSE(value)) abort_argument("{.arg {name}} must be TRUE or FALSE.")
+}
+
+# Quantities of one dimension in the unit of the first: list(value, unit ("" for bare numbers)).
+alike_numbers <- function(given) {
+  split <- lapply(names(given), function(name) {
+    value <- given[[name]]
+    number <- is.numeric(value) && length(value) == 1L && is.finite(value)
+    parts <- if (number) c(value, "") else if (is_text(value)) split_quantity(value)
+    if (is.null(parts)) {
+      abort_argument("{.arg {name}} is {.val {value}}; it must be one number, or a text such as
+        {.val 3 knot}.")
+    }
+    unit <- plain_unit(parts[2L])
+    dimension <- if (nzchar(unit)) quantity_dimension(paste(1, unit)) else ""
+    if (is.na(dimension)) {
+      abort_argument("{.arg {name}} is {.val {value}}, whose unit is unknown.")
+    }
+    list(value = as.double(parts[1L]), unit = unit, dimension = dimension)
+  })
+  dimension <- vapply(split, `[[`, "", "dimension")
+  if (length(unique(dimension)) > 1L) {
+    odd <- names(given)[dimension != dimension[1L]][1L]
+    first <- names(given)[1L]
+    abort_argument("{.arg {odd}} is {.val {given[[odd]]}} and {.arg {first}} {.val {given[[1]]}};
+      they must be quantities of one kind, both with units or both without.")
+  }
+  unit <- split[[1L]]$unit
+  factor <- function(one) if (nzchar(unit)) plan_units[[dimension[1L]]][[one$unit]] else 1
+  value <- vapply(split, function(one) {
+    if (one$unit == unit) one$value else one$value * factor(one) / factor(split[[1L]])
+  }, 0)
+  list(value = value, unit = unit)
+}
+
+# Values of a distribution at shares of it, between 0 and 1, in the plan's words; NA stays NA.
+quantile_values <- function(of, share) {
+  value <- quantile_numbers(of, share)
+  if (!nzchar(of$unit)) return(value)
+  text <- with_plain_numbers(vapply(value, format, "", digits = 15))
+  ifelse(is.na(value), NA_character_, paste(text, of$unit))
+}
+
+quantile_numbers <- function(of, share) {
+  if (of$whole) {
+    ends <- c(ceiling(of$ends[1L]), floor(of$ends[2L]))
+    if (of$kind == "between") {
+      # every whole number has its share
+      wide <- if (of$log) log(ends + c(-0.5, 0.5)) else ends + c(-0.5, 0.5)
+      value <- wide[1L] + share * diff(wide)
+      value <- round(if (of$log) exp(value) else value)
+    } else {
+      value <- round(normal_quantile(of, share))
+    }
+    return(pmin(pmax(value, ends[1L]), ends[2L]))
+  }
+  value <- if (of$kind == "normal") {
+    normal_quantile(of, share)
+  } else if (of$log) {
+    of$ends[1L] * (of$ends[2L] / of$ends[1L])^share
+  } else {
+    of$ends[1L] + share * diff(of$ends)
+  }
+  pmin(pmax(signif(value, 6), of$ends[1L]), of$ends[2L])
+}
+
+# The outermost millionths of a normal distribution are its ends.
+normal_quantile <- function(of, share) {
+  shares <- stats::pnorm(of$ends, of$numbers[1L], of$numbers[2L])
+  share <- pmin(pmax(shares[1L] + share * diff(shares), 1e-6), 1 - 1e-6)
+  stats::qnorm(share, of$numbers[1L], of$numbers[2L])
+}
+
+#' @export
+format.codend_distribution <- function(x, ...) {
+  shown <- function(number) {
+    trimws(paste(with_plain_numbers(format(number, digits = 15)), x$unit))
+  }
+  ends <- x$ends
+  cut <- if (x$kind == "normal") {
+    paste0(
+      if (is.finite(ends[1L])) paste0(", at least ", shown(ends[1L])),
+      if (is.finite(ends[2L])) paste0(", at most ", shown(ends[2L]))
+    )
+  }
+  said <- if (x$kind == "normal") {
+    paste0("normal, mean ", shown(x$numbers[1L]), ", standard deviation ", shown(x$numbers[2L]))
+  } else {
+    paste("between", shown(ends[1L]), "and", shown(ends[2L]))
+  }
+  paste0(said, cut, if (x$log) ", equal ratios", if (x$whole) ", whole numbers")
+}
+
+#' @export
+print.codend_distribution <- function(x, ...) {
+  cat(format(x), "\n", sep = "")
+  invisible(x)
+}

@@ -1,0 +1,47 @@
+trawl_text <- function() {
+  paste(c(readLines(shipped_plans()[["poly_noreastern_trawl"]]), ""), collapse = "\n")
+}
+
+expect_written <- function(old, new, path, message) {
+  expect_plan_error(old, new, path, message, plan = trawl_text())
+}
+
+test_that("what is wrong in a part is told of the field that became the part", {
+  expect_written("{diameter: 4 mm, material: PE}", "{diameter: 4 mm, material: nylon}",
+    "wings.upper.twine.material", "Did you mean `PA`?")
+  expect_written("belly: {twine: {diameter: 5 mm, material: PE}}",
+    "belly: {twine: {diameter: 5 mm, material: tergal}}",
+    "sections.body.belly.twine.material", "Did you mean `PES`?")
+  expect_written("material: steel_chain", "material: chain", "footrope.material",
+    "Did you mean `steel_chain`?")
+  expect_written("{length: 54.9 m, diameter: 16 mm, material: steel_wire}",
+    "{length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.upper.material",
+    "steel_wire")
+  expect_written("twine: {diameter: 1.4 mm", "twine: {diameter: 14 cm",
+    "sections.codend.twine.diameter", "less than half the mesh size")
+})
+
+test_that("a mesh size without its unit, or of another power of ten, is named", {
+  expect_written("mesh_size: 89 mm", "mesh_size: 89", "sections.intermediate.mesh_size",
+    "is 89 without a unit, which is 89 m; is it 89 mm?")
+  expect_written("127 mm\n    meshes: {tip: 0, base: 84", "120\n    meshes: {tip: 0, base: 84",
+    "wings.upper.mesh_size", "is 120 without a unit")
+  expect_written("mesh_size: 89 mm", "mesh_size: 1200 mm", "sections.intermediate.mesh_size",
+    "`sections.body.mesh_size`, 127 mm, and `sections.intermediate.mesh_size`, 1200 mm")
+})
+
+test_that("an argument of several words is told with the nearest", {
+  state <- settled("towed_cable")
+  expect_error(as.data.frame(state, what = "tension_"), "Did you mean \"tensions\"",
+    class = "codend_error_argument")
+  expect_error(as.data.frame(state, what = 3), "must be one of", class = "codend_error_argument")
+  expect_identical(as.data.frame(state, what = "react"), as.data.frame(state, what = "reactions"))
+  expect_error(chosen_measures(c("a_kN", "b_kM"), c("a_kN", "b_kN")), "Did you mean \"b_kN\"",
+    class = "codend_error_argument")
+  expect_identical(chosen_measures(NULL, c("a", "b")), c("a", "b"))
+})
+
+test_that("a state is not changed but its gear is", {
+  expect_error(update(settled("towed_cable"), towing.speed = 2), "settle\\(update\\(state\\$gear",
+    class = "codend_error_argument")
+})
