@@ -1,6 +1,6 @@
 # Colours of tension. Both palettes darken steadily, so they survive grey printing and colour
-# blindness: warm for ropes, cool for netting. All of them, and slack, stand out from the viewer's water
-# and sea bed and from white paper by 3 to 1 (WCAG 2.2, success criterion 1.4.11).
+# blindness: warm for ropes, cool for netting. All of them, and slack, stand out from the viewer's
+# water and sea bed and from white paper by 3 to 1 (WCAG 2.2, success criterion 1.4.11).
 
 # Far from both palettes: slack lines are what a designer must not overlook.
 slack_colour <- "#D6006E"

@@ -1,6 +1,6 @@
-# What the viewer draws (inst/view/viewer.js), of a state, of a trajectory or of the tank's designs: one
-# list for all, which becomes JSON. What joins points stands apart from what moves, so that the tank
-# sends it once.
+# What the viewer draws (inst/view/viewer.js), of a state, of a trajectory or of the tank's designs:
+# one list for all, which becomes JSON. What joins points stands apart from what moves, so that the
+# tank sends it once.
 
 # Lines and cells that one scene shows at most.
 scene_limit <- 12000L
@@ -138,13 +138,15 @@ scene_scales <- function(shapes) {
     as.double(unlist(lapply(shapes, function(s) s$drag[s$fixed$state$lattice$parts$kind == kind])))
   }
   tension <- c(all("u"), all("v"))
+  meshes <- function(field, colour) {
+    list(netting = scale_told(mesh_scale(all(field), colour), "netting"))
+  }
   list(
     tension = list(
       rope = scale_told(tension_scale(all("ropes"), "rope"), "rope"),
       netting = scale_told(tension_scale(tension[!is.na(tension)], "netting"), "netting")
     ),
-    mesh_opening = list(netting = scale_told(mesh_scale(all("opening"), "mesh_opening"), "netting")),
-    mesh_angle = list(netting = scale_told(mesh_scale(all("angle"), "mesh_angle"), "netting")),
+    mesh_opening = meshes("opening", "mesh_opening"), mesh_angle = meshes("angle", "mesh_angle"),
     drag = list(
       rope = scale_told(drag_scale(drag("rope"), "rope"), "rope"),
       netting = scale_told(drag_scale(drag("netting"), "netting"), "netting")

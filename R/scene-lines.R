@@ -102,8 +102,8 @@ block_to_draw <- function(grids, limit) {
   block
 }
 
-# The twines through blocks of `block` by `block` cells of a panel's grid (see panel_blocks()). Twines
-# of diamond meshes run along a cell's diagonals, those of square meshes along its sides.
+# The twines through blocks of `block` by `block` cells of a panel's grid (see panel_blocks()).
+# Twines of diamond meshes run along a cell's diagonals, those of square meshes along its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
   blocks <- panel_blocks(state, name, part, block)
   u <- blocks$u
@@ -126,8 +126,8 @@ panel_cell_lines <- function(state, points, name, part, block) {
   )
 }
 
-# Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's bound
-# them, u, v = mean tension (N) of the triangles inside, across first).
+# Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's
+# bound them, u, v = mean tension (N) of the triangles inside, across first).
 panel_blocks <- function(state, name, part, block) {
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L

@@ -1,7 +1,7 @@
 # A trajectory as a scene that plays, in the vessel's axes.
 
-# Kept times that a scene shows at most, and bytes that they may take, so that a page with its scripts
-# stays below 2 MB; of more, every so many is shown.
+# Kept times that a scene shows at most, and bytes that they may take, so that a page with its
+# scripts stays below 2 MB; of more, every so many is shown.
 scene_times <- 400L
 scene_bytes <- 1.1e6
 

@@ -1,6 +1,6 @@
-# The netting of a state as surfaces for the viewer: points with their mesh coordinates, between which
-# the viewer draws the twines of the real meshes. A panel of cells is a grid of its points; one of
-# equivalent bars is a cloud of them, which the viewer divides into triangles.
+# The netting of a state as surfaces for the viewer: points with their mesh coordinates, between
+# which the viewer draws the twines of the real meshes. A panel of cells is a grid of its points;
+# one of equivalent bars is a cloud of them, which the viewer divides into triangles.
 
 # limit: of cells and points of clouds together.
 # Returns list(panels = a list of list(part, columns, rows (0 of a cloud), point = numbers of the

@@ -9,19 +9,21 @@ packed_floats <- function(x) packed(as.double(x), 4L)
 packed_integers <- function(x) packed(as.integer(x), 4L)
 
 # Whole numbers (n x times) whose lowest 16 bits are wanted, deflated: differences in time of the
-# order-th order, each number's series after the other, low bytes before high ones. What moves smoothly
-# takes half a byte a number so.
+# order-th order, each number's series after the other, low bytes before high ones. What moves
+# smoothly takes half a byte a number so.
 packed_series <- function(x, order) {
   n <- nrow(x)
-  for (k in seq_len(order)) x <- cbind(x[, 1L], x[, -1L, drop = FALSE] - x[, -ncol(x), drop = FALSE])
+  for (k in seq_len(order)) {
+    x <- cbind(x[, 1L], x[, -1L, drop = FALSE] - x[, -ncol(x), drop = FALSE])
+  }
   x <- as.vector(t(x)) %% 65536
   bytes <- as.raw(c(x %% 256, x %/% 256))
   text <- jsonlite::base64_enc(memCompress(bytes, "gzip"))
   list(count = n, order = order, text = gsub("[\r\n]", "", text))
 }
 
-# Places (3 x n x times, m). Of one time single floats; of more whole steps from each number's least,
-# of `step` (m) or what leaves at most 65535 of them.
+# Places (3 x n x times, m). Of one time single floats; of more whole steps from each number's
+# least, of `step` (m) or what leaves at most 65535 of them.
 packed_places <- function(x, times, step = 1e-3) {
   if (times == 1L) return(list(floats = packed_floats(x)))
   x <- matrix(x, ncol = times)

@@ -1,5 +1,5 @@
-# Symbols of pieces and supports: one table for the plane figures and the viewer. `fill` has a dark edge
-# around it; `solid` stands alone in the viewer and is dark enough for that.
+# Symbols of pieces and supports: one table for the plane figures and the viewer. `fill` has a dark
+# edge around it; `solid` stands alone in the viewer and is dark enough for that.
 view_symbols <- data.frame(
   role = c(
     "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "other", "moved", "fixed"

@@ -1,21 +1,21 @@
 #' Look at a state or a trajectory in three dimensions
 #'
-#' Makes a page with the gear as it stands in the water: netting with the twines of its meshes, ropes
-#' as tubes of their thickness, boards, floats and weights in their shapes, the vessel, the sea bed and
-#' the water's surface. In an interactive session it opens in the viewer or the browser.
+#' Makes a page with the gear as it stands in the water: netting with the twines of its meshes,
+#' ropes as tubes of their thickness, boards, floats and weights in their shapes, the vessel, the
+#' sea bed and the water's surface. In an interactive session it opens in the viewer or the browser.
 #'
 #' Turn the gear with the left mouse button, one finger or the arrow keys; zoom with the wheel, two
-#' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a piece
-#' tells its name and values. Buttons look at the net or the whole gear, from the bow, from above, the
-#' side or astern; a list changes what colours show: tension, slack lines alone, the opening or angle
-#' of meshes, or drag. What is slack is striped in a colour of its own. The key `h` lists all keys.
-#' Where meshes are too small to be seen, every second, fourth or eighth twine is drawn, and so on;
-#' pieces are drawn large enough to be seen. The page prints on white.
+#' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a
+#' piece tells its name and values. Buttons look at the net or the whole gear, from the bow, from
+#' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
+#' opening or angle of meshes, or drag. What is slack is striped in a colour of its own. The key `h`
+#' lists all keys. Where meshes are too small to be seen, every second, fourth or eighth twine is
+#' drawn, and so on; pieces are drawn large enough to be seen. The page prints on white.
 #'
 #' The page of a trajectory plays it, as seen from the vessel, with a button, a slider of time and a
 #' graph of any measure; the space bar plays and stops, comma and full stop step from kept time to
-#' kept time. Of a long tow it shows some of the kept times, evenly spread, so that the page stays below
-#' 2 MB; between them the gear moves straight on.
+#' kept time. Of a long tow it shows some of the kept times, evenly spread, so that the page stays
+#' below 2 MB; between them the gear moves straight on.
 #'
 #' Drag is told over the size of its part: of ropes N per metre, of netting N per square metre of
 #' netting with square meshes. Mesh opening and angle are not told of a trajectory.
@@ -28,7 +28,8 @@
 #' @param device `"html"`, or `"rgl"` to draw a state on a new device of package rgl, as lines, for
 #'   those who go on with rgl's own functions; colours are then `"tension"`, `"mesh_opening"` or
 #'   `"mesh_angle"`.
-#' @return An HTML widget, which prints in the viewer or browser, invisibly where `file` is given; of
+#' @return An HTML widget, which prints in the viewer or browser, invisibly where `file` is given;
+#'   of
 #'   rgl the number of its device, invisibly. A wrong argument is an error of class
 #'   `codend_error_argument`.
 #' @examples

@@ -39,7 +39,9 @@ test_that("both palettes darken steadily, so that they survive grey printing", {
     grey <- c(0.2126, 0.7152, 0.0722) %*% (grDevices::col2rgb(tension_palette(kind)) / 255)^2.2
     expect_lt(max(diff(as.vector(grey))), 0.005)
     # Slack differs in hue from them all, also for the colour-blind, who see dashes too.
-    lab <- function(colour) grDevices::convertColor(t(grDevices::col2rgb(colour) / 255), "sRGB", "Lab")
+    lab <- function(colour) {
+      grDevices::convertColor(t(grDevices::col2rgb(colour) / 255), "sRGB", "Lab")
+    }
     apart <- sqrt(colSums((t(lab(tension_palette(kind))) - drop(lab(slack_colour)))^2))
     expect_gt(min(apart), 30)
   }
