@@ -15,8 +15,8 @@ view_symbols <- data.frame(
     "#2C6E9B"
   ),
   solid = c(
-    "#2A343C", "#2A343C", "#474F56", "#9A6200", "#7A6400", "#8A5A2B", "#474F56", "#5B636A", "#2C6E9B",
-    "#2C6E9B"
+    "#2A343C", "#2A343C", "#474F56", "#9A6200", "#7A6400", "#8A5A2B", "#474F56", "#5B636A",
+    "#2C6E9B", "#2C6E9B"
   ),
   size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1),
   # what is drawn as a plate in space; all else is round

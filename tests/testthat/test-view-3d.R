@@ -119,9 +119,9 @@ test_that("vessels stand where warps leave the water", {
 })
 
 test_that("a state is drawn on a device of rgl where that is asked for", {
-  skip_if_not_installed("rgl")
   kept <- options(rgl.useNULL = TRUE)
   on.exit(options(kept))
+  skip_if_not_installed("rgl")
   state <- unsettled(sheets_plan)
   device <- view(state, device = "rgl")
   expect_true(device %in% rgl::rgl.dev.list())
