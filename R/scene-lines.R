@@ -63,7 +63,7 @@ rope_lines <- function(state, points, limit) {
   }))
 }
 
-# Netting: of bars, the bars themselves; of triangles, the two twine directions through each cell of
+# Netting: of bars, the bars themselves; of cells, the two twine directions through each cell of
 # the panel's grid.
 netting_lines <- function(state, points, limit) {
   panels <- state$lattice$panels
@@ -127,17 +127,17 @@ panel_cell_lines <- function(state, points, name, part, block) {
 }
 
 # Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's
-# bound them, u, v = mean tension (N) of the triangles inside, across first).
+# bound them, u, v = mean tension (N) of the lattice's cells inside, across first).
 panel_blocks <- function(state, name, part, block) {
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L
-  mine <- which(state$lattice$triangle_part == part)
+  mine <- which(state$lattice$cell_part == part)
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L
   deep <- length(rows) - 1L
   group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
-  weight <- triangle_bars(state$lattice$engine$triangles, mine)
+  weight <- cell_bars(state$lattice$engine$cells, mine)
   mean <- function(tension) weighted_means(tension[mine], weight, group, across * deep)
   list(columns = columns, rows = rows, u = mean(state$u_tension), v = mean(state$v_tension))
 }
