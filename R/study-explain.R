@@ -18,8 +18,8 @@
 #' @return An object of class `codend_explanation`, a list of data frames, the most telling first:
 #'
 #'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals ask for and that
-#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (probability of so
-#'     large a fall by chance; small where the input matters) and `own`, the share of its effect
+#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (probability of
+#'     so large a fall by chance; small where the input matters) and `own`, the share of its effect
 #'     that the calibrated fields do not have too;
 #'   - `trends`: `match`, the `condition` (a numeric column of the data), `correlation` of the
 #'     residuals with it and `p`;

@@ -7,8 +7,8 @@
 #' Echoes are lost and doubled, so that single readings are far off. A reading is taken for a spike
 #' where it differs from the running median of `window` readings by more than `spikes` times their
 #' spread: 1.4826 times the running median of such differences (Hampel's identifier; the factor
-#' makes it a standard deviation where readings are normal). A run of the same value of half a window is
-#' not one.
+#' makes it a standard deviation where readings are normal). What stays for more than half a window
+#' is no spike.
 #'
 #' @param file A CSV file, with commas or semicolons.
 #' @param columns A YAML file, or a list, that names the columns of interest: each a name to give
