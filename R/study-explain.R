@@ -18,9 +18,9 @@
 #' @return An object of class `codend_explanation`, a list of data frames, the most telling first:
 #'
 #'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals ask for and that
-#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (probability of
-#'     so large a fall by chance; small where the input matters) and `own`, the share of its effect
-#'     that the calibrated fields do not have too;
+#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (the
+#'     probability of so large a fall by chance; small where the input matters) and `own`, the share
+#'     of its effect that the calibrated fields do not have too;
 #'   - `trends`: `match`, the `condition` (a numeric column of the data), `correlation` of the
 #'     residuals with it and `p`;
 #'   - `measurements`: `measure`, and `gain`: the factor by which the standard errors of the fields
