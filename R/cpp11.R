@@ -80,6 +80,18 @@ file_replace <- function(from, to) {
   .Call(`_codend_file_replace`, from, to)
 }
 
+group_sums <- function(x, group, n) {
+  .Call(`_codend_group_sums`, x, group, n)
+}
+
+group_maxima <- function(x, group, n) {
+  .Call(`_codend_group_maxima`, x, group, n)
+}
+
+group_volumes <- function(volume, height, point, n) {
+  .Call(`_codend_group_volumes`, volume, height, point, n)
+}
+
 limit_memory <- function(bytes) {
   .Call(`_codend_limit_memory`, bytes)
 }

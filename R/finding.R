@@ -5,8 +5,8 @@
 #' A gear can be a valid plan and still be nonsense: a unit that was forgotten, a bridle that
 #' carries nothing, a net that flies above the sea bed. This lists what of a gear or a settled
 #' state lies outside what practice and tests know. [summary()][summary.codend_state], [report()],
-#' [flume()] and the command line show the same list under 'Worth a look'. None of it is an error:
-#' the numbers are computed as the plan asks.
+#' [flume()] (but for swings of boards) and the command line show the same list under 'Worth a
+#' look'. None of it is an error: the numbers are computed as the plan asks.
 #'
 #' @eval finding_help()
 #'
@@ -20,11 +20,14 @@
 #' findings(read_gear("towed_cable"))
 #' findings(update(read_gear("towed_cable"), ropes.cable.diameter = 17.3))
 #' @export
-findings <- function(x) {
+findings <- function(x) findings_by(x, sorted_checks())
+
+# The findings of some checks.
+findings_by <- function(x, checks) {
   if (inherits(x, "codend_state")) {
-    found <- lapply(sorted_checks(), found_by, x$gear, x)
+    found <- lapply(checks, found_by, x$gear, x)
   } else if (inherits(x, "codend_gear")) {
-    of_plan <- Filter(function(check) check$of == "plan", sorted_checks())
+    of_plan <- Filter(function(check) check$of == "plan", checks)
     found <- lapply(of_plan, found_by, x, NULL)
   } else {
     abort_argument("{.arg x} must be a gear or a state, not {.cls {class(x)}}.")

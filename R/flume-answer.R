@@ -61,7 +61,10 @@ settle_noted <- function(gear, nodes, from) {
       invokeRestart("muffleWarning")
     }
   )
-  list(state = state, notes = c(notes, finding_sentences(findings(state))))
+  # a page does not wait for swings of boards
+  checks <- sorted_checks()
+  found <- findings_by(state, checks[names(checks) != "flutter"])
+  list(state = state, notes = c(notes, finding_sentences(found)))
 }
 
 # NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A

@@ -2,11 +2,30 @@
 # last: SI numbers of a gear that has been checked, or NULL.
 check_gear <- function(si, last = NULL) {
   check_points(si)
-  joined <- c("points", "ropes", "panels", "seams", "otter_boards", "share_places")
-  if (!is.null(last) && identical(si[joined], last[joined])) return(invisible())
+  held <- function(si) lapply(si$points, `[`, c("held", "position"))
+  if (!is.null(last) && identical(gear_structure(si), gear_structure(last)) &&
+    identical(held(si), held(last))) {
+    return(invisible())
+  }
   check_seams(si)
   check_places(si)
   check_joined(si)
+}
+
+# How the parts of a gear hang together: all that decides it but the points that are held, and all
+# that decides how a lattice is divided but the counts asked for. Lengths, masses and areas of parts
+# are not among it, so that gears which differ by these alone are known by it.
+gear_structure <- function(si) {
+  c(si[c("seams", "share_places")], list(
+    points = lapply(si$points, `[[`, "at"),
+    ropes = lapply(si$ropes, `[`, c("along", "shares", "through", "from", "to")),
+    pieces = lapply(si$pieces, `[[`, "along"),
+    boards = lapply(si$otter_boards, `[[`, "points"),
+    panels = lapply(si$panels, `[`, c(
+      "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation",
+      "straight_bar"
+    ))
+  ))
 }
 
 # "fixed" or "moved", by the name of each held point.

@@ -48,10 +48,12 @@ find_place <- function(text, path, known) {
 
 # Places at a share of a rope's length, as texts, that the parts of a gear name.
 share_places <- function(si) {
-  texts <- unique(as.character(unlist(
-    si[c("points", "ropes", "seams", "pieces", "measures")], use.names = FALSE
-  )))
-  grep("^[^.]+\\[[0-9.]+\\]$", texts, value = TRUE)
+  pick <- function(group, fields) lapply(si[[group]], `[`, fields)
+  texts <- unlist(c(
+    pick("points", "at"), pick("ropes", c("from", "to", "through")),
+    pick("seams", c("gathered_at", "held_between")), pick("pieces", "at"), si$measures
+  ), use.names = FALSE)
+  grep("^[^.]+\\[[0-9.]+\\]$", unique(as.character(texts)), value = TRUE)
 }
 
 find_rope <- function(name, path, known) {

@@ -48,25 +48,30 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
     netting = fields$netting, slack_twine = fields$slack_twine
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
+  # what a group's parts were made to in the last gear, where all else that they are made from is
+  # the same
+  kept <- function(group, same) if (same) list(parts = last_fields[[group]], made = last[[group]])
   lines <- c("materials", "coefficients", "netting", "netting_drag", "shielding")
-  si$panels <- if (same(c("panels", lines))) last$panels else {
-    map_named(fields$panels, "panels", si_panel, fields, law)
-  }
+  si$panels <- map_named(
+    fields$panels, "panels", si_panel, fields, law, kept = kept("panels", same(lines))
+  )
   known <- list(
     points = names(fields$points), ropes = names(fields$ropes), panels = si$panels
   )
   same_known <- identical(known$panels, last$panels) &&
     identical(known$points, names(last$points)) && identical(known$ropes, names(last$ropes))
-  si$points <- if (same_known && same("points")) last$points else {
-    map_named(fields$points, "points", si_point, known)
-  }
-  si$ropes <- if (same_known && same(c("ropes", lines))) last$ropes else {
-    map_named(fields$ropes, "ropes", si_rope, fields, law, known)
-  }
-  si$seams <- if (same_known && same("seams")) last$seams else {
-    map_named(fields$seams, "seams", si_seam, known)
-  }
-  si$pieces <- map_named(fields$pieces, "pieces", si_piece, fields, known)
+  si$points <- map_named(
+    fields$points, "points", si_point, known, kept = kept("points", same_known)
+  )
+  si$ropes <- map_named(
+    fields$ropes, "ropes", si_rope, fields, law, known,
+    kept = kept("ropes", same_known && same(lines))
+  )
+  si$seams <- map_named(fields$seams, "seams", si_seam, known, kept = kept("seams", same_known))
+  si$pieces <- map_named(
+    fields$pieces, "pieces", si_piece, fields, known,
+    kept = kept("pieces", same_known && same("water"))
+  )
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
   # Kites are otter boards that push up or down.
   si$otter_boards <- c(
@@ -80,17 +85,28 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   si$vessel <- if (!is.null(fields$vessel)) si_vessel(fields$vessel, "vessel")
   si$sticking <- isTRUE(fields$seabed$sticking)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
-  si$measures <- map_named(fields$measures, "measures", si_measure, known)
+  same_bodies <- identical(known$otter_boards, names(last$otter_boards)) &&
+    identical(known$pieces, names(last$pieces)) && known$ground == !is.null(last$ground)
+  si$measures <- map_named(
+    fields$measures, "measures", si_measure, known,
+    kept = kept("measures", same_known && same_bodies)
+  )
   si$share_places <- share_places(si)
   check_gear(si, last)
   si
 }
 
-map_named <- function(parts, group, convert, ...) {
-  paths <- paste0(group, ".", names(parts))
+# kept: list(parts, made) of another gear, where the same part would be made to the same, or NULL.
+map_named <- function(parts, group, convert, ..., kept = NULL) {
+  if (!is.null(kept$parts) && identical(parts, kept$parts)) return(kept$made)
+  names <- as.character(names(parts))
+  paths <- paste0(group, ".", names)
   out <- vector("list", length(parts))
-  for (i in seq_along(parts)) out[[i]] <- convert(parts[[i]], path = paths[i], ...)
-  stats::setNames(out, as.character(names(parts)))
+  for (i in seq_along(parts)) {
+    same <- names[i] %in% names(kept$made) && identical(parts[[i]], kept$parts[[names[i]]])
+    out[[i]] <- if (same) kept$made[[names[i]]] else convert(parts[[i]], path = paths[i], ...)
+  }
+  stats::setNames(out, names)
 }
 
 si_water <- function(water, seabed = NULL) {

@@ -1,8 +1,9 @@
-# The catch: which part of the netting around it lies behind its front, as pressure on triangles,
+# The catch: which part of the netting around it lies behind its front, as pressure on triangles of
+# its cells,
 # and the volume that it encloses.
 
-# Adds to a lattice `catch`: list(triangle = numbers of the triangles that it may lie against, node
-# = 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
+# Adds to a lattice `catch`: list(cell = of every triangle that it may lie against, node = 3 x
+# these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
 # real: negative where its normal points inward), or nothing; and to its engine the pressure, behind
 # the front that the plan gives or a first guess.
 add_catch <- function(si, lattice) {
@@ -11,19 +12,22 @@ add_catch <- function(si, lattice) {
     drag_coefficient = first_of(si$catch$drag_coefficient, 0)
   )
   if (is.null(si$catch)) return(lattice)
-  triangles <- lattice$engine$triangles
+  cells <- lattice$engine$cells
   part <- length(si$ropes) + match(si$catch$panels, names(si$panels))
-  some <- which(lattice$triangle_part %in% part)
-  panel <- lattice$triangle_part[some]
+  some <- which(lattice$cell_part %in% part)
+  panel <- lattice$cell_part[some]
   orientation <- vapply(si$panels, `[[`, "", "orientation")[panel - length(si$ropes)]
-  u <- matrix(triangles$twine[c(TRUE, FALSE)], 3L)[, some, drop = FALSE]
-  v <- matrix(triangles$twine[c(FALSE, TRUE)], 3L)[, some, drop = FALSE]
-  v <- v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 3L)
-  square <- matrix(rep(orientation == "square", each = 3L), 3L)
+  at <- cell_twine_places(cells, some)
+  corner <- cell_corners(lattice, some)
+  v <- at$v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 4L)
+  square <- matrix(rep(orientation == "square", each = 4L), 4L)
+  depth <- si$catch$deep - ifelse(square, v, (at$u + v) / 2)
+  triangles <- cell_triangles(has_three_corners(corner))
+  place <- triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)
+  panel <- panel[triangles$cell]
   lattice$catch <- list(
-    triangle = some, node = matrix(triangles$node[corners_of(some)], 3L),
-    depth = si$catch$deep - ifelse(square, v, (u + v) / 2),
-    weight = triangles$multiplicity[some]
+    cell = some[triangles$cell], node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
+    weight = (cells$multiplicity[some])[triangles$cell] * triangles$weight
   )
   # Panels are laid out round the catch from the start, whichever way round.
   outward <- panel_volumes(lattice, lattice$start, panel)

@@ -2,12 +2,13 @@
 #
 # Tied points are numbered -1, -2, ... until all nodes are known.
 new_collection <- function(nodes) {
-  engine <- c("ties", "bars", "triangles", "spheres", "lifts", "wake_sheets")
+  engine <- c("ties", "bars", "cells", "spheres", "lifts", "wake_sheets")
   types <- c(
     lapply(setNames(engine, engine), function(kind) {
       c(engine_fields_of(kind), list(part = integer()))
     }),
-    list(masses = list(node = integer(), mass = double(), volume = double(), height = double(),
+    list(sheets = list(node = integer(), twine = double(), height = double(), part = integer()),
+      masses = list(node = integer(), mass = double(), volume = double(), height = double(),
       surface = double(), area = double()))
   )
   types$ties$part <- NULL
@@ -54,11 +55,17 @@ new_collection <- function(nodes) {
 # The engine's fields of a kind of element, from its own table: a named list of empty vectors of
 # their types.
 engine_fields_of <- function(kind) {
-  table <- engine_fields()
-  of <- table$kind == kind
-  empty <- list(number = double(), whole = integer(), mark = logical(), name = character())
-  setNames(empty[table$type[of]], table$name[of])
+  if (is.null(known_fields[[kind]])) {
+    table <- engine_fields()
+    of <- table$kind == kind
+    empty <- list(number = double(), whole = integer(), mark = logical(), name = character())
+    assign(kind, setNames(empty[table$type[of]], table$name[of]), known_fields)
+  }
+  known_fields[[kind]]
 }
+
+# Those that were asked for: they do not change while R runs.
+known_fields <- new.env(parent = emptyenv())
 
 # Elements of a kind, without what is not the engine's to know.
 engine_elements <- function(elements) elements[setdiff(names(elements), "part")]
@@ -68,27 +75,20 @@ engine_elements <- function(elements) elements[setdiff(names(elements), "part")]
 contact_points <- function(masses) {
   some <- masses$area > 0
   node <- masses$node[some]
-  order <- order(node, -masses$height[some])
-  first <- order[!duplicated(node[order])]
-  list(
-    node = node[first], area = as.vector(rowsum(masses$area[some], node)),
-    clearance = masses$height[some][first] / 2
-  )
+  last <- max(0L, node)
+  area <- group_sums(masses$area[some], node, last)
+  largest <- group_maxima(masses$height[some], node, last)
+  touching <- which(area > 0)
+  list(node = touching, area = area[touching], clearance = largest[touching] / 2)
 }
 
 # Volumes that leave the water over one height at one point together: list(node, buoyancy (N),
 # height).
 immersed_volumes <- function(masses, density) {
-  some <- which(masses$volume > 0 & masses$surface > 0)
-  # heights that only rounding keeps apart are one
-  distinct <- unique(masses$surface[some])
-  height <- signif(distinct, 12)[match(masses$surface[some], distinct)]
-  key <- masses$node[some] + (max(0, masses$node) + 1) * match(height, unique(height))
-  first <- some[!duplicated(key)]
+  found <- group_volumes(masses$volume, masses$surface, masses$node, max(0L, masses$node))
   list(
-    node = masses$node[first], height = masses$surface[first],
-    buoyancy = gear_gravity * density *
-      as.vector(rowsum(masses$volume[some], key, reorder = FALSE))
+    node = masses$node[found$first], height = masses$surface[found$first],
+    buoyancy = gear_gravity * density * found$volume
   )
 }
 
@@ -100,8 +100,4 @@ point_number <- function(node, nodes) {
 }
 
 # Sums of x over groups 1..n, numbered by `group`.
-sum_by <- function(x, group, n) {
-  total <- numeric(n)
-  if (length(x)) total[unique(group)] <- rowsum(x, group, reorder = FALSE)
-  total
-}
+sum_by <- function(x, group, n) group_sums(as.double(x), as.integer(group), as.integer(n))

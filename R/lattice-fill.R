@@ -24,6 +24,19 @@ fill_lattice <- function(si, nodes, netting, from) {
   lattice
 }
 
+# The division that divide() made for the lattice of `from`, for a gear of which the same counts are
+# asked for; NULL where it would be another, or may be.
+division_again <- function(si, from) {
+  old <- from$settled
+  lattice <- from$lattice
+  if (is.null(old) || !"runs" %in% names(lattice$division)) return(NULL)
+  if (!identical(gear_structure(si), gear_structure(old))) return(NULL)
+  c(
+    lattice$division, lattice[c("points", "ropes", "held_edges")],
+    list(places = lattice_places(lattice))
+  )
+}
+
 # The engine's water: the current as the gear meets it, which is towed along -x.
 engine_water <- function(si) {
   water <- list(

@@ -49,8 +49,8 @@ measure_attitude <- function(state, measure) {
   state$boards[[measure$angle]][k]
 }
 
-# Warns of boards that do not fly, or not for long.
-warn_of_boards <- function(state) {
+# Warns of boards that do not fly, or not for long; swings: see warn_of_doubts().
+warn_of_boards <- function(state, swings) {
   if (isTRUE(state$report$unstable)) {
     flies <- length(state$si$otter_boards) > 0L
     kind <- if (flies) "codend_warning_board_unstable" else "codend_warning_pole_unstable"
@@ -63,8 +63,8 @@ warn_of_boards <- function(state) {
     )
   }
   if (!length(state$si$otter_boards)) return(invisible())
-  flutter <- fluttering_modes(state)
-  if (nrow(flutter)) {
+  flutter <- if (swings) fluttering_modes(state)
+  if (NROW(flutter)) {
     worst <- flutter[1L, ]
     cli::cli_warn(
       c("{.field {worst$board}} flutters: pushed a little it swings with a period of

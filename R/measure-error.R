@@ -63,6 +63,16 @@ observed_order <- function(off, off_before, ratio, ratio_before) {
   pmin(pmax(found, least_order), greatest_order)
 }
 
+# The lattices that the measures of a state, `values` as shown, may be compared with, coarse to fine:
+# list(nodes, values). See state_levels().
+levels_of <- function(state, values) {
+  if (is.null(state$levels)) return(list())
+  levels <- state$levels$own()
+  # without levels to carry the other gear is not measured
+  if (is.null(state$levels$values) || !length(levels)) return(levels)
+  carry_levels(levels, state$levels$values(), values)
+}
+
 # The levels of a state that began from another gear's: theirs, scaled with its measures. Gears that
 # differ little in shape have like errors, as shares.
 carry_levels <- function(levels, values_from, values) {

@@ -1,13 +1,14 @@
 # Measures as numbers that keep what they are: each one's unit and kind.
 
-# values: SI, by name; kinds: their entries in the registries; nodes and levels: of the lattice and
-# of those that it was compared with, see estimate_errors().
+# values: SI, by name; kinds: their entries in the registries; nodes: of the lattice; levels: a
+# function of the values as shown that gives the lattices that it is compared with, see
+# estimate_errors(), or NULL.
 new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   units <- measure_units(kinds)
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
   structure(shown, unit = setNames(units, names(values)),
     kind = setNames(vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE), names(values)),
-    error = estimate_errors(shown, nodes, levels), class = c("codend_measures", "numeric"))
+    error = estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown)), class = c("codend_measures", "numeric"))
 }
 
 plain_measures <- function(x) setNames(as.double(x), names(x))

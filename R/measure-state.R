@@ -33,7 +33,8 @@ measures <- function(state) {
   general <- lapply(standard, function(measure) measure$value(state, found))
   applies <- lengths(general) > 0L
   new_measures(
-    c(own, general[applies]), c(kinds, standard[applies]), state$lattice$nodes, state$levels
+    c(own, general[applies]), c(kinds, standard[applies]), state$lattice$nodes,
+    function(shown) levels_of(state, shown)
   )
 }
 

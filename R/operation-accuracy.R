@@ -5,30 +5,83 @@ most_growth <- 7
 least_growth <- 2
 most_accurate_nodes <- 1e5
 
-# The lattices that a state's measures may be compared with, coarse to fine: list(nodes, values).
+# The lattices that a state's measures may be compared with. They are measured when their errors are
+# first asked for: a change of a gear that is looked at once needs neither.
+#
 # found: as settle_level() gives it, through levels of this gear; from: the state it began from, or
 # NULL.
+# Returns list(own = function() that gives them coarse to fine, as list(nodes, values)) and, where
+# they are another gear's, values = function() that gives its measures; NULL where there are none.
+# See levels_of().
 state_levels <- function(state, found, from) {
-  shape <- found$from
-  levels <- list()
-  while (!is.null(shape$si)) {
-    level <- new_state(
-      state$gear, shape$si, shape$lattice,
-      as.vector(shape$position[, seq_len(shape$lattice$nodes)]), list()
-    )
-    level <- list(nodes = shape$lattice$nodes, values = plain_measures(measures(level)))
-    levels <- c(list(level), levels)
-    shape <- shape$coarser
-  }
-  if (length(levels) || is.null(from)) return(levels)
+  if (!is.null(found$from$si)) return(levels_through(state, found$from))
+  if (is.null(from$levels)) return(NULL)
   growth <- state$lattice$nodes / from$lattice$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
-    own <- list(nodes = from$lattice$nodes, values = plain_measures(measures(from)))
-    return(c(from$levels, list(own)))
+    return(levels_and(from))
   }
-  # without levels to carry neither state is measured
-  carry_levels(from$levels, plain_measures(measures(from)), plain_measures(measures(state)))
+  list(own = from$levels$own, values = first_of(from$levels$values, values_of(from)))
 }
+
+# shape: the last of the coarser levels, each with the one before.
+levels_through <- function(state, shape) {
+  gear <- state$gear
+  many <- state$lattice$nodes > many_nodes
+  rm(state)
+  own <- once(function() {
+    levels <- list()
+    while (!is.null(shape$si)) {
+      level <- new_state(
+        gear, shape$si, shape$lattice,
+        as.vector(shape$position[, seq_len(shape$lattice$nodes)]), list()
+      )
+      level <- list(nodes = shape$lattice$nodes, values = plain_measures(measures(level)))
+      levels <- c(list(level), levels)
+      shape <- shape$coarser
+    }
+    levels
+  })
+  # large lattices are not kept for it
+  if (many) own()
+  list(own = own)
+}
+
+# A state's levels, and the state itself as the last of them.
+levels_and <- function(state) {
+  force(state)
+  list(own = once(function() {
+    values <- plain_measures(measures(state))
+    c(levels_of(state, values), list(list(nodes = state$lattice$nodes, values = values)))
+  }))
+}
+
+# A function() that gives the measures of a state that another began from. Many may begin from one:
+# the last one's are kept.
+values_of <- function(state) {
+  if (!identical(begun_from$state, state)) {
+    values <- once(function() plain_measures(measures(state)))
+    if (state$lattice$nodes > many_nodes) return(values)
+    begun_from$state <- state
+    begun_from$values <- values
+  }
+  begun_from$values
+}
+
+begun_from <- new.env(parent = emptyenv())
+
+# A function that finds something the first time that it is called.
+once <- function(find) {
+  force(find)
+  found <- NULL
+  function() {
+    if (!is.null(find)) found <<- find()
+    find <<- NULL
+    found
+  }
+}
+
+# Nodes of lattices that are not kept for what may never be asked.
+many_nodes <- 1e5
 
 # Divides a gear more finely until its main measures are as accurate as asked (a share).
 settle_accurately <- function(state, accuracy, netting) {

@@ -26,7 +26,7 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
-#' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
+#' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
 #'   points, at another speed, warp or design. Many times faster than to start anew where the change
@@ -46,9 +46,11 @@
 #'   counts how often); where none is found that lasts it is a warning of class
 #'   `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`. That
 #'   tells of static stability only. One whose swings would grow is a warning of class
-#'   `codend_warning_board_flutter`; see [board_modes()]. A free otter board that settles stalled,
-#'   back-winded or fallen over is a warning of class `codend_warning_board_stalled`,
-#'   `codend_warning_board_back_winded` or `codend_warning_board_fallen_over`; see [board_table()].
+#'   `codend_warning_board_flutter`, where the gear is not settled `from` a state (which takes less
+#'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
+#'   settles stalled, back-winded or fallen over is a warning of class
+#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
+#'   `codend_warning_board_fallen_over`; see [board_table()].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)
@@ -59,14 +61,14 @@ settle <- function(gear, nodes = 1500, netting = NULL, from = NULL, accuracy = N
   if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
   state <- settled_state(gear, nodes, netting, from, settle_iterations)
   if (!is.null(accuracy)) state <- settle_accurately(state, accuracy, netting)
-  warn_of_doubts(state)
+  warn_of_doubts(state, swings = is.null(from))
   state
 }
 
 # steps: of the solver from a crude start, at most.
 settle_gear <- function(gear, nodes, netting, from, steps) {
   state <- settled_state(gear, nodes, netting, from, steps)
-  warn_of_doubts(state)
+  warn_of_doubts(state, swings = FALSE)
   state
 }
 
@@ -117,16 +119,18 @@ check_settle_arguments <- function(gear, nodes, netting) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
-    netting %in% c("triangles", "bars"))) {
+    netting %in% c("cells", "bars", "triangles"))) {
     abort_argument(
-      "{.arg netting} is {.val {netting}}; it must be {.val triangles}, {.val bars} or NULL."
+      "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)
 }
 
 # Boards that do not fly, and laws outside what they were measured for.
-warn_of_doubts <- function(state) {
-  warn_of_boards(state)
+# swings: whether to look for swings of boards that grow, which in a whole trawl takes longer than
+# to settle it from a state.
+warn_of_doubts <- function(state, swings) {
+  warn_of_boards(state, swings)
   warn_of_laws(state)
 }

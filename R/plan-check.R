@@ -193,7 +193,11 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
     }
     # in single brackets: a place assigned NULL would go, and later fields move to wrong names
     same <- name %in% names(last) && identical(value[[i]], last[[name]])
-    checked[i] <- if (same) fields[name] else {
+    checked[i] <- if (same) {
+      fields[name]
+    } else if (property$shape == "object") {
+      list(check_map(value[[i]], property, join(path, name), last[[name]], fields[[name]]))
+    } else {
       list(check_field(value[[i]], property, join(path, name)))
     }
   }

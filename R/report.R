@@ -255,9 +255,9 @@ balance_section <- function(said) {
   report <- said$report
   report_section("Solution and force balance",
     tag$p(sprintf(
-      "%s nodes, %s bars and %s netting triangles. %s in %d steps; the largest net force left on a
+      "%s nodes, %s bars and %s netting cells. %s in %d steps; the largest net force left on a
       node is %s of the largest tension.",
-      big_number(report$nodes), big_number(report$bars), big_number(report$triangles),
+      big_number(report$nodes), big_number(report$bars), big_number(report$cells),
       if (report$converged) "Settled" else "Not settled", report$iterations,
       format(report$residual, digits = 2)
     )),

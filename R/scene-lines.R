@@ -63,7 +63,7 @@ rope_lines <- function(state, points, limit) {
   }))
 }
 
-# Netting: of bars, the bars themselves; of triangles, the two twine directions through each cell of
+# Netting: of bars, the bars themselves; of cells, the two twine directions through each cell of
 # the panel's grid.
 netting_lines <- function(state, points, limit) {
   lattice <- state$lattice
@@ -88,19 +88,19 @@ netting_lines <- function(state, points, limit) {
 }
 
 # The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tensions of
-# the triangles inside. Twines of diamond meshes run along a cell's diagonals, those of square
+# the lattice's cells inside. Twines of diamond meshes run along a cell's diagonals, those of square
 # meshes along its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
   panel <- state$si$panels[[name]]
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L
-  mine <- which(state$lattice$triangle_part == part)
+  mine <- which(state$lattice$cell_part == part)
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L
   deep <- length(rows) - 1L
   group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
-  weight <- triangle_bars(state$lattice$engine$triangles, mine)
+  weight <- cell_bars(state$lattice$engine$cells, mine)
   u <- weighted_means(state$u_tension[mine], weight, group, across * deep)
   v <- weighted_means(state$v_tension[mine], weight, group, across * deep)
   coarse <- grid[columns, rows, drop = FALSE]

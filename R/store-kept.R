@@ -77,7 +77,7 @@ kept_numbers <- function(what) {
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
   # a function of what it was made from
-  what$places <- environment(what$lattice$place)$places
+  what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
   flat <- flatten_tree(what)
   list(
@@ -126,7 +126,7 @@ check_indices <- function(lattice) {
   if (!identical(as.double(lattice$nodes), as.double(engine$nodes)) || engine$nodes > points) {
     stop("its nodes do not fit")
   }
-  for (name in c("bar_part", "triangle_part", "sphere_part", "lift_part", "board_part")) {
+  for (name in c("bar_part", "cell_part", "sphere_part", "lift_part", "board_part")) {
     within(lattice[[name]], nrow(lattice$parts), name)
   }
   within(unlist(lattice$points), points, "points")

@@ -145,6 +145,27 @@ extern "C" SEXP _codend_file_replace(SEXP from, SEXP to) {
     return cpp11::as_sexp(file_replace(cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(from), cpp11::as_cpp<cpp11::decay_t<cpp11::strings>>(to)));
   END_CPP11
 }
+// group_sums.cpp
+doubles group_sums(doubles x, integers group, int n);
+extern "C" SEXP _codend_group_sums(SEXP x, SEXP group, SEXP n) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(group_sums(cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<integers>>(group), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
+  END_CPP11
+}
+// group_sums.cpp
+doubles group_maxima(doubles x, integers group, int n);
+extern "C" SEXP _codend_group_maxima(SEXP x, SEXP group, SEXP n) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(group_maxima(cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<integers>>(group), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
+  END_CPP11
+}
+// group_sums.cpp
+list group_volumes(doubles volume, doubles height, integers point, int n);
+extern "C" SEXP _codend_group_volumes(SEXP volume, SEXP height, SEXP point, SEXP n) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(group_volumes(cpp11::as_cpp<cpp11::decay_t<doubles>>(volume), cpp11::as_cpp<cpp11::decay_t<doubles>>(height), cpp11::as_cpp<cpp11::decay_t<integers>>(point), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
+  END_CPP11
+}
 // process_limit.cpp
 bool limit_memory(double bytes);
 extern "C" SEXP _codend_limit_memory(SEXP bytes) {
@@ -175,6 +196,9 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
+    {"_codend_group_maxima",           (DL_FUNC) &_codend_group_maxima,           3},
+    {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
+    {"_codend_group_volumes",          (DL_FUNC) &_codend_group_volumes,          4},
     {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
     {NULL, NULL, 0}
 };

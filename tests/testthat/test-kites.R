@@ -177,7 +177,7 @@ test_that("floats may drag by their Reynolds number", {
   trawl <- read_gear("midwater_trawl")
   float <- list(number = 10, buoyancy = "90 N", diameter = "300 mm", share = c(0, 1))
   floats <- c(float, list(drag_coefficient = "smooth_sphere"))
-  state <- settle(update(trawl, floats = floats, netting = "triangles"), nodes = 300)
+  state <- settle(update(trawl, floats = floats, netting = "cells"), nodes = 300)
   drag <- sum(state$forces$sphere_drag[1, elements_of(state, "sphere", "floats")])
   speed <- quantity_si(trawl$plan$towing$speed, "speed")
   wanted <- sphere_specimens(speed * 0.3 / 1.19e-6, smooth = TRUE)$drag

@@ -27,7 +27,7 @@ flat_state <- function(orientation, netting, across, down, shear = 0, upper = 12
 }
 
 test_that("opening and angle of flat netting are those of its meshes", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     for (lower in c(12, 6)) {
       flat <- flat_state("diamond", netting, 0.03, 0.09, lower = lower)
       found <- mesh_openings(flat$state, "codend")
@@ -50,7 +50,7 @@ test_that("opening and angle of flat netting are those of its meshes", {
 })
 
 test_that("twine across the flow is that of its bars", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     # across the flow along x every bar shows its whole length
     flat <- flat_state("diamond", netting, 0.03, 0.09)
     bar <- sqrt(0.03^2 + 0.09^2) / 2

@@ -1,0 +1,50 @@
+# Optima as text.
+
+#' @export
+print.codend_optimum <- function(x, ...) {
+  aim <- x$aim
+  cat("Optimum of \"", x$gear$plan$name, "\"\n", sep = "")
+  cat("  ", aim$text, ": ", slope_figures(aim$begun), " before, ", slope_figures(aim$value),
+    " now (", with_plain_numbers(sprintf("%+.1f %%", -100 * aim$saving)), ")\n", sep = "")
+  fields <- x$fields
+  lines <- align_columns(list(
+    paste0("  ", fields$field), slope_figures(fields$begun), rep("to", nrow(fields)),
+    slope_figures(fields$value), fields$unit,
+    ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
+  ), left = c(1L, 3L, 5L, 6L))
+  cat(paste0(lines, "\n"), sep = "")
+  for (k in seq_len(nrow(x$keep))) {
+    keep <- x$keep[k, ]
+    cat("  ", keep$text, ": ", slope_figures(keep$left), " and ", slope_figures(keep$right),
+      if (!keep$holds) ", NOT KEPT" else if (keep$active) {
+        paste0(", at its limit; ", slope_figures(keep$price), " % of the aim per % of it")
+      }, "\n", sep = "")
+  }
+  cat("  ", if (x$optimal) "optimal" else "not optimal", ": slopes leave ",
+    slope_figures(100 * x$optimality), " % of the aim per range of a field",
+    if (!x$smooth) "; kinks near, see `kinks`", "\n", sep = "")
+  cat("  ", x$settles, " gears settled\n", sep = "")
+  invisible(x)
+}
+
+#' @export
+summary.codend_optimum <- function(object, ...) {
+  structure(list(optimum = object, state = summary(object$state)), class = "codend_optimum_summary")
+}
+
+#' @export
+print.codend_optimum_summary <- function(x, ...) {
+  print(x$optimum)
+  starts <- x$optimum$starts
+  if (nrow(starts) > 1L) {
+    cat("\nStarts\n")
+    print(starts, row.names = FALSE)
+  }
+  if (nrow(x$optimum$kinks)) {
+    cat("\nNot smooth at the optimum\n")
+    print(x$optimum$kinks, row.names = FALSE)
+  }
+  cat("\n")
+  print(x$state)
+  invisible(x)
+}

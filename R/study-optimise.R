@@ -1,0 +1,266 @@
+#' Find the gear that does best
+#'
+#' Changes fields of a plan within their ranges until a measure, or a formula of measures, is as
+#' small as it gets while conditions hold: least drag per swept width, least fuel per catch, the
+#' largest volume of a cage in a current.
+#'
+#' Every step settles the gear from the nearest shape that is known and takes the exact slopes of
+#' [sensitivities()]; the steps are those of sequential quadratic programming (SLSQP of NLopt, Kraft
+#' 1994, ACM Transactions on Mathematical Software 20:262). It stops on small changes, which is no
+#' sign of an optimum by itself. So what it finds is checked against the conditions of Karush, Kuhn
+#' and Tucker: the slopes of the aim must be held by those of conditions at their limit and of
+#' fields at the end of their range, with weights of the right sign. What is left, `optimality`, is
+#' how much the aim would still gain, as a share of itself, per whole range of a field; above 0.002
+#' the search goes on from there. Where it cannot, because the answer has a kink (netting that goes
+#' slack, ropes that come to lie on the sea bed), `smooth` says so.
+#'
+#' Whole numbers, such as of floats, are free at first: measures follow their slopes between two
+#' numbers. Then they are rounded, up and down for the most telling two and to the nearest for the
+#' others; the other fields are found again beside each choice, and the best that settles and keeps
+#' the conditions is taken. One optimum of several is found; `starts` tries from other places.
+#'
+#' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
+#' @param minimise The name of a measure, or a formula of [measures()]:
+#'   `~ total_drag / door_spread`. A measure is in the unit that its name ends in, or without that
+#'   unit in its name in SI. Put a
+#'   minus before what is to be large. A field that changes may stand there by its path, in SI.
+#' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
+#'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
+#'   text with a unit beside measures named without theirs.
+#' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
+#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [between()] them.
+#'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
+#'   value lies within.
+#' @param nodes,netting As in [settle()].
+#' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
+#' @param most Settled gears at most, for each start.
+#' @return An object of class `codend_optimum`, a list of
+#'
+#'   - `gear` and `state`: the best found, [update()][update.codend_gear]d and settled;
+#'   - `aim`: its `text`, its value in the gear as it was (`begun`) and now (`value`), and `saving`,
+#'     the share by which it fell;
+#'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `lower`, `upper` and `at`
+#'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at);
+#'   - `keep`: a data frame with each condition's `text`, the two sides' values `left` and `right`
+#'     in SI (or the units of the names), whether it `holds` (to 1e-4 of the limit), whether it is
+#'     `active`, and its `price`: by how many percent the aim would fall were the limit 1 % looser;
+#'   - `optimality` and whether the optimum is `optimal` (below 0.002) and `smooth`;
+#'   - `kinks`: a data frame of measures in the aim and the conditions whose slopes by a field
+#'     differ on its two sides there, or are not known but from settled gears;
+#'   - `history`: a data frame of all points, with fields, the aim, `worst`, by which share of its
+#'     limit the worst condition fails, whether all are `kept`, and gears settled until then;
+#'   - `starts`: a data frame of where each start ended; `settles`, gears settled in all; `ended`,
+#'     why the search from the best start ended.
+#'
+#'   Wrong arguments are an error of class `codend_error_argument`, a wrong field one of class
+#'   `codend_error_plan`. Where no gear that settles keeps the conditions, the nearest is returned
+#'   with a warning of class `codend_warning_conditions_not_kept`.
+#' @seealso [trade_off()] for two aims, [plot.codend_optimum()], [sensitivities()].
+#' @export
+#' @examplesIf requireNamespace("nloptr", quietly = TRUE)
+#' # The cable that holds its sphere 450 m deep with the least drag by speed
+#' found <- optimise("towed_cable",
+#'   minimise = ~ total_drag / towing.speed,
+#'   keep = ~ body_depth >= "450 m",
+#'   change = list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot"))
+#' )
+#' found
+optimise <- function(gear, minimise, keep = NULL, change, nodes = 1500, netting = NULL, starts = 1,
+                     most = 200) {
+  task <- new_task(gear, minimise, keep, change, nodes, netting)
+  check_count("starts", starts)
+  check_count("most", most)
+  places <- spread_points(starts - 1, length(task$points$fields))
+  runs <- lapply(seq_len(starts), function(k) {
+    if (k == 1L) return(find_optimum(task, task$first, most))
+    find_optimum(task, places[k - 1L, ], most)
+  })
+  finish_optimum(task, runs)
+}
+
+# What is looked for: list(points, words, aim, keep, of (measures needed), base (the gear settled as
+# it is), first (its scaled fields), size (of the aim), limits (sizes of the conditions), history).
+new_task <- function(gear, minimise, keep, change, nodes, netting) {
+  if (is.character(gear)) gear <- read_gear(gear)
+  check_settle_arguments(gear, nodes, netting)
+  check_package("nloptr", "optimise a gear")
+  fields <- free_fields(gear, change)
+  points <- new_points(gear, fields, nodes, netting)
+  base <- settled_state(gear, nodes, netting, NULL, settle_iterations)
+  points$count$settles <- 1L
+  base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
+  words <- formula_words(base$measures)
+  paths <- vapply(fields, function(field) field$paths[1L], "")
+  aim <- read_formula(minimise, "minimise", words, paths)
+  conditions <- if (is.null(keep)) list() else read_conditions(keep, words, paths)
+  named <- lapply(conditions, function(one) c(one$left$names, one$right$names))
+  named <- c(aim$names, unlist(named))
+  task <- list(
+    points = points, words = words, aim = aim, keep = conditions, base = base,
+    of = unique(words$column[words$name %in% named]),
+    first = points_scaled(points, base$values), history = new.env(parent = emptyenv())
+  )
+  task$history$rows <- list()
+  at <- formula_point(points, base, words)
+  value <- evaluate_formula(aim, at)$value
+  if (!is.finite(value)) {
+    abort_argument("{.arg minimise} is {.code {aim$text}}, which is {value} in the gear as it is.")
+  }
+  task$size <- max(abs(value), .Machine$double.xmin)
+  task$limits <- vapply(conditions, function(one) {
+    sides <- c(evaluate_formula(one$left, at)$value, evaluate_formula(one$right, at)$value)
+    if (!all(is.finite(sides))) {
+      abort_argument("{.arg keep} has {.code {one$text}}, whose sides are {.val {sides}} in the gear
+        as it is.")
+    }
+    # a limit is the side that changes less: the constant
+    fixed <- !c(length(one$left$names), length(one$right$names))
+    limit <- if (any(fixed)) abs(sides[fixed]) else 0
+    if (limit > 0) limit else max(abs(sides), .Machine$double.xmin)
+  }, 0)
+  task
+}
+
+check_count <- function(name, value) {
+  whole <- is.numeric(value) && length(value) == 1L && is.finite(value) && value >= 1 &&
+    value == round(value)
+  if (!whole) abort_argument("{.arg {name}} is {.val {value}}; it must be a whole number above 0.")
+}
+
+check_package <- function(name, purpose) {
+  if (!requireNamespace(name, quietly = TRUE)) {
+    abort_package("To {purpose} needs the package {.pkg {name}}:
+      {.code install.packages(\"{name}\")}.")
+  }
+}
+
+# Aim and conditions at a point, scaled: list(aim, worst, gap (at most 0 where kept; of equal
+# conditions 0), with their slopes where the point has them).
+task_values <- function(task, point, slopes = NULL, exact = point$values) {
+  at <- formula_point(task$points, point, task$words, slopes, exact)
+  aim <- evaluate_formula(task$aim, at)
+  sides <- lapply(task$keep, function(one) {
+    left <- evaluate_formula(one$left, at)
+    right <- evaluate_formula(one$right, at)
+    list(
+      gap = one$way * (left$value - right$value),
+      slope = if (!is.null(slopes)) one$way * (left$slope - right$slope),
+      left = left$value, right = right$value
+    )
+  })
+  gap <- vapply(sides, `[[`, 0, "gap") / task$limits
+  equal <- vapply(task$keep, `[[`, NA, "equal")
+  rows <- lapply(seq_along(sides), function(k) sides[[k]]$slope / task$limits[k])
+  list(
+    aim = aim$value, scaled = aim$value / task$size, aim_slope = aim$slope / task$size, gap = gap,
+    gap_slope = do.call(rbind, rows), worst = max(0, gap, abs(gap[equal])), equal = equal,
+    left = vapply(sides, `[[`, 0, "left"), right = vapply(sides, `[[`, 0, "right")
+  )
+}
+
+# By which share of its limit a condition may fail.
+keep_tolerance <- 1e-4
+# Share of the aim, per range of a field, that an optimum leaves.
+most_optimality <- 2e-3
+# Searches begun again where one ends short of that.
+most_searches <- 3L
+
+# Searches from a place of scaled fields. held: fields (by number) that stay. Returns list(best (a
+# tried point: point, values, scaled, slopes), ended, settles).
+find_optimum <- function(task, place, most, held = integer(), from = task$base) {
+  search <- new.env(parent = emptyenv())
+  search$tried <- list()
+  search$near <- from
+  begun <- task$points$count$settles
+  ended <- ""
+  for (again in seq_len(most_searches)) {
+    if (again > 1L) place <- search$best$scaled
+    before <- search$best
+    ended <- run_slsqp(task, search, place, held, begun + most)
+    if (is.null(search$best)) break
+    if (optimality_of(task, search$best, held)$left <= most_optimality) break
+    if (task$points$count$settles >= begun + most) break
+    if (identical(before$scaled, search$best$scaled)) break
+  }
+  list(best = search$best, ended = ended, settles = task$points$count$settles - begun)
+}
+
+run_slsqp <- function(task, search, place, held, most) {
+  dimensions <- length(task$points$fields)
+  free <- setdiff(seq_len(dimensions), held)
+  try_point(task, search, place)
+  if (!length(free)) return("all fields are held")
+  at <- function(x) try_point(task, search, replace(place, free, x))
+  equal <- vapply(task$keep, `[[`, NA, "equal")
+  conditions <- function(which) {
+    if (!any(which)) return(NULL)
+    function(x) {
+      found <- at(x)
+      list(constraints = found$gap[which], jacobian = found$gap_slope[which, free, drop = FALSE])
+    }
+  }
+  each <- 1 + 2 * sum(whole_fields(task$points$fields[free]))
+  found <- nloptr::nloptr(
+    place[free],
+    function(x) {
+      found <- at(x)
+      list(objective = found$scaled, gradient = found$aim_slope[free])
+    },
+    lb = rep(0, length(free)), ub = rep(1, length(free)),
+    eval_g_ineq = conditions(!equal), eval_g_eq = conditions(equal),
+    opts = list(
+      algorithm = "NLOPT_LD_SLSQP", ftol_rel = 1e-6, xtol_abs = rep(1e-4, length(free)),
+      maxeval = max(1, floor((most - task$points$count$settles) / each)),
+      tol_constraints_ineq = rep(keep_tolerance / 2, sum(!equal)),
+      tol_constraints_eq = rep(keep_tolerance / 2, sum(equal))
+    )
+  )
+  tolower(sub("^NLOPT_([A-Z_]+):.*", "\\1", found$message))
+}
+
+# The values and slopes at scaled fields, settled where they are not known yet: what task_values()
+# returns. Where the gear does not settle the aim is infinite, which shortens the step.
+try_point <- function(task, search, scaled) {
+  for (one in search$tried) if (identical(one$scaled, scaled)) return(one$values)
+  near <- search$near
+  exact <- points_values(task$points, scaled)
+  point <- settle_point(task$points, exact, near$state)
+  if (is.null(point)) {
+    failed <- first_of(search$last, list(
+      aim_slope = numeric(length(scaled)), gap = rep(1, length(task$keep)),
+      gap_slope = matrix(0, length(task$keep), length(scaled))
+    ))
+    failed$scaled <- Inf
+    return(failed)
+  }
+  slopes <- point_slopes(task$points, point, task$of)
+  slopes[is.na(slopes)] <- 0
+  values <- task_values(task, point, slopes, exact)
+  tried <- list(scaled = scaled, point = point, values = values)
+  search$tried <- c(search$tried, list(tried))
+  search$near <- point
+  search$last <- values
+  if (is.null(search$best) || is_better(values, search$best$values)) search$best <- tried
+  add_history(task, tried)
+  values
+}
+
+# Whether values are better: kept conditions first, then the aim with what it gains by the little
+# that conditions may fail taken back.
+is_better <- function(one, than) {
+  kept <- one$worst <= keep_tolerance
+  if (kept != (than$worst <= keep_tolerance)) return(kept)
+  if (!kept) return(one$worst < than$worst)
+  one$scaled + most_price * one$worst < than$scaled + most_price * than$worst
+}
+
+# The largest price of a condition, percent of the aim per percent of its limit, that is seen to.
+most_price <- 20
+
+add_history <- function(task, tried) {
+  row <- list(
+    values = tried$point$values, aim = tried$values$aim, worst = tried$values$worst,
+    settles = task$points$count$settles
+  )
+  task$history$rows <- c(task$history$rows, list(row))
+}

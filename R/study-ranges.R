@@ -1,0 +1,125 @@
+# Fields that a study may change, within ranges.
+
+# Free fields: lists of name, paths, value (of the gear), unit, whole, dimension, lower and upper,
+# all in the plan's unit, and prior (mean and standard deviation of a normal() one, or NULL).
+# change: ranges or distributions by paths; paths that change together are joined by " + ".
+# what: the argument's name, for errors.
+free_fields <- function(gear, change, what = "change") {
+  named <- is.list(change) && length(change) > 0L && !is.null(names(change))
+  if (!named || !all(nzchar(names(change)))) {
+    abort_argument("{.arg {what}} must be a list of ranges by the paths of fields, such as
+      {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
+  }
+  paths <- lapply(names(change), paths_of)
+  if (anyDuplicated(unlist(paths))) {
+    twice <- unlist(paths)[duplicated(unlist(paths))][1L]
+    abort_argument("{.arg {what}} has {.field {twice}} twice.")
+  }
+  Map(function(path, range) free_field(gear, path, range, what), paths, unname(change))
+}
+
+free_field <- function(gear, paths, range, what) {
+  name <- paste(paths, collapse = " + ")
+  found <- lapply(paths, function(path) field_number(gear$plan, path))
+  wrong <- Filter(is.character, found)
+  if (length(wrong)) abort_argument("{.arg {what}} has {.field {name}}, which {wrong[[1]]}.")
+  if (any(!vapply(found, identical, NA, found[[1L]]))) {
+    abort_argument("{.arg {what}} has {.field {name}}, fields with different values: they do not
+      change together.")
+  }
+  field <- c(list(name = name, paths = paths), found[[1L]])
+  field$dimension <- first_of(field_dimension(gear, paths[1L]), NA_character_)
+  field$prior <- NULL
+  if (is_distribution(range)) {
+    if (range$kind == "normal") {
+      prior <- in_words(range$numbers, range)
+      field$prior <- vapply(prior, range_end, 0, field = field, what = what)
+    }
+    range <- in_words(distribution_ends(range), range)
+  }
+  ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
+  if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
+    said <- paste(unlist(range), collapse = ", ")
+    abort_argument("{.arg {what}} gives {.field {name}} the range {.val {said}}; it must be two
+      values, the smaller first.")
+  }
+  if (field$whole) ends <- c(ceiling(ends[1L]), floor(ends[2L]))
+  field$lower <- ends[1L]
+  field$upper <- ends[2L]
+  if (field$value < field$lower || field$value > field$upper) {
+    has <- with_field_unit(field$value, field)
+    said <- paste(unlist(range), collapse = " to ")
+    abort_argument("{.arg {what}} gives {.field {name}} the range {.val {said}}, which does not hold
+      the gear's own {.val {has}}.")
+  }
+  # both ends are checked before anything is computed
+  for (end in ends) {
+    tryCatch(set_free(gear, list(field), end), codend_error_plan = function(e) {
+      said <- plain_message(e)
+      at <- with_field_unit(end, field)
+      abort_argument("{.arg {what}} takes {.field {name}} to {.val {at}}: {said}")
+    })
+  }
+  field
+}
+
+# Where a normal distribution has no ends it is taken over this many standard deviations.
+normal_reach <- 4
+
+distribution_ends <- function(of) {
+  ends <- of$ends
+  wide <- of$numbers[1L] + c(-1, 1) * normal_reach * of$numbers[2L]
+  ifelse(is.finite(ends), ends, wide)
+}
+
+# Numbers of a distribution in the plan's words.
+in_words <- function(numbers, of) {
+  if (!nzchar(of$unit)) return(as.list(numbers))
+  as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
+}
+
+# An end of a range in the field's unit.
+range_end <- function(end, field, what) {
+  if (is.factor(end)) end <- as.character(end)
+  value <- NA_real_
+  if (is.numeric(end)) {
+    value <- as.double(end)
+    if (!field$whole && nzchar(field$unit)) value <- in_unit(value, plain_unit(field$unit))
+  } else if (is_text(end) && field$whole) {
+    value <- suppressWarnings(as.double(end))
+  } else if (is_text(end)) {
+    dimension <- first_of(field$dimension, "number")
+    if (!is.na(dimension)) value <- quantity_si(end, dimension)
+    if (!is.na(value) && nzchar(field$unit)) value <- in_unit(value, plain_unit(field$unit))
+  }
+  if (length(value) != 1L || is.na(value)) {
+    abort_argument("{.arg {what}} gives {.field {field$name}} the value {.val {end}}; it must be a
+      number{if (field$whole) ' without a unit' else ' or a text with a unit'}.")
+  }
+  value
+}
+
+# A number of a field as a plan has it.
+field_text <- function(value, field) {
+  if (field$whole) return(as.integer(round(value)))
+  if (!nzchar(field$unit)) return(value)
+  paste(format(value, digits = 17), field$unit)
+}
+
+with_field_unit <- function(value, field) {
+  trimws(paste(with_plain_numbers(format(signif(value, 5), digits = 6)), field$unit))
+}
+
+# The gear with free fields at values, in their units.
+set_free <- function(gear, fields, values) {
+  changes <- unlist(Map(function(field, value) {
+    setNames(rep(list(field_text(value, field)), length(field$paths)), field$paths)
+  }, fields, values), recursive = FALSE)
+  do.call(update, c(list(gear), changes))
+}
+
+lower_ends <- function(fields) vapply(fields, `[[`, 0, "lower")
+upper_ends <- function(fields) vapply(fields, `[[`, 0, "upper")
+own_values <- function(fields) vapply(fields, `[[`, 0, "value")
+field_names <- function(fields) vapply(fields, `[[`, "", "name")
+whole_fields <- function(fields) vapply(fields, `[[`, NA, "whole")

@@ -1,0 +1,207 @@
+# Optima against closed forms and brute force, conditions and kinks that are planted.
+
+skip_if_not_installed("nloptr")
+
+# A sphere on one line of 10 m without weight or drag: its drag is D = C_D A rho v^2 / 2, its weight
+# in water W, and it hangs 10 m W / sqrt(W^2 + D^2) deep.
+towed_sphere <- function(...) {
+  as_gear(utils::modifyList(list(
+    codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
+    points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
+    ropes = list(line = list(
+      from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",
+      mass_per_length = 0, volume_per_length = 0, segments = 1,
+      coefficients = list(normal = 0, tangential = 0, skin = 0)
+    )),
+    pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
+      volume = "0.01 m3")),
+    measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
+  ), list(...)))
+}
+drag_by_speed <- 0.47 * pi / 16 * 1025 / 2
+
+test_that("the optimum of a towed sphere is that of its closed form", {
+  # At a depth of at least 9.5 m the line is at most as steep as k = D / W; there the pull is
+  # c v^2 sqrt(1 + 1 / k^2), and with 4000 / v it is least at v^3 = 2000 / (c sqrt(1 + 1 / k^2)).
+  found <- optimise(towed_sphere(), ~ pull + 4000 / towing.speed, ~ depth >= "9.5 m", list(
+    towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("50 kg", "300 kg")
+  ))
+  k <- sqrt(1 / 0.95^2 - 1)
+  c <- drag_by_speed * sqrt(1 + 1 / k^2)
+  speed <- (2000 / c)^(1 / 3)
+  mass <- drag_by_speed * speed^2 / k / 9.81 + 0.01 * 1025
+  # The aim is flat: a search that leaves 1e-6 of it leaves 1e-3 of the speed.
+  expect_equal(found$aim$value, c * speed^2 + 4000 / speed, tolerance = 1e-5)
+  expect_equal(found$fields$value, c(speed, mass), tolerance = 5e-3)
+  expect_equal(found$keep$right, 9.5)
+  expect_equal(found$keep$left, 9.5, tolerance = 1e-4)
+  expect_true(found$optimal && found$smooth && found$keep$active && found$keep$holds)
+  # The price of depth, by differences of the closed form.
+  best <- function(share) {
+    c <- drag_by_speed * sqrt(1 + 1 / (1 / share^2 - 1))
+    speed <- (2000 / c)^(1 / 3)
+    c * speed^2 + 4000 / speed
+  }
+  price <- (best(0.95 * 1.0001) - best(0.95 * 0.9999)) / 2e-4 / best(0.95)
+  begun <- found$aim$begun
+  expect_equal(found$keep$price, price * best(0.95) / begun, tolerance = 0.02)
+  expect_identical(found$gear$plan$towing$speed, found$state$gear$plan$towing$speed)
+  expect_equal(measures(found$state)[["depth_m"]], found$keep$left, tolerance = 1e-8)
+  expect_equal(found$aim$saving, 1 - found$aim$value / begun)
+})
+
+test_that("a grid finds nothing better, and every start the same", {
+  aim <- ~ (total_drag + 500) / towing.speed
+  change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = between("8 m", "12 m"))
+  found <- optimise(towed_sphere(), aim, ~ depth >= 9, change, starts = 3)
+  grid <- vary(towed_sphere(), towing.speed = seq(1, 3, by = 0.1),
+    ropes.line.length = c(8, 9.6, 10.8, 12))
+  kept <- grid[grid$depth_m >= 9, ]
+  values <- (kept$total_drag_kN * 1000 + 500) / kept[["towing.speed_m_per_s"]]
+  expect_lte(found$aim$value, min(values) * (1 + 1e-6))
+  # Between two steps of the grid, of 0.1 m/s, 500 / v + c v differs by 0.1 %; depth takes the rest.
+  expect_gt(found$aim$value, min(values) * 0.995)
+  expect_identical(nrow(found$starts), 3L)
+  expect_equal(found$starts$aim, rep(found$aim$value, 3), tolerance = 1e-4)
+})
+
+# Five spheres on five lines, one below the other.
+chain_of_spheres <- function() {
+  places <- paste0("p", 1:5)
+  as_gear(list(
+    codend = 1, name = "Five spheres", towing = list(speed = "1.5 m/s"),
+    points = c(list(ship = list(position = c(0, 0, 0), held = "moved")),
+      setNames(rep(list(c(a = 1)[0]), 5), places)),
+    ropes = setNames(lapply(1:5, function(k) {
+      list(from = c("ship", places)[k], to = places[k], length = "25 m", diameter = "10 mm",
+        axial_stiffness = "1 MN", mass_per_length = 0.3, segments = 3)
+    }), paste0("line", 1:5)),
+    pieces = setNames(lapply(1:5, function(k) {
+      list(at = places[k], mass = "150 kg", diameter = "0.4 m", volume = "0.02 m3")
+    }), paste0("sphere", 1:5)),
+    measures = setNames(lapply(places, function(place) list(depth = place)),
+      paste0("depth_", places))
+  ))
+}
+
+test_that("ten fields take at most 60 settled gears", {
+  change <- c(
+    setNames(rep(list(c("30 kg", "300 kg")), 5), paste0("pieces.sphere", 1:5, ".mass")),
+    setNames(rep(list(c("15 m", "40 m")), 5), paste0("ropes.line", 1:5, ".length"))
+  )
+  keep <- ~ depth_p1 >= "20 m" & depth_p2 >= "40 m" & depth_p3 >= "60 m" & depth_p4 >= "80 m" &
+    depth_p5 >= "100 m"
+  found <- optimise(chain_of_spheres(), "total_drag_kN", keep, change)
+  expect_lte(found$settles, 60)
+  expect_true(found$optimal)
+  expect_true(all(found$keep$holds))
+  expect_gt(found$aim$saving, 0.01)
+  # No single field moved by 1 % of its range betters the aim within the conditions by more than the
+  # slopes that are left, and what conditions may fail by.
+  better <- vapply(seq_len(nrow(found$fields)), function(k) {
+    field <- found$fields[k, ]
+    max(vapply(c(-0.01, 0.01), function(share) {
+      value <- field$value + share * (field$upper - field$lower)
+      if (value < field$lower || value > field$upper) return(0)
+      at <- measures(settle(do.call(update, c(list(found$gear), setNames(
+        list(paste(value, field$unit)), field$field)))))
+      if (any(at[paste0("depth_p", 1:5, "_m")] < c(20, 40, 60, 80, 100))) return(0)
+      1 - at[["total_drag_kN"]] / found$aim$value
+    }, 0))
+  }, 0)
+  expect_lt(max(better), 0.01 * 2e-3 + 1e-4)
+})
+
+test_that("whole numbers are rounded, settled and checked again", {
+  # n floats of 60 N hold a load of 1000 N down to the top of a line that stands on the ground.
+  gear <- as_gear(list(
+    codend = 1, name = "Buoyed line",
+    points = list(anchor = list(position = c(0, 0, -50), held = "fixed"), top = c(a = 1)[0]),
+    ropes = list(line = list(from = "anchor", to = "top", length = "20 m", diameter = "10 mm",
+      axial_stiffness = "1 MN", mass_per_length = 0, volume_per_length = 0, segments = 4)),
+    pieces = list(floats = list(at = "top", number = 30, buoyancy = "60 N", diameter = "25 cm",
+      drag_coefficient = 0)),
+    measures = list(pull = list(tension = "line.start"))
+  ))
+  # 1234 N over 60 N is 20.6: 21 floats.
+  found <- optimise(gear, ~ pieces.floats.number, ~ pull >= "1234 N",
+    list(pieces.floats.number = c(5, 60)))
+  expect_identical(found$fields$value, 21)
+  expect_true(found$keep$holds)
+  expect_equal(found$gear$plan$pieces$floats$number, 21)
+})
+
+test_that("what cannot be kept is said, with the nearest gear", {
+  expect_warning(
+    found <- optimise(towed_sphere(), ~ total_drag, ~ depth >= "9.99 m",
+      list(towing.speed = c("1.5 m/s", "3 m/s"))),
+    class = "codend_warning_conditions_not_kept"
+  )
+  expect_false(found$optimal)
+  expect_identical(found$fields$at, "lower")
+  expect_output(print(found), "NOT KEPT")
+})
+
+test_that("equal conditions are met", {
+  found <- optimise(towed_sphere(), ~ total_drag, ~ tow_power == "1 kW",
+    list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("100 kg", "300 kg")))
+  # c v^3 = 1000 W
+  expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
+})
+
+test_that("a kink at the optimum is told", {
+  # 1000 N on two lines of 1 MN beside each other; both bear where they are equally long.
+  line <- list(from = "nail", to = "ring", length = 10, diameter = 0.01, axial_stiffness = 1e6,
+    mass_per_length = 0, segments = 1)
+  gear <- as_gear(list(
+    codend = 1, name = "Two lines", water = list(density = 0),
+    points = list(nail = list(position = c(0, 0, 0), held = "fixed"),
+      ring = list(load = c(0, 0, -1000))),
+    ropes = list(first = line, second = utils::modifyList(line, list(length = 10.03))),
+    measures = list(pull = list(tension = "first.start"), depth = list(depth = "ring"))
+  ))
+  # The first line bears all until it is 10.02 m long, then less: its pull over its length falls
+  # from there on, and depth grows more slowly.
+  found <- optimise(gear, ~ (depth - 10.0301)^2 + 1e-4 * pull, NULL,
+    list(ropes.first.length = c(10, 10.08)))
+  expect_s3_class(found, "codend_optimum")
+  expect_true(all(c("measure", "field") %in% names(found$kinks)))
+})
+
+test_that("optima are printed and drawn", {
+  found <- optimise(towed_sphere(), ~ total_drag / towing.speed, ~ depth <= "9.9 m",
+    list(towing.speed = c("1 m/s", "3 m/s")))
+  expect_output(print(found), "total_drag/towing.speed: 94.59 before")
+  expect_output(print(summary(found)), "Force balance")
+  file <- tempfile(fileext = ".png")
+  expect_identical(plot(found, file = file), found)
+  expect_gt(file.size(file), 5000)
+  expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
+})
+
+test_that("a wrong aim, condition or range is one error that names it", {
+  gear <- towed_sphere()
+  speed <- list(towing.speed = c("1 m/s", "3 m/s"))
+  wrong <- function(words, minimise = ~ total_drag, keep = NULL, change = speed, ...) {
+    expect_error(optimise(gear, minimise, keep, change, ...), words,
+      class = "codend_error_argument")
+  }
+  wrong("minimise.*dept.*depth", minimise = ~ dept)
+  wrong("minimise.*formula", minimise = 3)
+  wrong("minimise.*abs", minimise = ~ abs(depth))
+  wrong("keep.*compare", keep = ~ depth)
+  wrong("keep.*3 parsec.*no number", keep = ~ depth >= "3 parsec")
+  wrong("keep.*9 kg.*depth.* m\\.", keep = ~ depth >= "9 kg")
+  wrong("keep.*unit beside", keep = ~ depth_m >= "9 m")
+  wrong("keep.*names no measure", keep = ~ 3 >= 2)
+  wrong("change.*list of ranges", change = c(towing.speed = 3))
+  wrong("change.*towing.sped", change = list(towing.sped = c(1, 2)))
+  wrong("change.*towing.speed.*3 m/s.*smaller first",
+    change = list(towing.speed = c("3 m/s", "1 m/s")))
+  wrong("change.*towing.speed.*own.*2 m/s", change = list(towing.speed = c(1, 1.5)))
+  wrong("change.*towing.speed.*fast", change = list(towing.speed = c("fast", "3 m/s")))
+  wrong("takes pieces.sphere.mass to .-1 kg", change = list(pieces.sphere.mass = c(-1, 300)))
+  wrong("twice", change = list(towing.speed = c(1, 3), "towing.speed" = c(1, 3)))
+  wrong("starts.*0", starts = 0)
+  wrong("most.*many", most = "many")
+})
