@@ -48,8 +48,10 @@ new_plan_kinds <- function() {
 #' |---|---|
 #' | `bottom_trawl` | `head_line`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` |
 #' | `midwater_trawl` | the same; `mesh_size` is that of the front |
-#' | `beam_trawl`, `pair_trawl`, `cage`, `gillnet`, `longline`, `purse_seine`, `stow_net`, `dip_net` |
-#'   any field of the plan by its path, such as `towing.speed` |
+#' | others | any field of the plan by its path, such as `towing.speed` |
+#'
+#' The others are `beam_trawl`, `pair_trawl`, `cage`, `gillnet`, `longline`, `purse_seine`,
+#' `stow_net` and `dip_net`.
 #'
 #' @param kind Kind of gear.
 #' @param ... What the plan is asked for, by name, as text with a unit (`head_line = "32 m"`); what

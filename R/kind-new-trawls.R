@@ -20,7 +20,7 @@ new_bottom_trawl <- function(given) {
   around <- round(rear * m / codend)
   boards <- max(0.4, round(0.013 * h^1.5, 1))
   lines <- c(
-    "# A two-panel bottom trawl to begin with. Its proportions are of common practice, none is of a",
+    "# A two-panel bottom trawl to begin with. Its proportions are usual, none is of a",
     "# tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: bottom_trawl",
@@ -56,18 +56,18 @@ new_bottom_trawl <- function(given) {
     "",
     "wings:",
     sprintf("  upper: {mesh_size: %s, meshes: {tip: %d, base: %d, deep: %d}, %s}",
-      given$shown$mesh_size, meshes(0.1 * h), base[[1]], deep[["upper"]], twine_words(2.5, "PE")),
+      given$shown$mesh_size, meshes(0.1 * h), base[[1]], deep[["upper"]], twine_field(2.5, "PE")),
     sprintf("  lower: {mesh_size: %s, meshes: {tip: %d, base: %d, deep: %d}, %s}",
-      given$shown$mesh_size, meshes(0.1 * h), base[[2]], deep[["lower"]], twine_words(3, "PE")),
+      given$shown$mesh_size, meshes(0.1 * h), base[[2]], deep[["lower"]], twine_field(3, "PE")),
     field_line("square:", "overhangs the footrope"),
     sprintf("  {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s}",
-      given$shown$mesh_size, across, across, square, twine_words(2.5, "PE")),
+      given$shown$mesh_size, across, across, square, twine_field(2.5, "PE")),
     field_line("sections:", "counts of one panel"),
     sprintf("  body: {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s}",
-      given$shown$mesh_size, across, rear, body, twine_words(3, "PE")),
+      given$shown$mesh_size, across, rear, body, twine_field(3, "PE")),
     sprintf("  codend: {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s}",
       given$shown$codend_mesh_size, around, around, round(0.2 * h / codend),
-      twine_words(4, "PE", TRUE))
+      twine_field(4, "PE", TRUE))
   )
   paste0(c(lines, ""), collapse = "\n")
 }
@@ -91,14 +91,14 @@ new_midwater_trawl <- function(given) {
     lower <- max(2, round(front * share[k + 1L] / sizes[k]))
     twine <- min(max(2.4, 10 * sqrt(sizes[k] / 8)), 14)
     sprintf("  section_%d: {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s%s}", k,
-      mesh_words(sizes[k]), upper, lower, rows[k], twine_words(round(twine, 1), "PA"),
+      shown_mesh_size(sizes[k]), upper, lower, rows[k], twine_field(round(twine, 1), "PA"),
       if (sizes[k] > 0.8) ", knotted: no" else "")
   }, "")
   last <- max(2, round(front * 0.1 / codend))
   boards <- max(1, round(0.065 * h, 1))
   hand_rope <- 1.4 * h
   lines <- c(
-    "# A four-panel midwater trawl to begin with. Its proportions are of common practice, none is of",
+    "# A four-panel midwater trawl to begin with. Its proportions are usual, none is of",
     "# a tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: midwater_trawl",
@@ -129,7 +129,7 @@ new_midwater_trawl <- function(given) {
     field_line("sections:", "counts of one panel, all four alike"),
     sections,
     sprintf("  codend: {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s}",
-      given$shown$codend_mesh_size, last, last, round(0.4 * h / codend), twine_words(3, "PA", TRUE))
+      given$shown$codend_mesh_size, last, last, round(0.4 * h / codend), twine_field(3, "PA", TRUE))
   )
   paste0(c(lines, ""), collapse = "\n")
 }
@@ -156,11 +156,11 @@ millimetres <- function(x) paste(shortest_decimal(2 * round(x / 2)), "mm")
 # A mesh size (m) as loose meshes are ordered: 2 m, 400 mm.
 round_mesh <- function(x) if (x >= 1) round(x, 1) else round(x, 2)
 
-mesh_words <- function(x) {
+shown_mesh_size <- function(x) {
   if (x >= 1) paste(shortest_decimal(x), "m") else paste(shortest_decimal(x * 1000), "mm")
 }
 
-twine_words <- function(diameter, material, double = FALSE) {
+twine_field <- function(diameter, material, double = FALSE) {
   sprintf("twine: {diameter: %s mm, material: %s%s}", shortest_decimal(diameter), material,
     if (double) ", double: yes" else "")
 }
