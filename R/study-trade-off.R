@@ -4,12 +4,12 @@
 #' against headline height. Each end is the best for one aim alone, and of gears as good in that to
 #' 0.1 % the best for the other. Between them the first aim is made as small as it gets while the
 #' second is held at values evenly between its ends (the epsilon constraint method, Haimes, Lasdon
-#' and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each found from the one
-#' before.
+#' and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each found from the
+#' one before.
 #'
 #' @inheritParams optimise
-#' @param minimise A list of the two aims, each as `minimise` of [optimise()], by the names that they
-#'   are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
+#' @param minimise A list of the two aims, each as `minimise` of [optimise()], by the names that
+#'   they are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
 #' @param points How many gears, 3 or more, the ends among them.
 #' @param most Settled gears at most, for each point.
 #' @return A data frame of class `codend_trade_off` with a row per gear, from the best for the first
