@@ -30,8 +30,13 @@ const clean = (page) => {
   assert.deepEqual(page.strange, []);
 };
 // The picture's colours: how many pixels are not background.
-const painted = (page, id) => page.evaluate((id) => {
-  const canvas = document.getElementById(id);
+const picture = (page) => page.evaluate(() => window.codendTank.viewer().picture());
+const painted = (page, id) => page.evaluate(async (id) => {
+  let canvas = document.getElementById(id);
+  if (id === 'tank') {
+    const png = await fetch(window.codendTank.viewer().picture());
+    canvas = await createImageBitmap(await png.blob());
+  }
   const copy = new OffscreenCanvas(canvas.width, canvas.height)
     .getContext('2d', { willReadFrequently: true });
   copy.drawImage(canvas, 0, 0);
@@ -53,8 +58,7 @@ test('opens with the settled trawl, drawn, and asks nothing of the network', asy
   assert.match(await page.textContent('h1'), /Midwater trawl/);
   const spread = number((await measure(page, 'door spread'))[0]);
   assert.ok(spread > 140 && spread < 165, `door spread ${spread}`);
-  await page.waitForFunction(() => !window.codendTank.waits());
-  await page.waitForTimeout(300);
+  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
   assert.ok(await painted(page, 'tank') > 0.02);
   for (const plane of ['plane_xy', 'plane_xz', 'plane_yz']) {
     assert.ok(await painted(page, plane) > 0.5, plane);
@@ -226,10 +230,9 @@ test('the pinned design is drawn over the other and beside it', async () => {
   const spread = (await measure(page, 'door spread'))[0];
   await control(page, 'otter_boards.area').locator('[type=number]').fill('16');
   await changed(page, 'door spread', spread);
-  const alone = await painted(page, 'tank');
+  const alone = await picture(page);
   await page.click('button:has-text("Over")');
-  await page.waitForTimeout(300);
-  assert.ok(await painted(page, 'tank') > alone);
+  assert.notEqual(await picture(page), alone);
   await page.click('button:has-text("Side by side")');
   assert.equal(await page.getAttribute('button:has-text("Side by side")', 'aria-pressed'), 'true');
   await tab(page, 'Changes');

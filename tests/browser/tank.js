@@ -6,7 +6,8 @@ const { serve } = require('./serve');
 
 const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update']
+  args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update',
+    '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 });
 
 // Opens the page; what goes wrong in it is kept in `problems`, requests to anything but its server
