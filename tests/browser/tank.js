@@ -30,6 +30,8 @@ async function open(browser, url, size = { width: 1440, height: 900 }) {
   await page.goto(url);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
   await page.waitForSelector('.measures td', { timeout: 60000 });
+  await page.waitForFunction(() => document.querySelector('h1').textContent !== 'Flume tank', null,
+    { timeout: 60000 });
   return page;
 }
 
