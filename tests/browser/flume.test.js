@@ -181,7 +181,7 @@ test('a plan typed on the page is settled, a wrong line is found', async () => {
   await page.waitForFunction(() => document.getElementById('plan_text').value.length > 100, null,
     patience);
   const text = await page.inputValue('#plan_text');
-  await page.fill('#plan_text', text.replace('mass: 3300 kg', 'mass: 3300 knot'));
+  await page.fill('#plan_text', text.replace('mass: 6 tonne', 'mass: 6 knot'));
   await page.click('#plan_text_settle');
   await page.waitForFunction(() => /hammers\.mass/.test(
     document.getElementById('plan_text_error').textContent), null, patience);
@@ -189,11 +189,11 @@ test('a plan typed on the page is settled, a wrong line is found', async () => {
     const area = document.getElementById('plan_text');
     return area.value.slice(area.selectionStart, area.selectionEnd);
   });
-  assert.match(marked, /mass: 3300 knot/);
-  await page.fill('#plan_text', text.replace('mass: 3300 kg', 'mass: 4000 kg'));
+  assert.match(marked, /mass: 6 knot/);
+  await page.fill('#plan_text', text.replace('mass: 6 tonne', 'mass: 5 tonne'));
   await page.click('#plan_text_settle');
   await page.waitForFunction(() => document.querySelector(
-    '.control[data-paths="hammers.mass"] [type=number]').value === '4000', null, patience);
+    '.control[data-paths="hammers.mass"] [type=number]').value === '5', null, patience);
   clean(page);
   await page.close();
 });
