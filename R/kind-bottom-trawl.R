@@ -269,7 +269,7 @@ side_wings <- function(fields, plan, first) {
       deep <- fields$wings$jib$deep
       straight <- if (side == "starboard") "left" else "right"
       slanted <- setdiff(c("left", "right"), straight)
-      own <- given[setdiff(names(given), "meshes")]
+      own <- given[setdiff(names(given), c("meshes", "cutting"))]
       out$panels[[jib]] <- c(own, list(
         meshes = list(upper = 0, lower = wing$meshes$upper, deep = deep), tapered = slanted,
         part = "wings"
