@@ -13,7 +13,7 @@
 #' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
 #' up and z to port.
 #'
-#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey
+#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, pink
 #' where slack or pushing; or one colour for every part, in turns. Netting of cells is drawn as
 #' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
 #' of its height, spread pieces stand for what is between them.

@@ -38,6 +38,14 @@ test_that("one measure that hardly moves by chance is as uncertain as half of th
   expect_equal(unname(found["a"]), 0.5 * usual * 10, tolerance = 1e-12)
 })
 
+test_that("a force that hardly moves by chance is as uncertain as the drag that it carries", {
+  levels <- list(list(nodes = 400, values = c(a = 10, b = 20, c = 30, d = 40)))
+  found <- estimate_errors(c(a = 10, b = 20.01, c = 30, d = 41), 1600, levels, 3:4, 4L)
+  # a force; a length keeps half of the usual
+  expect_equal(found[["c"]], 30 / 41, tolerance = 1e-12)
+  expect_equal(found[["a"]], 10 * mean(c(0.01 / 20.01, 1 / 41)) / 2, tolerance = 1e-12)
+})
+
 test_that("lattices that hardly differ tell nothing, and nothing is NA", {
   found <- estimate_errors(c(a = 1), 1600, list(list(nodes = 1500, values = c(a = 2))))
   expect_identical(found, c(a = NA_real_))
