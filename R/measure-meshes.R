@@ -71,12 +71,12 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   angle[!is.finite(cosine)] <- NA
   # Each place stands for half the way to its neighbours.
   thick <- ((rows$t[below] - rows$t[above]) / 2)[row] * own$deep
-  data.frame(
+  list2DF(list(
     panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
     angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ],
     u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
     x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
-  )
+  ))
 }
 
 # Mean over the meshes of panels, SI.
@@ -107,7 +107,7 @@ twine_across_flow <- function(state) {
   square <- is_square(panel_table(panels))[found$panel]
   flow <- flow_axes(state$si)[, "flow"]
   across <- function(family) {
-    bar <- t(as.matrix(found[paste0(family, c("_x", "_y", "_z"))]))
+    bar <- do.call(rbind, found[paste0(family, c("_x", "_y", "_z"))])
     sqrt(pmax(colSums(bar^2) - colSums(bar * flow)^2, 0))
   }
   # A diamond mesh of the panel's count has two bars of each family, a square one has one.

@@ -18,7 +18,7 @@ state_lines <- function(state) {
   triangle <- seq_along(triangles$rest)
   hexagon <- which(triangles$straight > 0)
   number <- length(triangle)
-  data.frame(
+  list2DF(list(
     part = c(lattice$bar_part[bar], lattice$triangle_part, lattice$triangle_part,
       lattice$triangle_part[hexagon]),
     element = c(bar, triangle, triangle, hexagon),
@@ -30,7 +30,7 @@ state_lines <- function(state) {
       state$straight_length[hexagon]),
     rest = c(bars$rest, triangles$rest, triangles$rest, triangles$straight[hexagon]),
     lines = c(bars$multiplicity, in_triangle, in_triangle, in_triangle[hexagon])
-  )
+  ))
 }
 
 # Middles of elements of as many corners: 3 x elements, m.
