@@ -18,6 +18,8 @@
 # make errors  whether the errors that measures tell hold, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
+# make validate  codend beside closed forms, flume tests and hauls: validation/book.md
+#
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
 # make schema-check  fails where it is not what the parts give
 # make schema-test  shipped plans, right ones and wrong ones by two standard validators; takes Node.js
@@ -25,7 +27,7 @@
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
-  bench-tow errors robust schema schema-check
+  bench-tow errors robust validate schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -91,6 +93,10 @@ errors:
 robust:
 	@tools/setup --tests
 	@Rscript bench/robust.R
+
+validate:
+	@tools/setup --tests
+	@Rscript validation/book.R
 
 schema:
 	@Rscript tools/schema.R

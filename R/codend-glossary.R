@@ -58,7 +58,7 @@
 #'   \item{schedule}{What changes with time during a tow: speed, course, warps, current, catch.}
 #'   \item{lattice}{The gear as numbers: nodes and the elements between them.}
 #'   \item{node}{A point of the lattice with a position and a velocity.}
-#'   \item{element}{What acts between nodes: a bar, a netting triangle, a sphere, a rigid surface.}
+#'   \item{element}{What acts between nodes: a bar, a netting cell, a sphere, a rigid surface.}
 #'   \item{bar}{A straight spring between two nodes with the drag of a cylinder. It stands for one
 #'     or many mesh bars, or for a stretch of rope.}
 #'   \item{state}{Positions, velocities, tensions and forces at one moment.}

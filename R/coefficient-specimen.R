@@ -59,7 +59,7 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
 }
 
 # Square netting of 20 bars by 20 of 2 mm twine, knotless, that turns about its bars along z; angle
-# (rad) between its normal and the flow. On its area, as two triangles.
+# (rad) between its normal and the flow. On its area.
 netting_specimens <- function(law, angle, reynolds, solidity) {
   diameter <- 0.002
   n <- length(angle)
@@ -80,36 +80,34 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   corners <- vapply(angle, function(a) {
     along <- side * c(-sin(a), cos(a), 0)
     up <- c(0, 0, side)
-    cbind(0, along, along + up, 0, along + up, up)
-  }, matrix(0, 3L, 6L))
+    cbind(0, along, along + up, up)
+  }, matrix(0, 3L, 4L))
   held <- specimen(matrix(corners, 3L), materials)
-  node <- seq_len(6L * n)
-  triangles <- 2L * n
-  twine <- rep(c(0, 0, count, 0, count, count, 0, 0, count, count, 0, count), n)
+  node <- seq_len(4L * n)
+  twine <- rep(c(0, 0, count, 0, count, count, 0, count), n)
   common <- list(
-    node = node, twine = twine, rest = rep(bar, triangles), multiplicity = rep(1, triangles),
-    height = rep(diameter, triangles), material = rep(1L, triangles)
+    node = node, twine = twine, rest = rep(bar, n), multiplicity = rep(1, n),
+    height = rep(diameter, n), material = rep(1L, n)
   )
   if (law == "twines") {
-    held$engine$triangles <- c(
-      common, list(straight = numeric(triangles), inner = integer(triangles))
+    held$engine$cells <- c(
+      common, list(straight = numeric(n), inner = integer(n))
     )
   } else if (law == "blended") {
-    held$engine$blended[c(names(common), "overlap")] <- c(common, list(numeric(triangles)))
+    held$engine$blended[c(names(common), "overlap")] <- c(common, list(numeric(n)))
   } else {
     held$engine$screens <- list(
-      node = node, twine_area = rep(solidity * side^2 / 2, triangles),
-      overlap = numeric(triangles),
-      diameter = rep(diameter, triangles), multiplicity = rep(1, triangles),
-      height = rep(diameter, triangles), law = rep(law, triangles)
+      node = node, twine = twine, twine_area = rep(solidity * side^2, n),
+      overlap = numeric(n),
+      diameter = rep(diameter, n), multiplicity = rep(1, n),
+      height = rep(diameter, n), law = rep(law, n)
     )
   }
   speed <- reynolds * specimen_viscosity / diameter
-  found <- evaluate_specimen(held, speed, 6L)
-  which <- c(twines = "triangle_drag", blended = "blended_force")
+  found <- evaluate_specimen(held, speed, 4L)
+  which <- c(twines = "cell_drag", blended = "blended_force")
   force <- found$forces[[if (law %in% names(which)) which[[law]] else "screen_force"]]
-  whole <- matrix(force, 6L)
-  drag_and_lift(whole[1:3, ] + whole[4:6, ], speed, side^2)
+  drag_and_lift(force, speed, side^2)
 }
 
 # Otter boards of 1 m2, upright, by their angle of attack (rad), on their area.

@@ -22,6 +22,7 @@ parse_command <- function(name, command, arguments) {
   )
   given <- length(found$args)
   wrong <- switch(command$takes,
+    "KIND [NAME=VALUE...]" = if (!given) "a KIND is needed",
     "PLAN FILE..." = if (given < 2L) "a PLAN and a FILE are needed",
     "PLAN" = if (given != 1L) "one PLAN is needed",
     "[PLAN]" = if (given > 1L) "at most one PLAN is needed",
@@ -34,7 +35,7 @@ parse_command <- function(name, command, arguments) {
 command_parser <- function(name, command) {
   optparse::OptionParser(
     usage = trimws(paste("codend", name, if (length(command$options)) "[options]", command$takes)),
-    description = paste0(command$does, if (nzchar(command$takes)) {
+    description = paste0(command$does, if (grepl("PLAN", command$takes)) {
       " PLAN is a file or the name of a shipped plan (`codend gears`)."
     }, command$more),
     option_list = command$options

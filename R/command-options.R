@@ -14,7 +14,7 @@ nodes_option <- function() {
 
 netting_option <- function() {
   optparse::make_option("--netting", metavar = "NAME", help = paste(
-    "bars or triangles for every panel [each panel's own choice in the plan]"
+    "bars or cells for every panel [each panel's own choice in the plan]"
   ))
 }
 
@@ -41,8 +41,8 @@ check_lattice_options <- function(options) {
   if (!is.null(nodes) && !grepl("^[1-9][0-9]{0,8}$", nodes)) {
     abort_usage("--nodes is ", nodes, "; it must be a whole number, 1 or more.")
   }
-  if (!is.null(options$netting) && !options$netting %in% c("bars", "triangles")) {
-    abort_usage("--netting is ", options$netting, "; it must be bars or triangles.")
+  if (!is.null(options$netting) && !options$netting %in% c("bars", "cells")) {
+    abort_usage("--netting is ", options$netting, "; it must be bars or cells.")
   }
 }
 

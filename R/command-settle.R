@@ -59,7 +59,7 @@ state_record <- function(state) {
     converged = state$report$converged, iterations = state$report$iterations,
     residual = state$report$residual,
     nodes = engine$nodes, bars = length(engine$bars$rest),
-    triangles = length(engine$triangles$rest),
+    cells = length(engine$cells$rest),
     cpu_seconds = state$report$cpu_seconds,
     measures = as.list(found), errors = as.list(attr(found, "error")),
     main_error = main_error(found),

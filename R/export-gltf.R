@@ -1,7 +1,7 @@
 #' Write a gear's shape for the web and for CAD
 #'
 #' Writes a state as a scene in glTF 2.0, the format that web viewers, Blender, Windows and most CAD
-#' programs open: ropes and twines as lines, netting of triangles also as see-through sheets, free
+#' programs open: ropes and twines as lines, netting of cells also as see-through sheets, free
 #' otter boards as plates and other pieces as balls.
 #'
 #' @details
@@ -13,8 +13,8 @@
 #' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
 #' up and z to port.
 #'
-#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, grey
-#' where slack or pushing; or one colour for every part, in turns. Netting of triangles is drawn as
+#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, pink
+#' where slack or pushing; or one colour for every part, in turns. Netting of cells is drawn as
 #' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
 #' of its height, spread pieces stand for what is between them.
 #'
@@ -81,7 +81,7 @@ gltf_scene <- function(state, colours, buffer) {
         tension_colours(scales[[kind]], lines$tension)
       }
       primitives <- list(line_primitive(lines, colour, buffer))
-      sheet <- which(state$lattice$triangle_part == part)
+      sheet <- which(state$lattice$cell_part == part)
       if (length(sheet)) {
         tension <- pmax(state$u_tension[sheet], state$v_tension[sheet])
         colour <- if (colours == "part") {
@@ -181,8 +181,12 @@ line_primitive <- function(lines, colour, buffer) {
 
 sheet_opacity <- 0.3
 
-sheet_primitive <- function(state, triangles, colour, buffer) {
-  node <- matrix(state$lattice$engine$triangles$node, 3L)[, triangles]
+# Cells as two triangles each, or one.
+sheet_primitive <- function(state, cells, colour, buffer) {
+  corner <- cell_corners(state$lattice, cells)
+  four <- which(!has_three_corners(corner))
+  node <- cbind(corner[1:3, , drop = FALSE], corner[c(1L, 3L, 4L), four, drop = FALSE])
+  colour <- c(colour, colour[four])
   list(
     attributes = list(
       POSITION = buffer$add_places(as.vector(state_points(state)[, node])),

@@ -4,17 +4,18 @@
 #' of them that plays in time (`.pvd`). ParaView, VisIt and the VTK libraries read both.
 #'
 #' @details
-#' Cells are lines (bars of ropes and of netting), triangles (of netting that is divided into
-#' triangles), vertices (where pieces sit) and quadrilaterals (free otter boards, in their true size
-#' and attitude). Numbers are in double precision, low byte first, as codend has them.
+#' Cells are lines (bars of ropes and of netting), quadrilaterals and triangles (of netting that is
+#' divided into cells), vertices (where pieces sit) and quadrilaterals again (free otter boards, in
+#' their true size and attitude). Numbers are in double precision, low byte first, as codend has
+#' them.
 #'
 #' Every cell has
 #'
 #' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same
 #'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
-#' - `tension_N` of one line or twine, in triangles the larger of the two families of twine, which
-#'   are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN in
-#'   other cells; negative in poles and struts that push;
+#' - `tension_N` of one line or twine, in cells of netting the larger of the two families of twine,
+#'   which are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN
+#'   in other cells; negative in poles and struts that push;
 #' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
 #' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
 #'   catch in netting, `catch_force_N`.
@@ -147,11 +148,13 @@ vtk_cells <- function(state, points) {
   # A board's struts are drawn as its plate.
   bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
   ends <- matrix(engine$bars$node, 2L)[, bar]
-  triangles <- length(lattice$triangle_part)
-  hexagonal <- engine$triangles$straight > 0
-  count <- c(line = length(bar), triangle = triangles, vertex = length(pieces$node), quad = boards)
-  spread <- function(bars = NaN, triangles = NaN, rest = NaN) {
-    c(rep_len(bars, count[1L]), rep_len(triangles, count[2L]), rep_len(rest, sum(count[3:4])))
+  netting <- cell_corners(lattice)
+  corners <- 4L - has_three_corners(netting)
+  cells <- ncol(netting)
+  hexagonal <- engine$cells$straight > 0
+  count <- c(line = length(bar), cell = cells, vertex = length(pieces$node), quad = boards)
+  spread <- function(bars = NaN, cells = NaN, rest = NaN) {
+    c(rep_len(bars, count[1L]), rep_len(cells, count[2L]), rep_len(rest, sum(count[3:4])))
   }
   families <- 2 + hexagonal
   straight <- ifelse(hexagonal, state$straight_tension, NaN)
@@ -159,32 +162,38 @@ vtk_cells <- function(state, points) {
     (hexagonal & state$straight_tension == 0)
   zero <- function(n) matrix(0, 3L, n)
   data <- list(
-    part = c(lattice$bar_part[bar], lattice$triangle_part, pieces$part, lattice$board_part),
+    part = c(lattice$bar_part[bar], lattice$cell_part, pieces$part, lattice$board_part),
     tension_N = spread(
       state$bar_tension[bar], pmax(state$u_tension, state$v_tension, straight, na.rm = TRUE)
     )
   )
-  if (triangles) {
-    data$u_tension_N <- spread(triangles = state$u_tension)
-    data$v_tension_N <- spread(triangles = state$v_tension)
+  if (cells) {
+    data$u_tension_N <- spread(cells = state$u_tension)
+    data$v_tension_N <- spread(cells = state$v_tension)
   }
-  if (any(hexagonal)) data$straight_tension_N <- spread(triangles = straight)
+  if (any(hexagonal)) data$straight_tension_N <- spread(cells = straight)
   data$lines <- spread(
-    engine$bars$multiplicity[bar], if (triangles) triangle_bars(engine$triangles), 0
+    engine$bars$multiplicity[bar], if (cells) cell_bars(engine$cells), 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
-  data$drag_N <- cbind(flow_force(state, "bars")[, bar], triangle_flow_force(state), pieces$force,
+  data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
     flow_force(state, "plates"))
   if (!is.null(state$si$catch)) {
-    caught <- flow_force(state, "pressure")
-    data$catch_force_N <- cbind(zero(count[1L]), caught, zero(sum(count[3:4])))
+    data$catch_force_N <- cbind(
+      zero(count[1L]), sum_by_part(flow_force(state, "pressure"), lattice$catch$cell, cells),
+      zero(sum(count[3:4]))
+    )
   }
   list(
     cells = list(
       corners = c(
-        ends, engine$triangles$node, pieces$node, points + seq_len(4L * boards)
+        ends, netting[1:4 <= rep(corners, each = 4L)], pieces$node, points + seq_len(4L * boards)
       ),
-      size = rep(c(2L, 3L, 1L, 4L), count), type = rep(names(count), count)
+      size = c(rep(2L, count[1L]), corners, rep(c(1L, 4L), count[3:4])),
+      type = c(
+        rep("line", count[1L]), ifelse(corners == 4L, "quad", "triangle"),
+        rep(c("vertex", "quad"), count[3:4])
+      )
     ),
     data = data
   )

@@ -15,9 +15,9 @@ define_finding("drag law", "state",
     if (!has_towing(state)) return(list())
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
     if (!any(law %in% constant_screens)) return(list())
-    triangles <- triangles_with_drag(state$si, state$lattice, constant_screens)
-    if (!length(triangles)) return(list())
-    lies <- netting_to_flow(state, triangles)
+    cells <- cells_with_drag(state$si, state$lattice, constant_screens)
+    if (!length(cells)) return(list())
+    lies <- netting_to_flow(state, cells)
     share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
     if (share <= greatest_steep_share) return(list())
     shown <- sprintf("%.0f %%", 100 * share)
@@ -29,12 +29,12 @@ define_finding("drag law", "state",
   }
 )
 
-# Of triangles by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
-netting_to_flow <- function(state, triangles) {
-  node <- matrix(state$lattice$engine$triangles$node, 3L)[, triangles, drop = FALSE]
+# Of cells by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
+netting_to_flow <- function(state, cells) {
+  node <- cell_corners(state$lattice, cells)
   corner <- function(k) state$position[, node[k, ], drop = FALSE]
-  a <- corner(2L) - corner(1L)
-  b <- corner(3L) - corner(1L)
+  a <- corner(3L) - corner(1L)
+  b <- corner(4L) - corner(2L)
   across <- rbind(a[2, ] * b[3, ] - a[3, ] * b[2, ], a[3, ] * b[1, ] - a[1, ] * b[3, ],
     a[1, ] * b[2, ] - a[2, ] * b[1, ])
   twice <- sqrt(colSums(across^2))

@@ -53,6 +53,31 @@ define_finding("bridles", "state",
   }
 )
 
+define_finding("weight on netting", "state",
+  "A weight hangs on an edge of netting alone, without a rope there. Lattices hand it on to the
+  meshes beside, so that the netting comes together around it, where a line or one row of knots
+  carries it.",
+  function(gear, state) {
+    si <- state$si
+    ropes <- which(state$lattice$parts$kind == "rope")
+    bars <- which(state$lattice$bar_part %in% ropes)
+    cells <- state$lattice$engine$cells$node
+    hung <- Filter(function(name) {
+      at <- si$pieces[[name]]$at
+      if (!identical(si$pieces[[name]]$role, "weight") || is.null(at)) return(FALSE)
+      node <- state$lattice$place(at)
+      # where more cells meet many rows of knots are gathered, which carry it together
+      sum(cells == node) %in% 1:2 && !node %in% bar_ends(state, bars)
+    }, names(si$pieces))
+    if (!length(hung)) return(list())
+    mass <- si$pieces[[hung[1]]]$mass
+    shown <- format_si(mass, "mass")
+    list(finding(paste("piece", hung[1]), mass, shown,
+      sprintf("%d such weights hang on netting alone, %s each.", length(hung), shown),
+      "Give the netting a rope where they hang (of a cage: side_ropes, bottom_rope)."))
+  }
+)
+
 # The place that a bridle starts at: of a free board's backstrops the board.
 bridle_start <- function(si, from) {
   on <- vapply(si$otter_boards, function(board) from %in% board$points, NA)
@@ -63,8 +88,8 @@ ropes_of_role <- function(si, roles) {
   names(Filter(function(rope) rope$role %in% roles, si$ropes))
 }
 
-# Share of the meshes of a towed gear that are loose in both directions. Where the netting is stiff,
-# triangles leave one of the two slack however taut the netting is.
+# Share of the meshes of a towed gear that are loose in both directions. One family alone may hang
+# loose in netting that is well set, such as along a rope that takes the load.
 greatest_loose_share <- 0.3
 
 define_finding("slack netting", "state",
@@ -86,9 +111,9 @@ define_finding("slack netting", "state",
 # Share of netting, by length of twine, whose twines all are slack.
 loose_netting <- function(state) {
   engine <- state$lattice$engine
-  triangles <- engine$triangles
-  all <- seq_along(triangles$rest)
-  twine <- 2 * triangle_bars(triangles, all) * triangles$rest
+  cells <- engine$cells
+  all <- seq_along(cells$rest)
+  twine <- 2 * cell_bars(cells, all) * cells$rest
   loose <- state$u_tension == 0 & state$v_tension == 0
   bars <- state$lattice$parts$kind[state$lattice$bar_part] == "netting"
   long <- (engine$bars$multiplicity * engine$bars$rest)[bars]

@@ -13,8 +13,8 @@
 #' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run
 #'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
 #'   mesh, two straight and two oblique bars. Knots that have a length are straight bars too. All
-#'   bars are of one twine. Hexagonal netting is always divided into triangles (D. Priour, A Finite
-#'   Element Method for Netting, Springer 2013).
+#'   bars are of one twine. Hexagonal netting is always divided into cells of three corners (D.
+#'   Priour, A Finite Element Method for Netting, Springer 2013).
 #'
 #' @section Knots:
 #' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
@@ -43,7 +43,7 @@
 #'
 #' @section Drag of netting:
 #' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where
-#' a plan says nothing, bottom, pair and beam trawls of triangles have `blended`, all else `twines`.
+#' a plan says nothing, bottom, pair and beam trawls have `blended`, all else `twines`.
 #'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
@@ -64,8 +64,8 @@
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
 #' 1) back to the sum. These bounds are a choice made here. With coefficients whose part along the
 #' twine is small, such as `hoerner`, the screen may be the larger of the two. A mesh that closes up
-#' loses its area, and as a screen its drag. Only netting of triangles can be a screen or blended,
-#' and only screens can be hexagonal.
+#' loses its area, and as a screen its drag. In netting of bars the screens are sheets between the
+#' rows of its knots. Hexagonal netting can be a screen, but not blended.
 #'
 #' @section Stiffness of meshes:
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
@@ -89,7 +89,7 @@ NULL
 #' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind
 #' it encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is
 #' given, an assumption). [settle()] finds that front. The catch has no weight in water. Its netting
-#' must be of triangles.
+#' must be of cells.
 #'
 #' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
 #' deep the catch is.
@@ -118,7 +118,7 @@ si_hexagons <- function(panel, path, netting_drag) {
     abort_field(paste0(path, ".netting_drag"), "blended", "another for hexagonal netting")
   }
   if (identical(panel$netting, "bars")) {
-    abort_field(paste0(path, ".netting"), panel$netting, "triangles for hexagonal netting")
+    abort_field(paste0(path, ".netting"), panel$netting, "cells for hexagonal netting")
   }
   straight <- first_of(panel$straight_bar, panel$mesh_size / 4)
   if (straight >= panel$mesh_size / 2) {

@@ -8,8 +8,7 @@
 nothing <- stats::setNames(list(), character())
 
 # Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
-# units. Given or not, it has the law for the drag of netting that its kind takes (fields); netting
-# of bars, which only knows the sum over its twines, takes that where nothing else is asked for.
+# units. Given or not, it has the law for the drag of netting that its kind takes (fields).
 shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
@@ -18,7 +17,7 @@ shared_fields <- function(plan, fields) {
     ),
     names(plan)
   )]
-  if (is.null(out$netting_drag) && fields$netting != "bars") out$netting_drag <- fields$netting_drag
+  if (is.null(out$netting_drag)) out$netting_drag <- fields$netting_drag
   out
 }
 

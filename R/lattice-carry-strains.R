@@ -5,7 +5,7 @@
 # another, whose ropes and families of twine each have theirs along and across them.
 carry_strains <- function(panels, to, from, strain) {
   if (identical(to$engine$bars$node, from$engine$bars$node) &&
-    identical(to$engine$triangles$node, from$engine$triangles$node)) {
+    identical(to$engine$cells$node, from$engine$cells$node)) {
     return(strain)
   }
   lines <- line_places(panels, to)
@@ -62,26 +62,26 @@ line_places <- function(panels, lattice) {
     deep <- ends[[2]]$j - ends[[1]]$j
     second[of_panels] <- across * deep < 0 | across == 0
   }
-  triangles <- lattice$engine$triangles$node
-  panel <- lattice$triangle_part - ropes
+  corners <- lattice$engine$cells$node
+  panel <- lattice$cell_part - ropes
   known <- grid_places(lattice$division)
-  corner <- match_places(rep(panel, each = 3L), triangles, known)
-  middle <- function(x) colMeans(matrix(x[corner], 3L))
-  of_triangles <- list(s = middle(known$s), t = middle(known$t))
-  family <- 2 * lattice$triangle_part
+  corner <- match_places(rep(panel, each = 4L), corners, known)
+  middle <- function(x) colMeans(matrix(x[corner], 4L))
+  of_cells <- list(s = middle(known$s), t = middle(known$t))
+  family <- 2 * lattice$cell_part
   beyond <- 2 * (ropes + length(lattice$panels))
   list(
     family = engine_order(lattice, 2 * part + second, family, family + 1, family + beyond),
-    s = engine_order(lattice, s, of_triangles$s, of_triangles$s, of_triangles$s),
-    t = engine_order(lattice, t, of_triangles$t, of_triangles$t, of_triangles$t)
+    s = engine_order(lattice, s, of_cells$s, of_cells$s, of_cells$s),
+    t = engine_order(lattice, t, of_cells$t, of_cells$t, of_cells$t)
   )
 }
 
 # What is known of all lines in the engine's order: of bars, then of the u and the v twines of plain
-# triangles, then of the straight bars and the u and v twines of hexagonal ones; u, v, straight: of
-# all triangles.
+# cells, then of the straight bars and the u and v twines of hexagonal ones; u, v, straight: of
+# all cells.
 engine_order <- function(lattice, bars, u, v, straight) {
-  hexagonal <- lattice$engine$triangles$straight > 0
+  hexagonal <- lattice$engine$cells$straight > 0
   c(bars, u[!hexagonal], v[!hexagonal], straight[hexagonal], u[hexagonal], v[hexagonal])
 }
 

@@ -78,7 +78,7 @@ panel_places <- function(panels, division, drawn) {
   mapply(c, on_grids, on_edges, lapply(inside[names(on_grids)], `[`, own), SIMPLIFY = FALSE)
 }
 
-# The same of the nodes of grids alone, the panels of triangles.
+# The same of the nodes of grids alone, the panels of cells.
 grid_places <- function(division) {
   size <- lengths(division$grids)
   panel <- rep.int(seq_along(size), size)

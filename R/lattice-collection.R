@@ -2,12 +2,13 @@
 #
 # Tied points are numbered -1, -2, ... until all nodes are known.
 new_collection <- function(nodes) {
-  engine <- c("ties", "bars", "triangles", "spheres", "lifts", "wake_sheets")
+  engine <- c("ties", "bars", "cells", "spheres", "lifts", "wake_sheets")
   types <- c(
     lapply(setNames(engine, engine), function(kind) {
       c(engine_fields_of(kind), list(part = integer()))
     }),
-    list(masses = list(node = integer(), mass = double(), volume = double(), height = double(),
+    list(sheets = list(node = integer(), twine = double(), height = double(), part = integer()),
+      masses = list(node = integer(), mass = double(), volume = double(), height = double(),
       surface = double(), area = double()))
   )
   types$ties$part <- NULL

@@ -6,7 +6,7 @@
 # H.-J. Schek, Comput. Methods Appl. Mech. Eng. 3:115, 1974). The shape is then
 # carried from the skeleton to the lattice.
 #
-# frame: the division's frame, where it was made for triangles all over; else the skeleton's is new.
+# frame: the division's frame, where it was made for cells all over; else the skeleton's is new.
 # lattice: list(nodes, division, ropes, points, panels), see build_lattice().
 # supports: function(skeleton) that tells which of its nodes are held where; open: how wide netting
 # wants to hang, as a share of its stretched width.
@@ -24,7 +24,7 @@ lay_out <- function(si, lattice, panels, chains, frame = NULL,
   place <- skeleton_positions(si, skeleton, panels, supports(skeleton), open)
   old <- list(
     nodes = skeleton$nodes, division = skeleton, ropes = skeleton$ropes, points = skeleton$points,
-    panels = rep(list(list(netting = "triangles")), length(si$panels))
+    panels = rep(list(list(netting = "cells")), length(si$panels))
   )
   carry_positions(panels, lattice, old, place)
 }

@@ -1,4 +1,4 @@
-# Points and lines of a lattice: where all points are, and which lines a rope or a triangle has.
+# Points and lines of a lattice: where all points are, and which lines a rope or a cell has.
 
 # Positions of all points that elements stand on, from those of the nodes: 3 x (nodes + tied
 # points), m.
@@ -10,19 +10,82 @@ lattice_points <- function(lattice, position) {
   cbind(x, (1 - share) * x[, ties$first] + share * x[, ties$second])
 }
 
-# Mesh bars of one family in triangles: half of |d|, the double area in twine coordinates.
-triangle_bars <- function(triangles, which = seq_along(triangles$rest)) {
-  at <- 6L * (which - 1L)
-  u <- function(corner) triangles$twine[at + 2L * corner - 1L]
-  v <- function(corner) triangles$twine[at + 2L * corner]
-  u1 <- u(1L)
-  v1 <- v(1L)
-  d <- (u(2L) - u1) * (v(3L) - v1) - (u(3L) - u1) * (v(2L) - v1)
-  abs(d) / 2 * triangles$multiplicity[which]
+# Twine coordinates of the corners of cells: list(u, v), 4 x cells each.
+cell_twine_places <- function(cells, which = seq_along(cells$rest)) {
+  twine <- matrix(cells$twine, 8L)[, which, drop = FALSE]
+  list(u = twine[c(1L, 3L, 5L, 7L), , drop = FALSE], v = twine[c(2L, 4L, 6L, 8L), , drop = FALSE])
 }
 
-# Which triangles of a lattice are of hexagonal meshes.
-has_straight_bars <- function(lattice) lattice$engine$triangles$straight > 0
+# Area of cells in twine coordinates, which is the number of bars of each family inside.
+cell_area <- function(u, v) {
+  abs((u[3L, ] - u[1L, ]) * (v[4L, ] - v[2L, ]) - (u[4L, ] - u[2L, ]) * (v[3L, ] - v[1L, ])) / 2
+}
+
+# Mesh bars of one family in cells.
+cell_bars <- function(cells, which = seq_along(cells$rest)) {
+  at <- cell_twine_places(cells, which)
+  cell_area(at$u, at$v) * cells$multiplicity[which]
+}
+
+# The four triangles of a cell's corners, in order around it.
+corner_triangles <- cbind(c(1L, 2L, 3L), c(1L, 3L, 4L), c(1L, 2L, 4L), c(2L, 3L, 4L))
+
+# Shares of the corners (4 x cells) in what is spread evenly over cells: the mean over both ways to
+# halve them of triangles that share equally (src/engine/elements/cell_shape.hpp).
+corner_shares <- function(u, v) {
+  whole <- cell_area(u, v)
+  share <- matrix(0, 4L, ncol(u))
+  for (t in seq_len(4L)) {
+    k <- corner_triangles[, t]
+    area <- triangle_area(u[k, , drop = FALSE], v[k, , drop = FALSE])
+    share[k, ] <- share[k, ] + rep(area / (6 * whole), each = 3L)
+  }
+  share
+}
+
+# Area of triangles, 3 x n.
+triangle_area <- function(u, v) {
+  abs((u[2L, ] - u[1L, ]) * (v[3L, ] - v[1L, ]) - (u[3L, ] - u[1L, ]) * (v[2L, ] - v[1L, ])) / 2
+}
+
+# Whether cells (4 x n nodes or places) have three corners.
+has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
+
+# Cells as triangles: of four corners all four, which overlap and count a half each; pointed: which
+# cells have three.
+# Returns list(cell = which of the cells, corner = 3 x triangles, 1 to 4, weight).
+cell_triangles <- function(pointed) {
+  whole <- which(pointed)
+  halved <- which(!pointed)
+  list(
+    cell = c(whole, rep(halved, each = 4L)),
+    corner = cbind(
+      matrix(rep(1:3, length(whole)), 3L), matrix(rep(corner_triangles, length(halved)), 3L)
+    ),
+    weight = rep(c(1, 0.5), c(length(whole), 4L * length(halved)))
+  )
+}
+
+# Corners of some cells of a lattice, 4 x n.
+cell_corners <- function(lattice, which = seq_along(lattice$cell_part)) {
+  matrix(lattice$engine$cells$node, 4L)[, which, drop = FALSE]
+}
+
+# Middles of a lattice's cells, 3 x cells, m.
+cell_middles <- function(lattice, points) {
+  corner <- cell_corners(lattice)
+  pointed <- has_three_corners(corner)
+  share <- ifelse(pointed, 1 / 3, 1 / 4)
+  total <- matrix(0, 3L, ncol(corner))
+  for (k in 1:4) {
+    of <- if (k < 4L) share else share * !pointed
+    total <- total + points[, corner[k, ], drop = FALSE] * rep(of, each = 3L)
+  }
+  total
+}
+
+# Which cells of a lattice are of hexagonal meshes.
+has_straight_bars <- function(lattice) lattice$engine$cells$straight > 0
 
 # The bar of a rope at its start, middle or end.
 rope_bar <- function(lattice, rope, place) {

@@ -1,4 +1,4 @@
-# Netting as elements: triangles on a panel's grid, or equivalent bars on its twines. Both put the
+# Netting as elements: cells of a panel's grid, or equivalent bars on its twines. Both put the
 # same twine, knots, mass and projected area into the water, and both meet at the panel's edges.
 #
 # Mesh coordinates of a panel: i meshes across (from the left end of the upper edge), j meshes deep.
@@ -8,14 +8,17 @@
 # Functions take several panels as a table (see panel_table()) and make the elements of one panel
 # after the other.
 
-# Triangles of panels whose nodes lie at these fractions across and deep.
+# Cells of panels whose nodes lie at these fractions across and deep. Those of hexagonal netting are
+# halved along a diagonal, and where a panel ends in a point cells have three corners: these have
+# their last corner twice.
 #
 # across, deep: list(fraction, count), the fractions of all panels and how many each has.
-# Returns list(panel, cell = place of the triangle's cell, its upper left corner, in the panel's
-# grid, corner = three places in the panels' grids, one grid after the other, for each triangle,
-# twine = u and v at each corner, rest = length of these twines' bars, straight = that of straight
-# bars, or 0, multiplicity, bars = number of bars of one family inside).
-triangle_elements <- function(panels, across, deep) {
+# Returns list(panel, cell = its upper left corner's place in the panel's grid, corner = 4 x cells,
+# places in the panels' grids, one grid after the other, in order around the cell, u, v = twine
+# coordinates there, rest = length of these twines' bars, straight = that of straight bars, or 0,
+# multiplicity, bars = number of bars of one family inside, side = on which side of the panel's
+# middle line it lies, -1, 0 or 1).
+cell_elements <- function(panels, across, deep) {
   columns <- across$count
   rows <- deep$count
   nodes <- columns * rows
@@ -35,30 +38,70 @@ triangle_elements <- function(panels, across, deep) {
   v <- v * ifelse(panels$orientation == "hexagonal_turned", -1, 1)[at]
 
   a <- which(column < columns[at] - 1L & row < rows[at] - 1L)
-  # The diagonal changes sides at the panel's middle line, so that a panel's mirror image is
-  # divided as its mirror image; a middle column carries both diagonals at half weight.
-  side <- 2L * column[a] + 2L - columns[at[a]]
-  falling <- a[side <= 0L]
-  rising <- a[side >= 0L]
-  below_falling <- falling + columns[at[falling]]
-  below_rising <- rising + columns[at[rising]]
-  first <- c(falling, falling, rising, rising + 1L)
-  second <- c(falling + 1L, below_falling + 1L, rising + 1L, below_rising + 1L)
-  third <- c(below_falling + 1L, below_falling, below_rising, below_rising)
-  weight <- 1 - 0.5 * c(rep.int(side[side <= 0L] == 0L, 2L), rep.int(side[side >= 0L] == 0L, 2L))
-  area <- abs((u[second] - u[first]) * (v[third] - v[first]) -
-    (u[third] - u[first]) * (v[second] - v[first]))
-  panel <- at[first]
+  below <- a + columns[at[a]]
+  whole <- rbind(a, a + 1L, below + 1L, below, deparse.level = 0L)
+  side <- sign(2L * column[a] + 2L - columns[at[a]])
+  hexagonal <- panels$straight_bar[at[a]] > 0
+  found <- join_cells(list(
+    list(corner = whole[, !hexagonal, drop = FALSE], side = side[!hexagonal],
+      first = a[!hexagonal], multiplicity = rep(1, sum(!hexagonal))),
+    half_cells(whole[, hexagonal, drop = FALSE], side[hexagonal])
+  ))
+  u <- matrix(u[found$corner], 4L)
+  v <- matrix(v[found$corner], 4L)
+  # The two upper corners are one where a panel begins in a point.
+  wide <- function(p, q) (u[p, ] - u[q, ])^2 + (v[p, ] - v[q, ])^2
+  longest <- pmax(wide(1L, 2L), wide(2L, 3L), wide(3L, 4L), wide(4L, 1L))
+  begins <- wide(1L, 2L) < 1e-18 * longest
+  turn <- function(x) {
+    x[, begins] <- x[c(3L, 4L, 1L, 2L), begins]
+    x
+  }
+  u <- turn(u)
+  v <- turn(v)
+  corner <- turn(found$corner)
+  ends <- wide(3L, 4L) < 1e-18 * longest
+  u[4L, ends] <- u[3L, ends]
+  v[4L, ends] <- v[3L, ends]
+  corner[4L, ends] <- corner[3L, ends]
+  bars <- cell_area(u, v) * found$multiplicity
+  panel <- at[found$first]
   kept <- order(panel)
-  largest <- vapply(split_runs(area[kept], tabulate(panel, length(columns))), max, 0)
-  kept <- kept[(area > 1e-9 * largest[panel])[kept]]
-  corner <- as.vector(rbind(first[kept], second[kept], third[kept]))
+  largest <- vapply(split_runs(bars[kept], tabulate(panel, length(columns))), max, 0)
+  kept <- kept[(bars > 1e-9 * largest[panel])[kept]]
   list(
-    panel = panel[kept], cell = k[c(falling, falling, rising, rising)[kept]] + 1L,
-    corner = corner, twine = as.vector(rbind(u[corner], v[corner])),
+    panel = panel[kept], cell = k[found$first[kept]] + 1L,
+    corner = corner[, kept, drop = FALSE], u = u[, kept, drop = FALSE],
+    v = v[, kept, drop = FALSE],
     rest = (panels$mesh_size / 2 - panels$straight_bar)[panel[kept]],
-    straight = panels$straight_bar[panel[kept]], multiplicity = weight[kept],
-    bars = area[kept] / 2 * weight[kept]
+    straight = panels$straight_bar[panel[kept]], multiplicity = found$multiplicity[kept],
+    bars = bars[kept], side = found$side[kept]
+  )
+}
+
+# Cells halved along a diagonal, which changes sides at the panel's middle line, so that a panel's
+# mirror image is divided as its mirror image; in a middle column both diagonals have half weight.
+half_cells <- function(corner, side) {
+  falling <- side <= 0
+  rising <- side >= 0
+  halves <- function(some, places) {
+    list(
+      corner = corner[c(places, places[3L]), some, drop = FALSE], side = side[some],
+      first = corner[1L, some], multiplicity = 1 - 0.5 * (side[some] == 0)
+    )
+  }
+  join_cells(list(
+    halves(falling, c(1L, 2L, 3L)), halves(falling, c(1L, 3L, 4L)),
+    halves(rising, c(1L, 2L, 4L)), halves(rising, c(2L, 3L, 4L))
+  ))
+}
+
+# Groups of cells as one: each list(corner, side, first = upper left corner, multiplicity).
+join_cells <- function(groups) {
+  list(
+    corner = do.call(cbind, lapply(groups, `[[`, "corner")),
+    side = unlist(lapply(groups, `[[`, "side")), first = unlist(lapply(groups, `[[`, "first")),
+    multiplicity = unlist(lapply(groups, `[[`, "multiplicity"))
   )
 }
 

@@ -6,7 +6,7 @@
 #
 # Returns list(nodes, points = node of each point, fraction, edge_node = fractions of an edge at its
 # nodes, and these nodes, one edge after the other, count, before = of every edge, how many are its
-# own and before them, grids = per panel of triangles, ropes = list(node, at = fraction of its
+# own and before them, grids = per panel of cells, ropes = list(node, at = fraction of its
 # length) by name, held_edges = the same of every seam held on a line, with the names of its two
 # points (between), runs = the same of the chains that pieces are spread along, places = node of
 # every point, panel corner and start, middle and end of a rope, by its text).
@@ -167,7 +167,7 @@ split_runs <- function(x, lengths) {
   lapply(seq_along(lengths), function(k) x[seq.int(last[k] - lengths[k] + 1L, last[k])])
 }
 
-# How panels number the nodes of their edges, before these are joined: those of a panel of triangles
+# How panels number the nodes of their edges, before these are joined: those of a panel of cells
 # are its grid's, those of a panel of bars follow each other.
 #
 # count: nodes of every edge; from: nodes numbered before.

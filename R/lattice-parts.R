@@ -56,36 +56,40 @@ add_twine <- function(build, panels, panel, node, length, extent) {
     surface = surface_height(diameter, extent), area = length * diameter)
 }
 
-# Panels as triangles. panels: a table; numbers, parts: which panels and parts of the gear they are.
+# Panels as cells. panels: a table; numbers, parts: which panels and parts of the gear they are.
 # Both return what the views draw of each panel.
-add_triangle_panels <- function(build, panels, numbers, parts, division) {
+add_cell_panels <- function(build, panels, numbers, parts, division) {
   along <- function(side) {
     edges <- 4L * (numbers - 1L) + side
     count <- division$count[edges]
     list(fraction = division$fraction[sequence(count, division$before[edges] + 1L)], count = count)
   }
-  found <- triangle_elements(panels, along(1L), along(3L))
-  node <- unlist(division$grids[numbers])[found$corner]
+  found <- cell_elements(panels, along(1L), along(3L))
+  node <- matrix(unlist(division$grids[numbers])[found$corner], 4L)
   part <- parts[found$panel]
   hexagonal <- which(found$straight > 0)
   inner <- integer(length(found$rest))
   inner[hexagonal] <- build$new_nodes(length(hexagonal))
   # The side of a square of its netting, stretched.
-  extent <- (found$rest + found$straight) * sqrt(2 * found$bars / found$multiplicity)
-  build$add("triangles", node = node, twine = found$twine, rest = found$rest,
-    straight = found$straight, inner = inner, multiplicity = found$multiplicity,
+  extent <- (found$rest + found$straight) *
+    sqrt((1 + has_three_corners(found$corner)) * found$bars / found$multiplicity)
+  build$add("cells", node = as.vector(node), twine = as.vector(rbind(
+    found$u[1L, ], found$v[1L, ], found$u[2L, ], found$v[2L, ],
+    found$u[3L, ], found$v[3L, ], found$u[4L, ], found$v[4L, ]
+  )), rest = found$rest, straight = found$straight, inner = inner,
+    multiplicity = found$multiplicity,
     height = surface_height(twine_width(panels)[found$panel], extent),
     material = part, part = part)
-  slowing <- which(panels$shielding[found$panel] != "none")
-  build$add("wake_sheets", node = as.vector(matrix(node, 3L)[, slowing]), part = part[slowing],
-    law = panels$shielding[found$panel][slowing],
-    twine_area = (found$bars * (2 * found$rest + found$straight) *
-      twine_width(panels)[found$panel])[slowing])
-  third <- rep(found$bars / 3, each = 3L)
-  panel <- rep(found$panel, each = 3L)
+  add_cell_sheets(build, panels, found, node, part)
+  # Of three corners the last stands twice.
+  share <- corner_shares(found$u, found$v)
+  kept <- which(share > 0)
+  node <- node[kept]
+  bars <- (share * rep(found$bars, each = 4L))[kept]
+  panel <- rep(found$panel, each = 4L)[kept]
   # Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
-  twine <- third * cell_twine(panels)[panel] * rep(1 - 0.5 * (inner > 0L), each = 3L)
-  add_twine(build, panels, panel, node, twine, rep(extent, each = 3L))
+  twine <- bars * cell_twine(panels)[panel] * (1 - 0.5 * (rep(inner, each = 4L)[kept] > 0L))
+  add_twine(build, panels, panel, node, twine, rep(extent, each = 4L)[kept])
   of_hexagons <- found$panel[hexagonal]
   add_twine(build, panels, of_hexagons, inner[hexagonal],
     found$bars[hexagonal] / 2 * cell_twine(panels)[of_hexagons], extent[hexagonal])
@@ -95,13 +99,32 @@ add_triangle_panels <- function(build, panels, numbers, parts, division) {
   key <- panel[knotted] * as.double(division$nodes) + node[knotted]
   first <- knotted[!duplicated(key)]
   add_knots(build, panels, parts, panel[first], node[first],
-    as.vector(rowsum(third[knotted], key, reorder = FALSE)))
+    as.vector(rowsum(bars[knotted], key, reorder = FALSE)))
   .mapply(
-    function(...) list(netting = "triangles", ...), list(
+    function(...) list(netting = "cells", ...), list(
       grid = division$grids[numbers],
       cell = split_runs(found$cell, tabulate(found$panel, length(numbers)))
     ), NULL
   )
+}
+
+# Sheets of cells that slow the water behind them: triangles, halved as hexagonal netting is.
+add_cell_sheets <- function(build, panels, found, node, part) {
+  some <- which(panels$shielding[found$panel] != "none")
+  pointed <- has_three_corners(found$corner[, some, drop = FALSE])
+  three <- some[pointed]
+  four <- some[!pointed]
+  place <- function(cells, corners) 4L * rep(cells - 1L, each = corners) + seq_len(corners)
+  halved <- half_cells(matrix(place(four, 4L), 4L), found$side[four])
+  corner <- cbind(matrix(place(three, 3L), 3L), halved$corner[1:3, , drop = FALSE])
+  of <- (corner[1L, ] - 1L) %/% 4L + 1L
+  u <- matrix(found$u[corner], 3L)
+  v <- matrix(found$v[corner], 3L)
+  bars <- triangle_area(u, v) * c(found$multiplicity[three], halved$multiplicity)
+  build$add("wake_sheets", node = node[corner], part = part[of],
+    law = panels$shielding[found$panel][of],
+    twine_area = bars * (2 * found$rest[of] + found$straight[of]) *
+      twine_width(panels)[found$panel[of]])
 }
 
 add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
@@ -120,21 +143,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
 
   edge <- 4L * (numbers[points$panel] - 1L) + points$edge
   on <- which(points$edge > 0L)
-  on <- on[order(edge[on])]
-  at <- points$fraction[on]
-  at[at < 0] <- 0
-  at[at > 1] <- 1
-  cell <- cell_of(at, edge[on], division)
-  low <- division$fraction[cell]
-  share <- (at - low) / (division$fraction[cell + 1L] - low)
-  first <- division$edge_node[cell]
-  second <- division$edge_node[cell + 1L]
-  whole <- share < 1e-6 | share > 1 - 1e-6 | first == second
-  nearest <- first
-  beyond <- share > 0.5
-  nearest[beyond] <- second[beyond]
-  id[on[whole]] <- nearest[whole]
-  id[on[!whole]] <- build$tie(first[!whole], second[!whole], share[!whole])
+  id[on] <- edge_points(build, division, edge[on], points$fraction[on])
 
   ends <- bars$ends
   inner <- ends < 0L
@@ -152,6 +161,7 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
       twine_width(panels)[bars$panel[keep]], bars$rest[keep]
     ), material = part, part = part)
   add_knots(build, panels, parts, points$panel, id, points$knots)
+  add_bar_sheets(build, panels, numbers, parts, division, points, id, grouping$lambda)
 
   of <- c(points$panel, bars$between$panel)
   order <- order(of)
@@ -295,11 +305,11 @@ gear_supports <- function(si, division) {
 # panels: the table; ropes: how many parts come before the panels.
 check_totals <- function(lattice, panels, ropes) {
   bars <- lattice$engine$bars
-  triangles <- lattice$engine$triangles
+  cells <- lattice$engine$cells
   parts <- nrow(lattice$parts)
   held <- sum_by(bars$rest * bars$multiplicity, lattice$bar_part, parts) +
-    sum_by(triangle_bars(triangles) * (2 * triangles$rest + triangles$straight),
-      lattice$triangle_part, parts)
+    sum_by(cell_bars(cells) * (2 * cells$rest + cells$straight),
+      lattice$cell_part, parts)
   planned <- panel_bars(panels) * cell_twine(panels)
   held <- held[ropes + seq_along(planned)]
   wrong <- which(abs(held - planned) > 1e-6 * planned)[1L]

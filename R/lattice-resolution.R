@@ -1,7 +1,7 @@
 # How finely a gear is divided: counts of elements on every piece of edge and every rope, and the
 # grouping of meshes in panels of bars, all from one element length h.
 
-# Netting hangs open to about this share of its stretched width; only sets element proportions.
+# Netting hangs open to about this share of its stretched width, to begin with.
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 
@@ -11,14 +11,13 @@ nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 # settling.
 greatest_bar_segments <- 4
 
-# Open width and depth of panels, m: list(width, depth).
-open_size <- function(panels) {
-  square <- is_square(panels)
-  unit <- mesh_unit(panels)
-  list(
-    width = unit * (ifelse(square, 1, nominal_hanging_ratio) * pmax(panels$upper, panels$lower)),
-    depth = unit * (ifelse(square, 1, nominal_depth_ratio) * panels$deep)
-  )
+# Width and depth of panels, m, from which the counts of elements follow: list(width, depth). Cells
+# of as many meshes across as deep follow the twines best, whatever shape they hang in, so both are
+# stretched lengths by one factor, with which the area is that of netting at its nominal ratio.
+even_size <- function(panels) {
+  even <- mesh_unit(panels) *
+    ifelse(is_square(panels), 1, sqrt(nominal_hanging_ratio * nominal_depth_ratio))
+  list(width = even * pmax(panels$upper, panels$lower), depth = even * panels$deep)
 }
 
 # Twines of one family that end on each edge of panels at most, ungrouped, in the order of edges: an
@@ -36,7 +35,7 @@ edge_twines <- function(panels) {
 # with an element per piece of an edge (panel ...) and columns with one per rope (own, length,
 # segments).
 resolution_table <- function(si, panels, pieces, bars) {
-  size <- open_size(panels)
+  size <- even_size(panels)
   panel <- (pieces$edge - 1L) %/% 4L + 1L
   across <- (pieces$edge - 1L) %% 4L < 2L
   share <- pieces$to - pieces$from
@@ -94,9 +93,9 @@ piece_counts <- function(of, h, grouping) {
     is_bar <- of$bars[of$panel]
     twines <- at_least_one(floor(of$twines / grouping$lambda[of$panel] + 1e-9))
     # Between panels of bars the coarser side rules, so that every node of the seam is held.
-    with_triangles <- logical(length(count))
-    with_triangles[of$class[!is_bar]] <- TRUE
-    only_bars <- !with_triangles[of$class]
+    with_cells <- logical(length(count))
+    with_cells[of$class[!is_bar]] <- TRUE
+    only_bars <- !with_cells[of$class]
     falling <- order(twines, decreasing = TRUE)
     low <- integer(length(count))
     low[of$class[falling]] <- twines[falling]
@@ -141,9 +140,9 @@ count_nodes <- function(of, h) sum(node_counts(of, h))
 
 # Whether the plan itself says how every panel and rope is divided.
 is_divided <- function(of) {
-  of_triangles <- !of$bars[of$panel]
+  of_cells <- !of$bars[of$panel]
   grouped <- !is.na(of$rows) | !is.na(of$columns)
-  !anyNA(of$segments[of$own]) && all(grouped[of$bars]) && !anyNA(of$asked[of_triangles])
+  !anyNA(of$segments[of$own]) && all(grouped[of$bars]) && !anyNA(of$asked[of_cells])
 }
 
 # Element length h at which the gear has about `nodes` nodes.

@@ -1,55 +1,68 @@
-# What netting of triangles carries besides its twines: drag as a screen, and stiffness of its
+# What netting of cells carries besides its twines: drag as a screen, and stiffness of its
 # meshes.
 
 # The laws of netting whose drag is a screen's.
 screen_laws <- function() c("loland", "aarsnes", "kristiansen_faltinsen")
 
-# Netting that must be of triangles: as a screen, with an opening stiffness, or around a catch.
+# Netting that must be of cells: with an opening stiffness, or around a catch.
 # bars: which panels are of bars.
-check_triangles_needed <- function(si, bars) {
+check_cells_needed <- function(si, bars) {
   of_bars <- names(si$panels)[bars]
   needed <- function(names, why) {
     wrong <- intersect(names, of_bars)
     if (!length(wrong)) return(invisible())
     abort_plan(
-      paste0("Panel `", wrong[1], "` is of bars; ", why, " needs triangles as its `netting`."),
+      paste0("Panel `", wrong[1], "` is of bars; ", why, " needs cells as its `netting`."),
       paste0("panels.", wrong[1], ".netting"), "bars"
     )
   }
-  screens <- vapply(si$panels, function(p) p$netting_drag != "twines", NA)
   stiff <- vapply(si$panels, function(p) !is.null(p$opening_stiffness), NA)
-  needed(names(si$panels)[screens], "its `netting_drag`")
   needed(names(si$panels)[stiff], "its `opening_stiffness`")
   needed(si$catch$panels, "the catch")
 }
 
-# The panel of every triangle, by its number in si$panels.
-triangle_panel <- function(si, lattice) lattice$triangle_part - length(si$ropes)
+# The panel of every cell, by its number in si$panels.
+cell_panel <- function(si, lattice) lattice$cell_part - length(si$ropes)
 
-# The lattice's triangles whose `netting_drag` is one of these.
-triangles_with_drag <- function(si, lattice, drag) {
-  which((vapply(si$panels, `[[`, "", "netting_drag") %in% drag)[triangle_panel(si, lattice)])
+# Which of elements of these parts are of panels whose `netting_drag` is one of these.
+parts_with_drag <- function(si, part, drag) {
+  which((vapply(si$panels, `[[`, "", "netting_drag") %in% drag)[part - length(si$ropes)])
+}
+cells_with_drag <- function(si, lattice, drag) parts_with_drag(si, lattice$cell_part, drag)
+
+# Cells, and sheets between bars, whose drag is a whole's: list(panel, node, twine, height,
+# multiplicity, bars = of one family).
+whole_drag_elements <- function(si, lattice, kind) {
+  cells <- lattice$engine$cells
+  some <- lattice$on_cell[[kind]]
+  sheets <- lattice$sheets
+  other <- lattice$on_sheet[[kind]]
+  at <- cell_twine_places(list(twine = sheets$twine), other)
+  list(
+    panel = c(lattice$cell_part[some], sheets$part[other]) - length(si$ropes),
+    node = c(cells$node[corners_of(some)], sheets$node[corners_of(other)]),
+    twine = c(cells$twine[twine_of(some)], sheets$twine[twine_of(other)]),
+    height = c(cells$height[some], sheets$height[other]),
+    multiplicity = c(cells$multiplicity[some], rep(1, length(other))),
+    bars = c(cell_bars(cells, some), cell_area(at$u, at$v))
+  )
 }
 
 # As NettingScreens.
 screen_elements <- function(si, lattice) {
-  triangles <- lattice$engine$triangles
-  some <- lattice$on_triangle$screens
-  panel <- triangle_panel(si, lattice)[some]
-  number <- function(field) vapply(si$panels, `[[`, 0, field, USE.NAMES = FALSE)[panel]
-  cells <- triangle_bars(triangles, some)
-  width <- vapply(si$panels, twine_width, 0, USE.NAMES = FALSE)[panel]
-  twine <- cells * (number("mesh_size") - number("straight_bar")) * width
-  knots <- cells * (1 + (number("straight_bar") > 0))
+  all <- whole_drag_elements(si, lattice, "screens")
+  number <- function(field) vapply(si$panels, `[[`, 0, field, USE.NAMES = FALSE)[all$panel]
+  width <- vapply(si$panels, twine_width, 0, USE.NAMES = FALSE)[all$panel]
+  twine <- all$bars * (number("mesh_size") - number("straight_bar")) * width
+  knots <- all$bars * (1 + (number("straight_bar") > 0))
   list(
-    node = triangles$node[corners_of(some)],
+    node = all$node, twine = all$twine,
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     # of hexagonal netting bars meet and do not cross
-    overlap = crossing_overlap(si$panels)[panel],
+    overlap = crossing_overlap(si$panels)[all$panel],
     # The law's Reynolds number is of one cylinder, also where two run side by side.
-    diameter = number("twine_diameter"), height = triangles$height[some],
-    multiplicity = triangles$multiplicity[some],
-    law = vapply(si$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[panel]
+    diameter = number("twine_diameter"), height = all$height, multiplicity = all$multiplicity,
+    law = vapply(si$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[all$panel]
   )
 }
 
@@ -63,23 +76,22 @@ crossing_overlap <- function(panels) {
 
 # As BlendedNetting.
 blended_elements <- function(si, lattice) {
-  triangles <- lattice$engine$triangles
-  panel <- triangle_panel(si, lattice)
-  some <- lattice$on_triangle$blended
-  panels <- if (length(some)) si$panels
+  all <- whole_drag_elements(si, lattice, "blended")
+  panels <- if (length(all$panel)) si$panels
   list(
-    node = triangles$node[corners_of(some)],
-    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)],
-    rest = triangles$rest[some], multiplicity = triangles$multiplicity[some],
-    height = triangles$height[some], overlap = crossing_overlap(si$panels)[panel[some]],
-    material = as.integer(panel[some]), materials = twine_materials(panels, alone = FALSE)
+    node = all$node, twine = all$twine,
+    rest = vapply(si$panels, function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
+      USE.NAMES = FALSE)[all$panel],
+    multiplicity = all$multiplicity, height = all$height,
+    overlap = crossing_overlap(si$panels)[all$panel],
+    material = as.integer(all$panel), materials = twine_materials(panels, alone = FALSE)
   )
 }
 
 # list(node, twine, couple, angle, multiplicity), as MeshOpenings: twine coordinates in m.
 opening_elements <- function(si, lattice) {
-  triangles <- lattice$engine$triangles
-  panel <- triangle_panel(si, lattice)
+  cells <- lattice$engine$cells
+  panel <- cell_panel(si, lattice)
   stiffness <- lapply(si$panels, `[[`, "opening_stiffness")
   stiff <- !vapply(stiffness, is.null, NA)
   some <- which(stiff[panel])
@@ -92,27 +104,28 @@ opening_elements <- function(si, lattice) {
   angle <- number("angle")
   angle[turned] <- pi - angle[turned]
   list(
-    node = triangles$node[corners_of(some)],
-    twine = triangles$twine[rep(6L * (some - 1L), each = 6L) + seq_len(6L)] *
-      rep(triangles$rest[some], each = 6L),
+    node = cells$node[corners_of(some)],
+    twine = cells$twine[twine_of(some)] *
+      rep(cells$rest[some], each = 8L),
     couple = number("couple"), angle = angle,
-    multiplicity = triangles$multiplicity[some] / triangles$rest[some]^2
+    multiplicity = cells$multiplicity[some] / cells$rest[some]^2
   )
 }
 
-# Places of the corners of triangles in an array of three each.
-corners_of <- function(triangle) rep(3L * (triangle - 1L), each = 3L) + seq_len(3L)
+# Places of cells' numbers in arrays of four corners and of eight twine coordinates each.
+corners_of <- function(cell) rep(4L * (cell - 1L), each = 4L) + seq_len(4L)
+twine_of <- function(cell) rep(8L * (cell - 1L), each = 8L) + seq_len(8L)
 
 # The start with the inner nodes of hexagonal triangles where their bars would lie if all were
 # stretched alike: from the triangle's middle along the mean of its two base vectors.
 place_inner_nodes <- function(lattice) {
   start <- lattice$start
-  triangles <- lattice$engine$triangles
-  some <- which(triangles$inner > 0L)
+  cells <- lattice$engine$cells
+  some <- which(cells$inner > 0L)
   if (!length(some)) return(start)
-  at <- 6L * (some - 1L)
-  twine <- function(k) triangles$twine[at + k]
-  corner <- function(k) start[, triangles$node[3L * (some - 1L) + k], drop = FALSE]
+  at <- 8L * (some - 1L)
+  twine <- function(k) cells$twine[at + k]
+  corner <- function(k) start[, cells$node[4L * (some - 1L) + k], drop = FALSE]
   u2 <- twine(3L) - twine(1L)
   v2 <- twine(4L) - twine(2L)
   u3 <- twine(5L) - twine(1L)
@@ -122,8 +135,8 @@ place_inner_nodes <- function(lattice) {
   third <- corner(3L) - corner(1L)
   # e_u + e_v
   both <- second * rep((v3 - u3) / d, each = 3L) + third * rep((u2 - v2) / d, each = 3L)
-  share <- triangles$straight[some] / (triangles$straight + triangles$rest)[some] / 2
+  share <- cells$straight[some] / (cells$straight + cells$rest)[some] / 2
   middle <- (corner(1L) + corner(2L) + corner(3L)) / 3
-  start[, triangles$inner[some]] <- middle + both * rep(share, each = 3L)
+  start[, cells$inner[some]] <- middle + both * rep(share, each = 3L)
   start
 }

@@ -1,7 +1,7 @@
 # How large a lattice may be. What a plan asks for is estimated before anything is allocated.
 
 most_nodes <- 2e6
-# Of triangles; bars take half.
+# Of cells; bars take half.
 bytes_per_node <- 1e4
 
 # Stops where a gear's lattice would have more nodes than `most`; nodes: about how many it should

@@ -1,15 +1,15 @@
-# The lattice: a gear as numbers. Nodes, bars, netting triangles, point pieces and supports, and a
+# The lattice: a gear as numbers. Nodes, bars, netting cells, point pieces and supports, and a
 # crude layout to start from.
 
 # Builds the lattice of a gear.
 #
-# nodes: about how many nodes; netting: "bars" or "triangles" for every panel, or NULL for each
+# nodes: about how many nodes; netting: "bars" or "cells" for every panel, or NULL for each
 # panel's own; from: NULL for a crude start, or list(lattice, position = 3 x points, settled = SI
 # numbers of the gear whose settled shape it is, or NULL) of the same parts,
 # whose shape is carried over; as many nodes of the same panels are divided as there, so that two
 # designs can be compared node by node.
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
-# nodes positions (m), parts = data.frame(name, kind, role), bar_part, triangle_part, sphere_part,
+# nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
 # fraction of its length, points = node of each point, place = function from a parsed place to a
 # node, catch = where the catch may lie (see add_catch()), hung = of a gear that is shot, see
@@ -20,7 +20,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   filled <- fill_lattice(si, nodes, netting, from)
   if (!is.null(filled)) return(filled)
   bars <- panels_of_bars(si, netting)
-  check_triangles_needed(si, bars)
+  check_cells_needed(si, bars)
   panels <- panel_table(si$panels)
   # what a shape of the same division needs not
   delayedAssign("chains", gear_chains(si))
@@ -50,14 +50,14 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
   drawn <- setNames(vector("list", length(bars)), names(si$panels))
   of_bars <- which(bars)
-  of_triangles <- which(!bars)
+  of_cells <- which(!bars)
   if (length(of_bars)) {
     drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
       length(si$ropes) + of_bars, division, pick_panels(counts$grouping, of_bars))
   }
-  if (length(of_triangles)) {
-    drawn[of_triangles] <- add_triangle_panels(build, pick_panels(panels, of_triangles),
-      of_triangles, length(si$ropes) + of_triangles, division)
+  if (length(of_cells)) {
+    drawn[of_cells] <- add_cell_panels(build, pick_panels(panels, of_cells),
+      of_cells, length(si$ropes) + of_cells, division)
   }
   for (k in seq_along(si$pieces)) {
     add_piece(build, si$pieces[[k]], piece_run(si, division, names(si$pieces)[k]), division$places,
@@ -87,7 +87,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     ),
     load_table = load_rows(c(si$ropes, si$panels)),
     bars = engine_elements(collected$bars),
-    triangles = engine_elements(collected$triangles), spheres = engine_elements(collected$spheres),
+    cells = engine_elements(collected$cells), spheres = engine_elements(collected$spheres),
     lifts = engine_elements(collected$lifts),
     plates = lapply(unname(si$otter_boards), function(board) {
       engine_board(board, unname(division$points[board$points]), density)
@@ -101,7 +101,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice <- structure(
     list(
       engine = engine, parts = parts, nodes = engine$nodes,
-      bar_part = collected$bars$part, triangle_part = collected$triangles$part,
+      bar_part = collected$bars$part, cell_part = collected$cells$part,
       sphere_part = collected$spheres$part, lift_part = collected$lifts$part,
       board_part = before_boards + seq_along(si$otter_boards),
       division = division[c("nodes", "fraction", "edge_node", "count", "before", "grids", "runs")],
@@ -110,9 +110,14 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     ),
     class = "codend_lattice"
   )
-  lattice$on_triangle <- list(
-    screens = triangles_with_drag(si, lattice, screen_laws()),
-    blended = triangles_with_drag(si, lattice, "blended")
+  lattice$sheets <- collected$sheets
+  lattice$on_cell <- list(
+    screens = cells_with_drag(si, lattice, screen_laws()),
+    blended = cells_with_drag(si, lattice, "blended")
+  )
+  lattice$on_sheet <- list(
+    screens = parts_with_drag(si, lattice$sheets$part, screen_laws()),
+    blended = parts_with_drag(si, lattice$sheets$part, "blended")
   )
   lattice$engine$screens <- screen_elements(si, lattice)
   lattice$engine$blended <- blended_elements(si, lattice)
@@ -143,7 +148,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice
 }
 
-# Which panels are of bars. netting: "bars" or "triangles" for all, or NULL.
+# Which panels are of bars. netting: "bars" or "cells" for all, or NULL.
 panels_of_bars <- function(si, netting) {
   vapply(si$panels, function(panel) {
     identical(first_of(netting, panel$netting), "bars") && panel$straight_bar == 0
@@ -153,9 +158,10 @@ panels_of_bars <- function(si, netting) {
 # The part of every element of a kind that the engine reports forces of (see reported_forces()).
 element_part <- function(lattice, kind) {
   switch(kind,
-    bars = lattice$bar_part, triangles = lattice$triangle_part, spheres = lattice$sphere_part,
+    bars = lattice$bar_part, cells = lattice$cell_part, spheres = lattice$sphere_part,
     lifts = lattice$lift_part, plates = lattice$board_part,
-    screens = , blended = lattice$triangle_part[lattice$on_triangle[[kind]]],
+    screens = , blended = c(lattice$cell_part[lattice$on_cell[[kind]]],
+      lattice$sheets$part[lattice$on_sheet[[kind]]]),
     pressure = rep(which(lattice$parts$kind == "catch"), length(lattice$engine$pressure$node) / 3)
   )
 }
@@ -206,7 +212,7 @@ division_frame <- function(chains, linked) {
 }
 
 # The engine's table of materials: a row per rope and per panel's twine, as columns.
-# alone: without what netting as a screen or blended has as whole triangles.
+# alone: without what netting as a screen or blended has as whole cells.
 twine_materials <- function(lines, alone = TRUE) {
   number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
   laws <- lapply(lines, `[[`, "coefficients")

@@ -13,17 +13,20 @@ define_measure("enclosed_volume", "m3",
 # nothing.
 measure_enclosed_volume <- function(state, measure) {
   lattice <- state$lattice
-  triangles <- lattice$engine$triangles
-  if (!length(triangles$rest)) {
+  cells <- lattice$engine$cells
+  if (!length(cells$rest)) {
     abort_argument(
-      "The enclosed volume is that of netting of triangles; this gear has none
-      ({.code netting: triangles})."
+      "The enclosed volume is that of netting of cells; this gear has none
+      ({.code netting: cells})."
     )
   }
-  node <- matrix(triangles$node, 3L)
+  corners <- cell_corners(lattice)
+  triangles <- cell_triangles(has_three_corners(corners))
+  node <- matrix(corners[triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)], 3L)
+  weight <- triangles$weight * cells$multiplicity[triangles$cell]
   x <- state_points(state)
   corner <- lapply(1:3, function(k) x[, node[k, ], drop = FALSE])
-  netting <- sum(triangles$multiplicity * upward_moment(corner[[1]], corner[[2]], corner[[3]]))
+  netting <- sum(weight * upward_moment(corner[[1]], corner[[2]], corner[[3]]))
   rope <- lattice$ropes[[measure$rope]]$node
   rope <- rope[c(TRUE, diff(rope) != 0)]
   after <- c(rope[-1L], rope[1L])

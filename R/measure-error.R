@@ -4,15 +4,15 @@
 # lattices of m and n nodes, whose measures differ by d, leave |d| / ((n / m)^(p / 2) - 1) in the
 # finer one, as n grows with the square of 1 / length. The power is 1: netting converges with 0.5
 # to 2, edges and slack netting with 1. From three lattices it is the observed one, between these
-# bounds. One difference may vanish by chance: an error is at least half of what is usual, as a
-# share, among the measures of the gear, and at least a floor.
+# bounds. One difference may vanish by chance: an error is at least what is usual, as a share, among
+# the measures of the gear, and at least a floor. Tensions and other forces carry the drag, along
+# ropes whose part of it may move by chance: their share is at least that of the drag.
 
 usual_order <- 1
 least_order <- 0.75
 greatest_order <- 1.5
 # Lattices whose nodes differ by less than this factor tell nothing.
 least_ratio <- 1.5
-usual_share <- 0.5
 # Of a measure itself.
 error_floor <- 2e-4
 
@@ -23,8 +23,9 @@ usual_accuracy <- 0.01
 main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
 
 # Errors of measures (named numbers, as shown) of a state on a lattice of so many nodes; NA where
-# no other lattice tells. levels: list of list(nodes, values), coarse to fine.
-estimate_errors <- function(values, nodes, levels) {
+# no other lattice tells. levels: list of list(nodes, values), coarse to fine; forces: which of the
+# measures are forces; drag: which is the whole drag.
+estimate_errors <- function(values, nodes, levels, forces = integer(), drag = integer()) {
   error <- setNames(rep(NA_real_, length(values)), names(values))
   ratio <- vapply(levels, function(level) nodes / level$nodes, 0)
   levels <- levels[pmax(ratio, 1 / ratio) >= least_ratio]
@@ -49,7 +50,9 @@ estimate_errors <- function(values, nodes, levels) {
   share <- error / size
   share <- share[is.finite(share) & share > 0]
   usual <- if (length(share)) stats::median(share) else 0
-  pmax(error, usual_share * usual * size, error_floor * size)
+  error <- pmax(error, usual * size, error_floor * size)
+  if (length(drag)) error[forces] <- pmax(error[forces], (error / size)[drag[1L]] * size[forces])
+  error
 }
 
 plain <- function(values) unname(as.double(values))
@@ -63,8 +66,8 @@ observed_order <- function(off, off_before, ratio, ratio_before) {
   pmin(pmax(found, least_order), greatest_order)
 }
 
-# The lattices that the measures of a state, `values` as shown, may be compared with, coarse to fine:
-# list(nodes, values). See state_levels().
+# The lattices that the measures of a state, `values` as shown, may be compared with, from coarse to
+# fine: list(nodes, values). See state_levels().
 levels_of <- function(state, values) {
   if (is.null(state$levels)) return(list())
   levels <- state$levels$own()

@@ -168,7 +168,7 @@ balance_table <- function(state) {
 
 # Tensions by rope and panel, of one line, kN: largest, exceeded by 1 % of its length, and mean over
 # its length; breaking load where the plan knows it (kN) and the largest tension's share of it
-# (percent). Where a point pulls at netting of triangles the largest grows with every refinement;
+# (percent). Where a point pulls at netting of cells the largest grows with every refinement;
 # what 1 % of the twine exceeds does not.
 tension_table <- function(state) {
   parts <- state$lattice$parts

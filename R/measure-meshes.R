@@ -9,8 +9,9 @@
 # width and depth), x, y and z (m),
 # opening (m: |x_i|, how wide a mesh stands across the panel; of squares the distance of its bars),
 # depth (m, |x_j|), angle (rad, between the bars of a mesh, 0 where it is closed across the panel;
-# NA where a bar has no length), meshes (how many the place stands for), and for each family of bars
-# its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
+# NA where a bar has no length), meshes (how many the place stands for, from `port` to `starboard`
+# across and from `fore` to `aft` down the panel, in meshes from the place), and for each family of
+# bars its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
 mesh_places <- function(state, names = base::names(state$si$panels)) {
   panels <- panel_table(state$si$panels)
   all <- panel_rows(panels, state$lattice, state_points(state))
@@ -70,10 +71,14 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   angle[own$orientation == "turned"] <- pi - angle[own$orientation == "turned"]
   angle[!is.finite(cosine)] <- NA
   # Each place stands for half the way to its neighbours.
-  thick <- ((rows$t[below] - rows$t[above]) / 2)[row] * own$deep
+  fore <- ((rows$t[above] - rows$t) / 2)[row] * own$deep
+  aft <- ((rows$t[below] - rows$t) / 2)[row] * own$deep
   list2DF(list(
     panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
-    angle = angle, meshes = lost / 2 * across * thick, u_x = u[1, ], u_y = u[2, ],
+    angle = angle, meshes = lost / 2 * across * (aft - fore),
+    port = (rows$s[before] - rows$s) / 2 * across,
+    starboard = (rows$s[after] - rows$s) / 2 * across,
+    fore = fore, aft = aft, u_x = u[1, ], u_y = u[2, ],
     u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
     x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
   ))
@@ -99,19 +104,57 @@ define_measure("mesh_angle", "deg",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
 )
 
-# Projected area (m2) of all twine across the flow, each twine counted where it is hidden too.
-twine_across_flow <- function(state) {
-  panels <- state$si$panels
+# Area (m2) across the flow that the twine of a net hides: twine behind other twine counts once.
+#
+# A piece of netting that casts a shadow of the area A lets the share (1 - a_u / A) (1 - a_v / A) of
+# it through, a_u and a_v the areas that its two families of bars show, and never less than a
+# hundredth. Pieces one behind another let through the product of their shares: seen along the flow,
+# twines of different pieces lie anyhow to each other. That is summed up over a grid across the flow
+# whose cells are as large as the shadow of a place on the mean; each place is cut into 16 parts or
+# so.
+twine_shadow <- function(state) {
   found <- mesh_places(state)
+  found <- found[found$meshes > 0, ]
+  panels <- state$si$panels
   width <- vapply(panels, twine_width, 0)[found$panel]
   square <- is_square(panel_table(panels))[found$panel]
-  flow <- flow_axes(state$si)[, "flow"]
-  across <- function(family) {
-    bar <- do.call(rbind, found[paste0(family, c("_x", "_y", "_z"))])
-    sqrt(pmax(colSums(bar^2) - colSums(bar * flow)^2, 0))
+  axes <- flow_axes(state$si)
+  seen_along <- function(columns) as.matrix(found[columns]) %*% axes
+  bar <- list(u = seen_along(c("u_x", "u_y", "u_z")), v = seen_along(c("v_x", "v_y", "v_z")))
+  seen <- function(family) {
+    found$meshes * (2 - square) * width *
+      sqrt(bar[[family]][, "across"]^2 + bar[[family]][, "up"]^2)
   }
-  # A diamond mesh of the panel's count has two bars of each family, a square one has one.
-  sum(found$meshes * (2 - square) * width * (across("u") + across("v")))
+  # a mesh of diamonds is the parallelogram of two bars of each family, one of squares of one
+  area <- found$meshes * (2 - square) *
+    abs(bar$u[, "across"] * bar$v[, "up"] - bar$u[, "up"] * bar$v[, "across"])
+  through <- function(family) 1 - pmin(seen(family) / pmax(area, 1e-12), 1)
+  depth <- -log(pmax(through("u") * through("v"), 0.01)) * area
+
+  # derivatives of the place by meshes across and down
+  by_i <- bar$u - bar$v * !square
+  by_j <- bar$u * !square + bar$v
+  # parts as long across as they are deep, on the mean
+  long <- function(by) sqrt(by[, "across"]^2 + by[, "up"]^2)
+  wide <- mean(long(by_i) * (found$starboard - found$port))
+  deep <- mean(long(by_j) * (found$aft - found$fore))
+  ways <- max(1, min(16, round(4 * sqrt(wide / max(deep, 1e-9)))))
+  middle <- function(n) (seq_len(n) - 0.5) / n
+  share <- expand.grid(i = middle(ways), j = middle(round(16 / ways)))
+  parts <- lapply(seq_len(nrow(share)), function(k) {
+    (seen_along(c("x", "y", "z")) +
+      by_i * (found$port + share$i[k] * (found$starboard - found$port)) +
+      by_j * (found$fore + share$j[k] * (found$aft - found$fore)))[, c("across", "up")]
+  })
+  at <- do.call(rbind, parts)
+  low <- apply(at, 2, min)
+  wide <- pmax(apply(at, 2, max) - low, 1e-6)
+  cells <- pmax(1, pmin(400, round(wide / max(sqrt(sum(area) / nrow(found)), 1e-6))))
+  size <- wide / cells
+  cell <- floor((t(at) - low) / size)
+  cell <- pmin(cell, cells - 1)
+  thick <- rowsum(rep(depth, nrow(share)) / nrow(share), cell[1, ] + cells[1] * cell[2, ])
+  sum(1 - exp(-thick / prod(size))) * prod(size)
 }
 
 #' Meshes along a net

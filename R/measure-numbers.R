@@ -6,9 +6,11 @@
 new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   units <- measure_units(kinds)
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
-  structure(shown, unit = setNames(units, names(values)),
-    kind = setNames(vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE), names(values)),
-    error = estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown)), class = c("codend_measures", "numeric"))
+  kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
+  error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
+    forces = which(units %in% names(plan_units$force)), drag = which(kind == "total_drag"))
+  structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
+    error = error, class = c("codend_measures", "numeric"))
 }
 
 plain_measures <- function(x) setNames(as.double(x), names(x))

@@ -47,12 +47,12 @@ standard_measures <- c(
     function(state, found) swept_area(state)
   ),
   standard_measure("mouth_blockage", "%",
-    "Of a gear with an area `mouth_area` among its measures, the projected area across the flow of
-    all twine, that of twines behind others too, over that area.",
+    "Of a gear with an area `mouth_area` among its measures, the area across the flow that all twine
+    hides, over that area: twine behind other twine counts once.",
     function(state, found) {
       mouth <- state$si$measures$mouth_area
       if (identical(mouth$kind, "area") && length(state$si$panels)) {
-        twine_across_flow(state) / measure_kinds$area$value(state, mouth)
+        twine_shadow(state) / measure_kinds$area$value(state, mouth)
       }
     }
   ),

@@ -30,30 +30,8 @@ panel_facets <- function(state, names) {
   kept <- which(rows$panel[rows$row] %in% match(names, names(state$si$panels)))
   row <- rows$row[kept]
   s <- rows$s[kept]
-  # The places of two neighbouring rows in the order of s: each makes a facet with the last ones
-  # met of its own and of the other row.
-  strip <- function(upper, lower) {
-    all <- c(upper, lower)
-    order <- order(s[all])
-    is_upper <- (seq_along(all) <= length(upper))[order]
-    all <- all[order]
-    last_upper <- cummax(is_upper * seq_along(all))
-    last_lower <- cummax((!is_upper) * seq_along(all))
-    k <- seq_along(all)[-1L]
-    own <- ifelse(is_upper[k], last_upper[k - 1L], last_lower[k - 1L])
-    other <- ifelse(is_upper[k], last_lower[k - 1L], last_upper[k - 1L])
-    some <- own > 0L & other > 0L
-    first <- ifelse(is_upper[k], own, other)[some]
-    second <- ifelse(is_upper[k], other, own)[some]
-    rbind(all[first], all[second], all[k[some]])
-  }
-  groups <- split(seq_along(row), row)
-  of <- rows$panel[as.integer(names(groups))]
-  upper <- which(of[-1L] == of[-length(of)])
-  list(
-    x = rows$x[, kept, drop = FALSE],
-    node = do.call(cbind, Map(strip, groups[upper], groups[upper + 1L]))
-  )
+  of <- rows$panel[row]
+  list(x = rows$x[, kept, drop = FALSE], node = row_facets(of, row, s))
 }
 
 # Lids over the openings that panels leave, as facets seen from the same side as theirs: three

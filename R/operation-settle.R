@@ -26,7 +26,7 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have.
-#' @param netting `"triangles"` or `"bars"` for every panel, or `NULL` for each panel's own choice
+#' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
 #'   points, at another speed, warp or design. Many times faster than to start anew where the change
@@ -119,9 +119,9 @@ check_settle_arguments <- function(gear, nodes, netting) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
-    netting %in% c("triangles", "bars"))) {
+    netting %in% c("cells", "bars", "triangles"))) {
     abort_argument(
-      "{.arg netting} is {.val {netting}}; it must be {.val triangles}, {.val bars} or NULL."
+      "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
     )
   }
   check_lattice_size(gear_si(gear), nodes, netting)

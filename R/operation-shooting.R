@@ -15,7 +15,7 @@ settle_shot <- function(gear, si, nodes, netting, steps, progress) {
   free <- undivided(si)
   coarse <- min(nodes, coarsest_nodes)
   settle_from <- function(shape) {
-    found <- settle_level(free, coarse, "triangles", shape, steps, progress)
+    found <- settle_level(free, coarse, "cells", shape, steps, progress)
     if (!found$report$converged) return(found)
     shape <- list(lattice = found$lattice, position = lattice_points(found$lattice, found$position))
     settle_level(
@@ -27,7 +27,7 @@ settle_shot <- function(gear, si, nodes, netting, steps, progress) {
   shot <- si$ropes[[si$shooting$rope]]$length / si$shooting$speed
   until <- shot + seq_len(most_sinkings) * sinking_time
   # without a schedule: what is hauled in its plan's operation stays out
-  sinking <- shot_trajectory(gear, free, list(), until[most_sinkings], coarse, "triangles")
+  sinking <- shot_trajectory(gear, free, list(), until[most_sinkings], coarse, "cells")
   for (time in until) {
     sinking <- tryCatch(
       march_trajectory(sinking, time, time, tow_method("bdf2", sinking_accuracy, NULL)),

@@ -29,6 +29,12 @@ plan_places <- function(text) {
   places
 }
 
+# Ends the search for places, or what needs them.
+unplaced <- function() {
+  stop(structure(class = c("codend_unplaced", "error", "condition"),
+    list(message = "unplaced", call = NULL)))
+}
+
 # A scanner of a text: list of the functions that plan_places() goes by. What has been found before
 # it stops stays found.
 new_scanner <- function(text) {
@@ -37,10 +43,6 @@ new_scanner <- function(text) {
   starts <- c(1L, which(ch == "\n") + 1L)
   at <- 1L
   found <- list()
-  stop_here <- function() {
-    stop(structure(class = c("codend_unplaced", "error", "condition"),
-      list(message = "unplaced", call = NULL)))
-  }
   here <- function(k = 0L) if (at + k <= n) ch[at + k] else ""
   ended <- function() at > n
   column <- function(place = at) place - starts[findInterval(place, starts)] + 1L
@@ -83,7 +85,7 @@ new_scanner <- function(text) {
     mark <- here()
     at <<- at + 1L
     repeat {
-      if (ended()) stop_here()
+      if (ended()) unplaced()
       if (mark == "\"" && here() == "\\") {
         at <<- at + 2L
       } else if (here() == mark) {
@@ -107,14 +109,14 @@ new_scanner <- function(text) {
       name <- tryCatch(yaml::yaml.load(name), error = function(e) name)
       while (here() == " ") at <<- at + 1L
     } else {
-      if (here() %in% c("&", "*", "!", "?", "%", "@", "`")) stop_here()
+      if (here() %in% c("&", "*", "!", "?", "%", "@", "`")) unplaced()
       while (!ended() && !(here() == ":" && (blank(here(1L)) || here(1L) %in% stops))) {
-        if (here() == "\n" || here() %in% stops) stop_here()
+        if (here() == "\n" || here() %in% stops) unplaced()
         at <<- at + 1L
       }
       name <- trimws(paste(ch[seq(from, max(from, at - 1L))], collapse = ""))
     }
-    if (here() != ":") stop_here()
+    if (here() != ":") unplaced()
     at <<- at + 1L
     as.character(name)
   }
@@ -144,14 +146,14 @@ new_scanner <- function(text) {
       quoted()
       return(c(from, at - 1L))
     }
-    if (here() %in% c("&", "!")) stop_here()
+    if (here() %in% c("&", "!")) unplaced()
     last <- from - 1L
     while (!ended() && !here() %in% c(",", "]", "}", "[", "{") && !comment_here() &&
       !(here() == ":" && (blank(here(1L)) || here(1L) %in% c(",", "}", "]")))) {
       if (!blank(here())) last <- at
       at <<- at + 1L
     }
-    if (here() %in% c(":", "[", "{")) stop_here()
+    if (here() %in% c(":", "[", "{")) unplaced()
     if (last < from) c(NA_integer_, NA_integer_) else c(from, last)
   }
   flow_map <- function(path) {
@@ -159,7 +161,7 @@ new_scanner <- function(text) {
     at <<- at + 1L
     repeat {
       skip()
-      if (ended()) stop_here()
+      if (ended()) unplaced()
       if (here() == "}") break
       if (here() == ",") {
         at <<- at + 1L
@@ -182,7 +184,7 @@ new_scanner <- function(text) {
     item <- 0L
     repeat {
       skip()
-      if (ended()) stop_here()
+      if (ended()) unplaced()
       if (here() == "]") break
       if (here() == ",") {
         at <<- at + 1L
@@ -200,7 +202,7 @@ new_scanner <- function(text) {
   # A plain or a folded scalar; above: the column that its further lines must lie right of.
   scalar <- function(above) {
     from <- at
-    if (here() == "!") stop_here()
+    if (here() == "!") unplaced()
     folded <- here() %in% c("|", ">")
     last <- at
     repeat {
@@ -246,7 +248,7 @@ new_scanner <- function(text) {
       if (!is.na(range[2])) to <- range[2]
       skip()
       if (ended() || column() < col) break
-      if (column() > col) stop_here()
+      if (column() > col) unplaced()
     }
     c(from, to)
   }
@@ -265,7 +267,7 @@ new_scanner <- function(text) {
       if (!is.na(range[2])) to <- range[2]
       skip()
       if (ended() || column() < col || !(here() == "-" && blank(here(1L)))) break
-      if (column() > col) stop_here()
+      if (column() > col) unplaced()
     }
     c(from, to)
   }

@@ -1,6 +1,8 @@
 #' Write the plan of a gear
 #'
-#' The file is written beside its target and then renamed, so it is there whole or not at all.
+#' The file is written beside its target and then renamed, so it is there whole or not at all. Of a
+#' gear that was read from a file, remarks and layout stay as they were written; only what
+#' [update()][update.codend_gear] changed since is new.
 #'
 #' @param gear A gear ([read_gear()], [gear()]).
 #' @param file Path of the YAML file to write.
@@ -13,11 +15,12 @@
 write_gear <- function(gear, file) {
   check_is_gear(gear)
   check_file_path(file)
-  write_text(format(gear), file)
+  write_text(format(gear, remarks = TRUE), file)
 }
 
+# remarks: whether the text that the gear was read from is kept where it still holds.
 #' @export
-format.codend_gear <- function(x, ...) paste0(c(yaml_lines(x$plan, 0), ""), collapse = "\n")
+format.codend_gear <- function(x, ..., remarks = FALSE) edited_text(if (remarks) x$source, x$plan)
 
 #' @export
 as.character.codend_gear <- function(x, ...) format(x)

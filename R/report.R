@@ -84,7 +84,7 @@ trajectory_report <- function(trajectory) {
         "Measures at the start and the end of the tow, and their extremes with the times of these."
       ))
     ),
-    report_section("The gear in motion", report_scene(motion_page(trajectory, "gear"), paste(
+    report_section("The gear in motion", report_scene(trajectory, paste(
       "The gear in three dimensions, as seen from the vessel; a button plays the tow and a slider",
       "steps through it."
     ))),
@@ -151,14 +151,14 @@ report_figure <- function(address, words, class = NULL) {
   tag$figure(class = class, tag$div(class = "picture", tag$img(src = address, alt = words)))
 }
 
-# A scene to turn, with a still picture of it for paper.
-report_scene <- function(widget, words) {
+# The gear in three dimensions; of: a state or a trajectory.
+report_scene <- function(of, words) {
+  widget <- viewer_widget(viewed_scene(of), "gear", title = FALSE)
   widget$width <- "100%"
   widget$height <- "100%"
   tag$figure(
-    class = "scene",
-    tag$div(class = "canvas", role = "img", `aria-label` = words, htmltools::as.tags(widget)),
-    tag$figcaption(paste(
+    class = "scene", tag$div(class = "canvas", htmltools::as.tags(widget)),
+    tag$figcaption(paste(words,
       "Turn it with the left mouse button or one finger; click it first to zoom with the wheel."
     ))
   )
@@ -200,7 +200,7 @@ shape_section <- function(state) {
       "The gear from above, from the port side and from astern, to scale, coloured by tension.",
       "Its main dimensions stand among the measures."
     )),
-    report_scene(gear_page(state, "gear"), "The gear in three dimensions, coloured by tension.")
+    report_scene(state, "The gear in three dimensions, coloured by tension.")
   )
 }
 
@@ -255,9 +255,9 @@ balance_section <- function(said) {
   report <- said$report
   report_section("Solution and force balance",
     tag$p(sprintf(
-      "%s nodes, %s bars and %s netting triangles. %s in %d steps; the largest net force left on a
+      "%s nodes, %s bars and %s netting cells. %s in %d steps; the largest net force left on a
       node is %s of the largest tension.",
-      big_number(report$nodes), big_number(report$bars), big_number(report$triangles),
+      big_number(report$nodes), big_number(report$bars), big_number(report$cells),
       if (report$converged) "Settled" else "Not settled", report$iterations,
       format(report$residual, digits = 2)
     )),
@@ -270,7 +270,7 @@ balance_section <- function(said) {
 version_section <- function() {
   version <- function(package) paste(package, utils::packageVersion(package))
   report_section("Versions", tag$p(paste0(paste(c(
-    version("codend"), paste("R", getRversion()), version("rgl"), version("htmlwidgets")
+    version("codend"), paste("R", getRversion()), version("htmlwidgets")
   ), collapse = ", "), ".")))
 }
 

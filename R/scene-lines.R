@@ -63,20 +63,16 @@ rope_lines <- function(state, points, limit) {
   }))
 }
 
-# Netting: of bars, the bars themselves; of triangles, the two twine directions through each cell of
+# Netting: of bars, the bars themselves; of cells, the two twine directions through each cell of
 # the panel's grid.
 netting_lines <- function(state, points, limit) {
-  lattice <- state$lattice
-  panels <- lattice$panels
-  part <- match(names(panels), ifelse(lattice$parts$kind == "netting", lattice$parts$name, NA))
+  panels <- state$lattice$panels
+  part <- netting_parts(state)
   of_bars <- vapply(panels, function(p) p$netting == "bars", NA)
-  bars <- sum(lattice$bar_part %in% part[of_bars])
+  bars <- sum(state$lattice$bar_part %in% part[of_bars])
   grids <- lapply(panels[!of_bars], `[[`, "grid")
-  cells <- function(k) 2 * sum(vapply(grids, function(g) prod(ceiling((dim(g) - 1) / k)), 0))
-  total <- bars + cells(1)
-  block <- 1
-  longest <- max(0, vapply(grids, function(g) max(dim(g) - 1), 0))
-  while (cells(block) > limit * (cells(1) / total) && block < longest) block <- block + 1
+  total <- bars + 2 * blocks_of(grids, 1)
+  block <- block_to_draw(grids, limit / total * blocks_of(grids, 1))
   shortest <- shortest_line(state, names(panels)[of_bars], part[of_bars], limit * (bars / total))
   join_lines(lapply(seq_along(panels), function(p) {
     if (of_bars[p]) {
@@ -87,25 +83,36 @@ netting_lines <- function(state, points, limit) {
   }))
 }
 
-# The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tensions of
-# the triangles inside. Twines of diamond meshes run along a cell's diagonals, those of square
-# meshes along its sides.
+# Rows of the lattice's table of parts of its panels, in the order of `lattice$panels`.
+netting_parts <- function(state) {
+  parts <- state$lattice$parts
+  match(names(state$lattice$panels), ifelse(parts$kind == "netting", parts$name, NA))
+}
+
+# Blocks of k by k cells in grids.
+blocks_of <- function(grids, k) {
+  sum(vapply(grids, function(g) prod(ceiling((dim(g) - 1) / k)), 0))
+}
+
+# The size of blocks of which there are at most so many.
+block_to_draw <- function(grids, limit) {
+  block <- 1
+  longest <- max(0, vapply(grids, function(g) max(dim(g) - 1), 0))
+  while (blocks_of(grids, block) > limit && block < longest) block <- block + 1
+  block
+}
+
+# The twines through blocks of `block` by `block` cells of a panel's grid (see panel_blocks()).
+# Twines of diamond meshes run along a cell's diagonals, those of square meshes along its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
-  panel <- state$si$panels[[name]]
-  grid <- state$lattice$panels[[name]]$grid
-  cell <- state$lattice$panels[[name]]$cell - 1L
-  mine <- which(state$lattice$triangle_part == part)
-  columns <- block_ends(nrow(grid), block)
-  rows <- block_ends(ncol(grid), block)
-  across <- length(columns) - 1L
-  deep <- length(rows) - 1L
-  group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
-  weight <- triangle_bars(state$lattice$engine$triangles, mine)
-  u <- weighted_means(state$u_tension[mine], weight, group, across * deep)
-  v <- weighted_means(state$v_tension[mine], weight, group, across * deep)
-  coarse <- grid[columns, rows, drop = FALSE]
+  blocks <- panel_blocks(state, name, part, block)
+  u <- blocks$u
+  v <- blocks$v
+  coarse <- state$lattice$panels[[name]]$grid[blocks$columns, blocks$rows, drop = FALSE]
+  across <- nrow(coarse) - 1L
+  deep <- ncol(coarse) - 1L
   corner <- function(c, r) as.vector(coarse[seq_len(across) + c, seq_len(deep) + r])
-  if (panel$orientation != "square") {
+  if (state$si$panels[[name]]$orientation != "square") {
     return(new_lines(points, c(corner(0, 0), corner(1, 0)), c(corner(1, 1), corner(0, 1)),
       c(u, v), part))
   }
@@ -117,6 +124,22 @@ panel_cell_lines <- function(state, points, name, part, block) {
     c(corner(1, 0), corner(1, 1)[last_row], corner(0, 1), corner(1, 1)[last_column]),
     c(u, u[last_row], v, v[last_column]), part
   )
+}
+
+# Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's
+# bound them, u, v = mean tension (N) of the lattice's cells inside, across first).
+panel_blocks <- function(state, name, part, block) {
+  grid <- state$lattice$panels[[name]]$grid
+  cell <- state$lattice$panels[[name]]$cell - 1L
+  mine <- which(state$lattice$cell_part == part)
+  columns <- block_ends(nrow(grid), block)
+  rows <- block_ends(ncol(grid), block)
+  across <- length(columns) - 1L
+  deep <- length(rows) - 1L
+  group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
+  weight <- cell_bars(state$lattice$engine$cells, mine)
+  mean <- function(tension) weighted_means(tension[mine], weight, group, across * deep)
+  list(columns = columns, rows = rows, u = mean(state$u_tension), v = mean(state$v_tension))
 }
 
 block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))

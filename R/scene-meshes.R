@@ -3,9 +3,8 @@
 
 netting_colours <- c("tension", "mesh_opening", "mesh_angle")
 
-check_colour <- function(colour) {
-  if (is_text(colour) && colour %in% netting_colours) return(invisible())
-  known <- netting_colours
+check_colour <- function(colour, known = netting_colours) {
+  if (is_text(colour) && colour %in% known) return(invisible())
   abort_argument("{.arg colour} is {.val {colour}}; it must be one of {.val {known}}.")
 }
 
@@ -31,10 +30,16 @@ coloured_drawing <- function(state, colour = "tension") {
   )
 }
 
-# Of lines of netting (see new_lines()) the mean of both ends: opening over mesh size, of squares
-# over a bar (%), or mesh angle (deg). Never 0, which stands for slack.
+# Of lines of netting (see new_lines()) the mean of both ends, as mesh_means() has it.
 mesh_values <- function(state, lines, colour) {
-  if (!length(lines$tension)) return(numeric())
+  mesh_means(state, lines$part - length(state$si$ropes), lines$ends, colour)
+}
+
+# Of places of netting, each among some points of one panel (ends: their numbers, a column for each
+# place; panel: its number), their mean opening over mesh size, of squares over a bar (%), or mesh
+# angle (deg). Never 0, which stands for slack.
+mesh_means <- function(state, panel, ends, colour) {
+  if (!length(panel)) return(numeric())
   panels <- state$si$panels
   table <- panel_table(panels)
   found <- mesh_places(state)
@@ -51,12 +56,9 @@ mesh_values <- function(state, lines, colour) {
   places <- panel_places(table, state$lattice$division, state$lattice$panels)
   at_places <- as.vector(on_rows(places, rows))
   key <- function(panel, node) panel * 1e9 + node
-  panel <- lines$part - length(state$si$ropes)
-  at_ends <- vapply(1:2, function(end) {
-    at_places[match(key(panel, lines$ends[end, ]), key(places$panel, places$node))]
-  }, numeric(length(panel)))
-  mean <- rowMeans(matrix(at_ends, ncol = 2L), na.rm = TRUE)
-  # a line between two points that are tied to an edge
+  at <- match(key(rep(panel, each = nrow(ends)), ends), key(places$panel, places$node))
+  mean <- colMeans(matrix(at_places[at], nrow(ends)), na.rm = TRUE)
+  # among points that are tied to an edge
   mean[is.nan(mean)] <- stats::median(value)
   pmax(mean, 1e-6)
 }

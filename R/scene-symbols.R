@@ -1,4 +1,5 @@
-# Symbols of pieces and supports: one table for the plane figures and the 3D page.
+# Symbols of pieces and supports: one table for the plane figures and the viewer. `fill` has a dark
+# edge around it; `solid` stands alone in the viewer and is dark enough for that.
 view_symbols <- data.frame(
   role = c(
     "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "other", "moved", "fixed"
@@ -12,6 +13,10 @@ view_symbols <- data.frame(
     "#202428", "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A",
     "#2C6E9B",
     "#2C6E9B"
+  ),
+  solid = c(
+    "#2A343C", "#2A343C", "#474F56", "#9A6200", "#7A6400", "#8A5A2B", "#474F56", "#5B636A",
+    "#2C6E9B", "#2C6E9B"
   ),
   size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1),
   # what is drawn as a plate in space; all else is round

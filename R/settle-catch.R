@@ -4,8 +4,12 @@
 # Share of the volume within which it is met.
 catch_tolerance <- 1e-6
 
-# solve: function(lattice) that settles. Returns list(lattice = with the front that was found,
-# report = what `solve` returned for that, with the steps and factorisations of all tries).
+# A front within this of one that is settled, in the logarithm of meshes, is settled from there.
+near_front <- 0.2
+
+# solve: function(lattice, from) that settles, from its own start or from a report of itself.
+# Returns list(lattice = with the front that was found, report = what `solve` returned for that,
+# with the steps and factorisations of all tries).
 settle_catch <- function(si, lattice, solve) {
   wanted <- log(si$catch$volume)
   # Fronts known to enclose too little and too much, in the logarithms of meshes and of volume.
@@ -14,9 +18,11 @@ settle_catch <- function(si, lattice, solve) {
   end <- log(si$catch$deep)
   iterations <- factorisations <- 0L
   for (try in seq_len(40L)) {
-    # Always from the first start: a settled shape leads the path astray.
     lattice <- set_catch_front(lattice, exp(front))
-    report <- solve(lattice)
+    # From the first start: a shape settled far off leads the path astray. From near by: slack
+    # netting before the front may balance in several ways, and the volume is to follow one of them.
+    near <- !is.null(before) && abs(front - before$front) < near_front
+    report <- solve(lattice, if (near) before$report)
     report$iterations <- iterations <- iterations + report$iterations
     report$factorisations <- factorisations <- factorisations + report$factorisations
     found <- list(lattice = lattice, report = report)
@@ -24,7 +30,7 @@ settle_catch <- function(si, lattice, solve) {
     volume <- catch_volume(lattice, matrix(report$position, 3L))
     off <- if (volume > 0) log(volume) - wanted else -Inf
     if (abs(off) < catch_tolerance) return(found)
-    here <- list(front = front, off = off)
+    here <- list(front = front, off = off, report = report)
     if (off < 0 && front >= end) abort_catch_volume(si, volume)
     if (off < 0) low <- here else high <- here
     front <- next_front(here, before, low, high, end)

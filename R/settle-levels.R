@@ -19,13 +19,13 @@ coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
   levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
   for (level in levels) {
     coarse <- settle_level(
-      free, level, if (level == coarsest_nodes) "triangles" else netting, found, near_steps,
+      free, level, if (level == coarsest_nodes) "cells" else netting, found, near_steps,
       progress
     )
     if (!coarse$report$converged) next
     found <- list(
       lattice = coarse$lattice, position = lattice_points(coarse$lattice, coarse$position),
-      # Coarse triangles are too stiff for theirs to be of use.
+      # The coarsest lattice's are of no use.
       strain = if (level > coarsest_nodes) coarse$strain,
       si = free, coarser = if (!is.null(found$si)) found
     )
@@ -84,10 +84,11 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     drag_growth(si, from$settled) *
       carry_strains(panel_table(si$panels), lattice, from$lattice, from$strain)
   }
-  solve <- function(lattice) {
+  solve <- function(lattice, from = NULL) {
+    if (is.null(from)) from <- list(position = lattice$start, begins = begins, strain = strain)
     engine_settle(
-      lattice$engine, as.double(lattice$start), begins, as.double(strain), settle_tolerance,
-      steps, progress
+      lattice$engine, as.double(from$position), first_of(from$begins, "settled"),
+      as.double(from$strain), settle_tolerance, steps, progress
     )
   }
   settled <- if (is.null(si$catch) || is.na(si$catch$volume)) {
@@ -116,16 +117,16 @@ settled_alike <- function(lattice, from) {
   same <- function(kind) {
     identical(lattice$engine[[kind]]$node, from$lattice$engine[[kind]]$node)
   }
-  !is.null(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("triangles")
+  !is.null(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("cells")
 }
 
 # A state's shape, to carry over.
 state_shape <- function(state) {
   engine <- state$lattice$engine
-  triangles <- engine$triangles
+  cells <- engine$cells
   strain <- engine_order(
-    state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / triangles$rest - 1,
-    state$v_length / triangles$rest - 1, state$straight_length / triangles$straight - 1
+    state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / cells$rest - 1,
+    state$v_length / cells$rest - 1, state$straight_length / cells$straight - 1
   )
   list(
     lattice = state$lattice, position = state_points(state), strain = strain,

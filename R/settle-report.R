@@ -53,7 +53,7 @@ describe_node <- function(lattice, node) {
   touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
   part <- unique(c(
     touching(e$bars$node, 2L, lattice$bar_part),
-    touching(e$triangles$node, 3L, lattice$triangle_part)
+    touching(e$cells$node, 4L, lattice$cell_part)
   ))
   if (!length(part)) return("a point outside ropes and netting")
   paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")

@@ -39,12 +39,13 @@ flow_force <- function(state, kind) {
   Reduce(`+`, state$forces[by_flow$name[by_flow$kind == kind]])
 }
 
-# The same on the whole of every triangle, with what acts on it as a screen or blended.
-triangle_flow_force <- function(state) {
-  force <- flow_force(state, "triangles")
-  for (kind in names(state$lattice$on_triangle)) {
-    on <- state$lattice$on_triangle[[kind]]
-    force[, on] <- force[, on] + flow_force(state, kind)
+# The same on the whole of every cell, with what acts on it as a screen or blended.
+cell_flow_force <- function(state) {
+  force <- flow_force(state, "cells")
+  for (kind in names(state$lattice$on_cell)) {
+    on <- state$lattice$on_cell[[kind]]
+    # those of sheets between bars follow
+    force[, on] <- force[, on] + flow_force(state, kind)[, seq_along(on)]
   }
   force
 }

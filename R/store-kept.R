@@ -126,7 +126,7 @@ check_indices <- function(lattice) {
   if (!identical(as.double(lattice$nodes), as.double(engine$nodes)) || engine$nodes > points) {
     stop("its nodes do not fit")
   }
-  for (name in c("bar_part", "triangle_part", "sphere_part", "lift_part", "board_part")) {
+  for (name in c("bar_part", "cell_part", "sphere_part", "lift_part", "board_part")) {
     within(lattice[[name]], nrow(lattice$parts), name)
   }
   within(unlist(lattice$points), points, "points")

@@ -7,12 +7,12 @@
 #' settle another design from it.
 #'
 #' @details
-#' Dimensions are `node`, `bar`, `triangle` and `part`. Per node there are `x`, `y`, `z` (m; x aft,
+#' Dimensions are `node`, `bar`, `cell` and `part`. Per node there are `x`, `y`, `z` (m; x aft,
 #' y to starboard, z up from the water surface), `x_force`, `y_force`, `z_force` (N, the net force:
 #' on a held node the opposite of its support's), `held` and, of a state from a tow, velocities; per
-#' bar `bar_tension` (N, of one line); per triangle of netting `u_tension` and `v_tension` (N, of
-#' one twine). `bar_node` and `triangle_node` say which nodes they join, counted from 1, `bar_part`
-#' and `triangle_part` which of the parts in `part_name` they belong to. Numbers above that of the
+#' bar `bar_tension` (N, of one line); per cell of netting `u_tension` and `v_tension` (N, of
+#' one twine). `bar_node` and `cell_node` say which nodes they join, counted from 1, `bar_part`
+#' and `cell_part` which of the parts in `part_name` they belong to. Numbers above that of the
 #' last node are points that hang between two nodes. Per part there are `part_drag`, `part_side` and
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
@@ -44,8 +44,8 @@ write_state <- function(state, file) {
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
     sizes <- c(
       node = state$lattice$engine$nodes, bar = length(state$lattice$bar_part),
-      triangle = length(state$lattice$triangle_part), part = nrow(state$lattice$parts),
-      bar_end = 2L, corner = 3L, letter = max(nchar(enc2utf8(state$lattice$parts$name), "bytes")),
+      cell = length(state$lattice$cell_part), part = nrow(state$lattice$parts),
+      bar_end = 2L, corner = 4L, letter = max(nchar(enc2utf8(state$lattice$parts$name), "bytes")),
       kept_byte = length(numbers$kept_form$value), kept_number = length(numbers$kept_numbers$value),
       kept_integer = length(numbers$kept_integers$value)
     )
@@ -90,7 +90,7 @@ read_state <- function(file) {
 }
 
 # Format 1 held objects of R.
-state_file_version <- 6L
+state_file_version <- 7L
 
 define_state_number <- function(nc, name, number) {
   RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)
@@ -132,8 +132,8 @@ state_numbers <- function(state) {
     list(
       held = whole(as.integer(engine$held), "node", "1 where a node is held"),
       bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
-      u_tension = real(state$u_tension, "triangle", "N", "tension of one twine along u"),
-      v_tension = real(state$v_tension, "triangle", "N", "tension of one twine along v"),
+      u_tension = real(state$u_tension, "cell", "N", "tension of one twine along u"),
+      v_tension = real(state$v_tension, "cell", "N", "tension of one twine along v"),
       part_drag = real(drag$drag_kN, "part", "kN", "hydrodynamic force along the flow"),
       part_side = real(drag$side_kN, "part", "kN",
         "hydrodynamic force to starboard of the flow"),
@@ -141,10 +141,10 @@ state_numbers <- function(state) {
       bar_node = whole(matrix(engine$bars$node, 2L), c("bar_end", "bar"),
         "nodes that a bar joins, from 1"),
       bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
-      triangle_node = whole(matrix(engine$triangles$node, 3L), c("corner", "triangle"),
-        "nodes at a triangle's corners, from 1"),
-      triangle_part = whole(lattice$triangle_part, "triangle",
-        "part that a triangle belongs to, from 1"),
+      cell_node = whole(matrix(engine$cells$node, 4L), c("corner", "cell"),
+        "nodes at a cell's corners, from 1; of three the last stands twice"),
+      cell_part = whole(lattice$cell_part, "cell",
+        "part that a cell belongs to, from 1"),
       part_name = text(enc2utf8(lattice$parts$name), c("letter", "part"),
         "name of a part in the plan")
     ),

@@ -12,14 +12,14 @@
 #' goes on with it as if it had never stopped. `tow(file = )` writes the same file while it runs.
 #'
 #' @details
-#' Dimensions are `time`, `node`, `bar`, `triangle` and `part`. Per time and node there are `x`,
+#' Dimensions are `time`, `node`, `bar`, `cell` and `part`. Per time and node there are `x`,
 #' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and
-#' bar `bar_tension` (N, of one line); per time and triangle of netting `u_tension` and `v_tension`
-#' (N, of one twine), and `straight_tension` per triangle of hexagonal meshes, which are those that
-#' `hexagonal_triangle` numbers; with `shielding`, `wake` per point (the nodes, then the points that
+#' bar `bar_tension` (N, of one line); per time and cell of netting `u_tension` and `v_tension`
+#' (N, of one twine), and `straight_tension` per cell of hexagonal meshes, which are those that
+#' `hexagonal_cell` numbers; with `shielding`, `wake` per point (the nodes, then the points that
 #' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y`
-#' (m), `vessel_speed` (m/s) and `course` (rad). `bar_node` and `triangle_node` say which nodes they
-#' join, counted from 1, `bar_part` and `triangle_part` which of the parts in `part_name` they
+#' (m), `vessel_speed` (m/s) and `course` (rad). `bar_node` and `cell_node` say which nodes they
+#' join, counted from 1, `bar_part` and `cell_part` which of the parts in `part_name` they
 #' belong to. The attribute `plan` is the gear's plan as text. Read only times at which `complete`
 #' is 1.
 #'
@@ -71,7 +71,7 @@ read_trajectory <- function(file) {
 }
 
 # Formats up to 2 held objects of R.
-trajectory_file_version <- 9L
+trajectory_file_version <- 10L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
@@ -146,13 +146,13 @@ define_trajectory <- function(nc, what, frame) {
   kept <- kept_numbers(what)
   names <- enc2utf8(lattice$parts$name)
   sizes <- c(
-    node = engine$nodes, bar = length(frame$bar_tension), triangle = length(frame$u_tension),
-    hexagonal_triangle = length(frame$straight_tension), point = length(frame$wake),
+    node = engine$nodes, bar = length(frame$bar_tension), cell = length(frame$u_tension),
+    hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy = length(energy_parts),
     part = length(names), growing_part = length(frame$done$length),
     rupture = length(frame$done$broken), anchor = length(frame$done$anchor),
     component = 3L * engine$nodes,
-    slot = 2L, bar_end = 2L, corner = 3L, letter = max(nchar(names, "bytes")),
+    slot = 2L, bar_end = 2L, corner = 4L, letter = max(nchar(names, "bytes")),
     report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
     kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
   )
@@ -168,11 +168,11 @@ define_trajectory <- function(nc, what, frame) {
   define_records(define)
   define("bar_node", "NC_INT", c("bar_end", "bar"), words = "nodes that a bar joins, from 1")
   define("bar_part", "NC_INT", "bar", words = "part that a bar belongs to, from 1")
-  define("triangle_node", "NC_INT", c("corner", "triangle"),
-    words = "nodes at a triangle's corners, from 1")
-  define("triangle_part", "NC_INT", "triangle", words = "part that a triangle belongs to, from 1")
-  define("hexagonal_triangle", "NC_INT", "hexagonal_triangle",
-    words = "triangles of hexagonal meshes, from 1")
+  define("cell_node", "NC_INT", c("corner", "cell"),
+    words = "nodes at a cell's corners, from 1; of three the last stands twice")
+  define("cell_part", "NC_INT", "cell", words = "part that a cell belongs to, from 1")
+  define("hexagonal_cell", "NC_INT", "hexagonal_cell",
+    words = "cells of hexagonal meshes, from 1")
   define("part_name", "NC_CHAR", c("letter", "part"), words = "name of a part in the plan")
   define_resume(define)
   for (name in names(kept)) {
@@ -195,9 +195,9 @@ define_trajectory <- function(nc, what, frame) {
   put(nc, "end", 0L)
   put(nc, "bar_node", matrix(engine$bars$node, 2L))
   put(nc, "bar_part", lattice$bar_part)
-  put(nc, "triangle_node", matrix(engine$triangles$node, 3L))
-  put(nc, "triangle_part", lattice$triangle_part)
-  put(nc, "hexagonal_triangle", which(has_straight_bars(lattice)))
+  put(nc, "cell_node", matrix(engine$cells$node, 4L))
+  put(nc, "cell_part", lattice$cell_part)
+  put(nc, "hexagonal_cell", which(has_straight_bars(lattice)))
   put(nc, "part_name", names)
   for (name in names(kept)) put(nc, name, kept[[name]]$value)
 }

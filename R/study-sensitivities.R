@@ -193,7 +193,7 @@ tangent_work <- function(state) {
   work <- list(
     state = state, shape = state_shape(state), nodes = asked$nodes,
     netting = Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
-      list(NULL, "bars", "triangles")),
+      list(NULL, "bars", "cells")),
     cost = new.env(parent = emptyenv())
   )
   work$values <- plain_measures(measures(state))

@@ -21,8 +21,8 @@ conditions_text <- function(si) {
 
 size_text <- function(state) {
   e <- state$lattice$engine
-  sprintf("%d nodes, %d bars, %d netting triangles", e$nodes, length(e$bars$rest),
-    length(e$triangles$rest))
+  sprintf("%d nodes, %d bars, %d netting cells", e$nodes, length(e$bars$rest),
+    length(e$cells$rest))
 }
 
 measure_text <- function(measures) {

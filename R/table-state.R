@@ -15,11 +15,11 @@
 #' - `position` (3 x nodes, m) and `force` (3 x nodes, N): the net force on each node; on a held
 #'   node the reaction of its support is the opposite.
 #' - `bar_tension` (N, of one line), `bar_length` (m), and of the two families of twine in every
-#'   netting triangle `u_tension`, `u_length`, `v_tension`, `v_length` (of one mesh bar).
+#'   netting cell `u_tension`, `u_length`, `v_tension`, `v_length` (of one mesh bar).
 #' - `straight_tension`, `straight_length`: the same of the straight bars of hexagonal meshes, 0 in
-#'   other triangles.
+#'   other cells.
 #' - `forces`: force on every element (3 x elements, N) by name: from the flow `bar_drag`,
-#'   `triangle_drag`, `screen_force`, `blended_force`, `sphere_drag`, `lift_force`, `plate_force`
+#'   `cell_drag`, `screen_force`, `blended_force`, `sphere_drag`, `lift_force`, `plate_force`
 #'   (free otter boards and kites) and `pressure_force` (of the catch); from the sea bed
 #'   `contact_force` and `plate_ground_force`; buoyancy lost above the surface `volume_force`
 #'   and `plate_lost_buoyancy`.
@@ -29,8 +29,8 @@
 #' @param optional Not used.
 #' @param what Which table (give it by name, as `what = "drag"`):
 #'
-#'   - `"tensions"`: a row per bar and per family of twine in every netting triangle: `part`, `kind`
-#'     (rope or netting), `role`, `element` (number of the bar or triangle), `family` (bar, u or v;
+#'   - `"tensions"`: a row per bar and per family of twine in every netting cell: `part`, `kind`
+#'     (rope or netting), `role`, `element` (number of the bar or cell), `family` (bar, u or v;
 #'     straight in hexagonal meshes),
 #'     its middle `x_m`, `y_m`, `z_m`, `length_m` and `tension_kN` of one line, `lines` (how many
 #'     run in parallel) and `slack` (no tension).
@@ -72,11 +72,11 @@ line_table <- function(state) {
   parts <- state$lattice$parts
   lines <- state_lines(state)
   points <- state_points(state)
-  in_triangles <- element_middles(points, engine$triangles$node, 3L)
+  in_cells <- cell_middles(state$lattice, points)
   in_bars <- element_middles(points, engine$bars$node, 2L)
   in_bars <- in_bars[, lines$element[lines$family == "bar"], drop = FALSE]
-  middle <- cbind(in_bars, in_triangles, in_triangles,
-    in_triangles[, engine$triangles$straight > 0, drop = FALSE])
+  middle <- cbind(in_bars, in_cells, in_cells,
+    in_cells[, engine$cells$straight > 0, drop = FALSE])
   data.frame(
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,
@@ -97,10 +97,10 @@ node_table <- function(state) {
 # Names of the ropes and panels that meet at every node, in the order of the plan.
 node_parts <- function(lattice) {
   e <- lattice$engine
-  hexagon <- which(e$triangles$inner > 0L)
-  point <- c(e$bars$node, e$triangles$node, e$triangles$inner[hexagon])
-  part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$triangle_part, each = 3L),
-    lattice$triangle_part[hexagon])
+  hexagon <- which(e$cells$inner > 0L)
+  point <- c(e$bars$node, e$cells$node, e$cells$inner[hexagon])
+  part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$cell_part, each = 4L),
+    lattice$cell_part[hexagon])
   # What stands on a tied point meets both nodes that carry it.
   tied <- point > e$nodes
   tie <- point[tied] - e$nodes

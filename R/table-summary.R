@@ -25,7 +25,7 @@
 #'   - `boards`: data frame by free otter board ([board_table()]);
 #'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
 #'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
-#'   - `report`: the solver's report, with `nodes`, `bars` and `triangles`.
+#'   - `report`: the solver's report, with `nodes`, `bars` and `cells`.
 #' @examples
 #' summary(settle("towed_cable"))
 #' @export
@@ -43,7 +43,7 @@ summary.codend_state <- function(object, ...) {
       balance = balance_table(object),
       report = c(object$report, list(
         nodes = engine$nodes, bars = length(engine$bars$rest),
-        triangles = length(engine$triangles$rest)
+        cells = length(engine$cells$rest)
       ))
     ),
     class = "codend_summary"
@@ -183,8 +183,8 @@ balance_lines <- function(balance) {
 
 report_lines <- function(report) {
   c(
-    sprintf("  %d nodes, %d bars, %d netting triangles", report$nodes, report$bars,
-      report$triangles),
+    sprintf("  %d nodes, %d bars, %d netting cells", report$nodes, report$bars,
+      report$cells),
     sprintf(
       "  %s in %d steps: largest net force on a node %.1e of the largest tension; %.2f CPU seconds",
       if (report$converged) "Settled" else "Not settled", report$iterations, report$residual,

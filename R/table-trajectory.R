@@ -6,7 +6,7 @@
 #' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy,
 #' step);
 #' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
-#'   line), `u_tension` and `v_tension` (netting triangles x n) and `straight_tension` (triangles of
+#'   line), `u_tension` and `v_tension` (netting cells x n) and `straight_tension` (cells of
 #'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share
 #'   of the free flow's speed);
 #' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
@@ -79,8 +79,8 @@ part_tensions <- function(trajectory, k) {
   lattice <- trajectory$lattice
   parts <- lattice$parts
   of <- c(
-    lattice$bar_part, lattice$triangle_part, lattice$triangle_part,
-    lattice$triangle_part[has_straight_bars(lattice)]
+    lattice$bar_part, lattice$cell_part, lattice$cell_part,
+    lattice$cell_part[has_straight_bars(lattice)]
   )
   tension <- c(
     trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k],

@@ -9,7 +9,7 @@ frame_fields <- data.frame(
   within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
     "length", "broken", "energy"),
-  across = c("bar", "triangle", "triangle", "hexagonal_triangle", "point", "catch", "growing_part",
+  across = c("bar", "cell", "cell", "hexagonal_cell", "point", "catch", "growing_part",
     "rupture", "energy"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(

@@ -56,8 +56,8 @@ draw_optimum <- function(x, title, page) {
 # What figures of studies share.
 begin_study_page <- function(page) {
   graphics::par(
-    omi = c(0, 0, series_title + 0.05, 0), mai = c(0.45, 0.7, 0.3, 0.12), cex = 0.75,
-    mgp = c(1.9, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
+    omi = c(0, 0, series_title + 0.05, 0), mai = c(0.52, 0.7, 0.3, 0.12), cex = 0.75,
+    mgp = c(1.6, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
   )
 }
 

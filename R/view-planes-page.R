@@ -162,13 +162,6 @@ draw_legends <- function(figure, frame, page) {
   draw_key(symbols_used(figure$drawing$marks), left, page[1] - 0.1)
 }
 
-scale_heading <- function(scale, kind) {
-  paste0(
-    first_of(scale$words, if (kind == "rope") "Tension of ropes" else "Tension of one twine"),
-    if (!is.null(scale)) paste0(" (", scale$unit, ")")
-  )
-}
-
 # scale: NULL where all is slack.
 draw_colour_bar <- function(scale, kind, left, width, slack) {
   graphics::text(left, 0.72, scale_heading(scale, kind), adj = c(0, 0.5), font = 2, cex = 0.8)

@@ -5,7 +5,7 @@
 #' each. Where the warps make the gear much longer than its net, the net is drawn again, enlarged,
 #' if the page is high enough.
 #'
-#' Netting of triangles is drawn as the two twine directions through its cells, which are larger
+#' Netting of cells is drawn as the two twine directions through its cells, which are larger
 #' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about
 #' as far apart everywhere, and several bars or cells in a row are one line with their mean tension.
 #'

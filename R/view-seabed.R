@@ -1,25 +1,4 @@
-# The sea bed in pictures: seen from the side or from astern a line with the ground below it, in the
-# 3D view a plane.
-
-bed_colours <- c(ground = "#EDE6D8", line = "#8A7653")
-
-# Returns list(normal, height (m), middle = x and y (m) of the tenth of the gear that is nearest to
-# the bed: a slope is drawn where the gear lies on it), or NULL without a sea bed.
-drawn_bed <- function(state) {
-  ground <- state$si$ground
-  if (is.null(ground)) return(NULL)
-  above <- height_above_ground(ground, state$position)
-  near <- above <= stats::quantile(above, 0.1, names = FALSE)
-  list(
-    normal = ground$normal, height = ground$height,
-    middle = rowMeans(state$position[1:2, near, drop = FALSE])
-  )
-}
-
-# Heights (m) of the bed at places (2 x n, x and y, m).
-bed_heights <- function(bed, places) {
-  (bed$height - colSums(bed$normal[1:2] * places)) / bed$normal[3]
-}
+# The sea bed seen from the side or from astern: a line with the ground below it.
 
 # axes: of the view; usr: its limits (m); up: inches that it is high.
 draw_bed <- function(bed, axes, usr, up) {
@@ -36,19 +15,4 @@ draw_bed <- function(bed, axes, usr, up) {
   below <- height[1] - usr[3] > 0.16 * diff(usr[3:4]) / up
   graphics::text(usr[1], height[1], " sea bed", adj = c(0, if (below) 1.35 else -0.35),
     col = bed_colours[["line"]], cex = 0.75)
-}
-
-# The bed in a scene, over the ranges of what is drawn; none far below them.
-scene_bed <- function(bed, ranges) {
-  if (is.null(bed)) return(invisible())
-  x <- ranges[c(1, 2, 2, 1), 1]
-  y <- ranges[c(1, 1, 2, 2), 2]
-  z <- bed_heights(bed, rbind(x, y))
-  if (max(z) < ranges[1, 3] - 0.1 * longest_side(ranges)) return(invisible())
-  rgl::quads3d(x, y, z, color = bed_colours[["line"]], alpha = 0.2, lit = FALSE,
-    depth_mask = FALSE)
-  rgl::lines3d(x[c(1:4, 1)], y[c(1:4, 1)], z[c(1:4, 1)], color = bed_colours[["line"]], lwd = 1,
-    lit = FALSE)
-  rgl::texts3d(x[3], y[3], z[3], "sea bed", adj = c(1, -0.5), color = bed_colours[["line"]],
-    cex = 0.9)
 }

@@ -5,16 +5,16 @@ refined <- list(
   trawl_bars = list(
     label = "midwater trawl, bars", gear = function() read_gear("midwater_trawl"), netting = "bars"
   ),
-  trawl_triangles = list(
-    label = "midwater trawl, triangles", gear = function() read_gear("midwater_trawl"),
-    netting = "triangles"
+  trawl_cells = list(
+    label = "midwater trawl, cells", gear = function() read_gear("midwater_trawl"),
+    netting = "cells"
   ),
   panel_bars = list(
     label = "flat panel, bars", gear = function() read_gear("flat_panel"), netting = "bars"
   ),
-  panel_triangles = list(
-    label = "flat panel, triangles", gear = function() read_gear("flat_panel"),
-    netting = "triangles"
+  panel_cells = list(
+    label = "flat panel, cells", gear = function() read_gear("flat_panel"),
+    netting = "cells"
   )
 )
 

@@ -1,8 +1,8 @@
 # CPU seconds of a whole settle() against nodes, on logarithmic axes, with the slopes: SVG and PNG.
 
 cost_colours <- c(
-  trawl_bars = "#1b6ca8", trawl_triangles = "#c8553d", panel_bars = "#3f8f5b",
-  panel_triangles = "#8a6fb0"
+  trawl_bars = "#1b6ca8", trawl_cells = "#c8553d", panel_bars = "#3f8f5b",
+  panel_cells = "#8a6fb0"
 )
 
 # medians, exponents: of summarise_runs() and fit_exponents().

@@ -42,7 +42,7 @@ rows <- lapply(seq_len(count), function(number) {
   try_settling(paste("variation", number), variation$gear, variation$netting)$row
 })
 
-for (netting in c("bars", "triangles")) {
+for (netting in c("bars", "cells")) {
   found <- try_settling(paste("stiff ropes", netting), stiffen_ropes(), netting)
   rows <- c(rows, list(found$row))
 }

@@ -31,7 +31,7 @@ vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
       scale("ropes", name, field, between(0.9, 1.1))
     }
   }
-  netting <- sample(c("bars", "triangles"), 1)
+  netting <- sample(c("bars", "cells"), 1)
   with_length <- names(plan$ropes)[!vapply(plan$ropes, function(r) is.null(r$length), NA)]
   if (stats::runif(1) < 1 / 4) scale("ropes", sample(with_length, 1), "length", 0.95)
   lost <- if (stats::runif(1) < 1 / 8) sample(boards, 1)

@@ -37,7 +37,7 @@ towed <- function(name, state) {
 
 all <- do.call(rbind, lapply(gears()$name, function(name) {
   found <- settled(name)
-  more <- tryCatch(settled(name, "triangles")$rows, codend_error = function(e) NULL)
+  more <- tryCatch(settled(name, "cells")$rows, codend_error = function(e) NULL)
   rbind(found$rows, more, towed(name, found$state))
 }))
 all$value <- sprintf("%.17g", all$value)

@@ -1,137 +1,30 @@
-// Plays a trajectory: moves the lines and marks of the scene between kept times, by a slider, a
-// button and the keyboard (space plays and stops, arrows step, Home and End go to the ends).
-// data: time (s) and label per kept time; points (3 x points x times), lines (each with its rgl
-// object, the points at its ends, palette and colour numbers), marks (3 x marks x times), plates
-// (each with its rgl object, the mark it shows and, of a free board, its corners (3 x 4 x times)) and
-// balls (their rgl object and marks).
-function (el, x, data) {
-  var scene = el.rglinstance;
-  var times = data.time;
-  var last = times.length - 1;
+// Time in the viewer: a slider with a button that plays, keys (space plays and stops, comma and full
+// stop step between kept times, Home and End go to the ends) and a graph of a measure.
+window.codendView = window.codendView || {};
+window.codendView.motion = function (host, viewer, told) {
+  'use strict';
+  var times = told.times, last = times.length - 1;
   var longest = 20;  // seconds in which a whole tow plays, unless it is shorter
 
-  function bytes(text) {
-    return Uint8Array.from(atob(text.replace(/\s/g, '')), function (c) { return c.charCodeAt(0); });
+  function element(name, className, attributes) {
+    var made = document.createElement(name);
+    made.className = className;
+    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
+    return made;
   }
-  var points = new Float32Array(bytes(data.points).buffer);
-  var marks = new Float32Array(bytes(data.marks).buffer);
-  var pointCount = points.length / times.length;
-  var markCount = marks.length / times.length;
-  var lines = data.lines.map(function (line) {
-    return {
-      id: line.id, ends: new Int32Array(bytes(line.ends).buffer), colour: bytes(line.colour),
-      palette: line.palette
-    };
+  host.classList.add('moves');
+  var bar = element('div', 'view-time');
+  var button = element('button', 'view-button', { type: 'button' });
+  var slider = element('input', '', {
+    type: 'range', min: times[0], max: times[last], step: 'any', 'aria-label': 'Time'
   });
-
-  var plates = [].concat(data.plates || []).map(function (plate) {
-    return {
-      id: plate.id, mark: plate.mark,
-      corners: plate.corners && new Float32Array(bytes(plate.corners).buffer)
-    };
-  });
-
-  // Numbers of one moment: share of the way from kept time k to the next.
-  function between(all, count, k, share, i) {
-    var here = all[k * count + i];
-    return share > 0 ? here + share * (all[(k + 1) * count + i] - here) : here;
-  }
-
-  function ready(id) {
-    var object = scene.getObj(id);
-    if (!object.initialized) scene.initObj(object);
-    return object;
-  }
-
-  // rgl draws a thick line as copies of its ends, each of which also knows the other end.
-  function moveLines(line, k, share) {
-    var object = ready(line.id);
-    if (object.vOffsets.cofs < 0) {
-      object.colors = [object.colors[0], object.colors[0]];
-      scene.initObj(object);
-    }
-    var at = object.vOffsets;
-    var count = line.ends.length / 2;
-    var end = [0, 0, 0];
-    var other = [0, 0, 0];
-    for (var i = 0; i < line.ends.length; i++) {
-      for (var axis = 0; axis < 3; axis++) {
-        end[axis] = between(points, pointCount, k, share, 3 * line.ends[i] + axis);
-        other[axis] = between(points, pointCount, k, share, 3 * line.ends[i ^ 1] + axis);
-      }
-      var number = line.colour[(share < 0.5 ? k : k + 1) * count + (i >> 1)];
-      var copies = object.alias && object.alias[i] || [];
-      for (var c = -1; c < copies.length; c++) {
-        var start = (c < 0 ? i : copies[c]) * at.stride;
-        for (axis = 0; axis < 3; axis++) {
-          object.values[start + axis] = end[axis];
-          if (at.nextofs >= 0) object.values[start + at.nextofs + axis] = other[axis];
-          object.values[start + at.cofs + axis] = line.palette[axis][number];
-        }
-      }
-    }
-    upload(object);
-  }
-
-  function upload(object) {
-    var gl = scene.gl || scene.initGL();
-    gl.bindBuffer(gl.ARRAY_BUFFER, object.buf);
-    gl.bufferData(gl.ARRAY_BUFFER, object.values, gl.DYNAMIC_DRAW);
-  }
-
-  function markAt(mark, k, share) {
-    return [0, 1, 2].map(function (axis) {
-      return between(marks, markCount, k, share, 3 * (mark - 1) + axis);
-    });
-  }
-
-  function movePlate(plate, k, share) {
-    var object = ready(plate.id);
-    var to = markAt(plate.mark, k, share);
-    var from = markAt(plate.mark, 0, 0);
-    for (var i = 0; i < object.vertices.length; i++) {
-      for (var axis = 0; axis < 3; axis++) {
-        object.values[i * object.vOffsets.stride + axis] = plate.corners
-          ? between(plate.corners, 12, k, share, 3 * i + axis)
-          : object.vertices[i][axis] + to[axis] - from[axis];
-      }
-    }
-    upload(object);
-  }
-
-  function moveBalls(balls, k, share) {
-    var object = ready(balls.id);
-    [].concat(balls.mark).forEach(function (mark, i) {
-      var to = markAt(mark, k, share);
-      for (var axis = 0; axis < 3; axis++) {
-        object.values[i * object.vOffsets.stride + axis] = to[axis];
-      }
-    });
-  }
-
-  var bar = document.createElement('div');
-  bar.style.cssText = 'position: absolute; left: 14px; right: 14px; bottom: 12px; display: flex; ' +
-    'gap: 12px; align-items: center; font: 13px system-ui, sans-serif; color: #202428';
-  var button = document.createElement('button');
-  button.style.cssText = 'width: 70px; padding: 4px 0; border: 1px solid #8a949c; ' +
-    'border-radius: 4px; background: #ffffff; color: #202428; cursor: pointer';
-  var slider = document.createElement('input');
-  slider.type = 'range';
-  slider.min = times[0];
-  slider.max = times[last];
-  slider.step = 'any';
-  slider.value = times[0];
-  slider.style.cssText = 'flex: 1; cursor: pointer';
-  slider.setAttribute('aria-label', 'Time');
-  var label = document.createElement('div');
-  label.style.cssText = 'min-width: 210px; font-variant-numeric: tabular-nums';
+  var label = element('div', 'label');
   [button, slider, label].forEach(function (part) { bar.appendChild(part); });
-  el.appendChild(bar);
+  host.appendChild(bar);
 
-  var now = times[0];
-  var playing = null;
+  var now = times[0], playing = null;
 
-  function frameOf(time) {
+  function frame_of(time) {
     var k = 0;
     while (k < last - 1 && times[k + 1] <= time) k++;
     return k;
@@ -139,16 +32,13 @@ function (el, x, data) {
 
   function show(time) {
     now = Math.min(Math.max(time, times[0]), times[last]);
-    var k = frameOf(now);
-    var share = last > 0 ? (now - times[k]) / (times[k + 1] - times[k]) : 0;
-    lines.forEach(function (line) { moveLines(line, k, share); });
-    plates.forEach(function (plate) { movePlate(plate, k, share); });
-    if (data.balls) moveBalls(data.balls, k, share);
-    var text = data.label[share < 0.5 ? k : k + 1];
-    label.textContent = text;
+    var k = frame_of(now), share = (now - times[k]) / (times[k + 1] - times[k]);
+    viewer.time(k, share);
+    var words = told.labels[share < 0.5 ? k : k + 1];
+    label.textContent = words;
     slider.value = now;
-    slider.setAttribute('aria-valuetext', text);
-    scene.drawScene();
+    slider.setAttribute('aria-valuetext', words);
+    mark();
   }
 
   function stop() {
@@ -167,34 +57,31 @@ function (el, x, data) {
       var passed = playing.clock === null ? 0 : (clock - playing.clock) / 1000;
       playing.clock = clock;
       show(now + rate * passed);
-      if (now >= times[last]) return stop();
+      if (now >= times[last]) { stop(); return; }
       playing.request = window.requestAnimationFrame(tick);
     }
     playing.request = window.requestAnimationFrame(tick);
   }
 
-  function toggle() {
-    if (playing) stop(); else play();
-  }
+  function toggle() { if (playing) stop(); else play(); }
 
   // To the kept time before or after.
   function step(by) {
     stop();
-    var k = frameOf(now);
-    if (last > 0 && now >= times[last]) k = last;
+    var k = frame_of(now);
+    if (now >= times[last]) k = last;
     if (by < 0 && now > times[k]) k++;
     show(times[Math.min(Math.max(k + by, 0), last)]);
   }
 
-  button.onclick = toggle;
-  slider.oninput = function () { stop(); show(Number(slider.value)); };
-  // Keys count while the page's focus is here, so that a document around it keeps its own.
-  el.tabIndex = 0;
-  el.style.outline = 'none';
-  el.addEventListener('keydown', function (event) {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
+  button.addEventListener('click', toggle);
+  slider.addEventListener('input', function () { stop(); show(Number(slider.value)); });
+  host.addEventListener('keydown', function (event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || /^(SELECT|TEXTAREA)$/.test(event.target.tagName)) {
+      return;
+    }
     var act = {
-      ' ': toggle, ArrowLeft: function () { step(-1); }, ArrowRight: function () { step(1); },
+      ' ': toggle, ',': function () { step(-1); }, '.': function () { step(1); },
       Home: function () { stop(); show(times[0]); }, End: function () { stop(); show(times[last]); }
     }[event.key];
     // A focused button takes its own space bar.
@@ -202,8 +89,82 @@ function (el, x, data) {
     event.preventDefault();
     act();
   });
+  var keys = host.querySelector('.view-keys');
+  [['space', 'play, pause'], [', .', 'a kept time back, on'], ['Home, End', 'start, end']].forEach(function (one) {
+    ['kbd', 'span'].forEach(function (name, k) {
+      var made = element(name, '');
+      made.textContent = one[k];
+      keys.appendChild(made);
+    });
+  });
+
+  // ---- graph ------------------------------------------------------------------------------------
+
+  var cursor = null, wide = 300, tall = 92, left = 40, right = 8, top = 8, foot = 16;
+  function across(time) {
+    return left + (wide - left - right) * (time - times[0]) / (times[last] - times[0]);
+  }
+  function mark() {
+    if (!cursor) return;
+    cursor.setAttribute('x1', across(now));
+    cursor.setAttribute('x2', across(now));
+  }
+  var graph = told.graph || [];
+  if (graph.length) {
+    var box = element('div', 'view-graph');
+    var select = element('select', '', { 'aria-label': 'Measure to plot' });
+    graph.forEach(function (one, k) {
+      var option = element('option', '', { value: k });
+      option.textContent = one.words;
+      select.appendChild(option);
+    });
+    var space = 'http://www.w3.org/2000/svg', svg = document.createElementNS(space, 'svg');
+    svg.setAttribute('viewBox', '0 0 ' + wide + ' ' + tall);
+    svg.setAttribute('preserveAspectRatio', 'none');
+    svg.setAttribute('role', 'img');
+    box.appendChild(select);
+    box.appendChild(svg);
+    host.appendChild(box);
+    var draw = function () {
+      var one = graph[Number(select.value)], at = told.graph_times, known = one.values.filter(isFinite);
+      var low = Math.min.apply(null, known), high = Math.max.apply(null, known);
+      if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 0.5; high += 0.5; }
+      function up(value) { return top + (tall - top - foot) * (high - value) / (high - low); }
+      function add(name, attributes, words) {
+        var made = document.createElementNS(space, name);
+        Object.keys(attributes).forEach(function (key) { made.setAttribute(key, attributes[key]); });
+        if (words !== undefined) made.textContent = words;
+        svg.appendChild(made);
+        return made;
+      }
+      function words(x) { return String(Number(x.toPrecision(3))); }
+      svg.textContent = '';
+      svg.setAttribute('aria-label', one.words + ' from ' + words(low) + ' to ' + words(high));
+      add('path', { d: 'M' + left + ',' + top + 'V' + (tall - foot) + 'H' + (wide - right), fill: 'none', stroke: '#78838c' });
+      add('text', { x: left - 4, y: top + 6, 'text-anchor': 'end' }, words(high));
+      add('text', { x: left - 4, y: tall - foot, 'text-anchor': 'end' }, words(low));
+      add('text', { x: left, y: tall - 4 }, told.ends[0]);
+      add('text', { x: wide - right, y: tall - 4, 'text-anchor': 'end' }, told.ends[1]);
+      var path = one.values.map(function (value, k) {
+        return (k && isFinite(one.values[k - 1]) ? 'L' : 'M') + across(at[k]).toFixed(1) + ',' +
+          (isFinite(value) ? up(value).toFixed(1) : top);
+      }).join('');
+      add('path', { d: path, fill: 'none', stroke: '#0b6e99', 'stroke-width': 1.8, 'vector-effect': 'non-scaling-stroke' });
+      cursor = add('line', { y1: top, y2: tall - foot, stroke: '#b3005c', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke' });
+      mark();
+    };
+    select.addEventListener('change', draw);
+    var to = function (event) {
+      var at = svg.getBoundingClientRect(), x = (event.clientX - at.left) / at.width * wide;
+      stop();
+      show(times[0] + (times[last] - times[0]) * (x - left) / (wide - left - right));
+    };
+    svg.addEventListener('pointerdown', function (event) { svg.setPointerCapture(event.pointerId); to(event); });
+    svg.addEventListener('pointermove', function (event) { if (event.buttons) to(event); });
+    draw();
+  }
 
   stop();
   show(now);
-  el.focus({ preventScroll: true });
-}
+  return { show: show };
+};

@@ -1,36 +1,5 @@
-// A report's few moving parts: a still of the scene for paper, the wheel only for a scene that was
-// clicked, and the button that copies the plan.
+// The button that copies a report's plan.
 window.addEventListener('load', function () {
-  var element = document.getElementById('gear');
-  var frame = element && element.parentNode;
-
-  // WebGL keeps no picture after it has drawn: draw and take it at once.
-  function take() {
-    var scene = element && element.rglinstance;
-    if (!scene || !scene.canvas) return;
-    var still = frame.querySelector('.still');
-    if (!still) {
-      still = document.createElement('img');
-      still.className = 'still';
-      still.alt = '';
-      element.insertBefore(still, element.firstChild);
-    }
-    scene.drawScene();
-    still.src = scene.canvas.toDataURL('image/png');
-  }
-  setTimeout(take, 300);
-  window.addEventListener('beforeprint', take);
-
-  if (frame) {
-    var chosen = false;
-    document.addEventListener('pointerdown', function (event) {
-      chosen = frame.contains(event.target);
-    });
-    frame.addEventListener('wheel', function (event) {
-      if (!chosen) event.stopImmediatePropagation();
-    }, true);
-  }
-
   document.querySelectorAll('[data-copies]').forEach(function (button) {
     var said = button.nextElementSibling;
     var source = document.getElementById(button.dataset.copies);

@@ -29,7 +29,7 @@ class Random {
 };
 
 struct Ingredients {
-  int bars = 0, triangles = 0, bodies = 0, knots = 0, smooth_spheres = 0;
+  int bars = 0, cells = 0, bodies = 0, knots = 0, smooth_spheres = 0;
   int lifts_up = 0, lifts_sideways = 0;
   int hexagons = 0, pressed = 0, screens = 0, blended = 0, openings = 0, bends = 0;
   int plates = 0, contacts = 0, volumes = 0;
@@ -201,14 +201,13 @@ class Specimen {
       }
       model.sliding.push_back(rope);
     }
-    for (int e = 0; e < wanted.triangles; ++e) {
-      points(random, 3, model.triangles.node);
-      corners(random, model.triangles.twine);
-      model.triangles.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    for (int e = 0; e < wanted.cells; ++e) {
+      cell(random, model.cells.node, model.cells.twine);
+      model.cells.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
     }
-    model.triangles.rest.assign(wanted.triangles, 1.0);
-    model.triangles.material.assign(wanted.triangles, 0);
-    model.triangles.height.assign(wanted.triangles, 1.5);
+    model.cells.rest.assign(wanted.cells, 1.0);
+    model.cells.material.assign(wanted.cells, 0);
+    model.cells.height.assign(wanted.cells, 1.5);
     for (int s = 0; s < wanted.bodies + wanted.knots + wanted.smooth_spheres; ++s) {
       const bool smooth = s >= wanted.bodies + wanted.knots;
       points(random, 1, model.spheres.node);
@@ -255,6 +254,18 @@ class Specimen {
     }
   }
 
+  // Corners of a cell of 3 bars or so and their twine coordinates; every fourth has three corners.
+  void cell(Random& random, std::vector<int>& node, std::vector<double>& twine) {
+    points(random, 4, node);
+    const bool pointed = random.below(4) == 0;
+    if (pointed) node.back() = node[node.size() - 2];
+    const double turn = random.between(0.0, 6.28), lean = random.between(-0.3, 0.3);
+    for (const double angle : {turn, turn + 1.6 + lean, turn + 3.1, turn + (pointed ? 3.1 : 4.6)}) {
+      twine.push_back(3.0 * std::cos(angle));
+      twine.push_back(3.0 * std::sin(angle));
+    }
+  }
+
   void fill_netting(Random& random, const Ingredients& wanted) {
     for (int e = 0; e < wanted.hexagons; ++e) {
       points(random, 4, model.hexagons.node);
@@ -270,7 +281,7 @@ class Specimen {
       for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
     }
     for (int e = 0; e < wanted.screens; ++e) {
-      points(random, 3, model.screens.node);
+      cell(random, model.screens.node, model.screens.twine);
       // solidities from some 0.01 to beyond the laws' range
       model.screens.twine_area.push_back(random.between(0.01, 0.5));
       model.screens.overlap.push_back(random.below(2) ? 0.25 : 0.0);
@@ -280,8 +291,7 @@ class Specimen {
       model.screens.law.push_back(wanted.screen_law);
     }
     for (int e = 0; e < wanted.blended; ++e) {
-      points(random, 3, model.blended.node);
-      corners(random, model.blended.twine);
+      cell(random, model.blended.node, model.blended.twine);
       // some bars taut, some slack
       model.blended.rest.push_back(random.between(0.05, 0.6));
       model.blended.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
@@ -292,8 +302,7 @@ class Specimen {
     model.blended.materials = model.materials;
     model.blended.slack = wanted.slack;
     for (int e = 0; e < wanted.openings; ++e) {
-      points(random, 3, model.openings.node);
-      corners(random, model.openings.twine);
+      cell(random, model.openings.node, model.openings.twine);
       model.openings.couple.push_back(random.between(0.1, 2.0));
       model.openings.angle.push_back(random.between(0.0, 3.1));
       model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
@@ -329,9 +338,10 @@ class Specimen {
       const double rest = length * (r % 4 == 3 ? 1.1 : random.between(0.85, 0.95));
       for (const int b : rope.bar) model.bars.rest[b] = rest / 3.0;
     }
-    for (int e = 0; e < model.triangles.count(); ++e) {
-      const std::size_t k = static_cast<std::size_t>(model.bars.count() + 2 * e);
-      model.triangles.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + 1]});
+    for (int e = 0; e < model.cells.count(); ++e) {
+      const std::size_t k = static_cast<std::size_t>(model.bars.count() + e);
+      const std::size_t cells = static_cast<std::size_t>(model.cells.count());
+      model.cells.rest[e] = clear({1.0 + strain[k], 1.0 + strain[k + cells]});
     }
     const std::size_t first = static_cast<std::size_t>(model.hexagons.first_line);
     const std::size_t hexagons = static_cast<std::size_t>(model.hexagons.count());

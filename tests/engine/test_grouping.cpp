@@ -108,7 +108,7 @@ Totals totals(Panel& panel, const CylinderLaw& law, const Vector& current) {
     const Line<2> line = m.bars.line(b);
     out.twine += line.multiplicity * line.rest;
     out.energy +=
-        line.multiplicity * twine_energy(material, line.vector(panel.x.data()).norm(), line.rest);
+        line.multiplicity * twine_energy(material, line.length(panel.x.data()), line.rest);
   }
   return out;
 }

@@ -22,8 +22,8 @@ void append(std::vector<double>& to, const double* from, int count) {
 void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
          const BlockPattern& pattern, const std::vector<double>& points,
          const std::vector<double>& speeds, const std::vector<double>& moved, Found& out) {
-  Lines lines(model.materials, model.bars, model.triangles, model.hexagons, model.water,
-              model.slack, kernels);
+  Lines lines(model.materials, model.bars, model.cells, model.hexagons, model.water, model.slack,
+              kernels);
   lines.set_flow({points.data(), speeds.data(), &model.water});
   lines.move_to(points.data());
   std::vector<double> tension, modulus;  // that tell the lines' vectors from each other
@@ -32,13 +32,13 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
     modulus.push_back(5.0 + lines.arrays().strain[k]);
   }
   const BlockPlaces bars(free, pattern, {2, model.bars.node});
-  const BlockPlaces triangles(free, pattern, {3, model.triangles.node});
+  const BlockPlaces cells(free, pattern, {4, model.cells.node});
   const BlockPlaces hexagons(free, pattern, {4, model.hexagons.node});
   auto jacobian = [&](const JacobianRequest& request, const double* moduli,
                       std::vector<double>& values) {
     values.resize(9 * pattern.column.size());
     lines.add_jacobian(request, tension.data(), moduli, bars.into(values.data()),
-                       triangles.into(values.data()), hexagons.into(values.data()));
+                       cells.into(values.data()), hexagons.into(values.data()));
   };
   out.force.resize(points.size());
   out.dual_force.resize(points.size());
@@ -57,7 +57,7 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
 }
 
 // One element of a model, or all if it is -1.
-Model part(const Model& model, int bar, int triangle, int hexagon) {
+Model part(const Model& model, int bar, int cell, int hexagon) {
   Model out = model;
   auto keep = [](auto& values, int width, int element) {
     const auto begin = values.begin() + width * element;
@@ -68,14 +68,14 @@ Model part(const Model& model, int bar, int triangle, int hexagon) {
     keep(out.bars.rest, 1, bar);
     keep(out.bars.multiplicity, 1, bar);
     keep(out.bars.material, 1, bar);
-    out.triangles = {};
+    out.cells = {};
     out.hexagons = {};
-  } else if (triangle >= 0) {
-    keep(out.triangles.node, 3, triangle);
-    keep(out.triangles.twine, 6, triangle);
-    keep(out.triangles.rest, 1, triangle);
-    keep(out.triangles.multiplicity, 1, triangle);
-    keep(out.triangles.material, 1, triangle);
+  } else if (cell >= 0) {
+    keep(out.cells.node, 4, cell);
+    keep(out.cells.twine, 8, cell);
+    keep(out.cells.rest, 1, cell);
+    keep(out.cells.multiplicity, 1, cell);
+    keep(out.cells.material, 1, cell);
     out.bars = {};
     out.hexagons = {};
   } else if (hexagon >= 0) {
@@ -86,7 +86,7 @@ Model part(const Model& model, int bar, int triangle, int hexagon) {
     keep(out.hexagons.multiplicity, 1, hexagon);
     keep(out.hexagons.material, 1, hexagon);
     out.bars = {};
-    out.triangles = {};
+    out.cells = {};
   }
   out.prepare();
   return out;
@@ -105,7 +105,7 @@ void each_model(Check check) {
         CAPTURE(count);
         Ingredients wanted;
         wanted.bars = count;
-        wanted.triangles = 9 - count;
+        wanted.cells = 9 - count;
         wanted.hexagons = count % 4;
         wanted.law = law;
         wanted.layered = layered;
@@ -139,7 +139,7 @@ void check_places(const LineKernels& kernels) {
     Found together, alone;
     all(part(model, -1, -1, -1), kernels, together);
     for (int b = 0; b < model.bars.count(); ++b) all(part(model, b, -1, -1), kernels, alone);
-    for (int e = 0; e < model.triangles.count(); ++e) all(part(model, -1, e, -1), kernels, alone);
+    for (int e = 0; e < model.cells.count(); ++e) all(part(model, -1, e, -1), kernels, alone);
     for (int e = 0; e < model.hexagons.count(); ++e) all(part(model, -1, -1, e), kernels, alone);
     CHECK(together.force == alone.force);
     CHECK(together.dual_force == alone.dual_force);

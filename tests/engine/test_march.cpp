@@ -95,7 +95,7 @@ struct String {
     }
     model.each_line([&](const auto& line) {
       sum += line.multiplicity *
-             twine_energy(model.material(line), line.vector(motion.x.data()).norm(), line.rest);
+             twine_energy(model.material(line), line.length(motion.x.data()), line.rest);
     });
     return sum;
   }

@@ -11,7 +11,7 @@ using namespace codend;
 
 constexpr double pi = 3.14159265358979323846;
 
-// A square of two triangles with sides of 1 m whose normal stands at `angle` to a flow of `speed`
+// A square cell with sides of 1 m whose normal stands at `angle` to a flow of `speed`
 // along x, of netting of this solidity; its drag and lift over 1/2 rho A U^2.
 void coefficients(int law, double solidity, double angle, double reynolds, double& drag,
                   double& lift) {
@@ -25,14 +25,16 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   const double speed = reynolds * (1.0 - solidity) * water.viscosity / diameter;
   water.current = {Vector(speed, 0.0, 0.0)};
   NettingScreens screens;
-  screens.node = {0, 1, 2, 0, 2, 3};
-  screens.twine_area = {0.5 * solidity, 0.5 * solidity};
-  screens.overlap = {0.0, 0.0};
-  screens.diameter = screens.height = {diameter, diameter};
-  screens.multiplicity = {1.0, 1.0};
-  screens.law.assign(2, static_cast<NettingScreenLaw>(law));
+  screens.node = {0, 1, 2, 3};
+  screens.twine = {0.0, 0.0, 9.0, 0.0, 9.0, 9.0, 0.0, 9.0};
+  screens.twine_area = {solidity};
+  screens.overlap = {0.0};
+  screens.diameter = screens.height = {diameter};
+  screens.multiplicity = {1.0};
+  screens.law = {static_cast<NettingScreenLaw>(law)};
+  screens.prepare();
   const Field field{x, v, &water};
-  const Vector force = screens.element_force(0, field) + screens.element_force(1, field);
+  const Vector force = screens.element_force(0, field);
   const double unit = 0.5 * water.density * speed * speed;
   drag = force.x() / unit;
   lift = std::hypot(force.y(), force.z()) / unit;

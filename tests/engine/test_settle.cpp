@@ -78,7 +78,7 @@ struct Structure {
   }
   double tension(int bar) const {
     const Line<2> line = model.bars.line(bar);
-    return twine_tension(model.material(line), line.vector(x.data()).norm(), line.rest);
+    return twine_tension(model.material(line), line.length(x.data()), line.rest);
   }
 };
 
@@ -316,7 +316,7 @@ TEST_CASE("the same model settles to the same bytes") {
     Random random(20260445);
     Ingredients wanted;
     wanted.bars = 14;
-    wanted.triangles = 6;
+    wanted.cells = 6;
     wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 3;
     wanted.layered = true;
     wanted.axial_stiffness = 1e4;

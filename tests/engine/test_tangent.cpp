@@ -97,7 +97,7 @@ TEST_CASE("forwards and backwards the tangent is that of the assembly's own deri
   for (int repeat = 0; repeat < 20; ++repeat) {
     Ingredients wanted;
     wanted.bars = 30;
-    wanted.triangles = 4;
+    wanted.cells = 4;
     wanted.hexagons = 2;
     wanted.sliding = 1;
     wanted.plates = 1;

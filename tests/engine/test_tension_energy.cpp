@@ -9,10 +9,10 @@ namespace {
 
 using namespace codend;
 
-Ingredients in_vacuum(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
+Ingredients in_vacuum(int bars, int cells, int hexagons, int openings = 0, int bends = 0) {
   Ingredients wanted;
   wanted.bars = bars;
-  wanted.triangles = triangles;
+  wanted.cells = cells;
   wanted.hexagons = hexagons;
   wanted.openings = openings;
   wanted.bends = bends;
@@ -40,10 +40,10 @@ double strain_energy(Assembly& assembly, const Specimen& s) {
   return total;
 }
 
-void check_gradient(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
+void check_gradient(int bars, int cells, int hexagons, int openings = 0, int bends = 0) {
   Random random(20260411);
   for (int repeat = 0; repeat < 10; ++repeat) {
-    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings, bends));
+    Specimen s(random, in_vacuum(bars, cells, hexagons, openings, bends));
     Assembly assembly(s.model);
     std::vector<double> force(s.x.size());
     assembly.move_to(s.x.data(), s.v.data());
@@ -71,10 +71,10 @@ void check_gradient(int bars, int triangles, int hexagons, int openings = 0, int
   }
 }
 
-void check_momentum(int bars, int triangles, int hexagons, int openings = 0, int bends = 0) {
+void check_momentum(int bars, int cells, int hexagons, int openings = 0, int bends = 0) {
   Random random(20260412);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    Specimen s(random, in_vacuum(bars, triangles, hexagons, openings, bends));
+    Specimen s(random, in_vacuum(bars, cells, hexagons, openings, bends));
     Assembly assembly(s.model);
     std::vector<double> force(s.x.size());
     assembly.move_to(s.x.data(), s.v.data());
@@ -99,7 +99,7 @@ void check_momentum(int bars, int triangles, int hexagons, int openings = 0, int
 
 TEST_CASE("forces of bars are the gradient of their strain energy") { check_gradient(20, 0, 0); }
 
-TEST_CASE("forces of netting triangles are the gradient of their strain energy") {
+TEST_CASE("forces of netting cells are the gradient of their strain energy") {
   check_gradient(0, 20, 0);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("forces of bends are the gradient of their energy") { check_gradient(0
 
 TEST_CASE("tensions of bars have no sum and no moment") { check_momentum(20, 0, 0); }
 
-TEST_CASE("tensions of netting triangles have no sum and no moment") { check_momentum(0, 20, 0); }
+TEST_CASE("tensions of netting cells have no sum and no moment") { check_momentum(0, 20, 0); }
 
 TEST_CASE("tensions of hexagonal triangles have no sum and no moment") { check_momentum(0, 0, 12); }
 

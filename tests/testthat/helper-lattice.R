@@ -14,7 +14,7 @@ engine_array <- function(x, ...) {
 # Parts of the gear: data.frame(name, kind, role).
 parts_of <- function(x) lattice_of(x)$parts
 
-# Numbers of the parts (rows of parts_of()) that elements belong to; what: "bar", "triangle",
+# Numbers of the parts (rows of parts_of()) that elements belong to; what: "bar", "cell",
 # "sphere" or "board".
 part_of <- function(x, what) lattice_of(x)[[paste0(what, "_part")]]
 
@@ -29,8 +29,8 @@ nodes_at <- function(x, places) {
 # A rope's nodes and where they are, as shares of its length: list(node, at).
 along_rope <- function(x, rope) lattice_of(x)$ropes[[rope]]
 
-# How panels are divided, by name: each list(netting, and grid and cell of triangles, or node, i, j,
-# lambda and segments of bars).
+# How panels are divided, by name: each list(netting, and grid and places of cells in it, or node,
+# i, j, lambda and segments of bars).
 panels_of <- function(x) lattice_of(x)$panels
 panel_of <- function(x, name) panels_of(x)[[name]]
 
@@ -58,6 +58,6 @@ sketched_lattice <- function(place = NULL, ropes = list(), engine = list(), part
                              bar_part = integer()) {
   structure(list(
     place = place, ropes = lapply(ropes, function(node) list(node = node)), engine = engine,
-    parts = parts, bar_part = bar_part, triangle_part = integer()
+    parts = parts, bar_part = bar_part, cell_part = integer()
   ), class = "codend_lattice")
 }

@@ -56,3 +56,30 @@ test_folder <- function(frame = parent.frame()) {
   do.call(on.exit, list(bquote(unlink(.(folder), recursive = TRUE)), add = TRUE), envir = frame)
   folder
 }
+
+# Numbers of a scene (see packed()).
+unpacked <- function(text, what, size) {
+  bytes <- jsonlite::base64_dec(text)
+  readBin(bytes, what, length(bytes) / size, size = size, signed = size > 2, endian = "little")
+}
+
+# Series of a scene (see packed_series()) as series x times.
+unpacked_series <- function(told) {
+  bytes <- as.integer(memDecompress(jsonlite::base64_dec(told$text), "gzip"))
+  size <- length(bytes) / 2
+  x <- matrix(bytes[seq_len(size)] + 256 * bytes[size + seq_len(size)], told$count, byrow = TRUE)
+  for (k in seq_len(told$order)) x <- t(apply(x, 1L, cumsum))
+  x %% 65536
+}
+
+# Places of a scene at its k-th time (3 x n), and its values, as the viewer reads them.
+places_at <- function(told, k) {
+  if (!is.null(told$floats)) return(matrix(unpacked(told$floats, "double", 4), 3L))
+  floats <- function(field) unpacked(told[[field]], "double", 4)
+  matrix(floats("low") + floats("step") * unpacked_series(told$steps)[, k], 3L)
+}
+values_at <- function(told, k) {
+  root <- unpacked_series(told$steps)[, k]
+  root <- ifelse(root > 32767, root - 65536, root)
+  ifelse(root == -32768, NA, sign(root) * told$top * (root / 4095)^2)
+}

@@ -71,3 +71,13 @@ test_that("no two formats share a name or an extension", {
   expect_null(format_of_file("cable.obj"))
   expect_identical(format_of_file("A.VTU")$name, "vtu")
 })
+
+test_that("a new plan is printed, or written to a file", {
+  shown <- ran("new", "bottom_trawl", "head_line=30 m")
+  expect_identical(shown$status, 0L)
+  file <- tempfile(fileext = ".yaml")
+  expect_identical(ran("new", "bottom_trawl", "head_line=30 m", "--file", file)$status, 0L)
+  expect_identical(readLines(file), shown$out)
+  expect_identical(ran("new")$status, 2L)
+  expect_identical(ran("new", "bottom_trawl", "30 m")$status, 2L)
+})

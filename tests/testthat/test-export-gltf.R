@@ -16,7 +16,7 @@ on_screen <- function(light) {
 
 test_that("ropes and twines are lines in metres, with their colours and names", {
   folder <- test_folder()
-  for (netting in c("bars", "triangles")) {
+  for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     for (extension in c(".glb", ".gltf")) {
       file <- file.path(folder, paste0("net", extension))
@@ -40,11 +40,13 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
         expect_identical(colour,
           rep(toupper(tension_colours(scale, state$bar_tension[of_bars])), each = 2L))
       }
-      if (netting == "triangles") {
+      if (netting == "cells") {
         sheet <- gltf_primitives(found, "net")[[2]]
         expect_identical(sheet$mode, 4L)
+        # two triangles of every cell, all of four corners
+        corner <- matrix(engine_array(state, "cells", "node"), 4L)
         expect_equal(found$get(sheet$attributes$POSITION),
-          state_points(state)[, engine_array(state, "triangles", "node")], tolerance = 2^-23)
+          state_points(state)[, c(corner[1:3, ], corner[c(1, 3, 4), ])], tolerance = 2^-23)
       }
     }
   }

@@ -40,25 +40,25 @@ has_vtk <- function() {
 test_that("VTK's own reader finds every number that was written", {
   skip_if_not(has_vtk(), "VTK for Python is not installed")
   folder <- test_folder()
-  for (netting in c("bars", "triangles")) {
+  for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     file <- file.path(folder, "panel.vtu")
     expect_identical(write_vtk(state, file), file)
     found <- read_with_vtk(file)
     expect_identical(found$points, as.vector(state_points(state)))
     bars <- length(engine_array(state, "bars", "rest"))
-    triangles <- length(engine_array(state, "triangles", "rest"))
-    expect_identical(found$types[seq_len(bars + triangles)], rep(c(3L, 5L), c(bars, triangles)))
-    expect_true(all(found$types[-seq_len(bars + triangles)] == 1L))
-    corners <- c(engine_array(state, "bars", "node"), engine_array(state, "triangles", "node"))
+    cells <- length(engine_array(state, "cells", "rest"))
+    expect_identical(found$types[seq_len(bars + cells)], rep(c(3L, 9L), c(bars, cells)))
+    expect_true(all(found$types[-seq_len(bars + cells)] == 1L))
+    corners <- c(engine_array(state, "bars", "node"), engine_array(state, "cells", "node"))
     expect_identical(found$corners[seq_along(corners)] + 1L, corners)
     expect_identical(
-      found$cell$part_name[seq_len(bars + triangles)],
-      parts_of(state)$name[c(part_of(state, "bar"), part_of(state, "triangle"))]
+      found$cell$part_name[seq_len(bars + cells)],
+      parts_of(state)$name[c(part_of(state, "bar"), part_of(state, "cell"))]
     )
     expect_identical(found$cell$tension_N[seq_len(bars)], state$bar_tension)
-    if (triangles) {
-      expect_identical(found$cell$v_tension_N[bars + seq_len(triangles)], state$v_tension)
+    if (cells) {
+      expect_identical(found$cell$v_tension_N[bars + seq_len(cells)], state$v_tension)
     }
     expect_identical(
       matrix(found$point$force_N, 3L)[, seq_len(engine_array(state, "nodes"))], state$force
@@ -74,7 +74,7 @@ test_that("VTK's own reader finds every number that was written", {
 
 test_that("forces on cells and knots are all that the water does to the gear", {
   file <- file.path(test_folder(), "net.vtu")
-  for (netting in c("bars", "triangles")) {
+  for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     write_vtk(state, file)
     found <- read_raw_vtu(file)
@@ -94,7 +94,7 @@ test_that("forces on cells and knots are all that the water does to the gear", {
   }
 })
 
-test_that("slack and tension in triangles tell both families of twine", {
+test_that("slack and tension in cells tell both families of twine", {
   file <- file.path(test_folder(), "net.vtu")
   state <- settled("hung_panel")
   write_vtk(state, file)

@@ -91,7 +91,7 @@ test_that("a spread that is odd for the head line, and loose netting, show", {
   found <- expect_finding(narrow, "spread over head line", "rope head_line")
   spread <- measures(narrow)[["upper_wing_spread_m"]]
   expect_equal(found$value, spread / narrow$si$ropes$head_line$length)
-  slow <- quiet(update(gear, towing.speed = "0.2 knot"), nodes = 500)
+  slow <- quiet(update(gear, towing.speed = "0.01 knot"), nodes = 500)
   found <- expect_finding(slow, "slack netting", "netting")
   # what hangs loose is part of what is slack
   expect_lt(found$value, measures(slow)[["slack_netting_percent"]])
@@ -132,6 +132,15 @@ test_that("findings are told in the summary, the report and the record", {
   expect_error(findings(1), class = "codend_error_argument")
 })
 
+test_that("a weight that hangs on netting alone shows", {
+  cage <- update(read_gear("model_cage"), side_ropes = NULL)
+  found <- expect_finding(quiet(cage, nodes = 300), "weight on netting", "piece sinker_1")
+  expect_equal(found$value, 0.4)
+  # a rope along the edge will do as well
+  roped <- update(cage, bottom_rope = list(diameter = "2 mm", material = "polyamide"))
+  expect_false("weight on netting" %in% findings(quiet(roped, nodes = 300))$check)
+})
+
 test_that("a law outside what it was measured for warns", {
   gear <- update(read_gear("poly_noreastern_trawl"), netting_drag = "loland")
   expect_warning(state <- settle(gear, nodes = 500), class = "codend_warning_drag_law")
@@ -139,7 +148,7 @@ test_that("a law outside what it was measured for warns", {
   # a plane by hand: its normal 80 degrees from the flow
   tilt <- 80 * pi / 180
   plane <- list(si = list(towing = list(speed = 1), water = list(current = list(x = 0, y = 0))),
-    lattice = list(engine = list(triangles = list(node = 1:3))),
+    lattice = list(engine = list(cells = list(node = c(1:3, 3L)))),
     position = cbind(c(0, 0, 0), c(0, 2, 0), c(sin(tilt), 0, cos(tilt))))
   expect_equal(netting_to_flow(plane, 1L), list(angle = 80, area = 1))
   expect_gt(share, 50)

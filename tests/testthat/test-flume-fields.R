@@ -37,9 +37,9 @@ test_that("choices and truth values are controls too", {
   plan <- read_gear("midwater_trawl")$plan
   controls <- plan_controls(plan, list("netting", "sections.section_1.knotted"))
   found <- controls[vapply(controls, function(c) c$kind != "number", NA)]
-  expect_identical(found[[1]]$choices, c("triangles", "bars"))
+  expect_identical(found[[1]]$choices, c("cells", "bars", "triangles"))
   expect_identical(found[[2]]$value, FALSE)
-  expect_error(control_value(found[[1]], list(value = "ropes")), "one of triangles, bars",
+  expect_error(control_value(found[[1]], list(value = "ropes")), "one of cells, bars",
     class = "codend_error_plan")
   expect_error(control_value(found[[2]], list(value = 1)), "yes or no", class = "codend_error_plan")
 })

@@ -13,7 +13,7 @@ test_that("defaults are filled in and units resolved", {
   expect_identical(si$water$current, data.frame(depth = 0, x = 0, y = 0))
   expect_identical(si$towing$speed, 0)
   expect_identical(si[c("netting", "slack_twine")],
-    list(netting = "triangles", slack_twine = "curved"))
+    list(netting = "cells", slack_twine = "curved"))
   expect_identical(si$points$knot$load, c(0, 0, 0))
   net <- si$panels$net
   expect_equal(net$mesh_size, 0.1, tolerance = 1e-15)

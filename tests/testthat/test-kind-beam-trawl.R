@@ -23,7 +23,9 @@ test_that("a beam trawl is as wide and high as its frame, at every division and 
   # at 2 knot nothing lifts the shoes off the sea bed, into which they sink by less than 20 mm
   expect_lt(found[["beam_height_m"]], 0.6)
   expect_gt(found[["beam_height_m"]], 0.58)
-  # the net hangs from the beam's ends: the head line sags a little between them
+  # the net hangs from the beam's ends: the head line sags a little between them (with 400 nodes it
+  # is 10 % too high, with 5,000 at 0.598 m)
+  found <- measures(settle(update(trawl, towing.speed = "2 knot"), nodes = 1500))
   expect_equal(found[["headline_height_m"]], found[["beam_height_m"]], tolerance = 0.05)
 })
 

@@ -57,7 +57,7 @@ test_that("the shipped trawl meets the three published figures with both kinds o
   paper <- c(net_mouth_height_m = 105, wing_end_spread_m = 113, door_spread_m = 151.89)
   gear <- read_gear("midwater_trawl")
   for (nodes in c(1500, 5000)) {
-    for (netting in c("bars", "triangles")) {
+    for (netting in c("bars", "cells")) {
       found <- measures(settle(gear, nodes = nodes, netting = netting))
       off <- unlist(as.list(found)[names(paper)]) / paper - 1
       expect_lt(max(abs(off)), if (netting == "bars") 0.03 else 0.05,
@@ -83,7 +83,7 @@ test_that("the shipped trawl is one that is rigged", {
 
 test_that("the shipped trawl settles at half and twice its speed and warp length", {
   trawl <- read_gear("midwater_trawl")
-  for (netting in c("bars", "triangles")) {
+  for (netting in c("bars", "cells")) {
     for (warp in c(350, 1400)) {
       for (speed in c("2.25 knot", "9 knot")) {
         changed <- update(trawl, towing.speed = speed, warps.length = warp)

@@ -90,7 +90,7 @@ test_that("a seine settles where it would if it had sunk, and ends where it find
   state <- settle(gear, nodes = 300)
   si <- codend:::gear_si(gear)
   # a quarter of an hour in the current, then settled: never from a crude layout
-  start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "triangles")
+  start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "cells")
   method <- codend:::tow_method("bdf2", 0.5, NULL)
   sunk <- codend:::last_shape(codend:::march_trajectory(start, 900, 900, method))
   found <- codend:::settle_level(si, 300, NULL, sunk, 800L, function(...) NULL)

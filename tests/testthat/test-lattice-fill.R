@@ -32,7 +32,7 @@ test_that("a lattice is built anew where more than the conditions has changed", 
   gear <- read_gear("midwater_trawl")
   shape <- state_shape(settle(gear, nodes = 300))
   expect_null(fill_lattice(gear_si(gear), 301, NULL, shape))
-  expect_null(fill_lattice(gear_si(gear), 300, "triangles", shape))
+  expect_null(fill_lattice(gear_si(gear), 300, "cells", shape))
   for (change in list(
     list("warps.length", "720 m"), list("otter_boards.mass", "4.1 tonne"),
     list("water.density", "1000 kg/m3"), list("water.free_surface", FALSE)

@@ -27,7 +27,7 @@ beam_plan <- function(netting, orientation = "diamond") {
 }
 
 test_that("meshes are held evenly on the line between the points, in both nettings", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     si <- gear_si(as_gear(beam_plan(netting)))
     lattice <- build_lattice(si, nodes = 400)
     edge <- held_edge_of(lattice, "beam")
@@ -44,7 +44,7 @@ test_that("meshes are held evenly on the line between the points, in both nettin
 })
 
 test_that("the points of a beam bear what hangs from it, with its moments", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- settle(as_gear(beam_plan(netting)), nodes = 200)
     reactions <- as.data.frame(state, what = "reactions")
     expect_identical(reactions$point, c("port", "starboard"))
@@ -101,7 +101,7 @@ test_that("four edges held on a frame hold all but the inside", {
 })
 
 test_that("a beam does not run through a place that is held already", {
-  plan <- beam_plan("triangles")
+  plan <- beam_plan("cells")
   plan$points$post <- list(at = "small.upper_left", position = c(0, 0, 5), held = "fixed")
   error <- tryCatch(settle(as_gear(plan)), codend_error_plan = identity)
   expect_s3_class(error, "codend_error_plan")
@@ -154,7 +154,7 @@ test_that("knotted netting weighs what the published table says, with both kinds
     ))
   }
   mass <- function(gear, netting) sum(build_lattice(gear_si(gear), 300, netting)$engine$mass)
-  for (netting in c("bars", "triangles")) {
+  for (netting in c("bars", "cells")) {
     ratio <- mapply(function(mesh, twine) {
       mass(plan(mesh, twine, TRUE), netting) / mass(plan(mesh, twine, FALSE), netting)
     }, published$mesh, published$twine)

@@ -18,17 +18,17 @@ lay_flat <- function(si, across, down, angle, speed = 0, inner = 0) {
   si$towing$speed <- speed
   lattice <- build_lattice(si)
   grid <- panel_of(lattice, "net")$grid
-  triangles <- engine_array(lattice, "triangles")
+  cells <- engine_array(lattice, "cells")
   net <- si$panels$net
   s <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper * across
   t <- (col(grid) - 1) / (ncol(grid) - 1) * net$deep * down
   x <- matrix(0, 3L, engine_array(lattice, "nodes"))
   way <- c(cos(angle), 0, -sin(angle))
   x[, grid] <- outer(way, as.vector(t)) + outer(c(0, 1, 0), as.vector(s))
-  some <- triangles$inner > 0
-  corners <- matrix(triangles$node, 3L)[, some, drop = FALSE]
+  some <- cells$inner > 0
+  corners <- matrix(cells$node, 4L)[, some, drop = FALSE]
   middle <- (x[, corners[1, ]] + x[, corners[2, ]] + x[, corners[3, ]]) / 3
-  x[, triangles$inner[some]] <- middle + way * inner
+  x[, cells$inner[some]] <- middle + way * inner
   c(list(x = x, lattice = lattice, si = si),
     engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x))))
 }
@@ -47,7 +47,7 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
     flat <- if (turned) lay_flat(si, long, wide, angle, 0.7) else
       lay_flat(si, wide, long, angle, 0.7, inner = straight)
     if (turned) {
-      inner <- engine_array(flat, "triangles", "inner")
+      inner <- engine_array(flat, "cells", "inner")
       flat$x[2, inner] <- flat$x[2, inner] + straight
       flat[c("forces", "straight_length", "u_length", "v_length")] <- engine_evaluate(
         engine_array(flat), as.vector(flat$x), numeric(length(flat$x))
@@ -78,7 +78,7 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
       bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
       bar(cos(pi / 6) * along - sin(pi / 6) * aside, oblique))
     # the same sum in another order
-    expect_equal(rowSums(matrix(flat$forces$triangle_drag, 3L)), wanted, tolerance = 1e-11)
+    expect_equal(rowSums(matrix(flat$forces$cell_drag, 3L)), wanted, tolerance = 1e-11)
   }
 })
 
@@ -140,7 +140,7 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
     for (law in names(wanted)) {
       si <- do.call(flat_net, c(list(netting_drag = law), knots))
       flat <- lay_flat(si, across, down, pi / 2 - theta, 0.7)
-      expect_equal(sum(abs(flat$forces$triangle_drag)) + sum(abs(flat$forces$sphere_drag)), 0)
+      expect_equal(sum(abs(flat$forces$cell_drag)) + sum(abs(flat$forces$sphere_drag)), 0)
       force <- rowSums(matrix(flat$forces$screen_force, 3L)) / (0.5 * 1025 * area * 0.7^2)
       # the normal that faces downstream points along x and up, so lift goes up
       expect_equal(force, c(wanted[[law]][1], 0, wanted[[law]][2]), tolerance = 1e-10)
@@ -152,7 +152,7 @@ test_that("blended netting passes from its twines to the screen and back", {
   force <- function(law, ratio, theta) {
     si <- flat_net(netting_drag = law)
     flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
-    rowSums(matrix(unlist(flat$forces[c("triangle_drag", "screen_force", "blended_force")]), 3L))
+    rowSums(matrix(unlist(flat$forces[c("cell_drag", "screen_force", "blended_force")]), 3L))
   }
   degrees <- pi / 180
   # the same sums in another order
@@ -200,14 +200,11 @@ test_that("the force of stiff meshes is what their energy says", {
   }
 })
 
-test_that("netting that must be of triangles is not made of bars", {
-  for (field in list(list(netting_drag = "loland"), list(netting_drag = "blended"),
-    list(opening_stiffness = list(couple = 1, angle = 1)))) {
-    si <- do.call(flat_net, field)
-    expect_error(build_lattice(si, netting = "bars"), "triangles", class = "codend_error_plan")
-  }
+test_that("netting that must be of cells is not made of bars", {
+  si <- flat_net(opening_stiffness = list(couple = 1, angle = 1))
+  expect_error(build_lattice(si, netting = "bars"), "cells", class = "codend_error_plan")
   si <- flat_net(orientation = "hexagonal")
-  expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "triangles")
+  expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "cells")
   expect_equal(si$panels$net$straight_bar, 0.03)
 })
 
@@ -222,4 +219,65 @@ test_that("fields of hexagons are refused where they mean nothing", {
     "`panels.net.orientation` is diamond")
   expect_plan_error("twine: {", "orientation: hexagonal\n    straight_bar: 50 mm\n    twine: {",
     "panels.net.straight_bar", "less than half the mesh size, 0.05 m")
+})
+
+test_that("sheets between bars cover their panel and have the drag of cells", {
+  shapes <- list(
+    rectangle = list(), tapered = list(meshes = list(upper = 24, lower = 11, deep = 36)),
+    pointed = list(meshes = list(upper = 24, lower = 0, deep = 36)),
+    square = list(orientation = "square")
+  )
+  for (name in names(shapes)) {
+    for (law in c("aarsnes", "blended")) {
+      si <- do.call(flat_net, c(list(netting_drag = law), shapes[[name]]))
+      net <- si$panels$net
+      meshes <- (net$upper + net$lower) / 2 * net$deep
+      size <- if (name == "square") c(0.06, 0.06) else 0.12 * c(0.45, sqrt(1 - 0.45^2))
+      theta <- 1.25
+      way <- c(cos(pi / 2 - theta), 0, -sin(pi / 2 - theta))
+      force <- lapply(c("cells", "bars"), function(netting) {
+        si$towing$speed <- 0.7
+        lattice <- build_lattice(si, nodes = 150, netting = netting)
+        drawn <- panel_of(lattice, "net")
+        x <- matrix(0, 3L, engine_array(lattice, "nodes"))
+        put <- function(node, i, j) {
+          inside <- node <= ncol(x) & node > 0
+          x[, node[inside]] <<- outer(way, j[inside] * size[2]) +
+            outer(c(0, 1, 0), i[inside] * size[1])
+        }
+        # all nodes lie on the panel's edges or are knots
+        division <- division_of(lattice)
+        edge <- rep(1:4, division$count)
+        f <- division$fraction
+        j <- c(0, net$deep, NA, NA)[edge]
+        j[edge > 2] <- f[edge > 2] * net$deep
+        left <- panel_left(net, j)
+        right <- panel_right(net, j)
+        i <- ifelse(edge <= 2, left + f * (right - left), ifelse(edge == 3, left, right))
+        put(division$edge_node, i, j)
+        if (netting == "bars") {
+          put(drawn$node, drawn$i, drawn$j)
+        } else {
+          s <- (row(drawn$grid) - 1) / (nrow(drawn$grid) - 1)
+          j <- (col(drawn$grid) - 1) / (ncol(drawn$grid) - 1) * net$deep
+          i <- panel_left(net, j) + s * (panel_right(net, j) - panel_left(net, j))
+          put(as.vector(drawn$grid), as.vector(i), as.vector(j))
+        }
+        found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
+        area <- if (law == "aarsnes") sum(engine_array(lattice, "screens", "twine_area")) else {
+          twine <- matrix(engine_array(lattice, "blended", "twine"), 8L)
+          sum(cell_area(twine[c(1, 3, 5, 7), ], twine[c(2, 4, 6, 8), ]))
+        }
+        # all of the panel's twine, and no more
+        expect_equal(area, meshes * if (law == "aarsnes") {
+          0.12 * (if (name == "square") 1 else 2) * 0.002
+        } else if (name == "square") 1 else 2, tolerance = 1e-9, label = paste(name, netting))
+        expect_equal(sum(abs(found$forces$bar_drag)), 0)
+        rowSums(matrix(
+          found$forces[[if (law == "aarsnes") "screen_force" else "blended_force"]], 3L))
+      })
+      # the same flat panel, divided otherwise: sums of some hundred terms in another order
+      expect_equal(force[[2]], force[[1]], tolerance = 1e-9, label = paste(name, law))
+    }
+  }
 })

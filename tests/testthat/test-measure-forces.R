@@ -52,7 +52,7 @@ test_that("a hung panel pulls by its weight, twine by twine", {
 test_that("weights of parts add up to the lattice's", {
   states <- c(
     lapply(shipped_states, shipped_state),
-    lapply(c("triangles", "bars"), function(netting) {
+    lapply(c("cells", "bars"), function(netting) {
       settled("panel_in_current", nodes = 200, netting = netting)
     })
   )
@@ -87,7 +87,7 @@ test_that("drag of the sphere on a towed cable is that of its area", {
 test_that("all forces balance", {
   states <- c(
     lapply(shipped_states, shipped_state),
-    lapply(c("triangles", "bars"), function(netting) {
+    lapply(c("cells", "bars"), function(netting) {
       settled("panel_in_current", nodes = 200, netting = netting)
     }),
     list(settled("hung_panel"))
@@ -140,17 +140,17 @@ test_that("drag totals group netting, ropes, otter boards, catch and fittings", 
 
 test_that("slack twine is counted by its length", {
   state <- settled("hung_panel")
-  triangles <- length(state$u_tension)
-  # 4 columns of 8 rows, all triangles alike
-  expect_equal(triangles, 64)
+  cells <- length(state$u_tension)
+  # 4 columns of 8 rows, all cells alike
+  expect_equal(cells, 32)
   slack <- function(u, v) {
     state$u_tension <- u
     state$v_tension <- v
     c(slack_table(state)$slack_percent, measures(state)[["slack_netting_percent"]])
   }
-  none <- rep(0, triangles)
-  all <- rep(1, triangles)
-  quarter <- rep(c(0, 1, 1, 1), triangles / 4)
+  none <- rep(0, cells)
+  all <- rep(1, cells)
+  quarter <- rep(c(0, 1, 1, 1), cells / 4)
   expect_equal(slack(all, all), c(0, 0))
   expect_equal(slack(none, none), c(100, 100))
   expect_equal(slack(quarter, all), c(12.5, 12.5))

@@ -109,6 +109,6 @@ test_that("a record of a state goes into JSON and back", {
   back <- jsonlite::fromJSON(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA))
   expect_equal(back, record)
   expect_true(back$converged)
-  expect_equal(back[c("nodes", "bars", "triangles")], list(nodes = 201, bars = 200, triangles = 0))
+  expect_equal(back[c("nodes", "bars", "cells")], list(nodes = 201, bars = 200, cells = 0))
   expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
 })

@@ -41,6 +41,49 @@ test_that("a file is written whole or not at all", {
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "plan.yaml")
   expect_identical(
     paste0(readLines(file.path(folder, "plan.yaml"), encoding = "UTF-8"), "\n", collapse = ""),
-    format(gear)
+    format(gear, remarks = TRUE)
   )
+})
+
+test_that("remarks and layout stay where a plan changes", {
+  gear <- read_gear("poly_noreastern_trawl")
+  source <- readLines(gear$file, encoding = "UTF-8")
+  expect_identical(strsplit(format(gear, remarks = TRUE), "\n", fixed = TRUE)[[1]], source)
+  changed <- update(gear,
+    towing.speed = "3.5 knot", sections.codend.mesh_size = "40 mm", floats.number = 25,
+    bridles.middle = NULL, otter_boards.drag_coefficient = 0.6,
+    footrope_extensions = list(length = "5 m", diameter = 0.1, material = "steel_wire"),
+    warps = list(length = "300 m", diameter = 0.02, material = "steel_wire"),
+    belly_lines.until = NULL, towing = list(speed = 2), sections.body.back = list(knotted = FALSE)
+  )
+  file <- tempfile(fileext = ".yaml")
+  write_gear(changed, file)
+  expect_identical(read_gear(file)$plan, changed$plan)
+  lines <- readLines(file, encoding = "UTF-8")
+  marks <- function(lines) sub("^[^#]*", "", lines[grepl("#", lines, fixed = TRUE)])
+  # of the remarks only those on lines that are gone are gone
+  gone <- grepl("volume_per_length|mass_per_length: 7 kg", source)
+  gone <- gone[grepl("#", source, fixed = TRUE)]
+  expect_identical(marks(lines), marks(source)[!gone])
+  expect_true("  number: 25                            # [published]" %in% lines)
+})
+
+test_that("any change of any shipped plan reads back as it is", {
+  # every field taken out, and every number changed, whether the gear is possible or not
+  for (name in c("towed_cable", "gillnet", "t90_codend", "model_cage", "purse_seine")) {
+    text <- paste(c(readLines(shipped_plans()[[name]], encoding = "UTF-8"), ""), collapse = "\n")
+    plan <- plan_of_bytes(charToRaw(text), name)
+    kept <- 0
+    for (field in names(plan)) {
+      without <- plan[names(plan) != field]
+      changed <- without
+      changed$new_field <- list(a = "1 m", b = list(c = c(1, 2), d = list(list(e = "x: y"))))
+      for (wanted in list(without, changed)) {
+        found <- edited_text(text, wanted)
+        expect_identical(plan_of_bytes(charToRaw(found), name), wanted, label = paste(name, field))
+        kept <- kept + grepl("#", found, fixed = TRUE)
+      }
+    }
+    expect_gt(kept, 0)
+  }
 })

@@ -1,5 +1,5 @@
 test_that("every line ends in points of the state and carries a tension of its part", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- unsettled(sheets_plan, nodes = 300, netting = netting)
     points <- state_points(state)
     drawing <- state_drawing(state)
@@ -26,11 +26,11 @@ test_that("ropes and netting of bars are drawn bar by bar", {
   expect_equal(length, state$bar_length[ropes], tolerance = 1e-12)
 })
 
-test_that("triangles lie in the cells that their nodes bound", {
+test_that("cells lie in the panel's grid where their nodes bound them", {
   state <- unsettled(sheets_plan, nodes = 300)
   lattice <- state$lattice
   for (name in names(panels_of(lattice))) {
-    mine <- elements_of(lattice, "triangle", name)
+    mine <- elements_of(lattice, "cell", name)
     grid <- panel_of(lattice, name)$grid
     cell <- panel_of(lattice, name)$cell
     expect_length(cell, length(mine))
@@ -38,7 +38,7 @@ test_that("triangles lie in the cells that their nodes bound", {
     row <- col(grid)[cell]
     expect_equal(range(column), c(1, nrow(grid) - 1))
     expect_equal(range(row), c(1, ncol(grid) - 1))
-    node <- matrix(engine_array(lattice, "triangles", "node"), 3L)[, mine, drop = FALSE]
+    node <- matrix(engine_array(lattice, "cells", "node"), 4L)[, mine, drop = FALSE]
     inside <- vapply(seq_along(mine), function(k) {
       all(node[, k] %in% grid[column[k] + 0:1, row[k] + 0:1])
     }, NA)
@@ -46,18 +46,18 @@ test_that("triangles lie in the cells that their nodes bound", {
   }
 })
 
-test_that("a cell's lines carry its own triangles' tensions", {
+test_that("a cell's lines carry its own tensions", {
   state <- unsettled(sheets_plan, nodes = 300)
-  # Tensions that tell the row of the panel: the mean depth of the triangle in mesh coordinates.
-  twine <- matrix(engine_array(state, "triangles", "twine"), 6L)
-  state$u_tension <- colMeans(twine[c(1, 3, 5), ] + twine[c(2, 4, 6), ]) / 2
+  # Tensions that tell the row of the panel: the mean depth of the cell in mesh coordinates.
+  twine <- matrix(engine_array(state, "cells", "twine"), 8L)
+  state$u_tension <- colMeans(twine[c(1, 3, 5, 7), ] + twine[c(2, 4, 6, 8), ]) / 2
   state$v_tension <- state$u_tension + 1000
   part <- which(parts_of(state)$name == "top")
   lines <- panel_cell_lines(state, state_points(state), "top", part, 1)
   grid <- panel_of(state, "top")$grid
   cells <- prod(dim(grid) - 1)
   expect_length(lines$tension, 2 * cells)
-  # Both triangles of a cell weigh alike but for the taper, so a row's mean is its middle.
+  # A row's middle, but for the taper.
   row <- rep(seq_len(ncol(grid) - 1), each = nrow(grid) - 1)
   deep <- state$si$panels$top$deep
   expect_equal(lines$tension[seq_len(cells)], (row - 0.5) * deep / max(row), tolerance = 0.02)
@@ -78,7 +78,7 @@ test_that("twines of square meshes run along the cells, of diamond meshes across
 })
 
 test_that("a net too fine for a page is thinned to the lines asked for", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- unsettled(sheets_plan, nodes = 3000, netting = netting)
     points <- state_points(state)
     whole <- state_drawing(state)

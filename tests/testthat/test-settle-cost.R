@@ -6,7 +6,7 @@
 settling_steps <- data.frame(
   name = c("towed_cable", "crossing_cables", "flat_panel", "flat_panel", "midwater_trawl",
     "midwater_trawl", "midwater_trawl"),
-  netting = c("bars", "bars", "bars", "triangles", "bars", "triangles", "bars"),
+  netting = c("bars", "bars", "bars", "cells", "bars", "cells", "bars"),
   nodes = c(500, 500, 500, 500, 500, 500, 10000),
   steps = c(12, 6, 19, 18, 39, 25, 44),
   most = c(18, 9, 29, 27, 78, 50, 88)

@@ -39,7 +39,7 @@ test_that("the laws are as printed", {
     loland = function(sn) 1 - 0.46 * (0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3),
     cheng = function(sn) (1 + 0.05 - 0.38 * sn) / (1 + 0.05)
   )
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     for (law in names(laws)) {
       state <- settle(sheets(law), nodes = 400, netting = netting)
       # Twine of 2 mm, bars of 20 mm: Sn = 0.2 as the sum of its twine, less where it is stretched.
@@ -51,7 +51,7 @@ test_that("the laws are as printed", {
       # half as
       # much: 2 %.
       expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
-        tolerance = c(triangles = 0.005, bars = 0.025)[[netting]])
+        tolerance = c(cells = 0.005, bars = 0.025)[[netting]])
       expect_lt(state$report$wake_change, 1e-5)
       expect_gt(state$report$wake_renewals, 1)
     }
@@ -82,7 +82,7 @@ test_that("shielded states are in balance and repeat to the bit", {
 })
 
 test_that("a shielded state stays as it is while it is towed", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- settle(sheets("cheng"), nodes = 200, netting = netting)
     expect_lt(min(engine_array(state, "wake")), 0.95)
     found <- tow(state, until = 10, every = 5)

@@ -4,7 +4,7 @@ test_that("a state that is read is the one that was written", {
   folder <- test_folder()
   file <- file.path(folder, "state.nc")
   states <- list(
-    settled("panel_in_current", nodes = 200, netting = "triangles"),
+    settled("panel_in_current", nodes = 200, netting = "cells"),
     settled("panel_in_current", nodes = 200, netting = "bars"),
     state_at(tow("towed_cable", until = 10, every = 5), 5)
   )

@@ -36,7 +36,7 @@ test_that("a trajectory that is read is the one that was written", {
   expect_identical(known(read_trajectory(file)), known(trajectory))
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "tow.nc")
 
-  netting <- tow("midwater_trawl", until = 0.2, every = 0.1, nodes = 300, netting = "triangles",
+  netting <- tow("midwater_trawl", until = 0.2, every = 0.1, nodes = 300, netting = "cells",
     step = 0.1)
   expect_gt(length(netting$u_tension), 0)
   write_trajectory(netting, file)
@@ -47,7 +47,7 @@ test_that("a trajectory that is read is the one that was written", {
 test_that("a trajectory knows the straight bars of hexagonal netting, in its file too", {
   plan <- panel_in_current_plan
   plan$panels$net[c("orientation", "straight_bar", "netting")] <-
-    list("hexagonal", 0.02, "triangles")
+    list("hexagonal", 0.02, "cells")
   trajectory <- tow(as_gear(plan), until = 0.2, every = 0.1, nodes = 100)
   state <- state_at(trajectory, 0.2)
   # recomputed from places and velocities that are turned into the vessel's axes and back

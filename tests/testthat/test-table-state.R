@@ -1,8 +1,8 @@
-test_that("tensions have a row per bar and per family of every triangle", {
-  state <- settled("midwater_trawl", nodes = 500, netting = "triangles")
+test_that("tensions have a row per bar and per family of every cell", {
+  state <- settled("midwater_trawl", nodes = 500, netting = "cells")
   table <- as.data.frame(state)
   bars <- length(engine_array(state, "bars", "rest"))
-  expect_equal(nrow(table), bars + 2 * length(engine_array(state, "triangles", "rest")))
+  expect_equal(nrow(table), bars + 2 * length(engine_array(state, "cells", "rest")))
   expect_named(table, c("part", "kind", "role", "element", "family", "x_m", "y_m", "z_m",
     "length_m", "tension_kN", "lines", "slack"))
   expect_identical(table$slack, table$tension_kN == 0)
@@ -11,7 +11,7 @@ test_that("tensions have a row per bar and per family of every triangle", {
 })
 
 test_that("a line's middle lies between its ends and its length is theirs", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     table <- as.data.frame(state)
     bars <- table[table$family == "bar", ]
@@ -26,7 +26,7 @@ test_that("a line's middle lies between its ends and its length is theirs", {
 })
 
 test_that("lines times their unstretched length is the plan's twine", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     lines <- state_lines(state)
     net <- lines[parts_of(state)$kind[lines$part] == "netting", ]
@@ -60,7 +60,7 @@ test_that("elements on tied points belong to both nodes that carry them", {
   lattice <- sketched_lattice(
     engine = list(
       nodes = 3L, ties = list(first = 1L, second = 2L, share = 0.5),
-      bars = list(node = c(4L, 3L)), triangles = list(node = integer())
+      bars = list(node = c(4L, 3L)), cells = list(node = integer())
     ),
     bar_part = 1L, parts = data.frame(name = "net")
   )

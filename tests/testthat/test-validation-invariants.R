@@ -9,7 +9,7 @@ quick <- function(name, ...) {
 }
 
 test_that("port and starboard of the midwater trawl are mirror images", {
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     x <- quick("midwater_trawl", netting = netting)$position
     # every node's image, (x, -y, z), must lie on a node
     apart <- vapply(seq_len(ncol(x)), function(k) {

@@ -2,14 +2,14 @@
 # lattice holds against what its plan says, in both nettings and however the meshes are grouped.
 
 flat_panel <- function(orientation = "diamond", coefficients = "hoerner", knotted = FALSE,
-                       netting = "triangles", columns = 4, rows = 6, bar_segments = 2) {
+                       netting = "cells", columns = 4, rows = 6, bar_segments = 2) {
   net <- list(
     mesh_size = 0.1, meshes = list(upper = 24, lower = 24, deep = 36), orientation = orientation,
     twine = list(diameter = 0.002, axial_stiffness = 1e5, mass_per_length = 0.004),
     knotted = knotted, columns = columns, bar_segments = bar_segments
   )
   if (knotted) net$knot_diameter <- 0.005
-  if (netting == "triangles") net$rows <- rows
+  if (netting == "cells") net$rows <- rows
   as_gear(list(
     codend = 1, name = "Flat panel", netting = netting, coefficients = coefficients,
     points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed")),
@@ -23,7 +23,7 @@ flat_position <- function(lattice, si, ratio, incidence) {
   net <- si$panels$net
   drawn <- panel_of(lattice, "net")
   at <- matrix(NA_real_, engine_array(lattice, "nodes"), 2L)
-  if (drawn$netting == "triangles") {
+  if (drawn$netting == "cells") {
     grid <- drawn$grid
     at[as.vector(grid), 1] <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper
     at[as.vector(grid), 2] <- (col(grid) - 1) / (ncol(grid) - 1) * net$deep
@@ -73,7 +73,7 @@ panel_force <- function(gear, ratio, incidence, speed) {
   stopifnot(!anyNA(x))
   found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
   list(
-    twine = rowSums(matrix(c(found$forces$bar_drag, found$forces$triangle_drag), 3L)),
+    twine = rowSums(matrix(c(found$forces$bar_drag, found$forces$cell_drag), 3L)),
     knots = rowSums(matrix(found$forces$sphere_drag, 3L))
   )
 }
@@ -101,7 +101,7 @@ summed_force <- function(law, orientation, ratio, incidence, speed) {
 test_that("a rigid panel drags as its twine does, by every law, however it is grouped", {
   laws <- c("hoerner", "bessonneau_marichal", "wan", "takagi", "choo_casarella", "cifuentes_kim")
   divisions <- list(
-    list(netting = "triangles", columns = 1, rows = 1), list(netting = "triangles", columns = 5,
+    list(netting = "cells", columns = 1, rows = 1), list(netting = "cells", columns = 5,
       rows = 7), list(netting = "bars", columns = 4, bar_segments = 1),
     list(netting = "bars", columns = 8, bar_segments = 3)
   )
@@ -124,7 +124,7 @@ test_that("knots of a rigid panel drag as spheres, two to a mesh, however they a
   # C_D = 24 / Re + 6 / (1 + sqrt(Re)) + 0.4 (White)
   re <- 0.6 * 0.005 / 1.19e-6
   each <- 0.5 * 1025 * 0.6^2 * pi / 4 * 0.005^2 * (24 / re + 6 / (1 + sqrt(re)) + 0.4)
-  for (netting in c("triangles", "bars")) {
+  for (netting in c("cells", "bars")) {
     for (columns in c(2, 6)) {
       plan <- flat_panel(knotted = TRUE, netting = netting, columns = columns)
       expect_equal(panel_force(plan, 0.4, 1, 0.6)$knots, c(2 * 24 * 36 * each, 0, 0),
@@ -165,15 +165,15 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
     # double twine of polyethylene: 480 kg/m3 on its diameter squared, solid of 950 kg/m3
     # 16 diameters of it in each knot
     mass <- (twine + knots * 16 * 0.003) * 2 * 480 * 0.003^2
-    for (netting in c("triangles", "bars")) {
+    for (netting in c("cells", "bars")) {
       for (nodes in c(40, 200, 800)) {
         lattice <- build_lattice(si, nodes, netting)
         array <- function(...) engine_array(lattice, ...)
         label <- paste(name, netting, nodes)
-        t <- matrix(array("triangles", "twine"), 6L)
-        d <- abs((t[3, ] - t[1, ]) * (t[6, ] - t[2, ]) - (t[5, ] - t[1, ]) * (t[4, ] - t[2, ]))
+        t <- matrix(array("cells", "twine"), 8L)
+        d <- abs((t[5, ] - t[1, ]) * (t[8, ] - t[4, ]) - (t[7, ] - t[3, ]) * (t[6, ] - t[2, ]))
         held <- sum(array("bars", "rest") * array("bars", "multiplicity")) +
-          sum(d * array("triangles", "rest") * array("triangles", "multiplicity"))
+          sum(d * array("cells", "rest") * array("cells", "multiplicity"))
         # sums of some hundred terms in another order
         expect_equal(held, twine, tolerance = 1e-12, label = paste(label, "twine"))
         expect_equal(sum(array("mass")), mass, tolerance = 1e-12, label = paste(label, "mass"))

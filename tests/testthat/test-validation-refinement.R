@@ -3,10 +3,10 @@
 
 soft_twine <- list(diameter = 0.002, axial_stiffness = 200, mass_per_length = 0.003)
 
-# Both nettings divide a panel by its columns; triangles need their rows as well.
+# Both nettings divide a panel by its columns; cells need their rows as well.
 resolved <- function(panel, netting, columns, rows) {
   panel$columns <- columns
-  if (netting == "triangles") panel$rows <- rows
+  if (netting == "cells") panel$rows <- rows
   panel
 }
 
@@ -62,7 +62,7 @@ sheet <- function(netting, columns) {
 # rope (as shares of their size), and the place of one node (m).
 differences <- function(build, columns, place) {
   found <- lapply(columns, function(n) {
-    each <- lapply(c("triangles", "bars"), function(netting) {
+    each <- lapply(c("cells", "bars"), function(netting) {
       state <- settle(build(netting, n))
       drag <- as.data.frame(state, what = "drag")
       tension <- summary(state)$tensions
@@ -95,7 +95,7 @@ slope <- function(difference, columns) {
   -stats::coef(stats::lm(log(difference) ~ log(columns)))[[2]]
 }
 
-test_that("triangles and bars approach each other on a tapered cone", {
+test_that("cells and bars approach each other on a tapered cone", {
   columns <- c(8, 16, 24)
   found <- differences(cone, columns, c("top.lower_left", "bottom.lower_left"))
   # both are first order in the size of their meshes; 0.8 leaves room for the grouping's own steps
@@ -108,10 +108,8 @@ test_that("triangles and bars approach each other on a tapered cone", {
   expect_lt(found["tension", 3], 5e-4)
 })
 
-test_that("triangles and bars approach each other on a sheet that hangs partly slack", {
-  # Bars with a node in their middle would hang in real bights, which triangles do not know: one
-  # segment. Triangles are slow here: both families of twine at their full length in every
-  # triangle are more constraints than its nodes have ways to move.
+test_that("cells and bars approach each other on a sheet that hangs partly slack", {
+  # Bars with a node in their middle would hang in bights of the group's size: one segment.
   found <- differences(sheet, c(8, 16, 32), c("upper.middle", "lower.middle"))
   expect_true(all(diff(found["drag", ]) < 0))
   expect_lt(found["drag", 3], 0.06)

@@ -1,82 +1,136 @@
-test_that("view gives a widget with the gear's lines and leaves the session as it was", {
-  kept <- options(rgl.useNULL = FALSE)
-  on.exit(options(kept))
+scene_json <- function(scene) {
+  as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = 16, null = "null"))
+}
+
+test_that("view gives a widget whose scene holds the state's own places and tensions", {
   state <- unsettled(sheets_plan)
   page <- view(state)
   expect_s3_class(page, "htmlwidget")
-  expect_false(getOption("rgl.useNULL"))
-  expect_length(rgl::rgl.dev.list(), 0)
-  drawing <- state_drawing(state)
-  objects <- attr(page, "origScene")$objects
-  ends <- vapply(objects, function(o) if (o$type == "lines") NROW(o$vertices) else 0L, 0L)
-  expect_true((2 * length(drawing$netting$tension)) %in% ends)
-  expect_true((2 * length(drawing$ropes$tension)) %in% ends)
+  scene <- page$x$scene
+  points <- matrix(unpacked(scene$points$floats, "double", 4), 3L)
+  all <- state_points(state)
+  # single precision: 6e-8 of some 20 m
+  near <- function(x) apply(x, 2L, function(p) min(colSums((all - p)^2)))
+  expect_lt(max(near(points)), 1e-10)
+  ends <- matrix(unpacked(scene$ropes$ends, "integer", 4) + 1L, 2L)
+  ropes <- parts_of(state)$kind[part_of(state, "bar")] == "rope"
+  expect_identical(ncol(ends), sum(ropes))
+  length <- sqrt(colSums((points[, ends[1, ]] - points[, ends[2, ]])^2))
+  expect_equal(length, state$bar_length[ropes], tolerance = 1e-5)
+  expect_equal(unpacked(scene$rope_tension$floats, "double", 4), state$bar_tension[ropes],
+    tolerance = 1e-6)
+  expect_length(scene$netting, length(sheets_plan$panels))
 })
 
-test_that("the scene holds the state's own coordinates at one scale", {
-  state <- unsettled("towed_cable")
-  drawing <- state_drawing(state)
-  ranges <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
-  scales <- list(rope = tension_scale(drawing$ropes$tension, "rope"), netting = NULL)
-  scene <- gear_scene(state, drawing, scales, ranges, NULL)
-  n <- 2 * length(drawing$ropes$tension)
-  lines <- Filter(function(o) o$type == "lines" && nrow(o$vertices) == n, scene$objects)
-  # rgl keeps coordinates in single precision, 6e-8 of their size.
-  expect_equal(
-    unname(lines[[1]]$vertices), t(matrix(rbind(drawing$ropes$from, drawing$ropes$to), 3L)),
-    tolerance = 1e-6
-  )
-  scale <- scene$rootSubscene$par3d$scale
-  expect_equal(scale, rep(scale[1], 3))
+test_that("surfaces carry as many meshes as the plan has", {
+  state <- unsettled(sheets_plan, nodes = 300)
+  surfaces <- netting_surfaces(state)
+  # In twine coordinates a panel's area is its number of bars of one family.
+  area <- vapply(surfaces$panels, function(panel) {
+    at <- function(row) matrix(panel$mesh[row, ], panel$columns)
+    quad <- function(x) {
+      list(x[-1, -ncol(x)] - x[-nrow(x), -ncol(x)], x[-1, -1] - x[-nrow(x), -1],
+        x[-nrow(x), -1] - x[-nrow(x), -ncol(x)], x[-1, -1] - x[-1, -ncol(x)])
+    }
+    u <- quad(at(1))
+    v <- quad(at(2))
+    sum(abs(u[[1]] * v[[4]] - u[[4]] * v[[1]]) + abs(u[[2]] * v[[3]] - u[[3]] * v[[2]])) / 2
+  }, 0)
+  expect_equal(area, unname(vapply(state$si$panels, panel_bars, 0)), tolerance = 1e-9)
+  expect_length(surfaces$u, ncol(surfaces$at))
+  # blocks of cells keep all of it
+  coarse <- netting_surfaces(state, limit = 40)
+  expect_lt(length(coarse$u), length(surfaces$u) / 2)
+  mean_of <- function(of) stats::weighted.mean(of$u, rep(1, length(of$u)))
+  expect_true(all(is.finite(mean_of(coarse))))
 })
 
-test_that("the scene turns around the net where it is far behind its ship", {
-  far <- sheets_plan
-  far$ropes$line_port$length <- far$ropes$line_starboard$length <- 300
-  state <- unsettled(far)
-  page <- view(state)
-  drawing <- state_drawing(state)
-  net <- drawn_ranges(list(drawing$netting), NULL)
-  scene <- attr(page, "origScene")
-  box <- matrix(scene$rootSubscene$par3d$bbox, 2L)
-  # The box also holds what is drawn around the outermost points.
-  expect_equal(colMeans(box), unname(colMeans(net)), tolerance = 0.02)
-  buttons <- page$jsHooks$render[[1]]$data
-  ids <- vapply(scene$objects, `[[`, 0, "id")
-  expect_true(all(c(buttons$net_axes, buttons$whole_axes) %in% ids))
-  expect_length(intersect(buttons$net_axes, buttons$whole_axes), 0)
+test_that("a cloud of bars has its twines on whole numbers, and a tension where twines meet", {
+  state <- unsettled(sheets_plan, nodes = 300, netting = "bars")
+  state$bar_tension[] <- 7
+  surfaces <- netting_surfaces(state)
+  p <- which(names(state$si$panels) == "middle")
+  panel <- surfaces$panels[[p]]
+  expect_identical(panel$columns, 0L)
+  knots <- point_number(panel_of(state, "middle")$node, state$lattice$engine$nodes)
+  inside <- panel$point %in% knots & panel$mesh[1, ] > 2 & panel$mesh[1, ] < 30
+  off <- abs(panel$mesh[, inside] - round(panel$mesh[, inside]))
+  # a knot lies on twines of both families, the middle of a bar on one
+  expect_lt(stats::median(apply(off, 2L, min)), 1e-6)
+  u <- surfaces$u[surfaces$panel == p]
+  expect_setequal(u[!is.na(u)], 7)
 })
 
-test_that("the file is one page that asks nothing of the network", {
+test_that("what a page shows stands out by 3 to 1", {
+  # Relative luminance and contrast of WCAG 2.2.
+  light <- function(colour) {
+    share <- grDevices::col2rgb(colour) / 255
+    linear <- ifelse(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055)^2.4)
+    drop(c(0.2126, 0.7152, 0.0722) %*% linear)
+  }
+  contrast <- function(a, b) (pmax(light(a), light(b)) + 0.05) / (pmin(light(a), light(b)) + 0.05)
+  css <- view_file("viewer.css")
+  water <- regmatches(css, regexpr("linear-gradient\\([^)]*\\)", css))
+  behind <- unique(c(regmatches(water, gregexpr("#[0-9a-f]{6}", water))[[1]], "#E3D9C3", "#FFFFFF"))
+  expect_gte(length(behind), 4)
+  shown <- c(slack_colour, view_symbols$solid, tension_palette("rope"), tension_palette("netting"))
+  for (back in behind) expect_gt(min(contrast(shown, back)), 3)
+  # words of the page
+  words <- c("#202428", "#1c5279", "#5b4a26", "#2a3238", "#4d555c", "#b3005c")
+  for (back in behind) expect_gt(min(contrast(words, back)), 4.5)
+})
+
+test_that("the file is one small page that asks nothing of the network, the same each time", {
   folder <- test_folder()
   file <- file.path(folder, "gear.html")
   state <- unsettled(sheets_plan)
   expect_false(withVisible(view(state, file = file))$visible)
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "gear.html")
+  expect_lt(file.size(file), 2e6)
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")
-  expect_match(html, "rglWebGL", fixed = TRUE)
-  expect_match(html, "webgl", fixed = TRUE)
+  expect_match(html, "codendView.viewer", fixed = TRUE)
   asking <- "(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*"
   expect_equal(regmatches(html, gregexpr(asking, html))[[1]], character())
   expect_false(grepl("src=[\"'](?!data:)", html, perl = TRUE))
   # The name reaches the page as text, never as markup.
   expect_match(html, "Sheets &lt;&amp; ", fixed = TRUE)
+  other <- file.path(folder, "other.html")
+  view(state, file = other)
+  expect_identical(readLines(other, warn = FALSE), readLines(file, warn = FALSE))
+  expect_identical(scene_json(state_scene(state)), scene_json(view(state)$x$scene))
 })
 
-test_that("legends in the page name units, slack netting and symbols", {
+test_that("colours of meshes are the means that mesh_openings() has", {
+  state <- settle("t90_codend", nodes = 200)
+  scene <- view(state, colour = "mesh_opening")$x$scene
+  expect_identical(scene$colour, "mesh_opening")
+  told <- unpacked(scene$opening$floats, "double", 4)
+  known <- mesh_openings(state)$opening_percent
+  # means of corners lie among what is found along the rows
+  expect_gt(min(told), 0.9 * min(known))
+  expect_lt(max(told), 1.1 * max(known))
+})
+
+test_that("vessels stand where warps leave the water", {
+  pair <- unsettled("pair_trawl")
+  expect_length(state_scene(pair)$vessels, 2)
+  expect_length(state_scene(unsettled("midwater_trawl"))$vessels, 1)
+  expect_length(state_scene(unsettled("gillnet"))$vessels, 0)
+})
+
+test_that("a state is drawn on a device of rgl where that is asked for", {
+  kept <- options(rgl.useNULL = TRUE)
+  on.exit(options(kept))
+  skip_if_not_installed("rgl")
   state <- unsettled(sheets_plan)
+  device <- view(state, device = "rgl")
+  expect_true(device %in% rgl::rgl.dev.list())
+  objects <- rgl::scene3d()$objects
+  rgl::close3d(device)
   drawing <- state_drawing(state)
-  drawing$netting$tension <- c(0, seq(1, 500, length.out = length(drawing$netting$tension) - 1))
-  scales <- list(
-    rope = tension_scale(c(1000, 5000), "rope"),
-    netting = tension_scale(drawing$netting$tension, "netting")
-  )
-  html <- page_legend(state, drawing, scales)
-  expect_match(html, "Tension of ropes (kN)", fixed = TRUE)
-  expect_match(html, "Tension of one twine (N)", fixed = TRUE)
-  for (label in c("slack", "otter board", "float", "towing point", "other piece")) {
-    expect_match(html, label, fixed = TRUE)
-  }
+  ends <- vapply(objects, function(o) if (o$type == "lines") NROW(o$vertices) else 0L, 0L)
+  expect_true((2 * length(drawing$netting$tension)) %in% ends)
+  expect_true((2 * length(drawing$ropes$tension)) %in% ends)
 })
 
 test_that("wrong arguments are clear errors that leave nothing", {
@@ -87,5 +141,8 @@ test_that("wrong arguments are clear errors that leave nothing", {
   wrong_file(state, file = file.path(folder, "a.htm"))
   wrong_file(state, file = file.path(folder, "no", "a.html"))
   wrong(list())
+  wrong(state, device = "png")
+  wrong(state, colour = "red")
+  wrong(state, device = "rgl", file = file.path(folder, "a.html"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
 })

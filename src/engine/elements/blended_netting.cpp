@@ -19,11 +19,14 @@ void rise(double x, double first, double last, double& value, double& slope) {
 
 }  // namespace
 
+void BlendedNetting::prepare() {
+  shape_.clear();
+  for (std::size_t e = 0; e < rest.size(); ++e) shape_.push_back(cell_shape(&twine[8 * e]));
+}
+
 double BlendedNetting::bars(int e) const {
   const std::size_t i = static_cast<std::size_t>(e);
-  const double* c = &twine[6 * i];
-  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
-  return 0.5 * std::abs(d) * multiplicity[i];
+  return shape_[i].bars * multiplicity[i];
 }
 
 BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const {
@@ -31,16 +34,12 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
   const Water& water = *field.water;
   const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
   Blended out;
-  out.flow = screen_flow(field, &node[3 * i], height[i]);
+  const CellShape& shape = shape_[i];
+  out.flow = screen_flow(field, shape, &node[4 * i], height[i]);
   const Vector& u = out.flow.u;
-  const double* c = &twine[6 * i];
-  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
   Vector vector[2] = {Vector::Zero(), Vector::Zero()};
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    out.shape[0][k] = (c[2 * next + 1] - c[2 * last + 1]) / d;
-    out.shape[1][k] = (c[2 * last] - c[2 * next]) / d;
-    for (int f = 0; f < 2; ++f) vector[f] += out.shape[f][k] * (out.flow.x[k] - out.flow.x[0]);
+  for (int k = 1; k < 4; ++k) {
+    for (int f = 0; f < 2; ++f) vector[f] += shape.along[f][k] * (out.flow.x[k] - out.flow.x[0]);
   }
   const double metres = bars(e) * rest[i];
   TwineDrag drag[2];
@@ -84,22 +83,24 @@ Vector BlendedNetting::element_force(int e, const Field& field) const {
 
 void BlendedNetting::add_force(const Field& field, double* out) const {
   for (int e = 0; e < count(); ++e) {
-    const Vector third = element_force(e, field) / 3.0;
-    for (int k = 0; k < 3; ++k) at(out, node[3 * static_cast<std::size_t>(e) + k]) += third;
+    const std::size_t i = static_cast<std::size_t>(e);
+    const Vector whole = element_force(e, field);
+    for (std::size_t k = 0; k < 4; ++k) at(out, node[4 * i + k]) += shape_[i].share[k] * whole;
   }
 }
 
 void BlendedNetting::add_jacobian(const Field& field, const JacobianRequest& request,
                                   const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
+    const CellShape& shape = shape_[static_cast<std::size_t>(e)];
     const Blended s = blended(e, field);
-    for (int l = 0; l < 3; ++l) {
+    for (int l = 0; l < 4; ++l) {
       Matrix by = s.force.by_area * area_slope(s.flow, l);
-      for (int f = 0; f < 2; ++f) by += s.shape[f][l] * s.by_vector[f];
-      Matrix block = -request.stiffness / 3.0 * by +
-                     request.damping / 3.0 * s.flow.share[l] * s.force.by_velocity;
-      block.col(2) -= request.stiffness / 3.0 * (s.force.by_velocity * s.flow.slope[l]);
-      for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
+      for (int f = 0; f < 2; ++f) by += shape.along[f][l] * s.by_vector[f];
+      Matrix block =
+          -request.stiffness * by + request.damping * s.flow.own[l] * s.force.by_velocity;
+      block.col(2) -= request.stiffness * (s.force.by_velocity * s.flow.slope[l]);
+      for (int k = 0; k < 4; ++k) sink.add(e, k, l, (shape.share[k] * block).eval());
     }
   }
 }
@@ -110,8 +111,8 @@ void BlendedNetting::add_drag_scale(const Field& field, double* scale) const {
     const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
     // As of screens, about a coefficient of 1.2 on the twine's area.
     const double whole = 1.2 * field.water->density * bars(e) * rest[i] * m.diameter *
-                         screen_flow(field, &node[3 * i], height[i]).u.norm();
-    for (int k = 0; k < 3; ++k) scale[node[3 * i + k]] += whole / 3.0;
+                         screen_flow(field, shape_[i], &node[4 * i], height[i]).u.norm();
+    for (std::size_t k = 0; k < 4; ++k) scale[node[4 * i + k]] += shape_[i].share[k] * whole;
   }
 }
 

@@ -19,10 +19,10 @@ namespace codend {
 
 class BlendedNetting : public ElementKind {
  public:
-  std::vector<int> node;             // 3 per triangle
-  std::vector<double> twine;         // u1 v1 u2 v2 u3 v3 per triangle
+  std::vector<int> node;             // 4 per cell; of three corners the last one twice
+  std::vector<double> twine;         // u0 v0 ... u3 v3 per cell
   std::vector<double> rest;          // bar length, m
-  std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
+  std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
   std::vector<double> overlap;       // as of NettingScreens
   std::vector<int> material;
   std::vector<double> height;  // over which it leaves the water, m
@@ -33,8 +33,8 @@ class BlendedNetting : public ElementKind {
   void fields(Visit& visit) {
     visit.columns("materials", materials);
     visit.count(Among::own_materials, materials.size());
-    visit("node", node, {3, Among::points});
-    visit("twine", twine, {6});
+    visit("node", node, {4, Among::points});
+    visit("twine", twine, {8});
     visit("rest", rest);
     visit("multiplicity", multiplicity);
     visit("overlap", overlap);
@@ -43,10 +43,12 @@ class BlendedNetting : public ElementKind {
   }
 
   int count() const { return static_cast<int>(rest.size()); }
-  int nodes_per_element() const override { return 3; }
+  // Call once after filling.
+  void prepare();
+  int nodes_per_element() const override { return 4; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Force (N) on the whole triangle.
+  // Force (N) on the whole cell.
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
@@ -55,13 +57,13 @@ class BlendedNetting : public ElementKind {
 
  private:
   struct Blended {
-    double shape[2][3];  // the bar vectors are sum_k shape[.][k] x_k
     ScreenFlow flow;
     ScreenForce force;  // by S and by U
     Matrix by_vector[2];
   };
   double bars(int e) const;  // of one family
   Blended blended(int e, const Field& field) const;
+  std::vector<CellShape> shape_;
 };
 
 }  // namespace codend

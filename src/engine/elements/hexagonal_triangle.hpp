@@ -4,8 +4,8 @@
 // is of this kind too, with the knots as short bars.
 //
 // A mesh repeats along the lattice's base vectors A = sum_k a_k x_k and B = sum_k b_k x_k, a and b
-// as in netting_triangle.hpp: one unit of u is one step A. Every cell has two ends of bars, P and
-// Q, and three bars: the straight one from P to Q, r, and the oblique ones from Q to the next P,
+// as of a cell of three corners (cell_shape.hpp): one unit of u is one step A. Every cell has two ends
+// of bars, P and Q, and three bars: the straight one from P to Q, r, and the oblique ones from Q to the next P,
 // A - r and B - r. The triangle holds |d|/2 cells, times `multiplicity`.
 //
 // The offset r is where the three bars balance, T(r) = T(A - r) + T(B - r) as vectors. It is a

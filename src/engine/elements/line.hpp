@@ -1,6 +1,9 @@
-// What bars and triangles of netting share: one family of parallel lines whose vector is
-// e = sum_k a_k x_k over N points; of bars and triangles drag is shared equally over them.
+// What bars and netting share: one family of parallel lines whose vector is e = sum_k a_k x_k over N
+// points. In a netting cell lines differ by its twist q = sum_k g_k x_k, and their length is
+// sqrt(|e|^2 + kappa |q|^2).
 #pragma once
+
+#include <cmath>
 
 #include "../base/geometry.hpp"
 #include "line_kernels.hpp"
@@ -17,18 +20,60 @@ struct Line {
   int material;                  // place among the model's
   int index;                     // among all lines of the model
   double point_share = 1.0 / N;  // of drag, in the arrays of lines
+  double twist[N] = {};          // g_k
+  double twist_weight = 0.0;     // kappa
+  double share[N] = {};          // of drag, where points have unequal ones
 
-  Vector vector(const double* x) const {
-    Vector e = Vector::Zero();
-    for (int k = 0; k < N; ++k) e += shape[k] * at(x, nodes[k]);
-    return e;
+  // Of one line where points are at x (3 per point), m.
+  double length(const double* x) const {
+    Vector e = Vector::Zero(), q = Vector::Zero();
+    for (int k = 0; k < N; ++k) {
+      e += shape[k] * at(x, nodes[k]);
+      q += twist[k] * at(x, nodes[k]);
+    }
+    return std::sqrt(e.squaredNorm() + twist_weight * q.squaredNorm());
+  }
+  // How fast its length grows (m/s) as its points move at v (m/s).
+  double stretching(const LineArrays& lines, const double* v) const {
+    Vector e_rate = Vector::Zero(), twist_rate = Vector::Zero();
+    for (int k = 0; k < N; ++k) {
+      e_rate += shape[k] * at(v, nodes[k]);
+      twist_rate += twist[k] * at(v, nodes[k]);
+    }
+    double sum = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      sum += lines.e[c][index] * e_rate[c];
+      if (twist_weight > 0.0) sum += twist_weight * lines.twist[c][index] * twist_rate[c];
+    }
+    return lines.inverse_length[index] * sum;
+  }
+  // What holds its twist besides its tension (netting_cell.hpp): its energy, J, and its power (W)
+  // as its points move at v (m/s).
+  double held_energy(const LineArrays& lines) const {
+    if (twist_weight == 0.0) return 0.0;
+    return 0.5 * lines.twist_stiffness[index] * twist_of(lines).squaredNorm();
+  }
+  double held_power(const LineArrays& lines, const double* v) const {
+    if (twist_weight == 0.0) return 0.0;
+    Vector twist_rate = Vector::Zero();
+    for (int k = 0; k < N; ++k) twist_rate += twist[k] * at(v, nodes[k]);
+    return -lines.twist_stiffness[index] * twist_of(lines).dot(twist_rate);
+  }
+  // The most that a unit of its tension pulls at point k.
+  double pull_at(int k) const {
+    return std::sqrt(shape[k] * shape[k] + twist_weight * twist[k] * twist[k]);
+  }
+
+ private:
+  Vector twist_of(const LineArrays& lines) const {
+    return {lines.twist[0][index], lines.twist[1][index], lines.twist[2][index]};
   }
 };
 
 // Added mass of a line, of what is in the water, a point's share, kg.
 inline Block added_mass(const LineArrays& lines, int line) {
   const Vector t =
-      lines.inverse_length[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);
+      lines.inverse_span[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);
   Block mass = (lines.added_tangential[line] - lines.added_normal[line]) * (t * t.transpose());
   mass.diagonal().array() += lines.added_normal[line];
   if (lines.wet) mass *= lines.wet[line];

@@ -9,7 +9,7 @@
 namespace codend {
 
 // Arrays by line number, each of which may be read and written up to 7 places beyond the lines.
-// With e the vector along a line, L its length, L0 its rest length, U the relative velocity.
+// With e the vector along a line, q its twist (line.hpp), L its length, L0 its rest length, U the relative velocity.
 struct LineArrays {
   // What the lines are.
   double* inverse_rest;   // 1/L0, 1/m
@@ -19,8 +19,11 @@ struct LineArrays {
   double* drag_weight;  // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
   double *added_normal, *added_tangential;  // added mass in the water, a point's share, kg
   double *normal, *tangential, *skin;       // C_n, C_t, C_f
-  double* damping;                          // c, N s; null where no line has any
-  double* rest_rate;                        // dL0/dt over L0, 1/s; with damping
+  // Null where there are no cells:
+  double* twist_weight;     // kappa, by which L^2 = |e|^2 + kappa |q|^2
+  double* twist_stiffness;  // by which a twist is held besides, N/m
+  double* damping;          // c, N s; null where no line has any
+  double* rest_rate;        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
   const TwineMaterial* const* speed_law;
   // Materials of lines whose loads are given by strain, as above; T is then EA s + offset (N).
@@ -38,11 +41,14 @@ struct LineArrays {
   double* loose_slope;   // its derivative by |U|
   double* drag_scale;    // drag over U, a point's share, at right angles, N s/m
 
-  double* e_rate[3];  // de/dt, m/s; with damping
+  double* e_rate[3];      // de/dt, m/s; with damping or cells
+  double* twist_rate[3];  // dq/dt, m/s; with cells
 
   // Where they are.
-  double* e[3];            // m
-  double* inverse_length;  // 1/L; 1/L0 for a line without length
+  double* e[3];      // m
+  double* twist[3];  // q of a netting cell's lines, 0 of others, m; null where there are no cells
+  double* inverse_span;    // 1/|e|; 1/L0 where that is 0
+  double* inverse_length;  // 1/L, the same of lines without a twist; 1/L0 for a line without length
   double* strain;          // L/L0 - 1
   double* tension;         // of one line, by the law, N
   double* drag[3];         // a point's share, N
@@ -58,24 +64,28 @@ struct LineRequest {
   std::int64_t lines;
 };
 
+// Of netting cells (netting_cell.hpp), readable up to 7 places beyond them.
+struct CellArrays {
+  const double *along[2][4], *twist[4], *share[4], *amplitude;
+};
+
 // The inner loops, compiled once per set of processor instructions.
 struct LineKernels {
   // From U all else of the flow but its slope, for lines [begin, end).
   void (*flow)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
   // From e and the flow all that follows from them, for lines [begin, end).
   void (*evaluate)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
-  // Changes of strain, to first order, when the vectors of lines [begin, end) change by change[.];
-  // returns the largest (|change of e| / L0)^2. `change` and `strain` begin at line `begin`.
+  // Changes of strain, to first order, when the vectors of lines [begin, end) change by change[.] and
+  // their twists by twist[.] (null: not at all); returns the largest (change of them / L0)^2. `change`,
+  // `twist` and `strain` begin at line `begin`.
   double (*change)(const LineArrays& lines, std::int64_t begin, std::int64_t end,
-                   const double* const change[3], double* strain);
+                   const double* const change[3], const double* const* twist, double* strain);
   // Adds the blocks of all bars, lines [0, bars).
   void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
                          const BlockSink& sink);
-  // Adds the blocks of all triangles, whose u lines begin at `first` and v lines at first +
-  // triangles. shape: a_1 a_2 a_3 b_1 b_2 b_3, readable up to 7 places beyond the triangles.
-  void (*add_triangle_blocks)(const LineArrays& lines, const LineRequest& request,
-                              std::int64_t first, std::int64_t triangles,
-                              const double* const shape[6], const BlockSink& sink);
+  // Adds the blocks of all netting cells, whose u lines begin at `first` and v lines at first + cells.
+  void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t first,
+                          std::int64_t cells, const CellArrays& shape, const BlockSink& sink);
   // Slopes of lines [begin, end), 27 each, row-major: of the pull and of the drag by e, and of the
   // drag by the water's velocity (zero where not asked for).
   void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,

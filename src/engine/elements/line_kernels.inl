@@ -134,11 +134,11 @@ struct StraightDrag {
 };
 
 INLINE StraightDrag straight_drag(const LineArrays& lines, std::int64_t i, Triple e,
-                                  Pack inverse_length) {
+                                  Pack inverse_span) {
   StraightDrag s;
   s.u = load(lines.u, i);
   s.speed = load(lines.speed + i);
-  s.t = inverse_length * e;
+  s.t = inverse_span * e;
   s.along = dot(s.u, s.t);
   s.across = s.u - s.along * s.t;
   s.q_n = root(dot(s.across, s.across));
@@ -148,7 +148,12 @@ INLINE StraightDrag straight_drag(const LineArrays& lines, std::int64_t i, Tripl
   return s;
 }
 
-// The share of a line's drag that is taken as straight.
+// |e|/L0 - 1.
+INLINE Pack span_strain(Triple e, Pack inverse_span, Pack inverse_rest) {
+  return dot(e, e) * inverse_span * inverse_rest - 1.0;
+}
+
+// The share of a line's drag that is taken as straight; strain: as span_strain().
 INLINE Pack straight_share(const LineArrays& lines, Pack strain) {
   const Pack one = Pack{} + 1.0;
   return lines.curved ? (strain < 0.0 ? one + strain : one) : one;
@@ -158,11 +163,21 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
   for (std::int64_t i = begin; i < end; i += lanes) {
     const Triple e = load(lines.e, i);
     const Pack inverse_rest = load(lines.inverse_rest + i);
-    const Pack length = root(dot(e, e));
+    const Pack span = root(dot(e, e));
     // Below 1e-12 L0 a line has no direction; it pulls with T e/L0.
-    const Pack inverse_length = length * inverse_rest > 1e-12 ? 1.0 / length : inverse_rest;
+    const Pack inverse_span = span * inverse_rest > 1e-12 ? 1.0 / span : inverse_rest;
+    store(lines.inverse_span + i, inverse_span);
+    Pack length = span, inverse_length = inverse_span;
+    if (lines.twist_weight) {
+      const Triple q = load(lines.twist, i);
+      const Pack twisted = load(lines.twist_weight + i) * dot(q, q);
+      const Pack whole = root(dot(e, e) + twisted);
+      length = twisted > 0.0 ? whole : span;
+      const Pack inverse = whole * inverse_rest > 1e-12 ? 1.0 / whole : inverse_rest;
+      inverse_length = twisted > 0.0 ? inverse : inverse_span;
+      store(lines.inverse_length + i, inverse_length);
+    }
     const Pack strain = length * inverse_rest - 1.0;
-    store(lines.inverse_length + i, inverse_length);
     store(lines.strain + i, strain);
     const Pack least = load(lines.least_tension + i);
     if (lines.load_law) {
@@ -177,14 +192,19 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     Pack tension = load(lines.stiffness + i) * strain;
     if (lines.load_law) tension = tension + load(lines.offset + i);
     if (lines.damping) {
-      const Pack rate = inverse_length * inverse_rest * dot(e, load(lines.e_rate, i)) -
-                        (strain + 1.0) * load(lines.rest_rate + i);
+      Pack stretching = dot(e, load(lines.e_rate, i));
+      if (lines.twist_weight) {
+        stretching = stretching + load(lines.twist_weight + i) *
+                                      dot(load(lines.twist, i), load(lines.twist_rate, i));
+      }
+      const Pack rate =
+          inverse_length * inverse_rest * stretching - (strain + 1.0) * load(lines.rest_rate + i);
       tension = tension + load(lines.damping + i) * rate;
     }
     store(lines.tension + i, tension > least ? tension : least);
 
-    const StraightDrag s = straight_drag(lines, i, e, inverse_length);
-    const Pack share = straight_share(lines, strain);
+    const StraightDrag s = straight_drag(lines, i, e, inverse_span);
+    const Pack share = straight_share(lines, span_strain(e, inverse_span, inverse_rest));
     const Pack weight = share * load(lines.drag_weight + i);
     const Pack by_u = weight * s.by_u + (1.0 - share) * load(lines.loose + i);
     const Triple drag = by_u * s.u + (weight * s.by_t) * s.t;
@@ -195,13 +215,20 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
 }
 
 double change(const LineArrays& lines, std::int64_t begin, std::int64_t end,
-              const double* const change[3], double* strain) {
+              const double* const change[3], const double* const* twist, double* strain) {
   Pack largest = {};
   for (std::int64_t i = begin; i < end; i += lanes) {
     const Triple d = load(change, i - begin);
     const Pack inverse_rest = load(lines.inverse_rest + i);
-    const Pack turning = inverse_rest * inverse_rest * dot(d, d);
-    const Pack longer = load(lines.inverse_length + i) * inverse_rest * dot(load(lines.e, i), d);
+    Pack squares = dot(d, d), stretching = dot(load(lines.e, i), d);
+    if (twist) {
+      const Pack weight = load(lines.twist_weight + i);
+      const Triple q = load(twist, i - begin);
+      squares = squares + weight * dot(q, q);
+      stretching = stretching + weight * dot(load(lines.twist, i), q);
+    }
+    const Pack turning = inverse_rest * inverse_rest * squares;
+    const Pack longer = load(lines.inverse_length + i) * inverse_rest * stretching;
     if (end - i >= lanes) {
       largest = turning > largest ? turning : largest;
       store(strain + (i - begin), longer);
@@ -217,51 +244,55 @@ double change(const LineArrays& lines, std::int64_t begin, std::int64_t end,
   return most;
 }
 
-// With F_k = drag - a_k pull at point k, e = sum_k a_k x_k, a point's share of U and drag: the
-// block of points (k, l) is a_k a_l pull - a_l turn + everywhere.
-struct LineSlopes {
-  Tensor pull;        // d pull/de
-  Tensor turn;        // d drag/de
-  Tensor everywhere;  // from the water's velocity, the same at all points
+// How the pull of lines changes: of tension T and modulus over the length and the rest length.
+struct LineStiffness {
+  Pack tension, modulus;  // M T/L and M EA/L0 times the request's stiffness
+  Pack by_rate;           // M c/L0 of a taut line
 };
 
-template <bool with_everywhere>
-INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t i,
-                              double point_share) {
-  const Triple e = load(lines.e, i);
-  const Pack inverse_length = load(lines.inverse_length + i);
+INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& request,
+                                    std::int64_t i) {
   const Pack inverse_rest = load(lines.inverse_rest + i);
-  const Pack strain = load(lines.strain + i);
-  const StraightDrag s = straight_drag(lines, i, e, inverse_length);
-  LineSlopes out;
-
   const Pack many = request.stiffness * load(lines.multiplicity + i);
   const std::int64_t left = request.lines - i;
-  const Pack tension = load_before_end(request.tension + i, left);
   const Pack stiffness = load(lines.stiffness + i), least = load(lines.least_tension + i);
   Pack modulus, taut;
-  Triple sideways = {};  // change of the damper's pull when the line turns
   if (request.modulus) {
     modulus = load_before_end(request.modulus + i, left);
     taut = modulus > 0.0 ? Pack{} + 1.0 : Pack{};
   } else {
     const bool by_tension = lines.damping || lines.load_law;
-    taut =
-        (by_tension ? load(lines.tension + i) : stiffness * strain) > least ? Pack{} + 1.0 : Pack{};
+    const Pack tension = by_tension ? load(lines.tension + i) : stiffness * load(lines.strain + i);
+    taut = tension > least ? Pack{} + 1.0 : Pack{};
     modulus = taut * stiffness;
   }
+  LineStiffness out;
+  out.by_rate = Pack{};
   if (lines.damping) {
     const Pack damping = taut * load(lines.damping + i);
-    const Pack by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
-    const Triple e_rate = load(lines.e_rate, i);
+    out.by_rate = damping * load(lines.multiplicity + i) * inverse_rest;
     modulus = modulus - damping * load(lines.rest_rate + i);
-    sideways = (request.stiffness * by_rate * inverse_length) * (e_rate - dot(e_rate, s.t) * s.t) +
-               (request.damping * by_rate) * s.t;
   }
-  const Pack across = many * tension * inverse_length;
-  out.pull = add_diagonal(across, outer((many * modulus * inverse_rest - across) * s.t, s.t));
-  if (lines.damping) out.pull = out.pull + outer(s.t, sideways);
+  out.tension = many * load_before_end(request.tension + i, left) * load(lines.inverse_length + i);
+  out.modulus = many * modulus * inverse_rest;
+  return out;
+}
 
+// Of drag, at a point's share of it and of U.
+struct DragSlopes {
+  Tensor turn;        // d drag/de
+  Tensor everywhere;  // from the water's velocity, the same at all points
+};
+
+template <bool with_everywhere>
+INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t i,
+                              double point_share) {
+  const Triple e = load(lines.e, i);
+  const Pack inverse_span = load(lines.inverse_span + i);
+  const Pack inverse_rest = load(lines.inverse_rest + i);
+  const Pack strain = span_strain(e, inverse_span, inverse_rest);
+  const StraightDrag s = straight_drag(lines, i, e, inverse_span);
+  DragSlopes out;
   // q_n falls by along/q_n, and U_t grows, where the axis turns towards the flow.
   const Pack weight = load(lines.drag_weight + i);
   const Pack share = straight_share(lines, strain);
@@ -270,7 +301,7 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack u_slope = -s.k.a_n * fall;
   const Pack t_slope =
       (s.k.b - s.k.a) + s.along * fall * (s.k.a_n - s.k.b_n) + s.k.b_t * size(s.along);
-  const Pack turning = request.stiffness * share * weight * inverse_length;
+  const Pack turning = request.stiffness * share * weight * inverse_span;
   const Pack aside = turning * s.by_t;
   Triple along_t = (-aside) * s.t;
   if (lines.curved) {
@@ -300,6 +331,33 @@ INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& reques
       out.everywhere.y.z += dot(by_velocity.y, slope);
       out.everywhere.z.z += dot(by_velocity.z, slope);
     }
+  }
+  return out;
+}
+
+// With F_k = drag - a_k pull at point k, e = sum_k a_k x_k, a point's share of U and drag: the
+// block of points (k, l) is a_k a_l pull - a_l turn + everywhere. Of lines without a twist.
+struct LineSlopes {
+  Tensor pull;  // d pull/de
+  Tensor turn, everywhere;
+};
+
+template <bool with_everywhere>
+INLINE LineSlopes line_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t i,
+                              double point_share) {
+  const LineStiffness k = line_stiffness(lines, request, i);
+  const DragSlopes drag = drag_slopes<with_everywhere>(lines, request, i, point_share);
+  LineSlopes out;
+  out.turn = drag.turn;
+  if (with_everywhere) out.everywhere = drag.everywhere;
+  const Pack inverse_length = load(lines.inverse_length + i);
+  const Triple t = inverse_length * load(lines.e, i);
+  out.pull = add_diagonal(k.tension, outer((k.modulus - k.tension) * t, t));
+  if (lines.damping) {
+    const Triple e_rate = load(lines.e_rate, i);
+    out.pull = out.pull + outer(t, (request.stiffness * k.by_rate * inverse_length) *
+                                           (e_rate - dot(e_rate, t) * t) +
+                                       (request.damping * k.by_rate) * t);
   }
   return out;
 }
@@ -358,38 +416,105 @@ void add_bar_blocks(const LineArrays& lines, const LineRequest& request, std::in
     add_bars<false>(lines, request, bars, sink);
 }
 
+// One family of a cell. With G_k = (a_k e + kappa g_k q)/L, by which its length changes with the place
+// of point k, the pull at k is M T G_k, and its block of points (k, l)
+//   M [(EA/L0 - T/L) G_k G_l^T + T/L (a_k a_l + kappa g_k g_l) I]
+struct CellFamily {
+  LineStiffness k;
+  DragSlopes drag;
+  Triple pull[4];    // G_k
+  Triple answer[4];  // by which the tension answers to a move of point k
+  Pack weight;       // kappa
+};
+
 template <bool with_everywhere>
-void add_triangles(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                   std::int64_t triangles, const double* const shape[6], const BlockSink& sink) {
-  alignas(64) double block[9][block_step * lanes];
-  for (std::int64_t i = 0; i < triangles; i += lanes) {
-    const LineSlopes u = line_slopes<with_everywhere>(lines, request, first + i, 1.0 / 3.0);
-    const LineSlopes v =
-        line_slopes<with_everywhere>(lines, request, first + triangles + i, 1.0 / 3.0);
-    for (int k = 0; k < 3; ++k) {
-      const Tensor along_u = load(shape[k] + i) * u.pull - u.turn;
-      const Tensor along_v = load(shape[3 + k] + i) * v.pull - v.turn;
-      for (int l = 0; l < 3; ++l) {
-        Tensor sum = load(shape[l] + i) * along_u + load(shape[3 + l] + i) * along_v;
-        if (with_everywhere) sum = sum + u.everywhere + v.everywhere;
-        store(block[3 * k + l], sum);
+INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std::int64_t i,
+                        std::int64_t cell, const CellArrays& shape, int which, CellFamily& out) {
+  out.k = line_stiffness(lines, request, i);
+  out.drag = drag_slopes<with_everywhere>(lines, request, i, 1.0);
+  out.weight = load(lines.twist_weight + i);
+  const Pack inverse_length = load(lines.inverse_length + i);
+  const Triple e = inverse_length * load(lines.e, i);
+  const Triple q = (inverse_length * out.weight) * load(lines.twist, i);
+  Triple e_rate = {}, q_rate = {};
+  Pack rate = {};
+  if (lines.damping) {
+    e_rate = load(lines.e_rate, i);
+    q_rate = load(lines.twist_rate, i);
+    rate = dot(e, e_rate) + dot(q, q_rate);
+    q_rate = out.weight * q_rate;
+  }
+  for (int k = 0; k < 4; ++k) {
+    const Pack a = load(shape.along[which][k] + cell), g = load(shape.twist[k] + cell);
+    out.pull[k] = a * e + g * q;
+    out.answer[k] = (out.k.modulus - out.k.tension) * out.pull[k];
+    if (!lines.damping) continue;
+    const Triple turned = a * e_rate + g * q_rate - rate * out.pull[k];
+    out.answer[k] = out.answer[k] + (request.stiffness * out.k.by_rate * inverse_length) * turned +
+                    (request.damping * out.k.by_rate) * out.pull[k];
+  }
+}
+
+template <bool with_everywhere>
+void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t first,
+               std::int64_t cells, const CellArrays& shape, const BlockSink& sink) {
+  alignas(64) double block[16][block_step * lanes];
+  for (std::int64_t i = 0; i < cells; i += lanes) {
+    const std::int64_t at_u = first + i, at_v = at_u + cells;
+    CellFamily u, v;
+    cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
+    cell_family<with_everywhere>(lines, request, at_v, i, shape, 1, v);
+    const Pack twisted = u.k.tension * u.weight + v.k.tension * v.weight +
+                         request.stiffness * (load(lines.twist_stiffness + at_u) +
+                                              load(lines.twist_stiffness + at_v));
+    // The twist's own drag: c and its change with U.
+    Tensor everywhere = {};
+    Pack damped = {};
+    Triple damped_u = {};
+    if (with_everywhere) {
+      everywhere = u.drag.everywhere + v.drag.everywhere;
+      const Pack amplitude = load(shape.amplitude + i);
+      const Pack ninth = (1.0 / 9.0) * amplitude * amplitude;
+      damped = request.damping * ninth * (load(lines.loose + at_u) + load(lines.loose + at_v));
+      const Pack slope = load(lines.loose_slope + at_u) + load(lines.loose_slope + at_v);
+      const Triple way = inverse_or_zero(load(lines.speed + at_u)) * load(lines.u, at_u);
+      damped_u = (Pack{} - request.damping) * load(lines.own + at_u) * ninth * slope * way;
+      if (lines.slope[0]) {
+        damped_u.z += request.stiffness * ninth * slope * dot(way, load(lines.slope, at_u));
       }
     }
-    const int here = triangles - i < lanes ? static_cast<int>(triangles - i) : lanes;
+    for (int k = 0; k < 4; ++k) {
+      const Pack a_k = load(shape.along[0][k] + i), b_k = load(shape.along[1][k] + i);
+      const Pack g_k = load(shape.twist[k] + i), s_k = load(shape.share[k] + i);
+      for (int l = 0; l < 4; ++l) {
+        const Pack a_l = load(shape.along[0][l] + i), b_l = load(shape.along[1][l] + i);
+        const Pack g_l = load(shape.twist[l] + i);
+        Tensor sum = outer(u.pull[k], u.answer[l]) + outer(v.pull[k], v.answer[l]) -
+                     s_k * (a_l * u.drag.turn + b_l * v.drag.turn);
+        Pack same = u.k.tension * a_k * a_l + v.k.tension * b_k * b_l + twisted * g_k * g_l;
+        if (with_everywhere) {
+          const Pack s_l = load(shape.share[l] + i);
+          same = same + damped * g_k * g_l;
+          sum = sum + s_k * s_l * everywhere +
+                outer((g_k * s_l) * load(lines.twist_rate, at_u), damped_u);
+        }
+        store(block[4 * k + l], add_diagonal(same, sum));
+      }
+    }
+    const int here = cells - i < lanes ? static_cast<int>(cells - i) : lanes;
     for (int l = 0; l < here; ++l) {
-      const std::int64_t* slot = sink.slot + 9 * (i + l);
-      for (int k = 0; k < 9; ++k) add_block(sink, slot[k], block[k] + block_step * l);
+      const std::int64_t* slot = sink.slot + 16 * (i + l);
+      for (int k = 0; k < 16; ++k) add_block(sink, slot[k], block[k] + block_step * l);
     }
   }
 }
 
-void add_triangle_blocks(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                         std::int64_t triangles, const double* const shape[6],
-                         const BlockSink& sink) {
+void add_cell_blocks(const LineArrays& lines, const LineRequest& request, std::int64_t first,
+                     std::int64_t cells, const CellArrays& shape, const BlockSink& sink) {
   if (request.damping != 0.0 || lines.slope[0])
-    add_triangles<true>(lines, request, first, triangles, shape, sink);
+    add_cells<true>(lines, request, first, cells, shape, sink);
   else
-    add_triangles<false>(lines, request, first, triangles, shape, sink);
+    add_cells<false>(lines, request, first, cells, shape, sink);
 }
 
 template <bool with_everywhere>
@@ -423,4 +548,4 @@ void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t be
 
 #undef INLINE
 
-constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_triangle_blocks, slopes};
+constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_cell_blocks, slopes};

@@ -8,6 +8,9 @@ namespace {
 
 constexpr int strip = 512;
 
+// m/s, see netting_cell.hpp.
+constexpr double twist_speed = 4.0;
+
 // A column of numbers per array. An odd number of cache lines each: the same place of all columns
 // then falls on different sets of the cache.
 std::size_t column_length(int lines) {
@@ -18,14 +21,14 @@ std::size_t column_length(int lines) {
 }  // namespace
 
 Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
-             const NettingTriangles& triangles, const HexagonalTriangles& hexagons,
-             const Water& water, SlackDrag slack, const LineKernels& kernels)
+             const NettingCells& cells, const HexagonalTriangles& hexagons, const Water& water,
+             SlackDrag slack, const LineKernels& kernels)
     : materials_(materials),
       bars_(bars),
-      triangles_(triangles),
+      cells_(cells),
       hexagons_(hexagons),
       water_(water),
-      count_(bars.count() + 2 * triangles.count() + 3 * hexagons.count()),
+      count_(bars.count() + 2 * cells.count() + 3 * hexagons.count()),
       kernels_(kernels) {
   LineArrays& a = arrays_;
   const bool by_height = water.varies_with_height();
@@ -50,7 +53,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
                                 &a.e[0],
                                 &a.e[1],
                                 &a.e[2],
-                                &a.inverse_length,
+                                &a.inverse_span,
                                 &a.strain,
                                 &a.tension,
                                 &a.drag[0],
@@ -65,19 +68,24 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
     by_table = by_table || !m.loads.empty();
   }
   if (by_table) columns.push_back(&a.offset);
-  if (damped) {
-    columns.insert(columns.end(),
-                   {&a.damping, &a.rest_rate, &a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
+  if (damped) columns.insert(columns.end(), {&a.damping, &a.rest_rate});
+  if (damped || cells.count() > 0) {
+    columns.insert(columns.end(), {&a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
+  }
+  if (cells.count() > 0) {
+    columns.insert(columns.end(), {&a.inverse_length, &a.twist_weight, &a.twist_stiffness,
+                                   &a.twist[0], &a.twist[1], &a.twist[2], &a.twist_rate[0],
+                                   &a.twist_rate[1], &a.twist_rate[2]});
   }
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);
   for (std::size_t k = 0; k < columns.size(); ++k) *columns[k] = numbers_.data() + k * length;
+  if (!a.inverse_length) a.inverse_length = a.inverse_span;
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
-  for (int e = 0; e < triangles.count(); ++e) {
-    describe(triangles.u_line(e));
-    describe(triangles.v_line(e));
+  for (int e = 0; e < cells.count(); ++e) {
+    for (int which = 0; which < 2; ++which) describe(cells.line(e, which));
   }
   for (int e = 0; e < hexagons.count(); ++e) {
     for (int which = 0; which < 3; ++which) describe(hexagons.line(e, which));
@@ -98,6 +106,11 @@ void Lines::describe(const Line<N>& line) {
   const double water = water_.density * m.volume_per_length * length;
   arrays_.added_normal[k] = m.added_mass_normal * water;
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
+  if (arrays_.twist_weight) {
+    arrays_.twist_weight[k] = line.twist_weight;
+    arrays_.twist_stiffness[k] = 0.5 * water_.density * m.diameter * twist_speed * twist_speed *
+                                 line.multiplicity * line.twist_weight;
+  }
   if (arrays_.damping) {
     arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
   }
@@ -134,11 +147,11 @@ void Lines::Meeting::add(const Field& field, int point, double share) {
   surface += share * waves.elevation;
 }
 
-template <int N>
-void Lines::set_velocity(const Field& field, const int* node, double height, std::size_t line) {
+void Lines::set_velocity(const Field& field, const int* node, const double* share, int points,
+                         double height, std::initializer_list<int> lines) {
   Meeting meeting;
-  for (int k = 0; k < N; ++k) meeting.add(field, node[k], 1.0 / N);
-  set_velocity(line, meeting, height);
+  for (int k = 0; k < points; ++k) meeting.add(field, node[k], share[k]);
+  for (const int line : lines) set_velocity(static_cast<std::size_t>(line), meeting, height);
 }
 
 void Lines::set_velocity(std::size_t line, const Meeting& meeting, double height) {
@@ -163,39 +176,41 @@ void Lines::set_velocity(std::size_t line, const Meeting& meeting, double height
 }
 
 void Lines::set_flow(const Field& field) {
-  const std::size_t bars = static_cast<std::size_t>(bars_.count());
-  for (std::size_t b = 0; b < bars; ++b) {
-    const double height = water_.free_surface ? bars_.height[b] : 0.0;
-    set_velocity<2>(field, &bars_.node[2 * b], height, b);
+  constexpr double halves[2] = {0.5, 0.5};
+  const bool surface = water_.free_surface;
+  for (int b = 0; b < bars_.count(); ++b) {
+    const std::size_t k = static_cast<std::size_t>(b);
+    set_velocity(field, &bars_.node[2 * k], halves, 2, surface ? bars_.height[k] : 0.0, {b});
   }
-  const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
-  for (std::size_t e = 0; e < triangles; ++e) {
-    const double height = water_.free_surface ? triangles_.height[e] : 0.0;
-    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + e);
-    set_velocity<3>(field, &triangles_.node[3 * e], height, bars + triangles + e);
+  for (int e = 0; e < cells_.count(); ++e) {
+    const Line<4> u = cells_.line(e, 0);
+    const double height = surface ? cells_.height[static_cast<std::size_t>(e)] : 0.0;
+    set_velocity(field, u.nodes, u.share, 4, height, {u.index, u.index + cells_.count()});
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
-    Meeting meeting;
-    for (std::size_t k = 0; k < 4; ++k) {
-      meeting.add(field, hexagons_.node[4 * static_cast<std::size_t>(e) + k],
-                  HexagonalTriangles::share[k]);
-    }
-    const double height = water_.free_surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
-    for (int which = 0; which < 3; ++which) {
-      set_velocity(static_cast<std::size_t>(hexagons_.line(e, which).index), meeting, height);
-    }
+    const double height = surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
+    const int first = hexagons_.first_line + e, step = hexagons_.count();
+    set_velocity(field, &hexagons_.node[4 * static_cast<std::size_t>(e)],
+                 HexagonalTriangles::share.data(), 4, height,
+                 {first, first + step, first + 2 * step});
   }
   kernels_.flow(arrays_, 0, count_);
-  if (!arrays_.damping) return;
+  if (!arrays_.e_rate[0]) return;
   double* rate[3];
   double* v_rate[3];
+  double* twist_rate[3];
   for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c];
   bars_.vectors(field.velocity, 0, bars_.count(), rate);
-  for (int c = 0; c < 3; ++c) {
-    rate[c] += bars;
-    v_rate[c] = rate[c] + triangles;
+  const std::ptrdiff_t bars = bars_.count(), cells = cells_.count();
+  if (cells > 0) {
+    for (int c = 0; c < 3; ++c) {
+      rate[c] += bars;
+      v_rate[c] = rate[c] + cells;
+      twist_rate[c] = arrays_.twist_rate[c] + bars;
+    }
+    cells_.vectors(field.velocity, 0, cells_.count(), rate, v_rate, twist_rate);
+    for (int c = 0; c < 3; ++c) std::copy_n(twist_rate[c], cells, twist_rate[c] + cells);
   }
-  triangles_.vectors(field.velocity, 0, triangles_.count(), rate, v_rate);
   for (int which = 0; which < 3; ++which) {
     const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count();
     for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c] + first;
@@ -215,14 +230,16 @@ void Lines::move_to(const double* position) {
     bars_.vectors(position, begin, end, e);
     kernels_.evaluate(a, begin, end);
   });
-  const int triangles = triangles_.count();
-  in_strips(triangles, [&](int begin, int end) {
-    const std::ptrdiff_t u = bars_.count() + begin, v = u + triangles;
+  const int cells = cells_.count();
+  in_strips(cells, [&](int begin, int end) {
+    const std::ptrdiff_t u = bars_.count() + begin, v = u + cells, size = end - begin;
     double* const e_u[3] = {a.e[0] + u, a.e[1] + u, a.e[2] + u};
     double* const e_v[3] = {a.e[0] + v, a.e[1] + v, a.e[2] + v};
-    triangles_.vectors(position, begin, end, e_u, e_v);
-    kernels_.evaluate(a, u, u + end - begin);
-    kernels_.evaluate(a, v, v + end - begin);
+    double* const q[3] = {a.twist[0] + u, a.twist[1] + u, a.twist[2] + u};
+    cells_.vectors(position, begin, end, e_u, e_v, q);
+    for (double* twist : q) std::copy_n(twist, size, twist + cells);
+    kernels_.evaluate(a, u, u + size);
+    kernels_.evaluate(a, v, v + size);
   });
   for (int which = 0; which < 3; ++which) {
     in_strips(hexagons_.count(), [&](int begin, int end) {
@@ -236,18 +253,25 @@ void Lines::move_to(const double* position) {
 
 void Lines::add_force(const double* tension, double* force) const {
   bars_.add_force(arrays_, tension, force);
-  triangles_.add_force(arrays_, tension, force);
+  cells_.add_force(arrays_, tension, force);
   hexagons_.add_force(arrays_, tension, force);
 }
 
 void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
-                         const double* modulus, const BlockSink& bars, const BlockSink& triangles,
+                         const double* modulus, const BlockSink& bars, const BlockSink& cells,
                          const BlockSink& hexagons) const {
   const LineRequest asked{request.stiffness, request.damping, tension, modulus, count_};
   kernels_.add_bar_blocks(arrays_, asked, bars_.count(), bars);
-  const double* shape[6];
-  for (int k = 0; k < 6; ++k) shape[k] = triangles_.shape[k].data();
-  kernels_.add_triangle_blocks(arrays_, asked, bars_.count(), triangles_.count(), shape, triangles);
+  if (cells_.count() > 0) {
+    CellArrays shape{};
+    for (int k = 0; k < 4; ++k) {
+      for (int f = 0; f < 2; ++f) shape.along[f][k] = cells_.along[f][k].data();
+      shape.twist[k] = cells_.twist[k].data();
+      shape.share[k] = cells_.share[k].data();
+    }
+    shape.amplitude = cells_.amplitude.data();
+    kernels_.add_cell_blocks(arrays_, asked, bars_.count(), cells_.count(), shape, cells);
+  }
   if (hexagons_.count() == 0) return;
   std::vector<double> slopes(27 * 3 * static_cast<std::size_t>(hexagons_.count()));
   kernels_.slopes(arrays_, asked, hexagons_.first_line, count_, slopes.data());
@@ -256,7 +280,7 @@ void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
 
 void Lines::add_added_mass(double* mass) const {
   bars_.add_added_mass(arrays_, mass);
-  triangles_.add_added_mass(arrays_, mass);
+  cells_.add_added_mass(arrays_, mass);
   hexagons_.add_added_mass(arrays_, mass);
 }
 
@@ -266,10 +290,10 @@ void Lines::add_drag_scale(double* scale) const {
   for (std::size_t b = 0; b < bars; ++b) {
     for (int k = 0; k < 2; ++k) scale[bars_.node[2 * b + k]] += c[b];
   }
-  const std::size_t triangles = static_cast<std::size_t>(triangles_.count());
-  for (std::size_t e = 0; e < triangles; ++e) {
-    const double both = c[bars + e] + c[bars + triangles + e];
-    for (int k = 0; k < 3; ++k) scale[triangles_.node[3 * e + k]] += both;
+  for (int e = 0; e < cells_.count(); ++e) {
+    const Line<4> u = cells_.line(e, 0);
+    const double both = c[u.index] + c[u.index + cells_.count()];
+    for (int k = 0; k < 4; ++k) scale[u.nodes[k]] += u.share[k] * both;
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
     double all = 0.0;
@@ -283,29 +307,31 @@ void Lines::add_drag_scale(double* scale) const {
 
 double Lines::change(const double* dx, double* strain) const {
   // Whole registers are read at the end of a strip.
-  double u[3][strip + 7] = {}, v[3][strip + 7] = {};
+  double u[3][strip + 7] = {}, v[3][strip + 7] = {}, q[3][strip + 7] = {};
   double* const change_u[3] = {u[0], u[1], u[2]};
   double* const change_v[3] = {v[0], v[1], v[2]};
+  double* const change_q[3] = {q[0], q[1], q[2]};
   double largest = 0.0;
   in_strips(bars_.count(), [&](int begin, int end) {
     bars_.vectors(dx, begin, end, change_u);
-    largest = std::max(largest, kernels_.change(arrays_, begin, end, change_u, strain + begin));
+    largest =
+        std::max(largest, kernels_.change(arrays_, begin, end, change_u, nullptr, strain + begin));
   });
-  const int triangles = triangles_.count();
-  in_strips(triangles, [&](int begin, int end) {
-    const std::ptrdiff_t first = bars_.count() + begin, second = first + triangles;
-    triangles_.vectors(dx, begin, end, change_u, change_v);
+  const int cells = cells_.count();
+  in_strips(cells, [&](int begin, int end) {
+    const std::ptrdiff_t first = bars_.count() + begin, second = first + cells, size = end - begin;
+    cells_.vectors(dx, begin, end, change_u, change_v, change_q);
     largest = std::max(
-        largest, kernels_.change(arrays_, first, first + end - begin, change_u, strain + first));
-    largest = std::max(
-        largest, kernels_.change(arrays_, second, second + end - begin, change_v, strain + second));
+        largest, kernels_.change(arrays_, first, first + size, change_u, change_q, strain + first));
+    largest = std::max(largest, kernels_.change(arrays_, second, second + size, change_v, change_q,
+                                                strain + second));
   });
   for (int which = 0; which < 3; ++which) {
     in_strips(hexagons_.count(), [&](int begin, int end) {
       const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count() + begin;
       hexagons_.vectors(which, dx, begin, end, change_u);
-      largest = std::max(
-          largest, kernels_.change(arrays_, first, first + end - begin, change_u, strain + first));
+      largest = std::max(largest, kernels_.change(arrays_, first, first + end - begin, change_u,
+                                                  nullptr, strain + first));
     });
   }
   return std::sqrt(largest);

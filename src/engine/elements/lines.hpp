@@ -1,26 +1,27 @@
-// All lines of a model, of bars, netting triangles and hexagonal triangles, as structures of
+// All lines of a model, of bars, netting cells and hexagonal triangles, as structures of
 // arrays: their vectors, tensions and drags at the last positions, and the forces and derivatives
 // from them.
 //
-// Line numbers: the bars, then the u lines of all triangles, then their v lines, then the straight
+// Line numbers: the bars, then the u lines of all cells, then their v lines, then the straight
 // lines of hexagonal triangles, then those along A, then those along B.
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "bar.hpp"
 #include "hexagonal_triangle.hpp"
 #include "kind.hpp"
-#include "netting_triangle.hpp"
+#include "netting_cell.hpp"
 
 namespace codend {
 
 class Lines {
  public:
   // What is passed must outlive this and not change.
-  Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
-        const NettingTriangles& triangles, const HexagonalTriangles& hexagons, const Water& water,
-        SlackDrag slack, const LineKernels& kernels = line_kernels());
+  Lines(const std::vector<TwineMaterial>& materials, const Bars& bars, const NettingCells& cells,
+        const HexagonalTriangles& hexagons, const Water& water, SlackDrag slack,
+        const LineKernels& kernels = line_kernels());
   Lines(const Lines&) = delete;
 
   int count() const { return count_; }
@@ -38,8 +39,7 @@ class Lines {
   void add_force(const double* tension, double* force) const;
   // Adds blocks; tension and modulus (N) of one line each, modulus null for the law's.
   void add_jacobian(const JacobianRequest& request, const double* tension, const double* modulus,
-                    const BlockSink& bars, const BlockSink& triangles,
-                    const BlockSink& hexagons) const;
+                    const BlockSink& bars, const BlockSink& cells, const BlockSink& hexagons) const;
   // Adds added mass (kg, 9 per point).
   void add_added_mass(double* mass) const;
   // Adds the drag's damping (N s/m, 1 per point) of lines at right angles to the flow.
@@ -52,9 +52,6 @@ class Lines {
  private:
   template <int N>
   void describe(const Line<N>& line);
-  // height: over which a line leaves the water, m.
-  template <int N>
-  void set_velocity(const Field& field, const int* node, double height, std::size_t line);
   // What lines meet the water with, means of their points.
   struct Meeting {
     Vector moving = Vector::Zero();  // velocity of the water but for the current's, m/s
@@ -63,6 +60,10 @@ class Lines {
     double own = 0.0;                // share of the flow that is left
     void add(const Field& field, int point, double share);
   };
+  // Of lines with these points, which have these shares in it; height: over which they leave the
+  // water, m.
+  void set_velocity(const Field& field, const int* node, const double* share, int points,
+                    double height, std::initializer_list<int> lines);
   void set_velocity(std::size_t line, const Meeting& meeting, double height);
   // visit(begin, end) in strips whose arrays stay in the first-level cache.
   template <class Visit>
@@ -70,7 +71,7 @@ class Lines {
 
   const std::vector<TwineMaterial>& materials_;
   const Bars& bars_;
-  const NettingTriangles& triangles_;
+  const NettingCells& cells_;
   const HexagonalTriangles& hexagons_;
   const Water& water_;
   int count_;

@@ -24,23 +24,24 @@ Held held_square(double x) {
 
 }  // namespace
 
+void MeshOpenings::prepare() {
+  shape_.clear();
+  for (std::size_t e = 0; e < couple.size(); ++e) shape_.push_back(cell_shape(&twine[8 * e]));
+}
+
 MeshOpenings::Opening MeshOpenings::opening(int e, const Field& field) const {
   Opening o;
   const std::size_t t = static_cast<std::size_t>(e);
-  const double* c = &twine[6 * t];
-  const double d = (c[2] - c[0]) * (c[5] - c[1]) - (c[4] - c[0]) * (c[3] - c[1]);
+  const CellShape& shape = shape_[t];
   o.u.setZero();
   o.v.setZero();
-  const Vector first = at(field.position, node[3 * t]);
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    o.u_shape[k] = (c[2 * next + 1] - c[2 * last + 1]) / d;
-    o.v_shape[k] = (c[2 * last] - c[2 * next]) / d;
-    const Vector side = at(field.position, node[3 * t + k]) - first;
-    o.u += o.u_shape[k] * side;
-    o.v += o.v_shape[k] * side;
+  const Vector first = at(field.position, node[4 * t]);
+  for (std::size_t k = 1; k < 4; ++k) {
+    const Vector side = at(field.position, node[4 * t + k]) - first;
+    o.u += shape.along[0][k] * side;
+    o.v += shape.along[1][k] * side;
   }
-  const double knots = 0.5 * std::abs(d) * multiplicity[t];
+  const double knots = shape.bars * multiplicity[t];
   const Held a = held_square(o.u.squaredNorm()), b = held_square(o.v.squaredNorm());
   const double inverse = 1.0 / std::sqrt(a.value * b.value);
   const double k = o.u.dot(o.v) * inverse;
@@ -73,9 +74,9 @@ void MeshOpenings::add_force(const Field& field, double* force) const {
     const Opening o = opening(e, field);
     const Vector by_u = 2.0 * o.slope[0] * o.u + o.slope[2] * o.v;
     const Vector by_v = 2.0 * o.slope[1] * o.v + o.slope[2] * o.u;
-    for (int k = 0; k < 3; ++k) {
-      at(force, node[3 * static_cast<std::size_t>(e) + k]) -=
-          o.u_shape[k] * by_u + o.v_shape[k] * by_v;
+    const std::size_t t = static_cast<std::size_t>(e);
+    for (std::size_t k = 0; k < 4; ++k) {
+      at(force, node[4 * t + k]) -= shape_[t].along[0][k] * by_u + shape_[t].along[1][k] * by_v;
     }
   }
 }
@@ -98,12 +99,12 @@ void MeshOpenings::add_jacobian(const Field& field, const JacobianRequest& reque
         uv += o.curve[i][j] * of_u[i] * of_v[j].transpose();
       }
     }
-    for (int k = 0; k < 3; ++k) {
-      for (int l = 0; l < 3; ++l) {
-        const Matrix block =
-            request.stiffness *
-            (o.u_shape[k] * o.u_shape[l] * uu + o.v_shape[k] * o.v_shape[l] * vv +
-             o.u_shape[k] * o.v_shape[l] * uv + o.v_shape[k] * o.u_shape[l] * uv.transpose());
+    const double *a = shape_[static_cast<std::size_t>(e)].along[0],
+                 *b = shape_[static_cast<std::size_t>(e)].along[1];
+    for (int k = 0; k < 4; ++k) {
+      for (int l = 0; l < 4; ++l) {
+        const Matrix block = request.stiffness * (a[k] * a[l] * uu + b[k] * b[l] * vv +
+                                                  a[k] * b[l] * uv + b[k] * a[l] * uv.transpose());
         sink.add(e, k, l, block);
       }
     }

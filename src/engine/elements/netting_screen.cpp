@@ -5,23 +5,23 @@
 
 namespace codend {
 
-ScreenFlow screen_flow(const Field& field, const int* node, double height) {
+ScreenFlow screen_flow(const Field& field, const CellShape& shape, const int* node, double height) {
   ScreenFlow out;
   out.u.setZero();
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 4; ++k) {
     out.x[k] = at(field.position, node[k]);
     Vector u;
-    out.share[k] = field.relative_velocity(node[k], height, u, out.slope[k]) / 3.0;
-    out.u += u / 3.0;
-    out.slope[k] /= 3.0;
+    out.own[k] = shape.share[k] * field.relative_velocity(node[k], height, u, out.slope[k]);
+    out.u += shape.share[k] * u;
+    out.slope[k] *= shape.share[k];
   }
-  out.area = 0.5 * (out.x[1] - out.x[0]).cross(out.x[2] - out.x[0]);
+  out.area = 0.5 * (out.x[2] - out.x[0]).cross(out.x[3] - out.x[1]);
   return out;
 }
 
 Matrix area_slope(const ScreenFlow& flow, int l) {
-  // S changes by 1/2 dx_l x (x_l+1 - x_l+2).
-  const Vector side = 0.5 * (flow.x[(l + 1) % 3] - flow.x[(l + 2) % 3]);
+  // S changes by 1/2 dx_l x (x_l+1 - x_l+3).
+  const Vector side = 0.5 * (flow.x[(l + 1) % 4] - flow.x[(l + 3) % 4]);
   Matrix out;
   out << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;
   return out;
@@ -81,33 +81,41 @@ Vector NettingScreens::element_force(int e, const Field& field) const {
   return force(e, flow(e, field), *field.water).value;
 }
 
+void NettingScreens::prepare() {
+  shape_.clear();
+  for (std::size_t e = 0; e < law.size(); ++e) shape_.push_back(cell_shape(&twine[8 * e]));
+}
+
 void NettingScreens::add_force(const Field& field, double* out) const {
   for (int e = 0; e < count(); ++e) {
-    const Vector third = element_force(e, field) / 3.0;
-    for (int k = 0; k < 3; ++k) at(out, node[3 * static_cast<std::size_t>(e) + k]) += third;
+    const std::size_t i = static_cast<std::size_t>(e);
+    const Vector whole = element_force(e, field);
+    for (std::size_t k = 0; k < 4; ++k) at(out, node[4 * i + k]) += shape_[i].share[k] * whole;
   }
 }
 
 void NettingScreens::add_jacobian(const Field& field, const JacobianRequest& request,
                                   const BlockSink& sink) const {
   for (int e = 0; e < count(); ++e) {
+    const double* share = shape_[static_cast<std::size_t>(e)].share;
     const ScreenFlow f = flow(e, field);
     const ScreenForce s = force(e, f, *field.water);
-    for (int l = 0; l < 3; ++l) {
-      Matrix block = -request.stiffness / 3.0 * (s.by_area * area_slope(f, l)) +
-                     request.damping / 3.0 * f.share[l] * s.by_velocity;
-      block.col(2) -= request.stiffness / 3.0 * (s.by_velocity * f.slope[l]);
-      for (int k = 0; k < 3; ++k) sink.add(e, k, l, block);
+    for (int l = 0; l < 4; ++l) {
+      Matrix block = -request.stiffness * (s.by_area * area_slope(f, l)) +
+                     request.damping * f.own[l] * s.by_velocity;
+      block.col(2) -= request.stiffness * (s.by_velocity * f.slope[l]);
+      for (int k = 0; k < 4; ++k) sink.add(e, k, l, (share[k] * block).eval());
     }
   }
 }
 
 void NettingScreens::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
+    const std::size_t i = static_cast<std::size_t>(e);
     const ScreenFlow f = flow(e, field);
     // About a coefficient of 1.2 on the twine's area, as of twines across the flow.
-    const double whole = 0.6 * field.water->density * twine_area[e] * f.u.norm();
-    for (int k = 0; k < 3; ++k) scale[node[3 * static_cast<std::size_t>(e) + k]] += whole / 3.0;
+    const double whole = 0.6 * field.water->density * twine_area[i] * f.u.norm();
+    for (std::size_t k = 0; k < 4; ++k) scale[node[4 * i + k]] += shape_[i].share[k] * whole;
   }
 }
 

@@ -59,14 +59,14 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
     const double tension = lines.multiplicity[k] * lines.tension[k];
     const double length = line.rest * (1.0 + lines.strain[k]);
     moment.elastic += lines.multiplicity[k] * twine_energy(model.material(line), length, line.rest);
+    moment.elastic += line.held_energy(lines);
+    named += line.held_power(lines, field.velocity);
     if (k < model.bars.count()) {
       moment.give[static_cast<std::size_t>(k)] =
           lines.multiplicity[k] * give(model.material(line), length, line.rest);
     }
     if (tension == 0.0) return;
-    const double stretching =
-        lines.inverse_length[k] *
-        line.vector(field.velocity).dot(Vector(lines.e[0][k], lines.e[1][k], lines.e[2][k]));
+    const double stretching = line.stretching(lines, field.velocity);
     named -= tension * stretching;
     const double spring =
         lines.multiplicity[k] * twine_tension(model.material(line), length, line.rest);

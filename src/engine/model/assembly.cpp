@@ -10,8 +10,7 @@ Assembly::Assembly(const Model& model)
     : model_(model),
       kinds_(model.kinds()),
       free_(model),
-      lines_(model.materials, model.bars, model.triangles, model.hexagons, model.water,
-             model.slack),
+      lines_(model.materials, model.bars, model.cells, model.hexagons, model.water, model.slack),
       wake_(model.wake_sheets, model.points()),
       position_(3 * static_cast<std::size_t>(model.points())),
       velocity_(position_.size()),
@@ -22,7 +21,7 @@ Assembly::Assembly(const Model& model)
   if (!model.wake.empty()) wake_.set_share(model.wake);
   if (model.water.waves.present()) waves_.resize(static_cast<std::size_t>(model.points()));
   std::vector<ElementPoints> elements{{2, model.bars.node},
-                                      {3, model.triangles.node},
+                                      {4, model.cells.node},
                                       {4, model.hexagons.node},
                                       {1, model.contacts.node}};
   for (const ElementKind* kind : kinds_) {
@@ -169,7 +168,8 @@ void Assembly::balance(double share, double* allowed) {
                                              rounding * far * a.stiffness[k] * a.inverse_rest[k]);
     const double drag = share * Vector(a.drag[0][k], a.drag[1][k], a.drag[2][k]).norm();
     for (std::size_t i = 0; i < std::size(line.shape); ++i) {
-      scale_[static_cast<std::size_t>(line.nodes[i])] += std::abs(line.shape[i]) * pull + drag;
+      scale_[static_cast<std::size_t>(line.nodes[i])] +=
+          line.pull_at(static_cast<int>(i)) * pull + drag;
     }
   });
   hand_on(scale_.data(), 1);

@@ -89,8 +89,8 @@ class Assembly {
   // Pseudo-time damping per free node, N s/m: drag at the present speed, or mass per second.
   void pseudo_damping(double* damping);
 
-  // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only triangles
-  // (a triangle may hold a fraction of a twine, whose tension says little).
+  // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only
+  // cells (a cell may hold a fraction of a twine, whose tension says little).
   double largest_tension() const;
 
   // Tension of a bar, all its lines together, or of the rope that slides along it, N.
@@ -131,7 +131,7 @@ class Assembly {
   Wake wake_;
   BlockPattern pattern_;
   std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
-  // Of bars, of both triangles, of contacts, then one per kind.
+  // Of bars, of cells, of hexagonal triangles, of contacts, then one per kind.
   std::vector<BlockPlaces> places_;
   bool flow_known_ = false;
   std::vector<char> held_back_;

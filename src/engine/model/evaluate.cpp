@@ -1,11 +1,12 @@
 #include "evaluate.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace codend {
 namespace {
 
-// Drag of lines [first, first + count), 3 each; each is shared by `points` equal points.
+// Drag of lines [first, first + count), 3 each; each is shared by `points` equal points, or whole.
 void add_line_drag(const LineArrays& lines, int points, int first, int count,
                    std::vector<double>& drag) {
   for (int k = 0; k < count; ++k) {
@@ -26,13 +27,12 @@ std::vector<double> bar_drag(const Assembly& assembly) {
   return drag;
 }
 
-std::vector<double> triangle_drag(const Assembly& assembly) {
+std::vector<double> cell_drag(const Assembly& assembly) {
   const Model& model = assembly.model();
-  const int triangles = model.triangles.count(), hexagons = model.hexagons.count();
-  std::vector<double> plain = vectors(triangles), hexagonal = vectors(hexagons);
+  const int cells = model.cells.count(), hexagons = model.hexagons.count();
+  std::vector<double> plain = vectors(cells), hexagonal = vectors(hexagons);
   for (int family = 0; family < 2; ++family) {
-    add_line_drag(assembly.lines(), 3, model.triangles.first_line + family * triangles, triangles,
-                  plain);
+    add_line_drag(assembly.lines(), 1, model.cells.first_line + family * cells, cells, plain);
   }
   for (int family = 0; family < 3; ++family) {
     add_line_drag(assembly.lines(), 1, model.hexagons.first_line + family * hexagons, hexagons,
@@ -69,21 +69,27 @@ void read_lines(const LineArrays& lines, int first, int count, std::vector<doubl
   length.resize(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     const int line = first + k;
-    length[k] = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).norm();
+    double square = Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]).squaredNorm();
+    if (lines.twist_weight && lines.twist_weight[line] > 0.0) {
+      square +=
+          lines.twist_weight[line] *
+          Vector(lines.twist[0][line], lines.twist[1][line], lines.twist[2][line]).squaredNorm();
+    }
+    length[k] = std::sqrt(square);
   }
 }
 
-void read_triangles(const Model& model, const LineArrays& lines, Evaluation& out) {
-  const int triangles = model.triangles.count(), hexagons = model.hexagons.count();
+void read_cells(const Model& model, const LineArrays& lines, Evaluation& out) {
+  const int cells = model.cells.count(), hexagons = model.hexagons.count();
   std::vector<double> tension, length, hexagon_tension, hexagon_length;
-  // Plain triangles have no straight bars.
+  // Plain cells have no straight bars.
   auto family = [&](int plain, int hexagonal, std::vector<double>& tensions,
                     std::vector<double>& lengths) {
     if (plain < 0) {
-      tension.assign(static_cast<std::size_t>(triangles), 0.0);
+      tension.assign(static_cast<std::size_t>(cells), 0.0);
       length = tension;
     } else {
-      read_lines(lines, model.triangles.first_line + plain * triangles, triangles, tension, length);
+      read_lines(lines, model.cells.first_line + plain * cells, cells, tension, length);
     }
     read_lines(lines, model.hexagons.first_line + hexagonal * hexagons, hexagons, hexagon_tension,
                hexagon_length);
@@ -101,7 +107,7 @@ void read_triangles(const Model& model, const LineArrays& lines, Evaluation& out
 const std::vector<ReportedForce>& reported_forces() {
   static const std::vector<ReportedForce> all = {
       {"bar_drag", "bars", Cause::flow, bar_drag},
-      {"triangle_drag", "triangles", Cause::flow, triangle_drag},
+      {"cell_drag", "cells", Cause::flow, cell_drag},
       {"screen_force", "screens", Cause::flow, of_elements<&Model::screens>},
       {"blended_force", "blended", Cause::flow, of_elements<&Model::blended>},
       {"sphere_drag", "spheres", Cause::flow, of_elements<&Model::spheres>},
@@ -135,7 +141,7 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   for (const SlidingRope& rope : model.sliding) {
     for (const int bar : rope.bar) out.bar_tension[bar] = rope.tension(assembly.field());
   }
-  read_triangles(model, assembly.lines(), out);
+  read_cells(model, assembly.lines(), out);
   for (const ReportedForce& force : reported_forces()) out.forces.push_back(force.of(assembly));
   for (int p = 0; p < model.plates.count(); ++p) {
     out.plates.push_back(model.plates.attitude(p, assembly.field()));

@@ -26,7 +26,7 @@ const std::vector<ReportedForce>& reported_forces();
 struct Evaluation {
   std::vector<double> force;  // net force per node, N, 3 each
   std::vector<double> mass;   // mass and added mass per node, kg, 9 each; without bodies'
-  // One line of each element: tension N, length m. Triangles in the order of their list; the straight
+  // One line of each element: tension N, length m. Cells in the order of their list; the straight
   // bars of plain ones, which have none, are 0.
   std::vector<double> bar_tension, bar_length;
   std::vector<double> u_tension, u_length, v_tension, v_length, straight_tension, straight_length;

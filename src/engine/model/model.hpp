@@ -21,11 +21,11 @@
 #include "../elements/lifting_plate.hpp"
 #include "../elements/lifting_surface.hpp"
 #include "../elements/mesh_opening.hpp"
+#include "../elements/netting_cell.hpp"
 #include "../elements/netting_screen.hpp"
-#include "../elements/netting_triangle.hpp"
 #include "../elements/sliding_rope.hpp"
 #include "../elements/sphere.hpp"
-#include "triangle_list.hpp"
+#include "cell_list.hpp"
 #include "wake.hpp"
 
 namespace codend {
@@ -55,9 +55,9 @@ struct Model {
   std::vector<TwineMaterial> materials;
   LoadTable load_table;  // of materials whose loads are given by strain
   Bars bars;
-  NettingTriangles triangles;
+  NettingCells cells;
   HexagonalTriangles hexagons;
-  // Of every triangle of a list in which both kinds stand mixed, whether it is hexagonal; empty: the
+  // Of every cell of a list in which both kinds stand mixed, whether it is hexagonal; empty: the
   // plain ones come first.
   std::vector<char> hexagonal;
   Spheres spheres;
@@ -95,9 +95,9 @@ struct Model {
     visit.optional("load_table", load_table);
     visit.group("bars", bars);
     visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
-    TriangleList list;
-    visit.group("triangles", list);
-    list.divide(triangles, hexagons, hexagonal);
+    CellList list;
+    visit.group("cells", list);
+    list.divide(cells, hexagons, hexagonal);
     visit.group("spheres", spheres);
     visit.group("lifts", lifts);
     visit.group("pressure", pressure);
@@ -132,24 +132,27 @@ struct Model {
       material.loads.push_back(load_table.load[k]);
     }
     load_table = {};
-    triangles.first_line = bars.count();
-    triangles.prepare();
-    hexagons.first_line = bars.count() + 2 * triangles.count();
+    cells.first_line = bars.count();
+    cells.prepare();
+    hexagons.first_line = bars.count() + 2 * cells.count();
     hexagons.prepare();
     water.waves.prepare();
     contacts.prepare();
     plates.prepare();
     blended.slack = slack;
+    screens.prepare();
+    blended.prepare();
+    openings.prepare();
     for (SlidingRope& rope : sliding) rope.prepare(bars);
     // Bodies of unknown height: only asked for at a free surface.
     spheres.height.resize(spheres.node.size(), 1.0);
     spheres.smooth.resize(spheres.node.size(), 0);
     lifts.height.resize(lifts.node.size(), 1.0);
   }
-  // One family of parallel twines each: the bars, then the u lines of all triangles, then their v
+  // One family of parallel twines each: the bars, then the u lines of all cells, then their v
   // lines, then the three families of hexagonal triangles. each_line() visits them in another
   // order; they know their number.
-  int lines() const { return bars.count() + 2 * triangles.count() + 3 * hexagons.count(); }
+  int lines() const { return bars.count() + 2 * cells.count() + 3 * hexagons.count(); }
   template <int N>
   const TwineMaterial& material(const Line<N>& line) const {
     return materials[static_cast<std::size_t>(line.material)];
@@ -160,9 +163,8 @@ struct Model {
   template <class Visit>
   void each_line(Visit visit) const {
     for (int b = 0; b < bars.count(); ++b) visit(bars.line(b));
-    for (int e = 0; e < triangles.count(); ++e) {
-      visit(triangles.u_line(e));
-      visit(triangles.v_line(e));
+    for (int e = 0; e < cells.count(); ++e) {
+      for (int which = 0; which < 2; ++which) visit(cells.line(e, which));
     }
     for (int e = 0; e < hexagons.count(); ++e) {
       for (int which = 0; which < 3; ++which) visit(hexagons.line(e, which));

@@ -233,7 +233,9 @@ double SettleIteration::rounding_force() const {
   double stiffest = 0.0;
   assembly_.model().each_line([&](const auto& line) {
     double arm = 0.0;
-    for (const double a : line.shape) arm = std::max(arm, std::abs(a));
+    for (std::size_t k = 0; k < std::size(line.shape); ++k) {
+      arm = std::max(arm, line.pull_at(static_cast<int>(k)));
+    }
     stiffest = std::max(stiffest, line.multiplicity * arm * arm *
                                       assembly_.model().material(line).axial_stiffness / line.rest);
   });

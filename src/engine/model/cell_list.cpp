@@ -1,4 +1,4 @@
-#include "triangle_list.hpp"
+#include "cell_list.hpp"
 
 #include <algorithm>
 
@@ -17,12 +17,14 @@ void copy(const std::vector<Value>& from, std::size_t width, std::size_t element
 
 }  // namespace
 
-void TriangleList::divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
-                          std::vector<char>& hexagonal) const {
+void CellList::divide(NettingCells& plain, HexagonalTriangles& hexagons,
+                      std::vector<char>& hexagonal) const {
   hexagonal.clear();
-  const auto append = [this](std::size_t e, auto& to) {
-    copy(node, 3, e, to.node);
-    copy(twine, 6, e, to.twine);
+  const auto append = [this](std::size_t e, std::size_t corners, auto& to) {
+    for (std::size_t k = 0; k < corners; ++k) {
+      copy(node, 1, 4 * e + k, to.node);
+      copy(twine, 2, 4 * e + k, to.twine);
+    }
     to.multiplicity.push_back(multiplicity[e]);
     to.material.push_back(material[e]);
     to.height.push_back(height[e]);
@@ -31,16 +33,16 @@ void TriangleList::divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
     hexagonal.push_back(straight[e] > 0.0 ? 1 : 0);
     if (hexagonal.back()) {
       if (inner[e] < 0) {
-        throw InputError("triangles.inner",
-                         "triangles.inner has no point for a triangle that has "
-                         "straight bars (triangles.straight)");
+        throw InputError("cells.inner",
+                         "cells.inner has no point for a cell that has "
+                         "straight bars (cells.straight)");
       }
-      append(e, hexagons);
+      append(e, 3, hexagons);
       hexagons.node.push_back(inner[e]);
       hexagons.straight.push_back(straight[e]);
       hexagons.oblique.push_back(rest[e]);
     } else {
-      append(e, plain);
+      append(e, 4, plain);
       plain.rest.push_back(rest[e]);
     }
   }

@@ -1,17 +1,18 @@
-// Triangles of netting as they are given: plain and hexagonal ones in one list.
+// Cells of netting as they are given: plain and hexagonal ones in one list. Those of three corners have
+// the last one twice; hexagonal ones have three.
 #pragma once
 
 #include <vector>
 
 #include "../base/fields.hpp"
 #include "../elements/hexagonal_triangle.hpp"
-#include "../elements/netting_triangle.hpp"
+#include "../elements/netting_cell.hpp"
 
 namespace codend {
 
-struct TriangleList {
-  std::vector<int> node;      // 3 per triangle
-  std::vector<double> twine;  // u1 v1 u2 v2 u3 v3 per triangle
+struct CellList {
+  std::vector<int> node;      // 4 per cell
+  std::vector<double> twine;  // u0 v0 ... u3 v3 per cell
   std::vector<double> rest;   // length of the bars, of hexagonal ones the oblique bars, m
   std::vector<double>
       straight;            // length of the straight bars of a hexagonal one, m; 0: it is plain
@@ -21,8 +22,8 @@ struct TriangleList {
 
   template <class Visit>
   void fields(Visit& visit) {
-    visit("node", node, {3, Among::points});
-    visit("twine", twine, {6});
+    visit("node", node, {4, Among::points});
+    visit("twine", twine, {8});
     visit("rest", rest);
     visit("straight", straight);
     visit("inner", inner, {1, Among::points, Per::element, true});
@@ -33,11 +34,11 @@ struct TriangleList {
 
   // Adds each to the kind that it is of; hexagonal: which of the list are. Throws InputError where a
   // hexagonal one has no inner point.
-  void divide(NettingTriangles& plain, HexagonalTriangles& hexagons,
+  void divide(NettingCells& plain, HexagonalTriangles& hexagons,
               std::vector<char>& hexagonal) const;
 };
 
-// Numbers of triangles (`width` each) in the order of their list.
+// Numbers of cells (`width` each) in the order of their list.
 std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
                                   const std::vector<double>& plain, const double* of_hexagons,
                                   std::size_t hexagons);

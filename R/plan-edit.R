@@ -1,0 +1,139 @@
+# The text of a plan file after a change of its plan: what did not change stays as it was written,
+# with its remarks.
+
+# source: the text that a plan was read from, or NULL; plan: as it is now. The text of a file that
+# reads back as `plan`: the source with the changed fields put in; else with its changed groups
+# written anew; else all of it anew.
+edited_text <- function(source, plan) {
+  anew <- paste0(c(yaml_lines(plan, 0), ""), collapse = "\n")
+  if (is.null(source)) return(anew)
+  old <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(source)), "plan"), error = function(e) NULL)
+  if (is.null(old)) return(anew)
+  if (identical(old, plan)) return(source)
+  for (deepest in c(Inf, 1)) {
+    text <- tryCatch(edit_fields(source, old, plan, deepest), codend_unplaced = function(e) NULL)
+    if (is.null(text)) next
+    read <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), error = function(e) NULL)
+    if (identical(read, plan)) return(text)
+  }
+  anew
+}
+
+# deepest: fields further down than this many steps are changed with the field around them.
+edit_fields <- function(source, old, plan, deepest) {
+  places <- plan_places(source)
+  if (!isTRUE(attr(places, "whole"))) unplaced()
+  changes <- plan_changes(old, plan, "", 1, deepest)
+  edits <- lapply(changes, function(change) change_edit(source, places, change))
+  # from the end, so that places before an edit stay
+  for (edit in edits[order(-vapply(edits, `[[`, 0, "from"))]) {
+    source <- paste0(substr(source, 1L, edit$from - 1), edit$text,
+      substring(source, edit$to + 1))
+  }
+  source
+}
+
+# What two trees differ in: a list of list(path, parent, name, value, was), value NULL where the
+# field is gone, was NULL where it is new.
+plan_changes <- function(old, new, path, depth, deepest) {
+  out <- list()
+  for (name in union(names(old), names(new))) {
+    if (identical(old[[name]], new[[name]])) next
+    at <- join(path, name)
+    inside <- depth < deepest && is_map(old[[name]]) && is_map(new[[name]]) &&
+      length(old[[name]]) && length(new[[name]])
+    out <- c(out, if (inside) {
+      plan_changes(old[[name]], new[[name]], at, depth + 1, deepest)
+    } else {
+      list(list(path = at, parent = path, name = name, value = new[[name]], was = old[[name]]))
+    })
+  }
+  out
+}
+
+# list(from, to, text): the characters of a text that a change replaces; to < from inserts.
+change_edit <- function(source, places, change) {
+  k <- match(change$path, places$path)
+  if (is.null(change$was)) return(added_edit(source, places, change))
+  if (is.na(k) || is.na(places$from[k])) unplaced()
+  if (is.null(change$value)) return(removed_edit(source, places, k))
+  line <- yaml_inline(change$value)
+  indent <- places$column[k] - 1L
+  whole <- places$to[k]
+  if (places$flow[k]) return(list(from = places$from[k], to = whole, text = line))
+  was_line <- !grepl("\n", substr(source, places$from[k], whole), fixed = TRUE)
+  flat <- !is.na(yaml_flow(change$value))
+  if (was_line && flat) return(aligned_edit(source, places$from[k], whole, line))
+  begin <- regexpr(":", substring(source, places$key[k]), fixed = TRUE)[1] + places$key[k]
+  text <- if (flat) paste0(" ", line) else {
+    paste0("\n", paste(yaml_lines(change$value, indent + 2L), collapse = "\n"))
+  }
+  list(from = begin, to = whole, text = text)
+}
+
+# Replaces a value on a line so that a remark after it stays in its column where there is room.
+aligned_edit <- function(source, from, to, text) {
+  rest <- sub("\n.*", "", substring(source, to + 1))
+  blanks <- attr(regexpr("^ +(?=#)", rest, perl = TRUE), "match.length")
+  if (blanks > 0) {
+    room <- max(1L, blanks - (nchar(text) - (to - from + 1L)))
+    text <- paste0(text, strrep(" ", room))
+    to <- to + blanks
+  }
+  list(from = from, to = to, text = text)
+}
+
+removed_edit <- function(source, places, k) {
+  from <- places$key[k]
+  to <- places$to[k]
+  before <- substr(source, 1L, from - 1)
+  after <- substring(source, to + 1)
+  if (places$flow[k]) {
+    comma <- attr(regexpr("^[ \n]*,[ \n]*", after), "match.length")
+    if (comma > 0) return(list(from = from, to = to + comma, text = ""))
+    ahead <- attr(regexpr(",[ \n]*$", before), "match.length")
+    return(list(from = from - max(ahead, 0), to = to, text = ""))
+  }
+  if (!grepl("(^|\n) *$", before)) unplaced()
+  list(
+    from = from - (places$column[k] - 1L), to = to + nchar(sub("\n.*", "", after)) +
+      grepl("\n", after, fixed = TRUE),
+    text = ""
+  )
+}
+
+# A field that is new goes behind the others of its map.
+added_edit <- function(source, places, change) {
+  name <- yaml_text(change$name)
+  root <- !nzchar(change$parent)
+  p <- match(change$parent, places$path)
+  if (!root && is.na(p)) unplaced()
+  if (!root && substr(source, places$from[p], places$from[p]) == "{") {
+    end <- places$to[p]
+    inside <- substr(source, places$from[p] + 1, end - 1)
+    comma <- if (grepl("[^ \n]", inside) && !grepl(",[ \n]*$", inside)) ", " else ""
+    blanks <- attr(regexpr("[ ]+$", inside), "match.length")
+    at <- end - max(blanks, 0)
+    return(list(from = at, to = end - 1,
+      text = paste0(comma, name, ": ", yaml_inline(change$value))))
+  }
+  children <- which(sub("[.]?[^.]*$", "", places$path) == change$parent)
+  if (!length(children) || any(places$flow[children])) unplaced()
+  indent <- places$column[children[1]] - 1L
+  field <- stats::setNames(list(change$value), change$name)
+  lines <- paste0(paste(yaml_lines(field, indent), collapse = "\n"), "\n")
+  last <- max(c(places$to[children], places$key[children]), na.rm = TRUE)
+  end <- regexpr("\n", substring(source, last), fixed = TRUE)[1]
+  if (end == -1L) {
+    return(list(from = nchar(source) + 1, to = nchar(source), text = paste0("\n", lines)))
+  }
+  list(from = last + end, to = last + end - 1, text = lines)
+}
+
+# Any value on one line.
+yaml_inline <- function(value) {
+  if (!is.list(value)) return(yaml_flow(value))
+  items <- vapply(value, yaml_inline, "")
+  if (is.null(names(value))) return(paste0("[", paste(items, collapse = ", "), "]"))
+  paste0("{", paste0(vapply(names(value), yaml_text, ""), ": ", items, collapse = ", "), "}")
+}

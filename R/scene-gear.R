@@ -1,0 +1,205 @@
+# What the viewer draws (inst/view/viewer.js), of a state, of a trajectory or of the tank's designs:
+# one list for all, which becomes JSON. What joins points stands apart from what moves, so that the
+# tank sends it once.
+
+# Lines and cells that one scene shows at most.
+scene_limit <- 12000L
+
+# What of a state a scene shows: list(fixed, points (3 x n, m), ropes, u, v = tensions (N), opening,
+# angle = of the netting's places (% and deg) or NULL, drag = of every part over its size (N/m of
+# ropes, N/m2 of netting), places (3 x marks, m), boards (3 x 4 per board, m)).
+scene_shape <- function(state, limit = scene_limit, meshes = TRUE) {
+  points <- state_points(state)
+  ropes <- rope_lines(state, points, limit)
+  netting <- netting_surfaces(state, limit)
+  marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
+  marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
+  drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
+  mean_of <- function(colour) {
+    if (meshes && length(netting$u)) mesh_means(state, netting$panel, netting$at, colour)
+  }
+  list(
+    fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
+    points = points[, drawn, drop = FALSE], ropes = ropes$tension, u = netting$u, v = netting$v,
+    opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle"),
+    drag = part_drag_over_size(state),
+    places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
+  )
+}
+
+# Hydrodynamic force along the flow over length (of ropes, N/m) or over the area of taut netting at
+# its mesh size squared (N/m2) of every part; 0 of others.
+part_drag_over_size <- function(state) {
+  si <- state$si
+  parts <- state$lattice$parts
+  size <- numeric(nrow(parts))
+  size[seq_along(si$ropes)] <- vapply(si$ropes, `[[`, 0, "length")
+  size[length(si$ropes) + seq_along(si$panels)] <- vapply(si$panels, function(panel) {
+    panel_bars(panel) * (panel$mesh_size / 2)^2
+  }, 0)
+  drag <- drop(flow_axes(si)[, "flow"] %*% part_drag(state))
+  ifelse(size > 0, pmax(drag, 0) / pmax(size, 1e-9), 0)
+}
+
+# What joins the points of a shape, and what its parts and marks are.
+scene_fixed <- function(shape) {
+  fixed <- shape$fixed
+  state <- fixed$state
+  point <- function(number) match(number, fixed$drawn) - 1L
+  ends <- fixed$ropes$ends
+  list(
+    ropes = list(
+      ends = packed_integers(point(ends)), part = packed_integers(fixed$ropes$part - 1L)
+    ),
+    netting = lapply(fixed$netting$panels, function(panel) {
+      list(
+        part = panel$part - 1L, columns = panel$columns, rows = panel$rows,
+        point = packed_integers(point(panel$point)), mesh = packed_floats(panel$mesh)
+      )
+    }),
+    parts = scene_parts(state), marks = scene_marks(fixed$marks),
+    vessels = lapply(scene_vessels(state, fixed$marks), I)
+  )
+}
+
+# Of every part its words and, where it has such, its thickness (m), length of a bar and of a mesh
+# (m) and strength (N).
+scene_parts <- function(state) {
+  si <- state$si
+  parts <- state$lattice$parts
+  n <- nrow(parts)
+  thickness <- strength <- mesh <- bar <- numeric(n)
+  rope <- seq_along(si$ropes)
+  net <- length(rope) + seq_along(si$panels)
+  thickness[rope] <- vapply(si$ropes, function(rope) first_of(rope$diameter, 0), 0)
+  strength[rope] <- vapply(si$ropes, function(rope) as.double(first_of(rope$strength, 0)), 0)
+  strength[is.na(strength)] <- 0
+  thickness[net] <- vapply(si$panels, twine_width, 0)
+  mesh[net] <- vapply(si$panels, `[[`, 0, "mesh_size")
+  bar[net] <- vapply(si$panels, function(panel) panel$mesh_size / 2, 0)
+  list(
+    name = I(parts$name), kind = I(parts$kind), role = I(ifelse(is.na(parts$role), "", parts$role)),
+    thickness = I(thickness), strength = I(strength), mesh = I(mesh), bar = I(bar)
+  )
+}
+
+scene_marks <- function(marks) {
+  symbol <- symbol_of(marks$role)
+  list(
+    role = I(as.character(marks$role)), label = I(as.character(symbol$label)),
+    fill = I(as.character(symbol$solid)), part = I(as.character(marks$part)),
+    size = I(ifelse(is.na(marks$size), 0, marks$size)),
+    direction = I(ifelse(is.na(marks$direction), "", marks$direction)),
+    board = I(as.integer(marks$board) - 1L)
+  )
+}
+
+# Towing points within this distance (m) are of one vessel.
+one_vessel <- 40
+
+# Vessels that tow: of each the numbers, from 0, of its marks at the surface.
+scene_vessels <- function(state, marks) {
+  if (state$si$towing$speed == 0 || state$si$water$density == 0) return(list())
+  own <- which(marks$role == "moved" & marks$z > -1)
+  if (!length(own)) return(list())
+  if (length(own) == 1L) return(list(own - 1L))
+  apart <- stats::hclust(stats::dist(marks[own, c("x", "y", "z")]), "single")
+  unname(split(own - 1L, stats::cutree(apart, h = one_vessel)))
+}
+
+# What of shapes moves, at each of as many times.
+scene_moved <- function(shapes) {
+  times <- length(shapes)
+  # of a net across the whole of a screen a tenth of a pixel
+  net <- unlist(lapply(shapes[[1L]]$fixed$netting$panels, `[[`, "point"))
+  drawn <- shapes[[1L]]$fixed$drawn
+  at <- shapes[[1L]]$points[, if (length(net)) drawn %in% net else TRUE, drop = FALSE]
+  step <- max(apply(at, 1L, max) - apply(at, 1L, min)) / 20000
+  all <- function(field) unlist(lapply(shapes, `[[`, field), use.names = FALSE)
+  values <- function(field) packed_values(as.double(all(field)), times)
+  moved <- list(
+    points = packed_places(all("points"), times, step), rope_tension = values("ropes"),
+    u = values("u"), v = values("v"), drag = values("drag"),
+    places = packed_places(as.double(all("places")), times, step),
+    boards = packed_places(as.double(all("boards")), times, step / 10)
+  )
+  if (!is.null(shapes[[1L]]$opening)) {
+    moved$opening <- values("opening")
+    moved$angle <- values("angle")
+  }
+  moved
+}
+
+# Scales of what colours show, over several shapes: by quantity, of ropes and of netting.
+scene_scales <- function(shapes) {
+  all <- function(field) unlist(lapply(shapes, `[[`, field), use.names = FALSE)
+  parts <- shapes[[1L]]$fixed$state$lattice$parts
+  drag <- function(kind) {
+    as.double(unlist(lapply(shapes, function(s) s$drag[s$fixed$state$lattice$parts$kind == kind])))
+  }
+  tension <- c(all("u"), all("v"))
+  meshes <- function(field, colour) {
+    list(netting = scale_told(mesh_scale(all(field), colour), "netting"))
+  }
+  list(
+    tension = list(
+      rope = scale_told(tension_scale(all("ropes"), "rope"), "rope"),
+      netting = scale_told(tension_scale(tension[!is.na(tension)], "netting"), "netting")
+    ),
+    mesh_opening = meshes("opening", "mesh_opening"), mesh_angle = meshes("angle", "mesh_angle"),
+    drag = list(
+      rope = scale_told(drag_scale(drag("rope"), "rope"), "rope"),
+      netting = scale_told(drag_scale(drag("netting"), "netting"), "netting")
+    )
+  )
+}
+
+drag_scale <- function(drag, kind) {
+  scale <- tension_scale(drag, kind)
+  if (is.null(scale)) return(NULL)
+  # in newtons, however large
+  scale$ticks <- scale$ticks * scale$per_unit
+  scale$per_unit <- 1
+  scale$unit <- if (kind == "rope") "N/m" else "N/m2"
+  scale$words <- if (kind == "rope") "Drag of ropes" else "Drag over area of netting"
+  scale
+}
+
+# A scale as the viewer takes it.
+scale_told <- function(scale, kind) {
+  if (is.null(scale)) return(NULL)
+  list(
+    heading = scale_heading(scale, kind), unit = scale$unit, per_unit = scale$per_unit,
+    log = scale$log, limits = I(as.double(scale$limits)),
+    ticks = I(trimws(tick_labels(scale))), at = I(scale_share(scale, scale$ticks * scale$per_unit))
+  )
+}
+
+# What a scene has besides its shapes.
+scene_about <- function(state, shapes) {
+  bed <- drawn_bed(state)
+  list(
+    name = state$gear$plan$name, conditions = state_conditions(state),
+    water = state$si$water$density > 0, flow = I(flow_past(state)),
+    bed = if (!is.null(bed)) list(normal = I(bed$normal), height = bed$height),
+    scales = scene_scales(shapes), colours = scene_colours()
+  )
+}
+
+# Stops of the two palettes, and the colour of slack.
+scene_colours <- function() {
+  stops <- function(kind) {
+    colours <- tension_palette(kind)
+    I(colours[round(seq(1, length(colours), length.out = 32L))])
+  }
+  list(rope = stops("rope"), netting = stops("netting"), slack = slack_colour)
+}
+
+# The scene of a state.
+state_scene <- function(state, colour = "tension") {
+  shape <- scene_shape(state)
+  c(
+    list(times = I(0), labels = I(""), colour = colour), scene_about(state, list(shape)),
+    scene_fixed(shape), scene_moved(list(shape))
+  )
+}

@@ -1,0 +1,83 @@
+# From a fit to the calibration that is returned.
+
+finish_calibration <- function(task, fit) {
+  scaled <- fit$scaled
+  fields <- task$points$fields
+  at <- character(length(fields))
+  at[scaled <= active_share] <- "lower"
+  at[scaled >= 1 - active_share] <- "upper"
+  model <- model_at(task, scaled, slopes = TRUE)
+  begun <- model_at(task, points_scaled(task$points, own_values(fields)))
+  used <- lapply(task$match, function(one) which(!is.na(one$measured)))
+  task$freedom <- max(1, sum(lengths(used)) - sum(at == ""))
+  # estimated errors lose what the fields took
+  grown <- sqrt(sum(lengths(used)) / task$freedom)
+  error <- vapply(seq_along(task$match), function(k) {
+    one <- task$match[[k]]
+    off <- model[[k]]$fitted[used[[k]]] - one$measured[used[[k]]]
+    error_of(one, off) * if (is.na(one$error)) grown else 1
+  }, 0)
+  matched <- do.call(rbind, lapply(seq_along(task$match), function(k) {
+    one <- task$match[[k]]
+    rows <- used[[k]]
+    residual <- one$measured[rows] - model[[k]]$fitted[rows]
+    data.frame(
+      row = rows, match = one$text, measured = one$measured[rows],
+      begun = begun[[k]]$fitted[rows], fitted = model[[k]]$fitted[rows], residual = residual,
+      standardised = residual / error[k]
+    )
+  }))
+  covariance <- fields_covariance(task, model, used, error, at)
+  values <- points_values(task$points, scaled)
+  prior <- t(vapply(fields, function(field) first_of(field$prior, c(NA_real_, NA_real_)), c(0, 0)))
+  structure(
+    list(
+      gear = set_free(task$points$gear, fields, values),
+      fields = data.frame(
+        field = field_names(fields), unit = vapply(fields, `[[`, "", "unit"),
+        begun = own_values(fields), value = values, error = sqrt(diag(covariance)),
+        lower = lower_ends(fields), upper = upper_ends(fields), at = at,
+        prior_mean = prior[, 1L], prior_sd = prior[, 2L], row.names = NULL
+      ),
+      covariance = covariance, matched = matched,
+      match = match_table(task, matched, error), left_out = task$left_out,
+      conditions = task$conditions, converged = fit$converged, misfit = fit$value,
+      settles = task$points$count$settles, slopes = task$points$count$slopes, task = task,
+      scaled = scaled
+    ),
+    class = "codend_calibration"
+  )
+}
+
+match_table <- function(task, matched, error) {
+  rms <- function(x) sqrt(mean(x^2))
+  by <- lapply(task$match, function(one) matched[matched$match == one$text, ])
+  data.frame(
+    text = vapply(task$match, `[[`, "", "text"), hauls = vapply(by, nrow, 0L), error = error,
+    estimated = vapply(task$match, function(one) is.na(one$error), NA),
+    bias = vapply(by, function(rows) mean(rows$residual), 0),
+    rms_begun = vapply(by, function(rows) rms(rows$measured - rows$begun), 0),
+    rms = vapply(by, function(rows) rms(rows$residual), 0)
+  )
+}
+
+# Of fields in their units, NA for those at the end of their range.
+fields_covariance <- function(task, model, used, error, at) {
+  n <- length(task$points$fields)
+  information <- matrix(0, n, n)
+  for (k in seq_along(task$match)) {
+    information <- information +
+      crossprod(model[[k]]$slopes[used[[k]], , drop = FALSE]) / error[k]^2
+  }
+  for (k in which(has_prior(task$points$fields))) {
+    information[k, k] <- information[k, k] + 1 / scaled_prior(task$points, k)[2L]^2
+  }
+  names <- field_names(task$points$fields)
+  covariance <- matrix(NA_real_, n, n, dimnames = list(names, names))
+  free <- which(at == "")
+  inverse <- tryCatch(solve(information[free, free, drop = FALSE]), error = function(e) NULL)
+  # what the data do not tell is not known at all
+  if (is.null(inverse)) inverse <- diag(Inf, length(free))
+  covariance[free, free] <- inverse * outer(task$points$width[free], task$points$width[free])
+  covariance
+}

@@ -1,0 +1,262 @@
+#' What a calibration tells
+#'
+#' Values, intervals, residuals and predictions of what [calibrate()] found.
+#'
+#' @param object,x A calibration, from [calibrate()].
+#' @param parm Fields, by their names or numbers; all when missing.
+#' @param level Share of the intervals.
+#' @param method `"profile"`: where the likelihood, the other fields found again, falls by what the
+#'   level asks for. `"normal"`: by the covariance, which takes no time.
+#' @param type `"response"` in the units of the match, or `"standardised"` by its error.
+#' @param newdata A data frame with columns that set fields, as `data` of [calibrate()]; the hauls
+#'   of the calibration when missing.
+#' @param ... Not used.
+#' @return
+#'
+#'   - `coef()`: values by field, in the plan's unit; `vcov()` their covariance;
+#'   - `confint()`: a matrix with the two ends by field. An end of the range that the likelihood
+#'     does not rule out stands as it is;
+#'   - `fitted()` and `residuals()`: a number by row of `matched`;
+#'   - `predict()`: a data frame with a row per row of `newdata` and match: `row`, `match`, `fit`,
+#'     `error` (standard error of the fit by the covariance), `low` and `high` (of a new haul, with
+#'     the error of the match) and, where `newdata` has what is matched, `measured`. Rows that do
+#'     not settle are `NA`;
+#'   - `logLik()`: with the number of fields and estimated errors; `nobs()`: what is matched.
+#'
+#'   Wrong arguments are an error of class `codend_error_argument`.
+#' @name calibration_methods
+#' @examples
+#' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
+#' fit <- calibrate("towed_cable", runs,
+#'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
+#' coef(fit)
+#' predict(fit, data.frame(towing.speed = "7 knot"))
+NULL
+
+#' @rdname calibration_methods
+#' @importFrom stats coef
+#' @export
+coef.codend_calibration <- function(object, ...) {
+  setNames(object$fields$value, object$fields$field)
+}
+
+#' @rdname calibration_methods
+#' @importFrom stats vcov
+#' @export
+vcov.codend_calibration <- function(object, ...) object$covariance
+
+#' @rdname calibration_methods
+#' @importFrom stats fitted
+#' @export
+fitted.codend_calibration <- function(object, ...) object$matched$fitted
+
+#' @rdname calibration_methods
+#' @importFrom stats residuals
+#' @export
+residuals.codend_calibration <- function(object, type = c("response", "standardised"), ...) {
+  type <- check_choice(type, "type", c("response", "standardised"))
+  if (type == "response") object$matched$residual else object$matched$standardised
+}
+
+#' @rdname calibration_methods
+#' @importFrom stats nobs
+#' @export
+nobs.codend_calibration <- function(object, ...) nrow(object$matched)
+
+#' @rdname calibration_methods
+#' @importFrom stats logLik
+#' @export
+logLik.codend_calibration <- function(object, ...) {
+  match <- object$match
+  by <- split(object$matched$residual, factor(object$matched$match, unique(match$text)))
+  value <- sum(mapply(function(residual, error, estimated) {
+    # of estimated errors the most likely
+    if (estimated) error <- sqrt(mean(residual^2))
+    sum(stats::dnorm(residual, 0, error, log = TRUE))
+  }, by, match$error, match$estimated))
+  structure(value, df = nrow(object$fields) + sum(match$estimated), nobs = nobs(object),
+    class = "logLik")
+}
+
+check_choice <- function(given, name, known) {
+  if (identical(given, known)) return(known[1L])
+  if (!(is_text(given) && given %in% known)) {
+    abort_argument("{.arg {name}} is {.val {given}}; it must be any of {.val {known}}.")
+  }
+  given
+}
+
+check_level <- function(level) {
+  if (!(is.numeric(level) && length(level) == 1L && is.finite(level) && level > 0 && level < 1)) {
+    abort_argument("{.arg level} is {.val {level}}; it must be a share between 0 and 1.")
+  }
+}
+
+#' @rdname calibration_methods
+#' @importFrom stats confint
+#' @export
+confint.codend_calibration <- function(object, parm, level = 0.95,
+                                       method = c("profile", "normal"), ...) {
+  method <- check_choice(method, "method", c("profile", "normal"))
+  check_level(level)
+  known <- object$fields$field
+  if (missing(parm)) parm <- known
+  if (is.numeric(parm)) parm <- known[parm]
+  if (anyNA(parm) || !all(parm %in% known)) {
+    abort_argument("{.arg parm} is {.val {parm}}; it must be any of {.val {known}}.")
+  }
+  ends <- t(vapply(match(parm, known), function(k) {
+    if (method == "profile") return(profile_ends(object, k, level))
+    object$fields$value[k] + c(-1, 1) * reach_of(object, level) * object$fields$error[k]
+  }, c(0, 0)))
+  shares <- (1 + c(-1, 1) * level) / 2
+  dimnames(ends) <- list(parm, with_plain_numbers(paste(format(100 * shares), "%")))
+  ends
+}
+
+# How many standard errors an interval reaches to each side: of Student's t where an error is
+# estimated.
+reach_of <- function(object, level) {
+  share <- (1 + level) / 2
+  if (any(object$match$estimated)) stats::qt(share, object$task$freedom) else stats::qnorm(share)
+}
+
+# By how much the logarithm of the likelihood falls at the ends of an interval. Of estimated errors
+# it is n / 2 log(1 + t^2 / freedom), exactly so where the model is linear.
+fall_of <- function(object, level) {
+  reach <- reach_of(object, level)
+  if (!any(object$match$estimated)) return(reach^2 / 2)
+  nobs(object) / 2 * log1p(reach^2 / object$task$freedom)
+}
+
+profile_ends <- function(object, k, level) {
+  task <- object$task
+  wanted <- sqrt(fall_of(object, level))
+  best <- object$scaled
+  error <- object$fields$error[k] / task$points$width[k]
+  if (!is.finite(error) || error <= 0) error <- 0.1
+  least <- object$misfit
+  end_of <- function(way) {
+    place <- best
+    # the root of the fall, nearly straight in the field: found by its chords
+    root <- function(x) {
+      place[k] <<- x
+      found <- fit_fields(task, place, held = k)
+      place <<- found$scaled
+      sqrt(max(0, found$value - least))
+    }
+    limit <- if (way < 0) 0 else 1
+    before <- c(best[k], 0)
+    x <- best[k] + way * reach_of(object, level) * error
+    for (step in seq_len(profile_steps)) {
+      x <- min(max(x, 0), 1)
+      now <- c(x, root(x))
+      if (x == limit && now[2L] <= wanted) return(limit)
+      if (abs(now[2L] - wanted) <= 0.01 * wanted) return(x)
+      slope <- (now[2L] - before[2L]) / (now[1L] - before[1L])
+      # a flat likelihood: a longer step
+      if (!is.finite(slope) || slope * way <= 0) x <- best[k] + 2 * (x - best[k]) else {
+        if (is.finite(now[2L])) before <- now
+        x <- now[1L] + (wanted - now[2L]) / slope
+      }
+    }
+    x
+  }
+  ends <- c(end_of(-1), end_of(1))
+  task$points$lower[k] + ends * task$points$width[k]
+}
+
+# Steps to an end of a profile, at most.
+profile_steps <- 12L
+
+#' @rdname calibration_methods
+#' @importFrom stats predict
+#' @export
+predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...) {
+  check_level(level)
+  task <- object$task
+  old <- is.null(newdata)
+  if (old) newdata <- task$data
+  if (!is.data.frame(newdata) || !nrow(newdata)) {
+    abort_argument("{.arg newdata} must be a data frame with a row per haul.")
+  }
+  newdata <- as.data.frame(newdata)
+  if (!old) {
+    lost <- setdiff(object$conditions, names(newdata))
+    if (length(lost)) {
+      abort_argument("{.arg newdata} has no column {.field {lost}}, which the calibration had.")
+    }
+    set <- condition_columns(task$points$gear, newdata, task$points$fields)
+    task[c("cases", "case_of")] <- new_cases(task$points, newdata, set)
+    task$memory <- new.env(parent = emptyenv())
+    task$memory$tried <- list()
+    near <- Find(Negate(is.null), object$task$memory$near)
+    task$memory$near <- rep(list(near), length(task$cases))
+  }
+  model <- model_at(task, object$scaled, slopes = TRUE)
+  width <- task$points$width
+  free <- which(object$fields$at == "")
+  covariance <- (object$covariance / outer(width, width))[free, free, drop = FALSE]
+  reach <- reach_of(object, level)
+  do.call(rbind, lapply(seq_along(task$match), function(k) {
+    one <- task$match[[k]]
+    by <- model[[k]]$slopes[, free, drop = FALSE]
+    fit <- model[[k]]$fitted
+    error <- sqrt(rowSums((by %*% covariance) * by))
+    wide <- reach * sqrt(error^2 + object$match$error[k]^2)
+    table <- data.frame(row = seq_along(fit), match = one$text, fit = fit, error = error,
+      low = fit - wide, high = fit + wide)
+    left <- str2lang(one$text)
+    known <- all(all.vars(left) %in% names(newdata))
+    table$measured <- if (known) as.double(eval(left, newdata)) else NA_real_
+    table
+  }))
+}
+
+#' @export
+print.codend_calibration <- function(x, ...) {
+  cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
+    if (length(x$conditions)) paste0(" by ", paste(x$conditions, collapse = ", ")), "\n", sep = "")
+  fields <- x$fields
+  cat(paste0(align_columns(list(
+    paste0("  ", fields$field), slope_figures(fields$value), fields$unit,
+    ifelse(is.na(fields$error), "", paste("+-", slope_figures(fields$error))),
+    paste("from", slope_figures(fields$begun)),
+    ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
+  ), left = c(1L, 3L, 6L)), "\n"), sep = "")
+  match <- x$match
+  cat(paste0(align_columns(list(
+    paste0("  ", match$text), paste(match$hauls, "hauls"),
+    paste("off by", slope_figures(match$rms)), paste("before", slope_figures(match$rms_begun)),
+    paste("mean", slope_figures(match$bias))
+  ), left = 1L), "\n"), sep = "")
+  cat("  ", if (x$converged) "converged" else "not converged", ", ", x$settles, " gears settled\n",
+    sep = "")
+  invisible(x)
+}
+
+#' @export
+summary.codend_calibration <- function(object, level = 0.95, ...) {
+  ends <- confint(object, level = level, method = "normal")
+  structure(list(calibration = object, intervals = ends, level = level),
+    class = "codend_calibration_summary")
+}
+
+#' @export
+print.codend_calibration_summary <- function(x, ...) {
+  print(x$calibration)
+  cat("\nIntervals by the covariance\n")
+  print(signif(x$intervals, 5))
+  correlation <- tryCatch(suppressWarnings(stats::cov2cor(x$calibration$covariance)),
+    error = function(e) NULL)
+  if (length(correlation) > 1L) {
+    cat("\nCorrelation of the fields\n")
+    print(round(correlation, 2))
+  }
+  worst <- x$calibration$matched
+  worst <- utils::head(worst[order(-abs(worst$standardised)), ], 5L)
+  cat("\nFurthest off\n")
+  worst[3:7] <- lapply(worst[3:7], signif, 4)
+  print(worst, row.names = FALSE)
+  invisible(x)
+}

@@ -1,0 +1,257 @@
+#' What a misfit points at
+#'
+#' Where a calibrated gear and its hauls still differ: which other input of the plan, of boards,
+#' netting, ropes, sea bed or water, would bring them together, which condition the differences
+#' follow, and which measurement would tell the fields of the calibration best.
+#'
+#' Inputs are judged by the slopes of what was matched at the calibrated gear: by how much the sum
+#' of squared standardised residuals would fall were the input free beside the fields of the
+#' calibration (score test), on a straight line, and believed to lie within `spread` of its value:
+#' one that would have to change by more explains little. An input whose effect is that of the
+#' calibrated fields cannot be told from them (`own` near 0).
+#'
+#' @param fit A calibration, from [calibrate()].
+#' @param to Inputs to look at, as `to` of [sensitivities()]; `NULL` takes lengths, masses, areas,
+#'   buoyancies, diameters and coefficients that the plan gives, two dozen at most.
+#' @param spread Standard deviation that inputs are believed to have, as a share of their value.
+#' @param sensor Error of a sensor that is not there yet, as a share of what it measures.
+#' @param cases How many of the settings in the data to look at, evenly over them; each takes the
+#'   slopes of all inputs.
+#' @return An object of class `codend_explanation`, a list of data frames, the most telling first:
+#'
+#'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals ask for and that
+#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (the
+#'     probability of so large a fall by chance; small where the input matters) and `own`, the share
+#'     of its effect that the calibrated fields do not have too;
+#'   - `trends`: `match`, the `condition` (a numeric column of the data), `correlation` of the
+#'     residuals with it and `p`;
+#'   - `measurements`: `measure`, and `gain`: the factor by which the standard errors of the fields
+#'     would shrink, their geometric mean, were it measured in all hauls with `sensor`'s error; a
+#'     column `matched` tells what is already. Empty where no field is free.
+#'
+#'   Wrong arguments are an error of class `codend_error_argument`.
+#' @export
+#' @examples
+#' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
+#' fit <- calibrate("towed_cable", runs,
+#'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
+#' explain(fit, to = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
+explain <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
+  if (!inherits(fit, "codend_calibration")) {
+    abort_argument("{.arg fit} must be a calibration, as {.fn calibrate} returns, not
+      {.cls {class(fit)}}.")
+  }
+  check_count("cases", cases)
+  check_share(spread, "spread")
+  check_share(sensor, "sensor")
+  found <- explained_cases(fit, explained_inputs(fit, to), cases)
+  structure(
+    list(
+      inputs = explain_inputs(fit, found, spread), trends = explain_trends(fit),
+      measurements = explain_measurements(fit, found, sensor)
+    ),
+    class = "codend_explanation", gear_name = fit$gear$plan$name
+  )
+}
+
+check_share <- function(value, name) {
+  if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value > 0)) {
+    abort_argument("{.arg {name}} is {.val {value}}; it must be a share above 0.")
+  }
+}
+
+# Last steps of paths that inputs have where none are asked for, and how many are looked at.
+input_fields <- c("length", "mass", "area", "buoyancy", "diameter", "lift_coefficient",
+  "drag_coefficient", "drag_area", "friction", "density", "normal", "tangential")
+most_inputs <- 24L
+
+explained_inputs <- function(fit, to) {
+  taken <- c(unlist(lapply(fit$task$points$fields, `[[`, "paths")), fit$conditions)
+  if (!is.null(to)) {
+    found <- slope_fields(fit$gear, to)
+    both <- intersect(unlist(lapply(found, `[[`, "paths")), taken)
+    if (length(both)) {
+      abort_argument("{.arg to} has {.field {both[1]}}, which the calibration sets or finds.")
+    }
+    return(lapply(found, `[[`, "paths"))
+  }
+  found <- slope_fields(fit$gear, "all")
+  keep <- vapply(found, function(field) {
+    !field$whole && !any(field$paths %in% taken) &&
+      sub(".*[.]", "", field$paths[1L]) %in% input_fields
+  }, NA)
+  utils::head(lapply(found[keep], `[[`, "paths"), most_inputs)
+}
+
+# Slopes of all measures at some settings: lists of rows (of the data), measures, fields and inputs
+# (matrices of measures by scaled fields, and by shares of inputs).
+explained_cases <- function(fit, inputs, most) {
+  task <- fit$task
+  at <- cases_at(task, fit$scaled, slopes = FALSE)
+  usable <- which(!vapply(at$points, is.null, NA))
+  chosen <- usable[unique(round(seq(1, length(usable), length.out = min(most, length(usable)))))]
+  lapply(chosen, function(k) {
+    point <- at$points[[k]]
+    all <- names(point$measures)
+    slopes <- if (length(inputs)) sensitivities(point$state, NULL, inputs, secants = FALSE)
+    list(
+      rows = which(task$case_of == k), case = k, point = point,
+      fields = clear(point_slopes(task$cases[[k]], point, all)),
+      inputs = if (length(inputs)) {
+        by <- matrix(slopes$slope * slopes$value, length(all),
+          dimnames = list(all, unique(slopes$field)))
+        clear(by)
+      },
+      value = if (length(inputs)) slopes$value[match(unique(slopes$field), slopes$field)],
+      unit = if (length(inputs)) slopes$unit[match(unique(slopes$field), slopes$field)]
+    )
+  })
+}
+
+clear <- function(slopes) replace(slopes, !is.finite(slopes), 0)
+
+# What is matched at one setting: its slopes by columns of slopes of measures.
+matched_slopes <- function(task, case, one, slopes) {
+  at <- formula_point(task$cases[[case$case]], case$point, task$words)
+  rows <- match(task$words$column, rownames(slopes))
+  at$slopes <- slopes[rows, , drop = FALSE] * task$words$factor
+  rownames(at$slopes) <- task$words$name
+  evaluate_formula(one$formula, at)$slope
+}
+
+explain_inputs <- function(fit, cases, spread) {
+  none <- data.frame(field = character(), value = numeric(), unit = character(), step = numeric(),
+    percent = numeric(), fall = numeric(), p = numeric(), own = numeric())
+  if (!length(cases) || is.null(cases[[1L]]$inputs)) return(none)
+  task <- fit$task
+  rows <- lapply(seq_along(task$match), function(k) {
+    one <- task$match[[k]]
+    error <- fit$match$error[k]
+    known <- fit$matched[fit$matched$match == one$text, ]
+    do.call(rbind, lapply(cases, function(case) {
+      here <- known[known$row %in% case$rows, ]
+      if (!nrow(here)) return(NULL)
+      by <- c(matched_slopes(task, case, one, case$fields),
+        matched_slopes(task, case, one, case$inputs))
+      cbind(here$standardised, matrix(by / error, nrow(here), length(by), byrow = TRUE))
+    }))
+  })
+  table <- do.call(rbind, rows)
+  n <- length(task$points$fields)
+  free <- which(fit$fields$at == "")
+  residual <- table[, 1L]
+  known <- table[, 1L + free, drop = FALSE]
+  effects <- table[, -seq_len(1L + n), drop = FALSE]
+  # what the calibrated fields can do is taken out
+  rest <- effects
+  if (length(free)) {
+    residual <- qr.resid(qr(known), residual)
+    rest <- qr.resid(qr(known), effects)
+  }
+  told <- colSums(rest^2)
+  # an input that would have to change beyond belief explains little
+  size <- told + 1 / spread^2
+  whole <- colSums(effects^2)
+  own <- ifelse(whole > 0, told / whole, 0)
+  share <- drop(crossprod(rest, residual)) / size
+  fall <- pmin(1, share^2 * size / sum(residual^2))
+  freedom <- max(1, length(residual) - length(free) - 1)
+  found <- data.frame(
+    field = colnames(cases[[1L]]$inputs), value = cases[[1L]]$value, unit = cases[[1L]]$unit,
+    step = share * cases[[1L]]$value, percent = 100 * share, fall = fall,
+    p = stats::pf(fall / pmax(1 - fall, 1e-300) * freedom, 1, freedom, lower.tail = FALSE),
+    own = own
+  )
+  found <- found[order(-found$fall), ]
+  row.names(found) <- NULL
+  found
+}
+
+explain_trends <- function(fit) {
+  data <- fit$task$data
+  numbers <- lapply(names(data), function(name) {
+    column <- data[[name]]
+    if (is.factor(column)) column <- as.character(column)
+    if (is.character(column) && name %in% fit$conditions) {
+      column <- field_column(column, name, fit$gear)$value
+    }
+    if (is.numeric(column)) as.double(column)
+  })
+  names(numbers) <- names(data)
+  used <- unique(unlist(lapply(fit$task$match, function(one) all.vars(str2lang(one$text)))))
+  numbers <- Filter(Negate(is.null), numbers[setdiff(names(numbers), used)])
+  found <- do.call(rbind, lapply(fit$match$text, function(text) {
+    rows <- fit$matched[fit$matched$match == text, ]
+    do.call(rbind, lapply(names(numbers), function(name) {
+      x <- numbers[[name]][rows$row]
+      good <- is.finite(x)
+      if (sum(good) < 4L || stats::sd(x[good]) == 0 || stats::sd(rows$residual[good]) == 0) {
+        return(NULL)
+      }
+      test <- stats::cor.test(x[good], rows$residual[good])
+      data.frame(match = text, condition = name, correlation = unname(test$estimate),
+        p = test$p.value)
+    }))
+  }))
+  if (is.null(found)) {
+    return(data.frame(match = character(), condition = character(), correlation = numeric(),
+      p = numeric()))
+  }
+  found <- found[order(found$p), ]
+  row.names(found) <- NULL
+  found
+}
+
+explain_measurements <- function(fit, cases, sensor) {
+  free <- which(fit$fields$at == "" & is.finite(fit$fields$error))
+  none <- data.frame(measure = character(), gain = numeric(), matched = logical())
+  if (!length(free) || !length(cases)) return(none)
+  width <- fit$task$points$width[free]
+  known <- solve(fit$covariance[free, free, drop = FALSE] / outer(width, width))
+  measures <- rownames(cases[[1L]]$fields)
+  hauls <- nrow(fit$task$data) / length(unlist(lapply(cases, `[[`, "rows")))
+  gain <- vapply(measures, function(name) {
+    more <- Reduce(`+`, lapply(cases, function(case) {
+      size <- sensor * abs(case$point$measures[[name]])
+      if (size == 0) return(0 * known)
+      length(case$rows) * tcrossprod(case$fields[name, free]) / size^2
+    }))
+    # the volume of the fields' uncertainty, before over after
+    volume <- function(information) as.double(determinant(information)$modulus)
+    exp((volume(known + hauls * more) - volume(known)) / (2 * length(free)))
+  }, 0)
+  words <- fit$task$words
+  taken <- unlist(lapply(fit$task$match, function(one) one$formula$names))
+  found <- data.frame(measure = measures, gain = gain,
+    matched = measures %in% words$column[words$name %in% taken])
+  found <- found[order(-found$gain), ]
+  row.names(found) <- NULL
+  found
+}
+
+#' @export
+print.codend_explanation <- function(x, ...) {
+  cat("What the misfit of \"", attr(x, "gear_name"), "\" points at\n", sep = "")
+  telling <- utils::head(x$inputs[x$inputs$fall > 0, ], 6L)
+  if (nrow(telling)) {
+    cat("\nInputs\n")
+    cat(paste0(align_columns(list(
+      paste0("  ", telling$field), with_plain_numbers(sprintf("%+.0f %%", telling$percent)),
+      with_plain_numbers(sprintf("takes %.0f %% of the squares", 100 * telling$fall)),
+      paste("p", slope_figures(signif(telling$p, 2))),
+      ifelse(telling$own < 0.05, "hardly told from what is calibrated", "")
+    ), left = c(1L, 5L)), "\n"), sep = "")
+  }
+  trends <- x$trends[x$trends$p < 0.05, ]
+  if (nrow(trends)) {
+    cat("\nResiduals go with\n")
+    cat(paste0("  ", trends$match, " with ", trends$condition, ", correlation ",
+      with_plain_numbers(sprintf("%+.2f", trends$correlation)), "\n"), sep = "")
+  }
+  best <- utils::head(x$measurements[!x$measurements$matched & x$measurements$gain > 1.01, ], 5L)
+  if (nrow(best)) {
+    cat("\nTo measure next: errors of the fields shrink by\n")
+    cat(paste0("  ", best$measure, "  ", slope_figures(signif(best$gain, 3)), "\n"), sep = "")
+  }
+  invisible(x)
+}

@@ -1,0 +1,525 @@
+// A gear for the viewer: reads a scene's numbers and keeps the shapes that are drawn of it.
+window.codendView = window.codendView || {};
+window.codendView.gear = function (materials) {
+  'use strict';
+  var T = window.THREE, rgb = window.codendView.rgb;
+  var taut = rgb('#5F7482'), quiet = rgb('#4A545C');
+  var told = {}, gear = { scene: new T.Scene(), told: told };
+
+  // ---- numbers ----------------------------------------------------------------------------------
+
+  function bytes(text) {
+    var raw = atob(text), out = new Uint8Array(raw.length);
+    for (var i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
+    return out.buffer;
+  }
+  function floats(text) { return new Float32Array(bytes(text)); }
+  function integers(text) { return new Int32Array(bytes(text)); }
+
+  // Whole numbers of 16 bits: n series of differences in time, deflated, as n series of numbers.
+  function series(part, sign) {
+    var raw = T.unzlibSync(new Uint8Array(bytes(part.text))), size = raw.length / 2;
+    var out = sign ? new Int16Array(size) : new Uint16Array(size), times = size / part.count;
+    for (var i = 0; i < size; i++) out[i] = raw[i] | raw[size + i] << 8;
+    for (var order = 0; order < part.order; order++) {
+      for (i = 0; i < size; i++) if (i % times) out[i] += out[i - 1];
+    }
+    return { of: out, times: times };
+  }
+
+  // Places at kept times: of(k, share) gives those a share of the way from time k to the next.
+  function places(part) {
+    if (part.floats !== undefined) {
+      var fixed = floats(part.floats);
+      return { of: function () { return fixed; }, low: fixed, size: new Float32Array(fixed.length) };
+    }
+    var low = floats(part.low), step = floats(part.step), all = series(part.steps), n = low.length;
+    var now = new Float32Array(n), times = all.times, steps = all.of;
+    return {
+      low: low, size: floats(part.size),
+      of: function (k, share) {
+        var next = k + 1 < times ? 1 : 0;
+        for (var i = 0; i < n; i++) {
+          var a = steps[i * times + k], b = steps[i * times + k + next];
+          now[i] = low[i] + step[i] * (a + share * (b - a));
+        }
+        return now;
+      }
+    };
+  }
+
+  // Values at kept times: of(k).
+  function values(part) {
+    if (!part) return null;
+    if (part.floats !== undefined) {
+      var fixed = floats(part.floats);
+      return { of: function () { return fixed; } };
+    }
+    var all = series(part.steps, true), n = part.steps.count, out = new Float32Array(n);
+    return {
+      of: function (k) {
+        for (var i = 0; i < n; i++) {
+          var r = all.of[i * all.times + k];
+          out[i] = r === -32768 ? NaN : (r < 0 ? -1 : 1) * part.top * (r / 4095) * (r / 4095);
+        }
+        return out;
+      }
+    };
+  }
+
+  // ---- what joins the points --------------------------------------------------------------------
+
+  // Triangles of all panels: the points at their corners, the mesh coordinates there, the values that
+  // hold for each (three places among those of cells and of points of clouds) and their part.
+  function surfaces(panels) {
+    var points = [], mesh = [], at = [], part = [], base = 0;
+    panels.forEach(function (panel) {
+      var point = integers(panel.point), uv = floats(panel.mesh);
+      function add(a, b, c, va, vb, vc) {
+        var area = (uv[2 * b] - uv[2 * a]) * (uv[2 * c + 1] - uv[2 * a + 1]) -
+          (uv[2 * c] - uv[2 * a]) * (uv[2 * b + 1] - uv[2 * a + 1]);
+        if (Math.abs(area) < 1e-6) return;
+        [a, b, c].forEach(function (corner) {
+          points.push(point[corner]);
+          mesh.push(uv[2 * corner], uv[2 * corner + 1]);
+        });
+        at.push(base + va, base + vb, base + vc);
+        part.push(panel.part);
+      }
+      var columns = panel.columns, rows = panel.rows;
+      if (!columns) {
+        var found = new T.Delaunator(uv).triangles;
+        for (var t = 0; t < found.length; t += 3) {
+          add(found[t], found[t + 1], found[t + 2], found[t], found[t + 1], found[t + 2]);
+        }
+        base += point.length;
+        return;
+      }
+      for (var r = 0; r + 1 < rows; r++) {
+        for (var c = 0; c + 1 < columns; c++) {
+          var a = r * columns + c, b = a + 1, d = a + columns, e = d + 1;
+          var cell = r * (columns - 1) + c;
+          // mirror images of a panel are divided as mirror images
+          if (2 * c + 2 <= columns) {
+            add(a, b, e, cell, cell, cell);
+            add(a, e, d, cell, cell, cell);
+          } else {
+            add(a, b, d, cell, cell, cell);
+            add(b, e, d, cell, cell, cell);
+          }
+        }
+      }
+      base += (columns - 1) * (rows - 1);
+    });
+    return {
+      point: Int32Array.from(points), mesh: Float32Array.from(mesh), at: Int32Array.from(at),
+      part: Int32Array.from(part)
+    };
+  }
+
+  function attribute(geometry, name, size, count, instanced) {
+    var Kind = instanced ? T.InstancedBufferAttribute : T.BufferAttribute;
+    var made = new Kind(new Float32Array(size * count), size);
+    geometry.setAttribute(name, made);
+    return made;
+  }
+
+  // Buffers of netting and ropes for what the scene joins.
+  function lay_out() {
+    if (gear.netting) {
+      gear.netting.geometry.dispose();
+      gear.ropes.geometry.dispose();
+    }
+    gear.scene.clear();
+    var made = surfaces(told.netting || []), n = made.part.length, parts = told.parts;
+    var geometry = new T.BufferGeometry();
+    geometry.setAttribute('mesh', new T.BufferAttribute(made.mesh, 2));
+    made.position = attribute(geometry, 'position', 3, 3 * n);
+    made.normal = attribute(geometry, 'normal', 3, 3 * n);
+    made.colourU = attribute(geometry, 'colourU', 3, 3 * n);
+    made.colourV = attribute(geometry, 'colourV', 3, 3 * n);
+    made.about = attribute(geometry, 'about', 3, 3 * n);
+    for (var t = 0; t < n; t++) {
+      var thick = parts.thickness[made.part[t]] / Math.max(parts.bar[made.part[t]], 1e-9);
+      for (var c = 0; c < 3; c++) made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5);
+    }
+    made.geometry = geometry;
+    made.u = new Float32Array(n);
+    made.v = new Float32Array(n);
+    gear.netting = made;
+    [materials.nettingCore, materials.nettingEdge].forEach(function (material, k) {
+      var mesh = new T.Mesh(geometry, material);
+      mesh.frustumCulled = false;
+      mesh.renderOrder = 2 * k;
+      gear.scene.add(mesh);
+    });
+
+    var ends = integers(told.ropes.ends), lines = ends.length / 2;
+    var tube = new T.CylinderGeometry(1, 1, 1, 8, 1, true);
+    tube.rotateX(Math.PI / 2);
+    tube.translate(0, 0, 0.5);
+    var rope = new T.InstancedBufferGeometry();
+    rope.index = tube.index;
+    rope.setAttribute('position', tube.getAttribute('position'));
+    rope.instanceCount = lines;
+    var ropes = { ends: ends, part: integers(told.ropes.part), geometry: rope };
+    ['from', 'to', 'wayFrom', 'wayTo', 'colour', 'about'].forEach(function (name) {
+      ropes[name] = attribute(rope, name, 3, lines, true);
+    });
+    for (var i = 0; i < lines; i++) {
+      ropes.about.array[3 * i] = parts.thickness[ropes.part[i]] / 2;
+    }
+    gear.ropes = ropes;
+    var tubes = new T.Mesh(rope, materials.rope);
+    tubes.frustumCulled = false;
+    gear.scene.add(tubes);
+    lay_out_marks();
+  }
+
+  // ---- pieces -----------------------------------------------------------------------------------
+
+  // A plate of 1 by 1 in x and y, bent towards z.
+  function plate(bend, thick) {
+    var made = new T.BoxGeometry(1, 1, thick, 10, 1, 1), at = made.getAttribute('position');
+    for (var i = 0; i < at.count; i++) {
+      var x = at.getX(i);
+      at.setZ(i, at.getZ(i) + bend * (1 - 4 * x * x));
+    }
+    made.computeVertexNormals();
+    return made;
+  }
+
+  // A hull of length 1 from its stern at the origin to its bow at -x, its deck above z = 0.
+  function hull() {
+    var deck = new T.Shape();
+    deck.moveTo(0, -0.13);
+    deck.lineTo(-0.62, -0.135);
+    deck.quadraticCurveTo(-0.86, -0.12, -1, 0);
+    deck.quadraticCurveTo(-0.86, 0.12, -0.62, 0.135);
+    deck.lineTo(0, 0.13);
+    deck.closePath();
+    var made = new T.ExtrudeGeometry(deck, { depth: 0.15, bevelEnabled: false, curveSegments: 8 });
+    var at = made.getAttribute('position');
+    for (var i = 0; i < at.count; i++) {
+      // narrow at the keel, with a sheer to the bow
+      var up = at.getZ(i) / 0.15, x = at.getX(i);
+      at.setY(i, at.getY(i) * (0.45 + 0.55 * up));
+      at.setX(i, x * (0.9 + 0.1 * up));
+      at.setZ(i, -0.07 + (0.13 + 0.06 * x * x) * up);
+    }
+    made.computeVertexNormals();
+    return made;
+  }
+
+  var shapes = null;
+  function shapesOnce() {
+    if (shapes) return shapes;
+    shapes = {
+      plate: plate(0.09, 0.05), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 20, 14),
+      clump: new T.IcosahedronGeometry(1, 0), drum: new T.CylinderGeometry(0.75, 0.95, 1.7, 14),
+      ring: new T.TorusGeometry(0.8, 0.24, 8, 20), anchor: new T.CylinderGeometry(0, 1, 1.6, 4),
+      hull: hull(), box: new T.BoxGeometry(1, 1, 1)
+    };
+    shapes.drum.rotateX(Math.PI / 2);
+    shapes.anchor.rotateX(Math.PI / 2);
+    return shapes;
+  }
+
+  // Shape of a role, and the fewest pixels of its half.
+  var roles = {
+    otter_board: ['plate', 7], kite: ['cloth', 6], canvas: ['cloth', 6], float: ['ball', 2.6],
+    hammer: ['drum', 5], weight: ['clump', 4.5], catch: ['ball', 4], ring: ['ring', 4],
+    hook: ['ring', 1.6], fixed: ['anchor', 4.5], moved: ['ball', 2.6]
+  };
+
+  function lay_out_marks() {
+    var made = shapesOnce(), marks = told.marks;
+    gear.marks = marks.role.map(function (role, i) {
+      var known = roles[role] || ['ball', 3];
+      var mesh = new T.Mesh(made[known[0]], materials.solid(marks.fill[i]));
+      mesh.matrixAutoUpdate = false;
+      mesh.frustumCulled = false;
+      gear.scene.add(mesh);
+      return { mesh: mesh, shape: known[0], least: known[1] };
+    });
+    gear.vessels = (told.vessels || []).map(function (own) {
+      function add(shape, colour) {
+        var mesh = new T.Mesh(made[shape], materials.solid(colour));
+        mesh.matrixAutoUpdate = false;
+        mesh.frustumCulled = false;
+        gear.scene.add(mesh);
+        return mesh;
+      }
+      return {
+        marks: own, hull: add('hull', '#24506E'), house: add('box', '#6B7780'),
+        mast: add('box', '#39434B'), gallows: add('box', '#39434B')
+      };
+    });
+  }
+
+  // Two directions in the plate of a piece that lifts and has no attitude of its own: upright and at
+  // 30 degrees to the flow where it lifts sideways, else across it and leaning 45 degrees to lift.
+  function symbolPlate(way) {
+    var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
+    return [
+      way === 'port' ? [c, 0.5, 0] : way === 'starboard' ? [c, -0.5, 0] : [0, 1, 0],
+      way === 'down' ? [h, 0, h] : way === 'port' || way === 'starboard' ? [0, 0, 1] : [-h, 0, h]
+    ];
+  }
+
+  // size: metres that a pixel spans at a place.
+  gear.place_marks = function (size) {
+    var at = gear.at, boards = gear.corners, marks = told.marks;
+    var x = new T.Vector3(), y = new T.Vector3(), z = new T.Vector3(), m = new T.Vector3();
+    gear.marks.forEach(function (mark, i) {
+      m.set(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
+      var least = mark.least * size(m), matrix = mark.mesh.matrix, half;
+      if (mark.shape === 'plate' || mark.shape === 'cloth') {
+        if (marks.board[i] >= 0) {
+          var c = [0, 1, 2, 3].map(function (k) {
+            var from = 3 * (4 * marks.board[i] + k);
+            return new T.Vector3(boards[from], boards[from + 1], boards[from + 2]);
+          });
+          x.copy(c[2]).add(c[3]).sub(c[0]).sub(c[1]).multiplyScalar(0.5);
+          y.copy(c[1]).add(c[2]).sub(c[0]).sub(c[3]).multiplyScalar(0.5);
+          m.copy(c[0]).add(c[1]).add(c[2]).add(c[3]).multiplyScalar(0.25);
+        } else {
+          var sides = symbolPlate(marks.direction[i]);
+          half = Math.max(marks.size[i], 1e-3);
+          x.fromArray(sides[0]).multiplyScalar(half);
+          y.fromArray(sides[1]).multiplyScalar(half);
+        }
+        var grow = Math.max(1, 2 * least / Math.max(Math.min(x.length(), y.length()), 1e-9));
+        x.multiplyScalar(grow);
+        y.multiplyScalar(grow);
+        z.crossVectors(x, y).normalize().multiplyScalar(x.length());
+        // the hollow side meets the water
+        var out = { port: [0, -1, 0], starboard: [0, 1, 0], down: [0, 0, -1] }[marks.direction[i]];
+        if (z.dot(new T.Vector3().fromArray(out || [0, 0, 1])) < 0) z.negate();
+      } else {
+        half = marks.size[i] / Math.sqrt(Math.PI);
+        half = Math.max(half, least);
+        x.set(half, 0, 0);
+        y.set(0, half, 0);
+        z.set(0, 0, half);
+      }
+      matrix.makeBasis(x, y, z).setPosition(m);
+      mark.mesh.matrixWorldNeedsUpdate = true;
+      mark.half = Math.max(x.length(), y.length()) / (mark.shape === 'ball' ? 1 : 2);
+    });
+    gear.vessels.forEach(function (vessel) {
+      var low = new T.Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+      vessel.marks.forEach(function (i) {
+        m.set(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
+        low.min(m);
+        high.max(m);
+      });
+      m.addVectors(low, high).multiplyScalar(0.5);
+      var spread = high.y - low.y, length = Math.max(Math.min(Math.max(3.6 * spread, 16), 60),
+        20 * size(m));
+      vessel.at = [m.x - length / 2, m.y, 0, length];
+      function box(mesh, ahead, across, foot, long, wide, high_) {
+        mesh.matrix.makeScale(length * long, length * wide, length * high_)
+          .setPosition(m.x - length * ahead, m.y + length * across, length * (foot + high_ / 2));
+        mesh.matrixWorldNeedsUpdate = true;
+      }
+      vessel.hull.matrix.makeScale(length, Math.max(length, 3.9 * spread), length)
+        .setPosition(m.x, m.y, 0);
+      vessel.hull.matrixWorldNeedsUpdate = true;
+      box(vessel.house, 0.66, 0, 0.06, 0.17, 0.15, 0.15);
+      box(vessel.mast, 0.66, 0, 0.2, 0.015, 0.015, 0.16);
+      box(vessel.gallows, 0.03, 0, 0.06, 0.02, 0.2, 0.12);
+    });
+  };
+
+  // ---- places and colours -----------------------------------------------------------------------
+
+  // Takes a part of a scene over what is known already.
+  gear.take = function (part) {
+    Object.keys(part).forEach(function (name) { told[name] = part[name]; });
+    gear.source = {
+      points: places(told.points), places: places(told.places), boards: places(told.boards)
+    };
+    gear.values = {};
+    ['rope_tension', 'u', 'v', 'opening', 'angle', 'drag'].forEach(function (name) {
+      gear.values[name] = values(told[name]);
+    });
+    gear.stops = { rope: told.colours.rope.map(rgb), netting: told.colours.netting.map(rgb) };
+    gear.slack = rgb(told.colours.slack);
+    if (part.ropes || !gear.netting) lay_out();
+    gear.move(0, 0);
+  };
+
+  // Everything to a share of the way from kept time k to the next.
+  gear.move = function (k, share) {
+    var p = gear.points = gear.source.points.of(k, share);
+    gear.at = gear.source.places.of(k, share);
+    gear.corners = gear.source.boards.of(k, share);
+    gear.moment = share < 0.5 ? k : k + 1;
+    var net = gear.netting, n = net.part.length, normal = new Float32Array(p.length);
+    for (var t = 0; t < n; t++) {
+      var a = 3 * net.point[3 * t], b = 3 * net.point[3 * t + 1], c = 3 * net.point[3 * t + 2];
+      var ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+      var vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+      var x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+      [a, b, c].forEach(function (at, corner) {
+        net.position.array[9 * t + 3 * corner] = p[at];
+        net.position.array[9 * t + 3 * corner + 1] = p[at + 1];
+        net.position.array[9 * t + 3 * corner + 2] = p[at + 2];
+        // of two panels that meet with opposite sides the first decides
+        var sign = normal[at] * x + normal[at + 1] * y + normal[at + 2] * z < 0 ? -1 : 1;
+        normal[at] += sign * x;
+        normal[at + 1] += sign * y;
+        normal[at + 2] += sign * z;
+      });
+    }
+    for (var i = 0; i < 3 * n; i++) {
+      var from = 3 * net.point[i];
+      for (var axis = 0; axis < 3; axis++) net.normal.array[3 * i + axis] = normal[from + axis];
+    }
+    net.position.needsUpdate = net.normal.needsUpdate = true;
+
+    var ropes = gear.ropes, ends = ropes.ends, lines = ends.length / 2, along = 0;
+    function set(attribute, line, x, y, z) {
+      var at = 3 * line;
+      attribute.array[at] = x;
+      attribute.array[at + 1] = y;
+      attribute.array[at + 2] = z;
+    }
+    for (var l = 0; l < lines; l++) {
+      var f = 3 * ends[2 * l], e = 3 * ends[2 * l + 1];
+      var dx = p[e] - p[f], dy = p[e + 1] - p[f + 1], dz = p[e + 2] - p[f + 2];
+      var long = Math.hypot(dx, dy, dz) || 1;
+      set(ropes.from, l, p[f], p[f + 1], p[f + 2]);
+      set(ropes.to, l, p[e], p[e + 1], p[e + 2]);
+      dx /= long; dy /= long; dz /= long;
+      set(ropes.wayFrom, l, dx, dy, dz);
+      set(ropes.wayTo, l, dx, dy, dz);
+      var joined = l > 0 && ends[2 * l - 1] === ends[2 * l];
+      if (joined) {
+        // neighbours share their direction where they meet, unless the rope turns sharply there
+        var w = ropes.wayTo.array, at3 = 3 * (l - 1);
+        var sx = w[at3] + dx, sy = w[at3 + 1] + dy, sz = w[at3 + 2] + dz;
+        var sum = Math.hypot(sx, sy, sz);
+        if (sum > 1.2) {
+          set(ropes.wayTo, l - 1, sx / sum, sy / sum, sz / sum);
+          set(ropes.wayFrom, l, sx / sum, sy / sum, sz / sum);
+        }
+      } else {
+        along = 0;
+      }
+      ropes.about.array[3 * l + 2] = along;
+      along += long;
+    }
+    ['from', 'to', 'wayFrom', 'wayTo', 'about'].forEach(function (name) {
+      ropes[name].needsUpdate = true;
+    });
+  };
+
+  function shareOn(scale, value) {
+    var low = scale.limits[0], high = scale.limits[1], x = Math.max(value, low);
+    var share = scale.log ? Math.log(x / low) / Math.log(high / low) : (x - low) / (high - low);
+    return Math.min(Math.max(share, 0), 1);
+  }
+
+  function paint(stops, share, out, at) {
+    var place = share * (stops.length - 1), k = Math.min(Math.floor(place), stops.length - 2);
+    var f = place - k, a = stops[k], b = stops[k + 1];
+    for (var c = 0; c < 3; c++) out[at + c] = a[c] + f * (b[c] - a[c]);
+  }
+  function put(colour, out, at) { for (var c = 0; c < 3; c++) out[at + c] = colour[c]; }
+
+  // Colours at the present moment. mode: tension, slack, mesh_opening, mesh_angle or drag.
+  gear.colour = function (mode) {
+    var k = gear.moment, scales = told.scales[mode] || {}, ropes = gear.ropes, net = gear.netting;
+    var shows = mode === 'tension' || mode === 'slack';
+    var tension = gear.rope_tension = gear.values.rope_tension.of(k);
+    var drag = gear.drag = gear.values.drag.of(k);
+    for (var l = 0; l < ropes.part.length; l++) {
+      var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.colour.array;
+      var slack = shows && tension[l] === 0;
+      ropes.about.array[3 * l + 1] = slack ? 1 : 0;
+      if (slack) put(gear.slack, out, 3 * l);
+      // a beam or a strut
+      else if (shows && tension[l] < 0) put(quiet, out, 3 * l);
+      else if (mode === 'slack') put(taut, out, 3 * l);
+      else if (!scales.rope) put(quiet, out, 3 * l);
+      else paint(gear.stops.rope, shareOn(scales.rope, value), out, 3 * l);
+    }
+    ropes.colour.needsUpdate = ropes.about.needsUpdate = true;
+
+    var u = gear.values.u.of(k), v = gear.values.v.of(k);
+    var whole = mode === 'mesh_opening' ? gear.values.opening : mode === 'mesh_angle' &&
+      gear.values.angle;
+    whole = whole && whole.of(k);
+    // Of three places the mean of those that have a value, or 0 where most of them are slack.
+    function mean(all, t) {
+      if (net.at[3 * t] === net.at[3 * t + 1]) return all[net.at[3 * t]];
+      var sum = 0, known = 0, slack = 0;
+      for (var c = 0; c < 3; c++) {
+        var value = all[net.at[3 * t + c]];
+        if (value !== value) continue;
+        known++;
+        if (value > 0) sum += value; else slack++;
+      }
+      return 2 * slack >= known ? 0 : sum / (known - slack);
+    }
+    for (var t = 0; t < net.part.length; t++) {
+      var tu = net.u[t] = mean(u, t), tv = net.v[t] = mean(v, t);
+      [[tu, net.colourU.array, 1], [tv, net.colourV.array, 2]].forEach(function (family) {
+        var at = 9 * t, to = family[1], lost = shows && family[0] <= 0;
+        if (lost) put(gear.slack, to, at);
+        else if (mode === 'slack') put(taut, to, at);
+        else if (!scales.netting) put(quiet, to, at);
+        else {
+          paint(gear.stops.netting, shareOn(scales.netting, whole ? mean(whole, t) :
+            mode === 'drag' ? drag[net.part[t]] : family[0]), to, at);
+        }
+        for (var c = 0; c < 3; c++) {
+          net.about.array[at + 3 * c + family[2]] = lost ? 1 : 0;
+          if (c) put([to[at], to[at + 1], to[at + 2]], to, at + 3 * c);
+        }
+      });
+    }
+    net.colourU.needsUpdate = net.colourV.needsUpdate = net.about.needsUpdate = true;
+  };
+
+  // Opening and angle of the meshes in a triangle, now.
+  gear.meshes = function (t) {
+    function one(name) {
+      var all = gear.values[name];
+      return all ? all.of(gear.moment)[gear.netting.at[3 * t]] : NaN;
+    }
+    return { opening: one('opening'), angle: one('angle') };
+  };
+
+  // Ranges of the whole gear and of its netting at all times: {low, high}, the latter null without
+  // netting.
+  gear.ranges = function () {
+    function of(chosen, source) {
+      var low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+      chosen.forEach(function (i) {
+        for (var axis = 0; axis < 3; axis++) {
+          low[axis] = Math.min(low[axis], source.low[3 * i + axis]);
+          high[axis] = Math.max(high[axis], source.low[3 * i + axis] + source.size[3 * i + axis]);
+        }
+      });
+      return low[0] <= high[0] ? { low: low, high: high } : null;
+    }
+    function join(a, b) {
+      if (!a || !b) return a || b;
+      return {
+        low: a.low.map(function (v, k) { return Math.min(v, b.low[k]); }),
+        high: a.high.map(function (v, k) { return Math.max(v, b.high[k]); })
+      };
+    }
+    var all = Array.from({ length: gear.points.length / 3 }, function (_, i) { return i; });
+    var marks = gear.marks.map(function (_, i) { return i; });
+    return {
+      whole: join(of(all, gear.source.points), of(marks, gear.source.places)),
+      net: of(Array.from(new Set(gear.netting.point)), gear.source.points)
+    };
+  };
+
+  return gear;
+};

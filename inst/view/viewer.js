@@ -1,0 +1,977 @@
+// The viewer of codend's pages: a gear in three dimensions, settled or in motion, alone or beside
+// another. What it takes (scenes) is made in R/scene-gear.R; how a gear is drawn is in gear.js and
+// materials.js. x is aft, y to starboard, z up; metres.
+//
+// codendView.viewer(host, options) fills the element `host`. options: title (whether the gear's name
+// stands over the picture), colour (what colours show at first). The viewer has
+//   show(now, pinned)     takes scenes, or what of them has changed
+//   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
+//                         over, beside)
+//   time(s)               shows a moment
+//   picture()             the picture as the address of its own PNG, on white
+//   flat(canvas, axes, box)  draws the gear flat on a part of another canvas
+window.codendView = window.codendView || {};
+window.codendView.viewer = function (host, options) {
+  'use strict';
+  var T = window.THREE, view = window.codendView;
+  options = options || {};
+
+  function element(name, className, words, attributes) {
+    var made = document.createElement(name);
+    if (className) made.className = className;
+    if (words !== undefined) made.textContent = words;
+    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
+    return made;
+  }
+  host.classList.add('codend-view');
+  var canvas = element('canvas', 'view-canvas', undefined, { tabindex: '0', role: 'img' });
+  host.appendChild(canvas);
+
+  var renderer;
+  try {
+    renderer = new T.WebGLRenderer({ canvas: canvas, antialias: true, alpha: true });
+  } catch (error) {
+    host.appendChild(element('p', 'view-none',
+      'This browser shows no WebGL, which the gear in three dimensions takes.'));
+    return null;
+  }
+  T.ColorManagement.enabled = false;
+  renderer.outputColorSpace = T.LinearSRGBColorSpace;
+  renderer.setClearColor(0, 0);
+  renderer.autoClear = false;
+  renderer.sortObjects = true;
+  renderer.debug.checkShaderErrors = false;
+
+  var materials = view.materials(), shared = materials.shared;
+  var gears = { now: null, pinned: null }, told = null;
+  var choice = { focus: 'net', from: 'bow', compare: 'off', colour: options.colour || 'tension' };
+  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards,
+  // radians.
+  var directions = {
+    bow: [-2.05, 0.3], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0.06],
+    astern: [0, 0.06]
+  };
+  var camera = {
+    turn: directions.bow[0], rise: directions.bow[1], away: 1, at: [0, 0, 0], eye: null
+  };
+  var perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
+  var flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
+  var sky = '#DFEBF2', paper = '#FFFFFF';
+  var modes = {
+    tension: 'Tension', slack: 'Slack', mesh_opening: 'Mesh opening', mesh_angle: 'Mesh angle',
+    drag: 'Drag'
+  };
+
+  // ---- what is looked at ------------------------------------------------------------------------
+
+  function join(one, other) {
+    if (!one || !other) return one || other;
+    return {
+      low: one.low.map(function (v, k) { return Math.min(v, other.low[k]); }),
+      high: one.high.map(function (v, k) { return Math.max(v, other.high[k]); })
+    };
+  }
+  function longest(range) {
+    return Math.max(range.high[0] - range.low[0], range.high[1] - range.low[1],
+      range.high[2] - range.low[2], 1e-6);
+  }
+  function middle(range) {
+    return range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
+  }
+
+  // What is looked at. It follows the gear only when it leaves, so that a gear that grows is seen to
+  // grow.
+  var held = {};
+  function focus() {
+    var key = choice.focus;
+    function of(gear) { return gear && (gear.range[key] || gear.range.whole); }
+    var all = choice.compare === 'off' ? of(gears.now) : join(of(gears.now), of(gears.pinned));
+    var kept = held[key];
+    if (kept) {
+      var size = longest(kept), slack = 0.06 * size, fits = longest(all) > 0.6 * size;
+      for (var axis = 0; axis < 3; axis++) {
+        fits = fits && all.low[axis] > kept.low[axis] - slack &&
+          all.high[axis] < kept.high[axis] + slack;
+      }
+      if (fits) return kept;
+    }
+    held[key] = { low: all.low.slice(), high: all.high.slice() };
+    return held[key];
+  }
+
+  function axes(turn, rise) {
+    var eye = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
+    var right = [-Math.sin(turn), Math.cos(turn), 0];
+    var up = [
+      eye[1] * right[2] - eye[2] * right[1], eye[2] * right[0] - eye[0] * right[2],
+      eye[0] * right[1] - eye[1] * right[0]
+    ];
+    return { eye: eye, right: right, up: up };
+  }
+  function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  // Some points of what is looked at; those of a range that is held, its corners.
+  function outline(range) {
+    var corners = [], found = [];
+    for (var k = 0; k < 8; k++) {
+      corners.push([0, 1, 2].map(function (axis) {
+        return k >> axis & 1 ? range.high[axis] : range.low[axis];
+      }));
+    }
+    if (told.times.length > 1) return corners;
+    ['now', 'pinned'].forEach(function (name) {
+      var gear = gears[name];
+      if (!gear || name === 'pinned' && choice.compare === 'off') return;
+      [gear.points, choice.focus === 'whole' ? gear.at : []].forEach(function (p) {
+        for (var i = 0; i < p.length; i += 3) {
+          if ([0, 1, 2].every(function (axis) {
+            return p[i + axis] >= range.low[axis] - 1e-6 && p[i + axis] <= range.high[axis] + 1e-6;
+          })) found.push([p[i], p[i + 1], p[i + 2]]);
+        }
+      });
+    });
+    return found.length ? found : corners;
+  }
+
+  // From where the eye sees all of a range: {at: the middle of the picture, away}.
+  function sight(range, turn, rise, aspect) {
+    var way = axes(turn, rise), at = middle(range), away = 0, points = outline(range);
+    var tall = Math.tan(perspective.fov * Math.PI / 360), wide = tall * aspect;
+    var free = { wide: host.clientWidth < 640 ? 0.9 : 0.88, tall: host.clientHeight < 460 ? 0.6 : 0.7 };
+    for (var turnOver = 0; turnOver < 3; turnOver++) {
+      var low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+      away = 0;
+      points.forEach(function (point) {
+        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]];
+        away = Math.max(away, dot(d, way.eye) + Math.max(
+          Math.abs(dot(d, way.right)) / (free.wide * wide), Math.abs(dot(d, way.up)) / (free.tall * tall)
+        ));
+      });
+      away = Math.max(away, 1e-3);
+      // where they lie in the picture decides on its middle
+      points.forEach(function (point) {
+        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]];
+        var near = 1 - dot(d, way.eye) / away;
+        [dot(d, way.right) / near, dot(d, way.up) / near].forEach(function (v, k) {
+          low[k] = Math.min(low[k], v);
+          high[k] = Math.max(high[k], v);
+        });
+      });
+      at = at.map(function (v, k) {
+        return v + (low[0] + high[0]) / 2 * way.right[k] + (low[1] + high[1]) / 2 * way.up[k];
+      });
+    }
+    return { at: at, away: away };
+  }
+
+  function aspect() {
+    var across = canvas.clientWidth || 1, up = canvas.clientHeight || 1;
+    if (choice.compare === 'beside') { if (across > up) across /= 2; else up /= 2; }
+    return across / up;
+  }
+
+  // Looks at the focus from where the eye is, from as far as is needed.
+  function aim() {
+    var found = sight(focus(), camera.turn, camera.rise, aspect());
+    camera.at = found.at;
+    camera.away = camera.fit = found.away;
+  }
+
+  // From the bow, unless another side shows much more of the gear.
+  function first_look() {
+    var range = focus(), a = aspect(), best = null;
+    [['bow', directions.bow, 1], ['quarter', [-1.2, 0.3], 1.4], ['front', [-2.75, 0.22], 1.4],
+      ['side', [-Math.PI / 2, 0.16], 1.5]].forEach(function (one) {
+      var far = sight(range, one[1][0], one[1][1], a).away * one[2];
+      if (!best || far < best[0]) best = [far, one];
+    });
+    camera.turn = best[1][1][0];
+    camera.rise = best[1][1][1];
+    press('from', best[1][0]);
+  }
+
+  // ---- drawing ----------------------------------------------------------------------------------
+
+  var water = materials.sheet('#9CC6E0', '#6FA3C6', 0.2);
+  var bed = materials.sheet('#E3D9C3', '#CDBE9C', 0.9);
+  function sheetMesh(material) {
+    var geometry = new T.BufferGeometry();
+    geometry.setAttribute('position', new T.BufferAttribute(new Float32Array(12), 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    var mesh = new T.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+  var around = new T.Scene(), waterMesh = sheetMesh(water), bedMesh = sheetMesh(bed);
+  bedMesh.renderOrder = -1;
+  waterMesh.renderOrder = 5;
+  around.add(bedMesh);
+  var above = new T.Scene();
+  above.add(waterMesh);
+
+  function round(size) {
+    var power = Math.pow(10, Math.floor(Math.log10(size)));
+    var lead = size / power;
+    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+  }
+
+  var square = 1;
+  function lay_sheets() {
+    var range = focus(), size = longest(range), at = middle(range);
+    square = round(size / 8);
+    var reach = Math.max(2.6 * size, 1.1 * camera.away);
+    [[waterMesh, water, function () { return 0; }], [bedMesh, bed, function (x, y) {
+      var n = told.bed.normal;
+      return (told.bed.height - n[0] * x - n[1] * y) / n[2];
+    }]].forEach(function (one) {
+      if (one[0] === bedMesh && !told.bed) return;
+      var place = one[0].geometry.getAttribute('position');
+      [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach(function (sign, k) {
+        var x = at[0] + sign[0] * reach, y = at[1] + sign[1] * reach;
+        place.setXYZ(k, x, y, one[2](x, y));
+      });
+      place.needsUpdate = true;
+      one[1].uniforms.square.value = square;
+      one[1].uniforms.reach.value = reach;
+      one[1].uniforms.middle.value = { x: at[0], y: at[1] };
+    });
+    waterMesh.visible = told.water;
+    bedMesh.visible = !!told.bed;
+  }
+
+  // The eye, for a picture of so many pixels up.
+  function set_eye(width, height) {
+    var way = axes(camera.turn, camera.rise), range = gears.now.range.whole, size = longest(range);
+    perspective.aspect = width / height;
+    perspective.position.fromArray(camera.at.map(function (v, k) {
+      return v + camera.away * way.eye[k];
+    }));
+    perspective.up.fromArray(way.up);
+    perspective.lookAt(camera.at[0], camera.at[1], camera.at[2]);
+    var far = Math.hypot(perspective.position.x - middle(range)[0],
+      perspective.position.y - middle(range)[1], perspective.position.z - middle(range)[2]) + 3 * size;
+    perspective.near = Math.max(camera.away * 0.02, far * 1e-4);
+    perspective.far = far;
+    perspective.updateProjectionMatrix();
+    perspective.updateMatrixWorld();
+    shared.pixel.value = 2 * Math.tan(perspective.fov * Math.PI / 360) / height;
+    shared.flat.value = 0;
+    var reach = longest(focus());
+    shared.fogNear.value = camera.away - 0.2 * reach;
+    shared.fogFar.value = camera.away + 3 * reach;
+    light(way);
+  }
+
+  // From above and behind the eye's left shoulder.
+  function light(way) {
+    shared.light.value.set(0, 0, 0);
+    [0, 1, 2].forEach(function (k) {
+      shared.light.value.setComponent(k,
+        0.75 * way.eye[k] - 0.3 * way.right[k] + 0.45 * way.up[k] + (k === 2 ? 0.35 : 0));
+    });
+    shared.light.value.normalize();
+  }
+
+  function size_at(place) {
+    return shared.pixel.value * shared.ratio.value * perspective.position.distanceTo(place);
+  }
+
+  function draw_gear(gear, eye, ghost, size) {
+    shared.ghost.value = ghost ? 0.85 : 0;
+    gear.place_marks(size);
+    renderer.render(gear.scene, eye);
+  }
+
+  function boxes(width, height) {
+    if (choice.compare !== 'beside' || !gears.pinned) {
+      return [{ left: 0, top: 0, width: width, height: height, gear: 'now' }];
+    }
+    var wide = width > height, w = wide ? width / 2 : width, h = wide ? height : height / 2;
+    return [
+      { left: 0, top: 0, width: w, height: h, gear: 'pinned' },
+      { left: wide ? w : 0, top: wide ? 0 : h, width: w, height: h, gear: 'now' }
+    ];
+  }
+
+  function fog_colour(hex) { shared.fogColour.value.set(hex); }
+
+  function draw() {
+    var ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+    if (!width || !height || !gears.now) return false;
+    var across = Math.round(width * ratio), up = Math.round(height * ratio);
+    if (canvas.width !== across || canvas.height !== up) {
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+    }
+    shared.ratio.value = ratio;
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, width, height);
+    renderer.clear();
+    lay_sheets();
+    boxes(width, height).forEach(function (box) {
+      var foot = height - box.top - box.height;
+      renderer.setScissorTest(true);
+      renderer.setScissor(box.left, foot, box.width, box.height);
+      renderer.setViewport(box.left, foot, box.width, box.height);
+      set_eye(box.width, box.height);
+      shared.pixel.value /= ratio;
+      shared.ghost.value = 0;
+      renderer.render(around, perspective);
+      if (choice.compare === 'over' && gears.pinned) {
+        draw_gear(gears.pinned, perspective, true, size_at);
+      }
+      draw_gear(gears[box.gear], perspective, false, size_at);
+      shared.ghost.value = 0;
+      renderer.render(above, perspective);
+    });
+    renderer.setScissorTest(false);
+    return true;
+  }
+
+  var waiting = false, drawn = 0;
+  function repaint() {
+    if (waiting) return;
+    waiting = true;
+    window.requestAnimationFrame(function () {
+      waiting = false;
+      paint_now();
+    });
+  }
+  function paint_now() {
+    fog_colour(sky);
+    if (!draw()) return;
+    drawn += 1;
+    seen = null;
+    tell_scale();
+    place_words();
+    if (options.painted) options.painted();
+  }
+
+  // ---- words around the picture -----------------------------------------------------------------
+
+  var title = element('div', 'view-title');
+  var bar = element('div', 'view-bar'), legend = element('div', 'view-legend');
+  var scaleBar = element('div', 'view-scale'), tip = element('div', 'view-tip');
+  var still = element('img', 'view-still', undefined, { alt: '' });
+  tip.setAttribute('role', 'status');
+  tip.hidden = true;
+  var labels = {};
+  ['surface', 'bed', 'now', 'pinned', 'vessel'].forEach(function (name) {
+    labels[name] = element('div', 'view-label view-label-' + name);
+    host.appendChild(labels[name]);
+  });
+  labels.surface.textContent = 'water surface';
+  [title, bar, legend, scaleBar, tip, still].forEach(function (part) { host.appendChild(part); });
+
+  function button(group, value, words, key) {
+    var made = element('button', 'view-button', words, {
+      type: 'button', 'data-group': group, 'data-value': value, 'aria-pressed': 'false',
+      title: words + ' (key ' + key + ')'
+    });
+    made.addEventListener('click', function () { choose(group, value); });
+    return made;
+  }
+  function group(words) { return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words }); }
+
+  var groups = { focus: group('Look at'), from: group('Look from'), compare: group('Pinned design') };
+  [['net', 'Net', 'n'], ['whole', 'Whole gear', 'g']].forEach(function (one) {
+    groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
+  });
+  [['bow', 'Bow', '1'], ['above', 'Above', '2'], ['side', 'Side', '3'], ['astern', 'Astern', '4']]
+    .forEach(function (one) { groups.from.appendChild(button('from', one[0], one[1], one[2])); });
+  [['off', 'Now', '5'], ['over', 'Over', '6'], ['beside', 'Side by side', '7']].forEach(function (one) {
+    groups.compare.appendChild(button('compare', one[0], one[1], one[2]));
+  });
+  var colours = element('select', 'view-colour', undefined, {
+    'aria-label': 'What the colours show', title: 'What the colours show (key c)'
+  });
+  colours.addEventListener('change', function () { choose('colour', colours.value); });
+  var help = element('button', 'view-button', '?', {
+    type: 'button', 'aria-expanded': 'false', 'aria-label': 'Keys', title: 'Keys (key h)'
+  });
+  var keys = element('div', 'view-keys');
+  keys.hidden = true;
+  [['drag, arrows', 'turn'], ['wheel, two fingers, + and \u2212', 'zoom'],
+    ['right button, Shift', 'move'], ['1 2 3 4', 'bow, above, side, astern'],
+    ['n, g', 'net, whole gear'], ['c', 'next colours'], ['0', 'look again'],
+    ['pointer', 'names and values']].forEach(function (one) {
+    keys.appendChild(element('kbd', '', one[0]));
+    keys.appendChild(element('span', '', one[1]));
+  });
+  help.addEventListener('click', function () {
+    keys.hidden = !keys.hidden;
+    help.setAttribute('aria-expanded', String(!keys.hidden));
+  });
+  [groups.focus, groups.from, groups.compare, colours, help].forEach(function (part) {
+    bar.appendChild(part);
+  });
+  host.appendChild(keys);
+
+  function press(what, value) {
+    bar.querySelectorAll('[data-group="' + what + '"]').forEach(function (one) {
+      one.setAttribute('aria-pressed', String(one.dataset.value === value));
+    });
+  }
+
+  function colour_bar(kind, scale) {
+    var made = element('div', 'colour-bar'), stops = told.colours[kind];
+    made.appendChild(element('div', 'heading', scale.heading));
+    var strip = element('div', 'strip');
+    strip.style.background = 'linear-gradient(to right, ' + stops.join(', ') + ')';
+    made.appendChild(strip);
+    var row = element('div', 'ticks'), reach = -Infinity;
+    scale.ticks.forEach(function (words, k) {
+      var half = 3.6 * words.length;
+      if (210 * scale.at[k] - half < reach + 5) return;
+      reach = 210 * scale.at[k] + half;
+      var tick = element('span', '', words);
+      tick.style.left = 100 * scale.at[k] + '%';
+      row.appendChild(tick);
+    });
+    made.appendChild(row);
+    return made;
+  }
+
+  function write_legend() {
+    legend.textContent = '';
+    var scales = told.scales[choice.colour] || {};
+    ['rope', 'netting'].forEach(function (kind) {
+      if (scales[kind]) legend.appendChild(colour_bar(kind, scales[kind]));
+    });
+    var key = element('div', 'key');
+    function entry(words, colour, className) {
+      var item = element('span', 'entry', words), patch = element('i', className);
+      patch.style.setProperty('--colour', colour);
+      item.insertBefore(patch, item.firstChild);
+      key.appendChild(item);
+    }
+    if (choice.colour === 'tension' || choice.colour === 'slack') {
+      if (told.times.length > 1 || any(function (x) { return x === 0; })) {
+        entry('slack', told.colours.slack, 'slack');
+      } else {
+        key.appendChild(element('span', 'entry', 'nothing is slack'));
+      }
+      if (any(function (x) { return x < 0; })) entry('pushing', '#4A545C', 'line');
+    }
+    if (choice.colour === 'slack') entry('taut', '#5F7482', 'line');
+    if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry('rope', '#4A545C', 'line');
+    if (choice.compare === 'over') entry('pinned', '#7F8B95', 'line');
+    var marks = told.marks;
+    marks.label.forEach(function (words, k) {
+      if (marks.label.indexOf(words) === k) {
+        entry(words, marks.fill[k], marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball');
+      }
+    });
+    legend.appendChild(key);
+  }
+
+  // Whether any tension is such, now.
+  function any(such) {
+    var gear = gears.now;
+    return [gear.rope_tension, gear.netting.u, gear.netting.v].some(function (all) {
+      return Array.prototype.some.call(all, such);
+    });
+  }
+
+  function project(at, box) {
+    var p = new T.Vector3(at[0], at[1], at[2]).project(perspective);
+    return [box.left + box.width * (p.x + 1) / 2, box.top + box.height * (1 - p.y) / 2, p.z];
+  }
+
+  // Words in the picture, each where its place is seen.
+  function place_words() {
+    var width = canvas.clientWidth, height = canvas.clientHeight, box = boxes(width, height)[0];
+    var range = focus(), at = middle(range), size = longest(range);
+    function put(label, place, words) {
+      var p = place && project(place, { left: 0, top: 0, width: width, height: height });
+      var shown = p && p[2] < 1 && p[0] > 30 && p[0] < width - 30 && p[1] > 46 && p[1] < height - 90 &&
+        choice.compare !== 'beside';
+      label.hidden = !shown;
+      if (!shown) return;
+      if (words) label.textContent = words;
+      label.style.left = p[0] + 'px';
+      label.style.top = p[1] + 'px';
+    }
+    var side = [at[0] + 0.5 * size, at[1] - 0.75 * size];
+    put(labels.surface, told.water && Math.abs(camera.rise) > 0.03 && [side[0], side[1], 0]);
+    var depth = told.bed && (told.bed.height - told.bed.normal[0] * side[0] -
+      told.bed.normal[1] * side[1]) / told.bed.normal[2];
+    put(labels.bed, told.bed && [side[0], side[1], depth], told.bed &&
+      'sea bed, ' + three(-depth) + ' m deep');
+    var vessel = gears.now.vessels[0];
+    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], 'vessel');
+    ['now', 'pinned'].forEach(function (name) {
+      labels[name].hidden = choice.compare !== 'beside' || !gears.pinned;
+    });
+    if (choice.compare === 'beside') {
+      boxes(width, height).forEach(function (one) {
+        var label = labels[one.gear];
+        label.textContent = one.gear === 'now' ? 'Now' : 'Pinned';
+        label.style.left = one.left + one.width / 2 + 'px';
+        label.style.top = one.top + 50 + 'px';
+      });
+    }
+    return box;
+  }
+
+  // A length at the middle of what is looked at.
+  function tell_scale() {
+    var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / canvas.clientHeight;
+    if (choice.compare === 'beside' && canvas.clientWidth <= canvas.clientHeight) metres *= 2;
+    var long = round(90 * metres);
+    scaleBar.textContent = '';
+    var line = element('i', 'line');
+    line.style.width = long / metres + 'px';
+    scaleBar.appendChild(element('span', '', three(long) + ' m'));
+    scaleBar.appendChild(line);
+    var speed = Math.hypot(told.flow[0], told.flow[1]);
+    if (speed) {
+      var way = axes(camera.turn, camera.rise), along = [told.flow[0] / speed, told.flow[1] / speed, 0];
+      var dx = dot(along, way.right), dy = -dot(along, way.up), seen2 = Math.hypot(dx, dy);
+      var flow = element('span', 'flow', 'flow ' + three(speed) + ' m/s ');
+      var arrow = element('i', 'arrow', seen2 < 0.15 ? '\u2299' : '\u2192');
+      if (seen2 >= 0.15) arrow.style.transform = 'rotate(' + Math.atan2(dy, dx) + 'rad)';
+      flow.appendChild(arrow);
+      scaleBar.appendChild(flow);
+    }
+    if (told.bed || told.water && focus().high[2] > -0.3 * longest(focus())) {
+      scaleBar.appendChild(element('span', 'squares', 'squares of ' + three(square) + ' m'));
+    }
+  }
+
+  // ---- numbers in words -------------------------------------------------------------------------
+
+  function three(x) {
+    if (!isFinite(x)) return '';
+    return String(Number(x.toPrecision(3)));
+  }
+  function force(newtons) {
+    return Math.abs(newtons) >= 1000 ? three(newtons / 1000) + ' kN' : three(newtons) + ' N';
+  }
+  function thick(metres) { return three(1000 * metres) + ' mm'; }
+  function plain(name) { return String(name).replace(/_/g, ' '); }
+
+  // ---- the pointer ------------------------------------------------------------------------------
+
+  // Where everything is on the screen; made when it is asked for.
+  var seen = null;
+  function on_screen() {
+    if (seen) return seen;
+    var gear = gears.now, box = boxes(canvas.clientWidth, canvas.clientHeight).filter(function (b) {
+      return b.gear === 'now';
+    })[0];
+    set_eye(box.width, box.height);
+    shared.pixel.value /= shared.ratio.value;
+    function all(points) {
+      var out = new Float32Array(points.length);
+      var m = new T.Matrix4().multiplyMatrices(perspective.projectionMatrix,
+        perspective.matrixWorldInverse).elements;
+      for (var i = 0; i < points.length; i += 3) {
+        var x = points[i], y = points[i + 1], z = points[i + 2];
+        var w = m[3] * x + m[7] * y + m[11] * z + m[15];
+        out[i] = box.left + box.width * ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) / 2;
+        out[i + 1] = box.top + box.height * (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) / 2;
+        out[i + 2] = w;
+      }
+      return out;
+    }
+    seen = { points: all(gear.points), marks: all(gear.at) };
+    return seen;
+  }
+
+  // What is under a place on the screen: {kind, number, share} or null.
+  function under(x, y) {
+    var gear = gears.now, at = on_screen(), p = at.points, best = null;
+    gear.marks.forEach(function (mark, i) {
+      var w = at.marks[3 * i + 2];
+      if (w <= 0) return;
+      var off = Math.hypot(at.marks[3 * i] - x, at.marks[3 * i + 1] - y);
+      var radius = Math.max(7, mark.half / (shared.pixel.value * shared.ratio.value * w));
+      if (off < radius && (!best || w < best.away)) best = { kind: 'mark', number: i, away: w };
+    });
+    if (best) return best;
+    var ends = gear.ropes.ends, near = 7;
+    for (var l = 0; l < ends.length / 2; l++) {
+      var a = 3 * ends[2 * l], b = 3 * ends[2 * l + 1];
+      if (p[a + 2] <= 0 || p[b + 2] <= 0) continue;
+      var dx = p[b] - p[a], dy = p[b + 1] - p[a + 1], long = dx * dx + dy * dy;
+      var t = long ? Math.min(Math.max(((x - p[a]) * dx + (y - p[a + 1]) * dy) / long, 0), 1) : 0;
+      var off = Math.hypot(p[a] + t * dx - x, p[a + 1] + t * dy - y);
+      if (off < near) { near = off; best = { kind: 'rope', number: l, share: t }; }
+    }
+    if (best) return best;
+    var net = gear.netting, closest = Infinity;
+    for (var k = 0; k < net.part.length; k++) {
+      var i = 3 * net.point[3 * k], j = 3 * net.point[3 * k + 1], c = 3 * net.point[3 * k + 2];
+      if (p[i + 2] <= 0 || p[j + 2] <= 0 || p[c + 2] <= 0) continue;
+      var area = (p[j] - p[i]) * (p[c + 1] - p[i + 1]) - (p[c] - p[i]) * (p[j + 1] - p[i + 1]);
+      if (!area) continue;
+      var s = ((x - p[i]) * (p[c + 1] - p[i + 1]) - (p[c] - p[i]) * (y - p[i + 1])) / area;
+      var r = ((p[j] - p[i]) * (y - p[i + 1]) - (x - p[i]) * (p[j + 1] - p[i + 1])) / area;
+      if (s < 0 || r < 0 || s + r > 1) continue;
+      var w = p[i + 2] + s * (p[j + 2] - p[i + 2]) + r * (p[c + 2] - p[i + 2]);
+      if (w < closest) { closest = w; best = { kind: 'netting', number: k }; }
+    }
+    return best;
+  }
+
+  function rows_of(found) {
+    var gear = gears.now, parts = told.parts, k = found.number, rows = [], heading, note, z;
+    function row(name, value) { if (value) rows.push([name, value]); }
+    if (found.kind === 'mark') {
+      var marks = told.marks;
+      heading = plain(marks.part[k]);
+      note = marks.label[k];
+      row('depth', three(-gear.at[3 * k + 2]) + ' m');
+    } else if (found.kind === 'rope') {
+      var part = gear.ropes.part[k], tension = gear.rope_tension[k];
+      heading = plain(parts.name[part]);
+      note = plain(parts.role[part] || 'rope');
+      row('tension', tension > 0 ? force(tension) : tension < 0 ? 'pushes ' + force(-tension) : 'slack');
+      if (tension > 0 && parts.strength[part]) {
+        row('of breaking load', three(100 * tension / parts.strength[part]) + ' %');
+      }
+      if (parts.thickness[part]) row('diameter', thick(parts.thickness[part]));
+      if (gear.drag[part]) row('drag', three(gear.drag[part]) + ' N/m');
+      var a = gear.ropes.ends[2 * k], b = gear.ropes.ends[2 * k + 1];
+      z = gear.points[3 * a + 2] + found.share * (gear.points[3 * b + 2] - gear.points[3 * a + 2]);
+      row('depth', three(-z) + ' m');
+    } else {
+      var of = gear.netting.part[k], meshes = gear.meshes(k);
+      heading = plain(parts.name[of]);
+      note = 'netting, ' + thick(parts.mesh[of]) + ' meshes, ' + thick(parts.thickness[of]) + ' twine';
+      [['twine one way', gear.netting.u[k]], ['the other way', gear.netting.v[k]]].forEach(function (one) {
+        row(one[0], one[1] > 0 ? force(one[1]) : 'slack');
+      });
+      if (isFinite(meshes.opening)) {
+        row('mesh opening', three(meshes.opening) + ' %');
+        row('mesh angle', three(meshes.angle) + '\u00b0');
+      }
+      if (gear.drag[of]) row('drag', three(gear.drag[of]) + ' N/m\u00b2');
+      z = [0, 1, 2].reduce(function (sum, c) {
+        return sum + gear.points[3 * gear.netting.point[3 * k + c] + 2] / 3;
+      }, 0);
+      row('depth', three(-z) + ' m');
+    }
+    return { heading: heading, note: note, rows: rows };
+  }
+
+  function point_at(x, y) {
+    var found = gears.now && under(x, y);
+    tip.hidden = !found;
+    if (!found) return;
+    var said = rows_of(found);
+    tip.textContent = '';
+    tip.appendChild(element('b', '', said.heading));
+    if (said.note !== said.heading) tip.appendChild(element('div', 'note', said.note));
+    said.rows.forEach(function (row) {
+      var line = element('div', row[1] === 'slack' ? 'row slack' : 'row');
+      line.appendChild(element('span', '', row[0]));
+      line.appendChild(element('span', '', row[1]));
+      tip.appendChild(line);
+    });
+    var right = x + 14 + tip.offsetWidth > host.clientWidth;
+    tip.style.left = (right ? Math.max(4, x - 14 - tip.offsetWidth) : x + 14) + 'px';
+    tip.style.top = Math.max(4, Math.min(y + 14, host.clientHeight - tip.offsetHeight - 4)) + 'px';
+  }
+
+  // ---- hands ------------------------------------------------------------------------------------
+
+  function turn_by(across, up) {
+    camera.turn -= across;
+    camera.rise = Math.min(Math.max(camera.rise + up, -Math.PI / 2), Math.PI / 2);
+    press('from', null);
+    repaint();
+  }
+  function zoom_by(factor, x, y) {
+    var before = camera.away, size = longest(gears.now.range.whole);
+    camera.away = Math.min(Math.max(before / factor, camera.fit / 400), 8 * size + 4 * camera.fit);
+    // towards what is under the pointer
+    if (x !== undefined) {
+      var way = axes(camera.turn, camera.rise), up = canvas.clientHeight;
+      var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) / up * (before - camera.away);
+      shift((x - canvas.clientWidth / 2) * metres, (up / 2 - y) * metres, way);
+    }
+    repaint();
+  }
+  function shift(right, up, way) {
+    camera.at = camera.at.map(function (v, k) { return v + right * way.right[k] + up * way.up[k]; });
+  }
+  function move_by(dx, dy) {
+    var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / canvas.clientHeight;
+    shift(-dx * metres, dy * metres, axes(camera.turn, camera.rise));
+    repaint();
+  }
+
+  function choose(what, value) {
+    choice[what] = value;
+    if (what === 'from' && directions[value]) {
+      camera.turn = directions[value][0];
+      camera.rise = directions[value][1];
+    }
+    if (what === 'colour') {
+      colours.value = value;
+      recolour();
+    } else {
+      press(what, value);
+      held = {};
+      if (gears.now) aim();
+    }
+    if (told) write_legend();
+    repaint();
+  }
+
+  function recolour() {
+    ['now', 'pinned'].forEach(function (name) {
+      if (gears[name]) gears[name].colour(choice.colour);
+    });
+  }
+
+  var fingers = {}, apart = 0, hovering = null, chosen = false;
+  // Inside a page the wheel belongs to the page until the picture is clicked.
+  function wheel_is_ours() {
+    return chosen || host.clientHeight > window.innerHeight - 60 || options.wheel;
+  }
+  document.addEventListener('pointerdown', function (event) { chosen = host.contains(event.target); });
+  canvas.addEventListener('pointerdown', function (event) {
+    canvas.setPointerCapture(event.pointerId);
+    fingers[event.pointerId] = [event.clientX, event.clientY, event.clientX, event.clientY];
+    tip.hidden = true;
+  });
+  canvas.addEventListener('pointermove', function (event) {
+    var before = fingers[event.pointerId];
+    if (!before) {
+      var box = canvas.getBoundingClientRect();
+      if (!hovering) {
+        window.requestAnimationFrame(function () {
+          var at = hovering;
+          hovering = null;
+          if (at) point_at(at[0], at[1]);
+        });
+      }
+      hovering = [event.clientX - box.left, event.clientY - box.top];
+      return;
+    }
+    var dx = event.clientX - before[0], dy = event.clientY - before[1];
+    before[0] = event.clientX;
+    before[1] = event.clientY;
+    var all = Object.keys(fingers);
+    if (all.length === 1) {
+      if (event.shiftKey || event.buttons === 2 || event.buttons === 4) move_by(dx, dy);
+      else turn_by(dx * 0.008, dy * 0.008);
+      return;
+    }
+    var a = fingers[all[0]], b = fingers[all[1]], gap = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    if (apart) zoom_by(gap / apart);
+    apart = gap;
+    move_by(dx / 2, dy / 2);
+  });
+  function lift(event) {
+    var was = fingers[event.pointerId];
+    delete fingers[event.pointerId];
+    apart = 0;
+    // a tap tells what is there
+    if (was && event.type === 'pointerup' &&
+      Math.hypot(event.clientX - was[2], event.clientY - was[3]) < 4) {
+      var box = canvas.getBoundingClientRect();
+      point_at(event.clientX - box.left, event.clientY - box.top);
+    }
+  }
+  canvas.addEventListener('pointerup', lift);
+  canvas.addEventListener('pointercancel', lift);
+  canvas.addEventListener('pointerleave', function () { hovering = null; tip.hidden = true; });
+  canvas.addEventListener('contextmenu', function (event) { event.preventDefault(); });
+  canvas.addEventListener('wheel', function (event) {
+    if (!wheel_is_ours()) return;
+    event.preventDefault();
+    var box = canvas.getBoundingClientRect();
+    zoom_by(Math.exp(-event.deltaY * 0.0015), event.clientX - box.left, event.clientY - box.top);
+  }, { passive: false });
+
+  function next_colour() {
+    var all = Array.from(colours.options, function (o) { return o.value; });
+    choose('colour', all[(all.indexOf(choice.colour) + 1) % all.length]);
+  }
+  var acts = {
+    ArrowLeft: [turn_by, -0.1, 0], ArrowRight: [turn_by, 0.1, 0], ArrowUp: [turn_by, 0, 0.1],
+    ArrowDown: [turn_by, 0, -0.1], '+': [zoom_by, 1.2], '=': [zoom_by, 1.2], '-': [zoom_by, 1 / 1.2],
+    1: [choose, 'from', 'bow'], 2: [choose, 'from', 'above'], 3: [choose, 'from', 'side'],
+    4: [choose, 'from', 'astern'], n: [choose, 'focus', 'net'], g: [choose, 'focus', 'whole'],
+    c: [next_colour], h: [function () { help.click(); }],
+    0: [function () { held = {}; first_look(); aim(); repaint(); }]
+  };
+  host.addEventListener('keydown', function (event) {
+    if (event.ctrlKey || event.altKey || event.metaKey || !gears.now) return;
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+    var key = event.key, act = acts[key];
+    if (!groups.compare.hidden && { 5: 1, 6: 1, 7: 1 }[key]) {
+      act = [choose, 'compare', { 5: 'off', 6: 'over', 7: 'beside' }[key]];
+    }
+    if (key === 'n' && !gears.now.range.net) return;
+    if (key === 'Escape') { keys.hidden = true; tip.hidden = true; }
+    if (!act) return;
+    event.preventDefault();
+    act[0](act[1], act[2]);
+  });
+
+  // ---- paper ------------------------------------------------------------------------------------
+
+  // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
+  function picture() {
+    fog_colour(paper);
+    if (!draw()) return '';
+    var address = canvas.toDataURL('image/png');
+    repaint();
+    return address;
+  }
+  function for_paper() { still.src = picture(); }
+  window.addEventListener('beforeprint', for_paper);
+  // some browsers print without saying so first
+  var stillTimer = null;
+  function later() {
+    window.clearTimeout(stillTimer);
+    stillTimer = window.setTimeout(for_paper, 1500);
+  }
+
+  // ---- flat figures -----------------------------------------------------------------------------
+
+  // Draws the gear flat, seen along the axis that is not among `axes`, to fill `box` (left, top, width,
+  // height, pixels) of another canvas with `scale` pixels per metre around `at`. Returns whether it did.
+  function flat(context, plane, box, at, scale, ghost) {
+    var ratio = window.devicePixelRatio || 1;
+    var width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
+    if (!gears.now || width < 2 || height < 2) return false;
+    var turn = plane.turn, rise = plane.rise, way = axes(turn, rise), size = 4 * longest(gears.now.range.whole);
+    var wide = width / scale / 2, tall = height / scale / 2;
+    flatCamera.left = -wide;
+    flatCamera.right = wide;
+    flatCamera.top = tall;
+    flatCamera.bottom = -tall;
+    flatCamera.near = 0;
+    flatCamera.far = 2 * size;
+    flatCamera.position.fromArray(at.map(function (v, k) { return v + size * way.eye[k]; }));
+    flatCamera.up.fromArray(way.up);
+    flatCamera.lookAt(at[0], at[1], at[2]);
+    flatCamera.updateProjectionMatrix();
+    flatCamera.updateMatrixWorld();
+    shared.flat.value = 1;
+    shared.ahead.value.fromArray(way.eye).negate();
+    shared.pixel.value = 1 / scale / ratio;
+    shared.fogNear.value = 10 * size;
+    shared.fogFar.value = 20 * size;
+    light(way);
+    renderer.setScissorTest(true);
+    renderer.setScissor(0, 0, width, height);
+    renderer.setViewport(0, 0, width, height);
+    renderer.clear();
+    function pixel() { return 1 / scale; }
+    if (ghost && gears.pinned) draw_gear(gears.pinned, flatCamera, true, pixel);
+    draw_gear(gears.now, flatCamera, false, pixel);
+    renderer.setScissorTest(false);
+    context.drawImage(canvas, 0, canvas.height - Math.round(height * ratio), Math.round(width * ratio),
+      Math.round(height * ratio), box.left + (box.width - width) / 2, box.top + (box.height - height) / 2,
+      width, height);
+    return true;
+  }
+
+  // ---- scenes -----------------------------------------------------------------------------------
+
+  function take(name, part) {
+    if (!part) return;
+    if (!gears[name]) gears[name] = view.gear(materials);
+    gears[name].take(part);
+    gears[name].range = gears[name].ranges();
+    gears[name].colour(choice.colour);
+  }
+
+  var moment = null;
+  var shown = {
+    show: function (now, pinned) {
+      var first = !gears.now;
+      take('now', now);
+      take('pinned', pinned);
+      told = gears.now.told;
+      shared.ghostColour.value.set('#7F8B95');
+      canvas.setAttribute('aria-label', told.name + ' in three dimensions. ' + told.conditions +
+        '. Arrow keys turn it, plus and minus zoom.');
+      if (options.title) {
+        title.textContent = '';
+        title.appendChild(element('div', 'name', told.name));
+        title.appendChild(element('div', 'conditions', told.conditions));
+      }
+      groups.compare.hidden = !gears.pinned;
+      // Without netting there is nothing but the whole gear.
+      var net = groups.focus.querySelector('[data-value="net"]');
+      net.disabled = !gears.now.range.net;
+      if (!gears.now.range.net && choice.focus === 'net') choice.focus = 'whole';
+      else if (gears.now.range.net && !shown.chosen && choice.focus === 'whole') choice.focus = 'net';
+      press('focus', choice.focus);
+      press('compare', choice.compare);
+      colours.textContent = '';
+      Object.keys(modes).forEach(function (mode) {
+        var scale = told.scales[mode];
+        if (mode.indexOf('mesh') === 0 && !(scale && scale.netting)) return;
+        colours.appendChild(element('option', '', modes[mode], { value: mode }));
+      });
+      if (first && told.colour) choice.colour = told.colour;
+      if (!colours.querySelector('[value="' + choice.colour + '"]')) choice.colour = 'tension';
+      colours.value = choice.colour;
+      recolour();
+      if (first) {
+        first_look();
+        aim();
+      } else {
+        var before = held[choice.focus], now_ = focus();
+        if (now_ !== before) {
+          var zoom = camera.away / camera.fit;
+          aim();
+          camera.away *= zoom;
+        }
+      }
+      write_legend();
+      if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told);
+      repaint();
+      later();
+    },
+    choose: choose,
+    time: function (k, share) {
+      gears.now.move(k, share);
+      gears.now.colour(choice.colour);
+      repaint();
+    },
+    picture: picture,
+    flat: flat,
+    focus: function () { return focus(); },
+    gear: function () { return gears.now; },
+    choice: choice,
+    // What tests and measurements read: a position, pictures painted, and whether one waits.
+    point: function (k) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
+    waits: function () { return waiting; },
+    painted: function () { return drawn; },
+    under: function (x, y) { return under(x, y); }
+  };
+
+  // A narrow picture has smaller words and its buttons in a row of their own.
+  function fold() {
+    host.classList.toggle('narrow', host.clientWidth < 640);
+    host.classList.toggle('titled', !!options.title);
+  }
+  fold();
+  var width = 0;
+  new window.ResizeObserver(function () {
+    fold();
+    if (!gears.now) return;
+    // a new shape of the page is looked at anew
+    if (Math.abs(canvas.clientWidth - width) > 40) {
+      var zoom = camera.away / (camera.fit || 1), at = camera.at;
+      aim();
+      camera.away *= zoom;
+      if (zoom !== 1) camera.at = at;
+      width = canvas.clientWidth;
+    }
+    repaint();
+  }).observe(canvas);
+
+  host.codendViewer = shown;
+  return shown;
+};

@@ -1,0 +1,144 @@
+# Calibrations against planted values, closed forms of least squares, and the likelihood itself.
+
+# A sphere on a line that neither weighs nor drags: D = C_D A rho v^2 / 2, drawn at its top with
+# sqrt(D^2 + W^2).
+towed_sphere <- as_gear(list(
+  codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
+  points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
+  ropes = list(line = list(
+    from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",
+    mass_per_length = 0, volume_per_length = 0, segments = 1,
+    coefficients = list(normal = 0, tangential = 0, skin = 0)
+  )),
+  pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
+    volume = "0.01 m3", drag_coefficient = 0.5)),
+  measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
+))
+drag_by_speed <- pi / 16 * 1025 / 2
+coefficient <- list(pieces.sphere.drag_coefficient = c(0.2, 1.5))
+
+# Numbers that are normal to the eye, without chance.
+noise <- function(n) stats::qnorm((((seq_len(n) * 0.6180339887) %% 1) * n + 0.5) / (n + 1))
+
+test_that("a linear model has the least squares of its closed form", {
+  # drag is C_D times a known number: regression through the origin
+  speed <- rep(seq(1, 3, by = 0.25), 2)
+  known <- drag_by_speed * speed^2
+  drag <- 0.62 * known + 20 * noise(length(speed))
+  fit <- calibrate(towed_sphere, data.frame(towing.speed = speed, Drag = drag), coefficient,
+    Drag ~ total_drag)
+  wanted <- stats::lm(drag ~ known - 1)
+  # Where the likelihood is flat to 1e-7 of itself the value is within 1e-4.
+  expect_equal(unname(coef(fit)), unname(stats::coef(wanted)), tolerance = 1e-4)
+  expect_equal(unname(sqrt(diag(vcov(fit)))), unname(sqrt(diag(stats::vcov(wanted)))),
+    tolerance = 1e-3)
+  expect_equal(unname(confint(fit, method = "normal", level = 0.9))[1, ],
+    unname(stats::confint(wanted, level = 0.9))[1, ], tolerance = 1e-3)
+  # Of a linear model the likelihood has the same interval; its ends are found to 1 % of half of it.
+  half <- diff(stats::confint(wanted, level = 0.9)[1, ]) / 2
+  expect_lt(max(abs(confint(fit, level = 0.9) - stats::confint(wanted, level = 0.9))), 0.02 * half)
+  expect_equal(residuals(fit), unname(stats::residuals(wanted)), tolerance = 1e-2)
+  expect_equal(as.double(logLik(fit)), as.double(stats::logLik(wanted)), tolerance = 1e-6)
+  expect_equal(attr(logLik(fit), "df"), 2)
+  expect_equal(fit$match$error, summary(wanted)$sigma, tolerance = 1e-4)
+  expect_identical(nobs(fit), length(speed))
+  ahead <- predict(fit, data.frame(towing.speed = 3.5), level = 0.9)
+  straight <- stats::predict(wanted, data.frame(known = drag_by_speed * 3.5^2), level = 0.9,
+    interval = "prediction")
+  expect_equal(unlist(ahead[c("fit", "low", "high")], use.names = FALSE), as.vector(straight),
+    tolerance = 1e-3)
+})
+
+test_that("planted values come back from two measures, and others are told", {
+  true <- update(towed_sphere, pieces.sphere.drag_coefficient = 0.8, pieces.sphere.mass = 150)
+  runs <- data.frame(towing.speed = paste(rep(2:6, 3), "knot"))
+  found <- vary(true, towing.speed = paste(2:6, "knot"))
+  k <- rep(1:5, 3)
+  runs$Pull <- found$pull_kN[k] + 0.02 * noise(15)
+  runs$Depth <- found$depth_m[k] + 0.05 * noise(15)[15:1]
+  fit <- calibrate(towed_sphere, runs,
+    c(coefficient, list(pieces.sphere.mass = c("100 kg", "300 kg"))),
+    list(Pull ~ pull_kN, Depth ~ depth))
+  expect_true(fit$converged)
+  off <- (coef(fit) - c(0.8, 150)) / fit$fields$error
+  expect_lt(max(abs(off)), 3)
+  expect_lt(max(fit$fields$error / c(0.8, 150)), 0.05)
+  # With one of the two held wrong, the other is what the misfit points at.
+  blind <- calibrate(towed_sphere, runs, coefficient, list(Pull ~ pull_kN, Depth ~ depth))
+  found <- explain(blind, to = c("pieces.sphere.mass", "pieces.sphere.volume",
+    "pieces.sphere.diameter"))
+  expect_identical(found$inputs$field[1], "pieces.sphere.mass")
+  expect_lt(found$inputs$p[1], 1e-4)
+  expect_lt(found$inputs$percent[1], -10)
+  # A diameter does what the coefficient does.
+  expect_lt(found$inputs$own[found$inputs$field == "pieces.sphere.diameter"], 1e-3)
+  expect_output(print(found), "pieces.sphere.mass")
+  expect_true(all(c("pull_kN", "depth_m") %in%
+    found$measurements$measure[found$measurements$matched]))
+  expect_gte(min(found$measurements$gain), 1)
+})
+
+test_that("a prior and known errors weigh as they should", {
+  # One haul of error s and a prior of mean m and deviation t: the mean of both by their weights.
+  known <- drag_by_speed * 4
+  runs <- data.frame(towing.speed = 2, Drag = 0.7 * known)
+  fit <- calibrate(towed_sphere, runs,
+    list(pieces.sphere.drag_coefficient = normal(0.5, 0.1, low = 0.1, high = 2)),
+    Drag ~ total_drag, error = 0.05 * known)
+  expect_equal(unname(coef(fit)), (0.7 / 0.05^2 + 0.5 / 0.1^2) / (1 / 0.05^2 + 1 / 0.1^2),
+    tolerance = 1e-4)
+  expect_equal(fit$fields$error, 1 / sqrt(1 / 0.05^2 + 1 / 0.1^2), tolerance = 1e-3)
+})
+
+test_that("a field at the end of its range is said to be there", {
+  known <- drag_by_speed * c(1, 4, 9, 16)
+  fit <- calibrate(towed_sphere, data.frame(towing.speed = 1:4, Drag = 2 * known), coefficient,
+    Drag ~ total_drag)
+  expect_identical(fit$fields$at, "upper")
+  expect_equal(fit$fields$value, 1.5, tolerance = 1e-3)
+  expect_true(is.na(fit$fields$error))
+  expect_output(print(fit), "upper end of its range")
+})
+
+test_that("rows without a measurement are not matched, those alike are settled once", {
+  known <- drag_by_speed * c(1, 4, 1, 4)
+  runs <- data.frame(towing.speed = c(1, 2, 1, 2), Drag = c(0.6, 0.61, 0.59, 0.6) * known,
+    Depth = c(9, NA, NA, NA))
+  fit <- calibrate(towed_sphere, runs, coefficient, list(Drag ~ total_drag, Depth ~ depth),
+    error = c(NA, 5))
+  expect_length(fit$task$cases, 2)
+  expect_identical(fit$match$hauls, c(4L, 1L))
+  file <- tempfile(fileext = ".png")
+  expect_identical(plot(fit, file = file), fit)
+  expect_gt(file.size(file), 5000)
+  expect_output(print(summary(fit)), "Furthest off")
+})
+
+test_that("wrong data, matches and errors are one error that names them", {
+  runs <- data.frame(towing.speed = 1:4, Drag = 1:4)
+  wrong <- function(words, data = runs, change = coefficient, match = Drag ~ total_drag_kN, ...,
+                    class = "codend_error_argument") {
+    expect_error(calibrate(towed_sphere, data, change, match, ...), words, class = class)
+  }
+  wrong("data.*row per haul", data = 3)
+  wrong("data.*towing.sped.*no field.*towing.speed",
+    data = data.frame(towing.sped = 1, Drag = 1))
+  wrong("data.*towing.speed.*row 2", data = data.frame(towing.speed = c(1, NA), Drag = 1))
+  wrong("Row 1 of the data.*towing.speed.*-3", data = data.frame(towing.speed = -3, Drag = 1:3),
+    class = "codend_error_plan")
+  wrong("data.*sets.*towing.speed.*change", change = list(towing.speed = c(1, 3)))
+  wrong("match.*formulas", match = "Drag")
+  wrong("match.*Dragg.*no column", match = Dragg ~ total_drag_kN)
+  wrong("match.*total_dragg", match = Drag ~ total_dragg)
+  wrong("match.*too few", data = runs[1, ])
+  wrong("error.*1 standard", error = c(1, 2))
+  wrong("error", error = -1)
+  fit <- calibrate(towed_sphere, runs, coefficient, Drag ~ total_drag_kN)
+  expect_error(confint(fit, level = 90), "level.*90", class = "codend_error_argument")
+  expect_error(confint(fit, "mass"), "parm.*mass", class = "codend_error_argument")
+  expect_error(predict(fit, data.frame(a = 1)), "towing.speed", class = "codend_error_argument")
+  expect_error(residuals(fit, "raw"), "type.*raw", class = "codend_error_argument")
+  expect_error(explain(3), "fit", class = "codend_error_argument")
+  expect_error(explain(fit, to = "towing.speed"), "towing.speed", class = "codend_error_argument")
+  expect_error(plot(fit, by = "depth"), "by.*depth", class = "codend_error_argument")
+})

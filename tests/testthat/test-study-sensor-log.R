@@ -1,0 +1,54 @@
+# Sensor logs with spikes that are planted.
+
+log_of <- function(lines) {
+  file <- tempfile(fileext = ".csv")
+  writeLines(lines, file)
+  file
+}
+
+test_that("spikes go, what is real stays", {
+  n <- 300
+  time <- 82800 + 10 * seq_len(n)
+  door <- 80 + 3 * sin(seq_len(n) / 40) + 0.3 * sin(seq_len(n) * 1.7)
+  height <- 5 + 0.1 * cos(seq_len(n) * 2.3)
+  planted <- c(20, 21, 90, 150, 222)
+  shown <- replace(door, planted, c(160, 158, 12, 900, 40))
+  shown[250] <- NA
+  clock <- format(as.POSIXct(time, origin = "1970-01-01", tz = "UTC"), "%H:%M:%S")
+  file <- log_of(c("Time;Door;Height (ft)",
+    paste(clock, ifelse(is.na(shown), "", sub(".", ",", round(shown, 3), fixed = TRUE)),
+      round(height / 0.3048, 3), sep = ";")))
+  columns <- tempfile(fileext = ".yaml")
+  writeLines(c(
+    "time: {column: Time, format: '%H:%M:%S'}",
+    "door_spread: {column: Door, unit: m, least: 10, most: 200}",
+    "headline_height: {column: Height (ft), unit: ft}"
+  ), columns)
+  found <- read_sensor_log(file, columns)
+  # past midnight the clock goes on
+  expect_equal(found$time, 10 * (seq_len(n) - 1))
+  expect_identical(which(is.na(found$door_spread)), as.integer(sort(c(planted, 250))))
+  expect_identical(attr(found, "removed"), c(door_spread = 5L, headline_height = 0L))
+  good <- !is.na(found$door_spread)
+  expect_equal(found$door_spread[good], door[good], tolerance = 1e-5)
+  expect_equal(found$headline_height, height, tolerance = 1e-3)
+  means <- haul_means(found, from = c(0, 1000), to = c(900, 2990))
+  expect_equal(means$door_spread[1], stats::median(door[setdiff(1:91, planted)]), tolerance = 1e-4)
+  expect_identical(means$haul, 1:2)
+})
+
+test_that("a wrong log is one error", {
+  file <- log_of(c("a,b", "0,1", "x,2"))
+  columns <- list(time = list(column = "a"), door = list(column = "b", unit = "m"))
+  expect_error(read_sensor_log("none.csv", columns), "none.csv", class = "codend_error_file")
+  expect_error(read_sensor_log(file, columns), "\"x\".*row 2", class = "codend_error_file")
+  columns$door$column <- "c"
+  expect_error(read_sensor_log(file, columns), "\"c\".*a, b", class = "codend_error_file")
+  columns$door$unit <- "parsec"
+  expect_error(read_sensor_log(file, columns), "door.*parsec", class = "codend_error_argument")
+  expect_error(read_sensor_log(file, list()), "time", class = "codend_error_argument")
+  expect_error(read_sensor_log(file, columns, window = 4), "odd", class = "codend_error_argument")
+  log <- data.frame(time = 0:10, door = 1)
+  expect_error(haul_means(log, 5, 1), "begin before", class = "codend_error_argument")
+  expect_error(haul_means(1, 5, 6), "log", class = "codend_error_argument")
+})

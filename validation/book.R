@@ -1,0 +1,49 @@
+# make validate: computes every case of manifest.yaml beside what was measured or is known exactly,
+# and writes the page book.md with its pictures and misfits.csv. Fails where a case is not as the
+# manifest says (held, missed or tuned). README.md tells how to add a case.
+#   Rscript validation/book.R              all cases
+#   Rscript validation/book.R ID [ID ...]  those alone, printed and not written
+#   Rscript validation/book.R page         the page again from misfits.csv
+suppressPackageStartupMessages(library(codend))
+
+room <- new.env(parent = asNamespace("codend"))
+for (file in c("validation/manifest.R", "validation/judge.R", "validation/page.R",
+  list.files("validation/cases", "\\.R$", full.names = TRUE))) sys.source(file, room)
+
+# Rows of one case: what was measured and computed, with the seconds of processor time it took.
+run_case <- function(case) {
+  before <- sum(proc.time()[1:2])
+  rows <- suppressWarnings(room[[room$runner(case$id)]]())
+  cat(sprintf("%-30s %5.1f s\n", case$id, sum(proc.time()[1:2]) - before))
+  cbind(case = case$id, rows)
+}
+
+wanted <- commandArgs(TRUE)
+again <- identical(wanted, "page")
+if (again) wanted <- character()
+manifest <- room$read_manifest("validation/manifest.yaml")
+unknown <- setdiff(wanted, names(manifest))
+if (length(unknown)) stop("no such case: ", paste(unknown, collapse = ", "))
+# cases know nothing of each other
+workers <- min(2L, parallel::detectCores())
+chosen <- if (length(wanted)) manifest[wanted] else manifest
+rows <- if (again) {
+  utils::read.csv("validation/misfits.csv")
+} else {
+  do.call(rbind, unname(parallel::mclapply(chosen, run_case, mc.cores = workers)))
+}
+judged <- room$judge(rows, chosen)
+
+if (length(wanted)) {
+  print(rows, digits = 5, row.names = FALSE)
+  print(judged[c("case", "quantity", "values", "bias", "misfit", "band", "found", "status")],
+    digits = 3, row.names = FALSE)
+} else {
+  room$write_page(rows, judged, manifest, "validation")
+}
+wrong <- judged[judged$found != judged$status, ]
+if (nrow(wrong)) {
+  cat(sprintf("%s, %s: the manifest says %s, found %s\n", wrong$case, wrong$quantity, wrong$status,
+    wrong$found), sep = "")
+  quit(status = 1)
+}

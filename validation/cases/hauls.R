@@ -1,0 +1,103 @@
+# Trawls at sea: means of many hauls beside the gear with what the ships report of it.
+
+# One gear settled at each row of `at`: list(field = values), one after the other from the state
+# before. Returns a matrix with a row for each and a column for each of `measures`.
+settled_along <- function(gear, at, measures) {
+  state <- NULL
+  t(vapply(seq_along(at[[1]]), function(k) {
+    state <<- settle(do.call(update, c(list(gear), lapply(at, `[[`, k))), from = state)
+    vapply(measures, function(name) measures(state)[[name]], 0)
+  }, stats::setNames(numeric(length(measures)), measures)))
+}
+
+case_poly_noreastern_hauls <- function() {
+  hauls <- utils::read.csv(system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"),
+    comment.char = "#")
+  hauls <- hauls[hauls$trawl == "PNE" & hauls$wire_m > 150 & hauls$wire_m < 1000, ]
+  found <- settled_along(
+    read_gear("poly_noreastern_trawl"),
+    list(warps.length = hauls$wire_m, seabed.depth = hauls$depth_m,
+      towing.speed = paste(hauls$speed_knot, "knot")),
+    c("upper_wing_spread_m", "headline_height_m")
+  )
+  at <- sprintf("%.0f m of wire", hauls$wire_m)
+  rbind(
+    # the boards' lift is tuned at 340 m
+    compared("wing_spread", at, hauls$width_m, found[, 1], round(hauls$wire_m) == 340),
+    compared("opening", at, hauls$height_m, found[, 2]),
+    trend("wing_spread", "wire", hauls$wire_m, hauls$width_m, found[, 1]),
+    trend("opening", "wire", hauls$wire_m, hauls$height_m, found[, 2])
+  )
+}
+
+# Means of a ship's hauls with one sweep length by what warp was out, of classes with three hauls or
+# more: their limits are those below (m).
+warp_classes <- c(0, 150, 200, 250, 300, 400, 500, 700, 1000)
+hauls_by_warp <- function(ship, sweep, gear = "GOV") {
+  hauls <- utils::read.csv(
+    system.file("extdata", "datras_survey_hauls_geometry.csv", package = "codend"),
+    comment.char = "#"
+  )
+  hauls <- hauls[hauls$Ship == ship & hauls$SweepLngt %in% sweep & hauls$Gear == gear, ]
+  # through the water where that is reported, else over ground, else the survey's standard speed
+  hauls$speed <- ifelse(is.na(hauls$SpeedWater), hauls$speed_kn, hauls$SpeedWater)
+  hauls$speed[is.na(hauls$speed)] <- 4
+  of <- c("Depth", "Warplngt", "Warpdia", "speed", "DoorSurface", "DoorWgt", "Buoyancy", "KiteDim",
+    "WgtGroundRope", "DoorSpread", "WingSpread", "Netopening")
+  classes <- split(hauls[of], cut(hauls$Warplngt, warp_classes), drop = TRUE)
+  classes <- classes[vapply(classes, nrow, 0L) >= 3]
+  as.data.frame(do.call(rbind, lapply(classes, colMeans, na.rm = TRUE)), row.names = NULL)
+}
+
+# The GOV of a ship: what it reports of its gear, else the plan's.
+gov_of <- function(hauls, sweep) {
+  reported <- function(column, unit) {
+    value <- mean(hauls[[column]])
+    if (is.finite(value)) paste(value, unit)
+  }
+  plan <- read_gear("validation/plans/gov_36_47.yaml")
+  buoyancy <- mean(hauls$Buoyancy) / 60
+  fields <- list(
+    sweeps.length = paste(sweep, "m"), warps.diameter = reported("Warpdia", "mm"),
+    otter_boards.area = reported("DoorSurface", "m2"),
+    otter_boards.mass = reported("DoorWgt", "kg"),
+    floats.buoyancy = if (is.finite(buoyancy)) paste(buoyancy, "kgf"),
+    # the discs of one ship, 700 kg, weigh in air
+    ground_gear.mass_in_water = if (isTRUE(mean(hauls$WgtGroundRope) < 300)) {
+      paste(mean(hauls$WgtGroundRope) / 47.2, "kg/m")
+    }
+  )
+  gear <- do.call(update, c(list(plan), Filter(Negate(is.null), fields)))
+  # the kite at the middle of the head line: area reported, coefficients of a plate
+  # at some 30 degrees
+  update(assembly(gear), pieces.kite = list(at = "head_line.middle", area = 0.7,
+    lift_coefficient = 1, drag_coefficient = 0.4, lift_direction = "up", role = "kite"))
+}
+
+gov_hauls <- function(ship, sweep) {
+  hauls <- hauls_by_warp(ship, sweep)
+  gear <- gov_of(hauls, sweep)
+  found <- settled_along(gear,
+    list(ropes.warp_port.length = hauls$Warplngt, ropes.warp_starboard.length = hauls$Warplngt,
+      seabed.depth = hauls$Depth, towing.speed = paste(hauls$speed, "knot")),
+    c("door_spread_m", "wing_end_spread_m", "headline_height_m")
+  )
+  at <- sprintf("%.0f m of warp", hauls$Warplngt)
+  wings <- is.finite(hauls$WingSpread)
+  rbind(
+    compared("door_spread", at, hauls$DoorSpread, found[, 1]),
+    if (any(wings)) compared("wing_spread", at[wings], hauls$WingSpread[wings], found[wings, 2]),
+    compared("opening", at, hauls$Netopening, found[, 3]),
+    trend("door_spread", "warp", hauls$Warplngt, hauls$DoorSpread, found[, 1]),
+    if (any(wings)) trend("wing_spread", "warp", hauls$Warplngt, hauls$WingSpread, found[, 2]),
+    trend("opening", "warp", hauls$Warplngt, hauls$Netopening, found[, 3])
+  )
+}
+
+case_gov_scotia_3 <- function() gov_hauls("SCO3", 60)
+case_gov_scotia_2 <- function() gov_hauls("SCO2", 60)
+case_gov_argos <- function() gov_hauls("ARG", 60)
+case_gov_argos_long <- function() gov_hauls("ARG", 110)
+case_gov_dana <- function() gov_hauls("DAN2", 60)
+case_gov_thalassa <- function() gov_hauls("THA2", 50)
+case_gov_tridens <- function() gov_hauls("TRI2", 50)
