@@ -8,6 +8,19 @@ is_map <- function(value) {
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
 
+# A function that keeps its last result: gears of a study have most of their parts in common.
+remembered <- function(make) {
+  last <- result <- NULL
+  function(...) {
+    given <- list(...)
+    if (is.null(last) || !identical(given, last)) {
+      result <<- make(...)
+      last <<- given
+    }
+    result
+  }
+}
+
 # The known name most like `name`, or NULL when none is near.
 nearest <- function(name, known) {
   if (length(known) == 0 || nchar(name) > 100) return(NULL)

@@ -39,16 +39,18 @@ section_panel <- function(section, panel) {
 
 # Panels of all sections, joined around the net and end to end, gathered at the point `codline`.
 # Returns list(panels, seams, points).
-trawl_sections <- function(plan, around) {
+trawl_sections <- function(plan, around) joined_sections(plan$sections, around)
+
+joined_sections <- remembered(function(given, around) {
   panels <- seams <- list()
   n <- length(around)
   after <- panel_after(around)
-  sections <- names(plan$sections)
+  sections <- names(given)
   id <- section_panel_name
   for (section in sections) {
     for (panel in around) {
       panels[[id(panel, section)]] <- c(
-        section_panel(plan$sections[[section]], panel), list(part = section)
+        section_panel(given[[section]], panel), list(part = section)
       )
     }
     for (k in seq_len(n)) {
@@ -69,7 +71,7 @@ trawl_sections <- function(plan, around) {
     edges = paste0(vapply(around, id, "", section = last), ".lower"), gathered_at = "codline"
   )
   list(panels = panels, seams = seams, points = list(codline = nothing))
-}
+})
 
 # Two wings ahead of the front edge of a panel, one at each end.
 #

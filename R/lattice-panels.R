@@ -2,7 +2,7 @@
 
 # Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that the
 # lattice needs, NA for columns and rows that a plan leaves open.
-panel_table <- function(panels) {
+panel_table <- remembered(function(panels) {
   fields <- c(
     "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "bar_segments",
     "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
@@ -21,7 +21,7 @@ panel_table <- function(panels) {
       orientation = "orientation", shielding = "shielding", netting_drag = "netting_drag"
     ), function(field) vapply(panels, `[[`, "", field, USE.NAMES = FALSE))
   )
-}
+})
 
 # Some panels of the table, or each as often as its number is given.
 pick_panels <- function(panels, which, fields = names(panels)) {

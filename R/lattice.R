@@ -83,7 +83,10 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     slack_twine = si$slack_twine,
     load = as.vector(loads),
     mass = collected$mass,
-    materials = twine_materials(c(si$ropes, si$panels, lapply(si$otter_boards, strut_line))),
+    materials = Map(
+      c, twine_materials(si$ropes), panel_materials(si$panels),
+      twine_materials(lapply(si$otter_boards, strut_line))
+    ),
     load_table = load_rows(c(si$ropes, si$panels)),
     bars = engine_elements(collected$bars),
     cells = engine_elements(collected$cells), spheres = engine_elements(collected$spheres),
@@ -245,6 +248,8 @@ twine_materials <- function(lines, alone = TRUE) {
     }, 0, USE.NAMES = FALSE)
   )
 }
+
+panel_materials <- remembered(function(panels) twine_materials(panels))
 
 # Nodes of ropes that rub differently along and across themselves, as the engine reads them, or
 # NULL. A node of two such ropes is the first's.

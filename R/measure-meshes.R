@@ -73,7 +73,7 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   # Each place stands for half the way to its neighbours.
   fore <- ((rows$t[above] - rows$t) / 2)[row] * own$deep
   aft <- ((rows$t[below] - rows$t) / 2)[row] * own$deep
-  data.frame(
+  list2DF(list(
     panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
     angle = angle, meshes = lost / 2 * across * (aft - fore),
     port = (rows$s[before] - rows$s) / 2 * across,
@@ -81,7 +81,7 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
     fore = fore, aft = aft, u_x = u[1, ], u_y = u[2, ],
     u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
     x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
-  )
+  ))
 }
 
 # Mean over the meshes of panels, SI.

@@ -13,7 +13,8 @@ measured_once <- function(state) {
 measured_lines <- function(state) {
   lines <- state_lines(state)
   netting <- state$lattice$parts$kind[lines$part] == "netting"
-  list(ropes = lines[!netting, ], netting = lines[netting, ])
+  some <- function(which) list2DF(lapply(lines, `[`, which))
+  list(ropes = some(!netting), netting = some(netting))
 }
 
 # kind: its name without the unit; unit: in which it is shown; value(state, found): the measure, SI,

@@ -18,7 +18,7 @@ state_lines <- function(state) {
   cell <- seq_along(cells$rest)
   hexagon <- which(cells$straight > 0)
   number <- length(cell)
-  data.frame(
+  list2DF(list(
     part = c(lattice$bar_part[bar], lattice$cell_part, lattice$cell_part,
       lattice$cell_part[hexagon]),
     element = c(bar, cell, cell, hexagon),
@@ -30,7 +30,7 @@ state_lines <- function(state) {
       state$straight_length[hexagon]),
     rest = c(bars$rest, cells$rest, cells$rest, cells$straight[hexagon]),
     lines = c(bars$multiplicity, in_cell, in_cell, in_cell[hexagon])
-  )
+  ))
 }
 
 # Middles of elements of as many corners: 3 x elements, m.

@@ -13,8 +13,11 @@ LinearStep::LinearStep(const Assembly& assembly, const LinearControl& control, S
       control_(control),
       report_(report),
       x_(x),
-      double_steps_(control.first_double_steps) {
-  analyse(Precision::single_precision);
+      double_steps_(control.first_double_steps) {}
+
+BlockLU& LinearStep::factors() {
+  if (!lu_) analyse(Precision::single_precision);
+  return *lu_;
 }
 
 void LinearStep::analyse(Precision precision) {
@@ -32,7 +35,7 @@ void LinearStep::analyse(Precision precision) {
 
 bool LinearStep::solve(const std::vector<double>& values, const std::vector<double>& right,
                        std::vector<double>& step) {
-  if (precision_ == Precision::double_precision && double_left_-- == 0) {
+  if (!lu_ || (precision_ == Precision::double_precision && double_left_-- == 0)) {
     analyse(Precision::single_precision);
   }
   if (precision_ == Precision::single_precision) {

@@ -12,7 +12,8 @@ namespace codend {
 
 class LinearStep {
  public:
-  // coordinates: 3 per free node, m, by which unknowns are eliminated; asked for at every analysis.
+  // coordinates: 3 per free node, m, by which unknowns are eliminated; asked for at every analysis,
+  // the first of which is made when it is needed.
   // What it takes of time and factorisations is booked in `report`.
   LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
              const double* x);
@@ -21,7 +22,7 @@ class LinearStep {
   bool solve(const std::vector<double>& values, const std::vector<double>& right,
              std::vector<double>& step);
   // For others who factorise with the same pattern.
-  BlockLU& factors() { return *lu_; }
+  BlockLU& factors();
 
  private:
   void analyse(Precision precision);

@@ -56,6 +56,8 @@ struct PathControl {
   std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
   // Below this h (s) lines turn little because they are held back, not for want of a way to go.
   double short_step = 1.0, short_step_factor = 0.85;
+  // From a settled state's tensions mu falls at once: below this rotation to this share.
+  double settled_rotation = 0.02, settled_factor = 1e-3;
 };
 
 // Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
@@ -64,6 +66,8 @@ struct PathControl {
 // the path then goes on from where it was left.
 struct LawControl {
   double residual = 0.1;  // of the path's shape, below which it is tried
+  // The same where the path began from a settled state: it closes in by itself.
+  double settled_residual = 1e-4;
   double rotation = 0.05;
   double excess = 100.0;
   int steps = 6;
@@ -89,9 +93,11 @@ struct AttemptControl {
   int steps = 400;
   std::array<double, 8> first_step = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};  // h, s
   // From a settled shape under other loads: h (s), next to undamped; steps after which this counts as
-  // failed; and the residual below which the law itself is tried before any step.
+  // failed; the residual below which the law itself is tried before any step; and the one that trials
+  // count as beginning from, at least, where only the wakes are others.
   double settled_step = 1e6;
   int settled_steps = 30;
+  double settled_law = 1e-4;
   double settled_residual = 1e-3;
 };
 

@@ -54,7 +54,7 @@ void SettleIteration::measure() {
 void SettleIteration::begin(double pseudo_step) {
   path_ = TensionPath(assembly_.model(), load_);
   pseudo_time_.begin(pseudo_step);
-  on_law_ = begun_ = false;
+  on_law_ = begun_ = closing_in_ = false;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
 }
@@ -66,10 +66,10 @@ void SettleIteration::begin_near() {
 }
 
 void SettleIteration::begin_settled() {
-  from_settled_ = true;
+  from_settled_ = closing_in_ = true;
   follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.attempts.settled_step);
-  if (report_.residual < control_.attempts.settled_residual) pseudo_time_.assume_rotation(0.0);
+  if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::resume() {
@@ -122,7 +122,7 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(x_, free_[i]) += size * at(motion.motion.data(), static_cast<int>(i));
   }
-  on_law_ = false;
+  on_law_ = closing_in_ = false;
   begun_ = true;
   steps_to_law_ = how.steps;
   const double pseudo_step = how.pace / motion.rate;
@@ -164,7 +164,7 @@ void SettleIteration::choose_law() {
                   (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
-             report_.residual < law.residual) {
+             report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
     try_law();
   }
   if (on_law_) {
@@ -201,6 +201,7 @@ double SettleIteration::reduction() {
   }
   const PathControl& path = control_.path;
   const double rotation = pseudo_time_.rotation();
+  if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
   if (rotation < path.reductions.back().rotation && pseudo_time_.step() < path.short_step) {
     return path.short_step_factor;
   }

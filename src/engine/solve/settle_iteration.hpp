@@ -70,7 +70,8 @@ class SettleIteration {
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
-  bool begun_ = false;  // a step has been taken
+  bool begun_ = false;       // a step has been taken
+  bool closing_in_ = false;  // from a settled state, by its tensions
   // Of the trials of the law.
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;
