@@ -25,6 +25,7 @@ parse_command <- function(name, command, arguments) {
     "KIND [NAME=VALUE...]" = if (!given) "a KIND is needed",
     "PLAN FILE..." = if (given < 2L) "a PLAN and a FILE are needed",
     "PLAN" = if (given != 1L) "one PLAN is needed",
+    "ACTION STORE [PLAN]" = if (!given %in% 2:3) "an ACTION and a STORE are needed",
     "[PLAN]" = if (given > 1L) "at most one PLAN is needed",
     if (given) "no PLAN is needed"
   )

@@ -1,11 +1,13 @@
 # The catch: which part of the netting around it lies behind its front, as pressure on triangles of
-# its cells,
-# and the volume that it encloses.
+# its cells, and the volume that it encloses.
+#
+# A ring of n straight cells encloses less than the circle of its girth: its area is less by
+# n tan(pi / n) / pi. Pressure and volume count with the circle's.
 
 # Adds to a lattice `catch`: list(cell = of every triangle that it may lie against, node = 3 x
 # these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
-# real: negative where its normal points inward), or nothing; and to its engine the pressure, behind
-# the front that the plan gives or a first guess.
+# real, with the circle's share: negative where its normal points inward), or nothing; and to its
+# engine the pressure, behind the front that the plan gives or a first guess.
 add_catch <- function(si, lattice) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
@@ -22,12 +24,15 @@ add_catch <- function(si, lattice) {
   v <- at$v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 4L)
   square <- matrix(rep(orientation == "square", each = 4L), 4L)
   depth <- si$catch$deep - ifelse(square, v, (at$u + v) / 2)
+  across <- ifelse(square, at$u, (at$u - v) / 2)
+  round <- circle_share(around_at(si, colMeans(depth)) / (apply(across, 2L, max) -
+    apply(across, 2L, min)))
   triangles <- cell_triangles(has_three_corners(corner))
   place <- triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)
   panel <- panel[triangles$cell]
   lattice$catch <- list(
     cell = some[triangles$cell], node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
-    weight = (cells$multiplicity[some])[triangles$cell] * triangles$weight
+    weight = (cells$multiplicity[some] * round)[triangles$cell] * triangles$weight
   )
   # Panels are laid out round the catch from the start, whichever way round.
   outward <- panel_volumes(lattice, lattice$start, panel)
@@ -40,6 +45,19 @@ add_catch <- function(si, lattice) {
   lattice$catch$weight <- lattice$catch$weight * sign(outward)
   guess <- if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked
   set_catch_front(lattice, guess)
+}
+
+# Meshes around the catch so many meshes (depth) from the lower edges of its panels.
+around_at <- function(si, depth) {
+  panels <- si$panels[si$catch$panels]
+  sum_of <- function(edge) sum(vapply(panels, `[[`, 0, edge))
+  sum_of("lower") + (sum_of("upper") - sum_of("lower")) * depth / si$catch$deep
+}
+
+# Area of a circle over that of a polygon of n equal sides with its girth.
+circle_share <- function(n) {
+  n <- pmax(n, 3)
+  n * tan(pi / n) / pi
 }
 
 # The start with the netting around the catch as a bag that hangs open at the nominal ratio and

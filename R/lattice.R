@@ -17,6 +17,8 @@
 # held_edges = of every seam held on a line its nodes, their fraction of its length and the names of
 # its two points (between), panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
+  # 1500L asks for what 1500 does
+  nodes <- as.double(nodes)
   filled <- fill_lattice(si, nodes, netting, from)
   if (!is.null(filled)) return(filled)
   bars <- panels_of_bars(si, netting)

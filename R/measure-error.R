@@ -4,16 +4,15 @@
 # lattices of m and n nodes, whose measures differ by d, leave |d| / ((n / m)^(p / 2) - 1) in the
 # finer one, as n grows with the square of 1 / length. The power is 1: netting converges with 0.5
 # to 2, edges and slack netting with 1. From three lattices it is the observed one, between these
-# bounds. One difference may vanish by chance: an error is at least half of what is usual, as a
-# share, among the measures of the gear, and at least a floor. Tensions and other forces carry the
-# drag, along ropes whose share of it may move by chance: their share is at least that of the drag.
+# bounds. One difference may vanish by chance: an error is at least what is usual, as a share, among
+# the measures of the gear, and at least a floor. Tensions and other forces carry the drag, along
+# ropes whose part of it may move by chance: their share is at least that of the drag.
 
 usual_order <- 1
 least_order <- 0.75
 greatest_order <- 1.5
 # Lattices whose nodes differ by less than this factor tell nothing.
 least_ratio <- 1.5
-usual_share <- 0.5
 # Of a measure itself.
 error_floor <- 2e-4
 
@@ -51,7 +50,7 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
   share <- error / size
   share <- share[is.finite(share) & share > 0]
   usual <- if (length(share)) stats::median(share) else 0
-  error <- pmax(error, usual_share * usual * size, error_floor * size)
+  error <- pmax(error, usual * size, error_floor * size)
   if (length(drag)) error[forces] <- pmax(error[forces], (error / size)[drag[1L]] * size[forces])
   error
 }

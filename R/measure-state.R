@@ -14,7 +14,7 @@
 #'   attribute `error` has how far each may lie, in its unit, from what ever finer lattices come to:
 #'   Richardson's estimate from the coarser lattices that [settle()] goes through, of first order in
 #'   the length of elements (with three lattices of the observed order, from 0.75 to 1.5), at least
-#'   half of what is usual among the gear's measures and, of forces, at least the drag's share. It
+#'   what is usual among the gear's measures and, of forces, at least the drag's share. It
 #'   speaks of the lattice alone, not of drag coefficients; it is `NA` in a state of a tow and where
 #'   the plan leaves no coarser lattice.
 #' @examples

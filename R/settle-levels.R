@@ -162,13 +162,18 @@ rope_lengths <- function(si) vapply(si$ropes, `[[`, 0, "length")
 # Stops unless a state's gear has the parts of this one.
 check_same_parts <- function(si, from) {
   check_is_state(from)
-  for (kind in c("ropes", "panels", "points", "otter_boards")) {
-    here <- names(si[[kind]])
-    there <- names(from$si[[kind]])
-    if (identical(here, there)) next
-    odd <- c(setdiff(here, there), setdiff(there, here))
-    abort_argument(
-      "{.arg from} must be a state of a gear with the same {kind}; they differ by {.val {odd}}."
-    )
-  }
+  kind <- odd_parts(si, from)
+  if (is.null(kind)) return(invisible())
+  here <- names(si[[kind]])
+  there <- names(from$si[[kind]])
+  odd <- c(setdiff(here, there), setdiff(there, here))
+  abort_argument(
+    "{.arg from} must be a state of a gear with the same {kind}; they differ by {.val {odd}}."
+  )
+}
+
+# The first kind of parts of which a gear has others than that of a state, or NULL.
+odd_parts <- function(si, from) {
+  Find(function(kind) !identical(names(si[[kind]]), names(from$si[[kind]])),
+    c("ropes", "panels", "points", "otter_boards"))
 }

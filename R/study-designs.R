@@ -92,7 +92,8 @@ designs <- function(..., how = NULL, number = NULL, seed = 1) {
 new_designs <- function(table, how, number, seed, axes) {
   structure(
     table, class = c("codend_designs", "data.frame"), row.names = seq_len(nrow(table)), how = how,
-    number = number, seed = if (!how %in% c("grid", "one_at_a_time", "table")) seed,
+    number = number_of(number),
+    seed = if (!how %in% c("grid", "one_at_a_time", "table")) as.double(seed),
     distributions = unlist(lapply(axes, function(axis) {
       if (is_distribution(axis[[1L]])) setNames(format(axis[[1L]]), names(axis))
     })),
@@ -169,9 +170,7 @@ design_axis <- function(values, path) {
     values <- setNames(data.frame(values), path)
     if (anyNA(values)) values <- values[0L, , drop = FALSE]
   }
-  values[] <- lapply(values, function(column) {
-    if (is.factor(column)) as.character(column) else column
-  })
+  values[] <- lapply(values, plain_column)
   if (!nrow(values) || !length(values)) {
     name <- first_of(names(values)[1L], "data")
     abort_argument("{.arg {name}} must have at least one value and none missing.")
@@ -181,6 +180,13 @@ design_axis <- function(values, path) {
     abort_argument("{.arg {wrong[1]}} must be a column of numbers or texts, named by its path.")
   }
   values
+}
+
+# Values as a plan has them: texts or doubles, the same from R and from a file.
+plain_column <- function(column) {
+  if (is.list(column)) return(column)
+  if (is.logical(column)) return(c("no", "yes")[column + 1L])
+  if (is.numeric(column)) as.double(column) else as.character(column)
 }
 
 # The paths of a column: several are joined by " + ".

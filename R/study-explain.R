@@ -6,12 +6,14 @@
 #'
 #' Inputs are judged by the slopes of what was matched at the calibrated gear: by how much the sum
 #' of squared standardised residuals would fall were the input free beside the fields of the
-#' calibration (score test), on a straight line. An input whose effect is that of the calibrated
-#' fields cannot be told from them (`own` near 0), however large its step.
+#' calibration (score test), on a straight line, and believed to lie within `spread` of its value:
+#' one that would have to change by more explains little. An input whose effect is that of the
+#' calibrated fields cannot be told from them (`own` near 0).
 #'
 #' @param fit A calibration, from [calibrate()].
 #' @param to Inputs to look at, as `to` of [sensitivities()]; `NULL` takes lengths, masses, areas,
 #'   buoyancies, diameters and coefficients that the plan gives, two dozen at most.
+#' @param spread Standard deviation that inputs are believed to have, as a share of their value.
 #' @param sensor Error of a sensor that is not there yet, as a share of what it measures.
 #' @param cases How many of the settings in the data to look at, evenly over them; each takes the
 #'   slopes of all inputs.
@@ -34,23 +36,28 @@
 #' fit <- calibrate("towed_cable", runs,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
 #' explain(fit, to = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
-explain <- function(fit, to = NULL, sensor = 0.02, cases = 8) {
+explain <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
   if (!inherits(fit, "codend_calibration")) {
     abort_argument("{.arg fit} must be a calibration, as {.fn calibrate} returns, not
       {.cls {class(fit)}}.")
   }
   check_count("cases", cases)
-  if (!(is.numeric(sensor) && length(sensor) == 1L && is.finite(sensor) && sensor > 0)) {
-    abort_argument("{.arg sensor} is {.val {sensor}}; it must be a share above 0.")
-  }
+  check_share(spread, "spread")
+  check_share(sensor, "sensor")
   found <- explained_cases(fit, explained_inputs(fit, to), cases)
   structure(
     list(
-      inputs = explain_inputs(fit, found), trends = explain_trends(fit),
+      inputs = explain_inputs(fit, found, spread), trends = explain_trends(fit),
       measurements = explain_measurements(fit, found, sensor)
     ),
     class = "codend_explanation", gear_name = fit$gear$plan$name
   )
+}
+
+check_share <- function(value, name) {
+  if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value > 0)) {
+    abort_argument("{.arg {name}} is {.val {value}}; it must be a share above 0.")
+  }
 }
 
 # Last steps of paths that inputs have where none are asked for, and how many are looked at.
@@ -112,7 +119,7 @@ matched_slopes <- function(task, case, one, slopes) {
   evaluate_formula(one$formula, at)$slope
 }
 
-explain_inputs <- function(fit, cases) {
+explain_inputs <- function(fit, cases, spread) {
   none <- data.frame(field = character(), value = numeric(), unit = character(), step = numeric(),
     percent = numeric(), fall = numeric(), p = numeric(), own = numeric())
   if (!length(cases) || is.null(cases[[1L]]$inputs)) return(none)
@@ -141,11 +148,12 @@ explain_inputs <- function(fit, cases) {
     residual <- qr.resid(qr(known), residual)
     rest <- qr.resid(qr(known), effects)
   }
-  size <- colSums(rest^2)
+  told <- colSums(rest^2)
+  # an input that would have to change beyond belief explains little
+  size <- told + 1 / spread^2
   whole <- colSums(effects^2)
-  own <- ifelse(whole > 0, size / whole, 0)
-  told <- own > 1e-6 & size > 0
-  share <- ifelse(told, drop(crossprod(rest, residual)) / ifelse(told, size, 1), 0)
+  own <- ifelse(whole > 0, told / whole, 0)
+  share <- drop(crossprod(rest, residual)) / size
   fall <- pmin(1, share^2 * size / sum(residual^2))
   freedom <- max(1, length(residual) - length(free) - 1)
   found <- data.frame(

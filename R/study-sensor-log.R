@@ -13,9 +13,8 @@
 #' @param file A CSV file, with commas or semicolons.
 #' @param columns A YAML file, or a list, that names the columns of interest: each a name to give
 #'   it, with `column` (its name in the CSV), and for readings `unit` (of the plan's) and, where
-#'   wanted, `least` and `most`, which a real reading lies between, in that unit. The time is
-#'   `time: {column: Time, format: "%H:%M:%S"}`, with a format of [strptime()], or none where it is
-#'   in seconds.
+#'   wanted, `least` and `most`, which a real reading lies between, in that unit. `time` has a
+#'   `format` of [strptime()], or none where it is in seconds; the example has such a list.
 #' @param window Readings in the running median, an odd number.
 #' @param spikes How many standard deviations make a spike.
 #' @return A data frame with `time` (s from the first reading; times of a day alone go on after

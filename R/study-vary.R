@@ -1,80 +1,193 @@
-#' Settle a gear in many variations
+#' Settle a gear in many designs
 #'
-#' Settles a gear once for every value, or every combination of values, of some of its plan's
-#' fields: at several speeds, with several lengths of warp, several boards. Each variation starts
-#' from the shape of the nearest that has settled, and anew where that does not lead to balance.
+#' Settles a gear once for every design: at several speeds, with several lengths of warp, several
+#' boards; for every combination of some fields' values, or a table of [designs()]. One after
+#' another, on all cores or on a cluster, as [future::plan()] says, and into a folder on disk, a
+#' `store`, from which a study that was stopped goes on.
+#'
+#' @details
+#' # What a run begins with
+#' The gear itself is settled first, and every design from that state, never from a neighbour's;
+#' anew where that does not lead to balance. So results are the same to the last bit on any number
+#' of workers, in any order, stopped and gone on with or not; on machines of one kind, since
+#' processors of other kinds may round otherwise.
+#'
+#' # Where it runs
+#' In this session, unless the package future has another plan:
+#'
+#' - `future::plan("multisession")`: on all cores of this machine;
+#' - `future::plan(future.batchtools::batchtools_slurm, template = "slurm.tmpl")`: as jobs of a
+#'   cluster, which takes a `store` in a folder that all its machines see.
+#'
+#' Without R on the machine where jobs are handed in, a job array runs [run_study()] from a shell:
+#' see there.
+#'
+#' Designs are dealt out in turn, so that tasks take alike long; a task of a cluster is made to take
+#' about a minute. Nothing of the session goes along with a task but the store's path. Where a
+#' worker ends, its task goes on elsewhere; a design that ended two workers is told as not settled.
+#' Jobs that are said to have expired are looked up in the store before they are run again.
+#'
+#' # The store
+#' Each run is a file of its own in the store, written whole, when it is done; those of a whole task
+#' are gathered in one. So the progress of a study is seen from anywhere ([study_status()]), what is
+#' done can be read while the rest runs ([read_study()]), and a worker that is killed loses the run
+#' that it was at. The same call of `vary()` again goes on with what is not done. The base state is
+#' in the store as [write_state()] has it, which takes the package RNetCDF. Without `store` a
+#' study in several processes has one in the session's temporary folder.
+#'
+#' Progress is shown by a bar after two seconds, or by what the package progressr is told to use.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param ... Values by the path of their field, as in [update()][update.codend_gear]:
-#'   `towing.speed = c("3 knot", "4 knot")`. Several fields are combined in every way, the first
-#'   changing fastest. Fields that change together go as columns of a data frame without a name,
-#'   such as [designs()]; what is missing there stays as in the plan. All plans are checked before
-#'   anything is computed.
+#' @param ... Designs, from [designs()], or values by the path of their field, as in
+#'   [update()][update.codend_gear]: `towing.speed = c("3 knot", "4 knot")`. Several fields are
+#'   combined in every way, the first changing fastest. Fields that change together go as columns of
+#'   a data frame without a name; what is missing there stays as in the plan.
 #' @param nodes,netting As in [settle()].
-#' @return A data frame of class `codend_variations` with a row per variation:
+#' @param store A folder for the study, which is made, or one of the same study that goes on. `NULL`
+#'   keeps nothing.
+#' @param tasks In how many tasks the designs are dealt out to workers; `NULL` chooses.
+#' @return A data frame of class `codend_variations` with a row per design:
 #'
 #'   - the fields, by their path with their unit added (`towing.speed_knot`): the unit in which all
 #'     values were given, else the SI unit;
-#'   - `settled`, and `problem`: where a gear did not settle, why;
+#'   - `settled`, and `problem`: where there is no settled gear, why: values that do not go
+#'     together in a plan, or no balance;
 #'   - `warning`: what [settle()] warned of, such as a stalled board;
 #'   - the [measures()], `NA` where the gear did not settle or has no such measure.
 #'
-#'   A wrong field or value is an error of class `codend_error_plan`, wrong arguments are one of
-#'   class `codend_error_argument`. A gear that does not settle is no error.
-#' @seealso [plot.codend_variations()]
+#'   A wrong field, or a value that its field does not take, is an error of class
+#'   `codend_error_plan` that names the design, before anything is computed; wrong arguments are one
+#'   of class `codend_error_argument`. A design that does not settle is no error.
+#' @seealso [designs()], [plot.codend_variations()], [study_status()], [read_study()]
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"))
 #' found[c("towing.speed_knot", "total_drag_kN")]
 #' plot(found)
-vary <- function(gear, ..., nodes = 1500, netting = NULL) {
-  if (is.character(gear)) gear <- read_gear(gear)
-  check_settle_arguments(gear, nodes, netting)
-  axes <- design_axes(list(...))
-  place <- do.call(expand.grid, lapply(axes, function(axis) seq_len(nrow(axis))))
-  gears <- lapply(seq_len(nrow(place)), function(row) {
-    fields <- lapply(seq_along(axes), function(k) design_fields(axes[[k]], place[row, k]))
-    do.call(update, c(list(gear), do.call(c, fields)))
-  })
-  for (one in gears) check_lattice_size(gear_si(one), nodes, netting)
-  found <- vary_settle(gears, as.matrix(place), nodes, netting)
-  columns <- lapply(axes, field_columns, gear)
-  fields <- do.call(cbind, lapply(seq_along(axes), function(k) {
-    columns[[k]]$values[place[[k]], , drop = FALSE]
-  }))
-  known <- unique(unlist(lapply(found, function(one) names(one$measures))))
-  units <- unlist(lapply(found, function(one) attr(one$measures, "unit")))[known]
-  measured <- lapply(setNames(known, known), function(name) {
-    vapply(found, function(one) {
-      if (name %in% names(one$measures)) one$measures[[name]] else NA_real_
-    }, 0)
-  })
-  text <- function(what) vapply(found, function(one) first_of(one[[what]], NA_character_), "")
-  table <- data.frame(
-    fields, settled = is.na(text("problem")), problem = text("problem"), warning = text("warning"),
-    measured, row.names = NULL, check.names = FALSE
-  )
-  structure(table, class = c("codend_variations", "data.frame"), gear_name = gear$plan$name,
-    unit = c(unlist(lapply(columns, `[[`, "unit")), units))
+vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = NULL) {
+  study <- new_study(gear, list(...), nodes, netting)
+  if (!is.null(tasks)) check_whole_argument(tasks, "tasks", 1)
+  if (!is.null(store)) {
+    open_or_create(study, store)
+    vary_stored(store, tasks)
+    return(read_study(store))
+  }
+  if (!is.null(future_workers())) {
+    if (future_cluster()) {
+      abort_argument("On a cluster {.arg store} must be a folder that all its machines see.")
+    }
+    check_netcdf()
+    store <- tempfile("study-")
+    on.exit(unlink(store, recursive = TRUE))
+    create_store(study, store)
+    vary_stored(store, tasks)
+    return(read_study(store))
+  }
+  base <- base_state(study)
+  show <- study_progress(nrow(study$designs))
+  rows <- vapply(seq_len(nrow(study$designs)), function(k) {
+    row <- run_design(study, base, k)
+    show(k)
+    row
+  }, "")
+  study_table(study, read_rows(rows))
 }
 
-# Settles gears that lie on a grid, each from the nearest that has settled. place: a row per gear,
-# its whole numbers along every axis, the first changing fastest.
-vary_settle <- function(gears, place, nodes, netting) {
-  # No neighbour along an axis lies further back than the rows between them.
-  reach <- prod(apply(place, 2L, max)[-ncol(place)])
-  states <- vector("list", length(gears))
-  show <- vary_progress(length(gears))
-  lapply(seq_along(gears), function(k) {
-    near <- which(lengths(states) > 0L)
-    steps <- colSums(abs(t(place[near, , drop = FALSE]) - place[k, ]))
-    from <- if (length(near)) states[[near[which.min(steps)]]]
-    one <- settle_one(gears[[k]], nodes, netting, from)
-    states[k] <<- list(one$state)
-    if (k > reach) states[k - reach] <<- list(NULL)
-    show(k)
-    one[c("measures", "problem", "warning")]
-  })
+# A study: list(gear, designs, nodes, netting), checked. given: as vary() takes designs.
+new_study <- function(gear, given, nodes, netting) {
+  if (is.character(gear)) gear <- read_gear(gear)
+  check_settle_arguments(gear, nodes, netting)
+  designs <- combined_designs(given)
+  check_designs(designs, gear)
+  list(gear = gear, designs = designs, nodes = as.double(nodes), netting = netting)
+}
+
+# Designs as given, or every combination of several axes.
+combined_designs <- function(given) {
+  if (!is.null(names(given))) names(given)[names(given) == "designs"] <- ""
+  if (length(given) == 1L && inherits(given[[1L]], "codend_designs")) {
+    design_axes(unname(given))
+    return(given[[1L]])
+  }
+  drawn <- names(given)[vapply(given, is_distribution, NA)]
+  if (length(drawn)) {
+    abort_argument("{.arg {drawn[1]}} is a distribution, of which {.fn designs} draws.")
+  }
+  axes <- design_axes(given)
+  place <- grid_of(lapply(axes, function(axis) seq_len(nrow(axis))))
+  table <- do.call(cbind, lapply(seq_along(axes), function(k) {
+    axes[[k]][place[, k], , drop = FALSE]
+  }))
+  new_designs(table, if (length(axes) == 1L) "table" else "grid", NULL, NULL, axes)
+}
+
+# Stops at the first field that the plan has not and at the first value that a field does not take.
+# Whether values go together is found when the design's turn comes.
+check_designs <- function(designs, gear) {
+  for (name in names(designs)) {
+    values <- designs[[name]]
+    given <- which(!is.na(values))
+    for (path in paths_of(name)) {
+      for (k in given[telling_values(values[given])]) {
+        tryCatch(
+          {
+            set_plan_field(gear$plan, path, values[[k]])
+            node <- path_node(gear$plan, path)
+            if (is.null(node)) abort_unknown("", path, character())
+            check_field(values[[k]], node, path)
+          },
+          codend_error_plan = function(e) {
+            abort_plan(paste0("Design ", k, ": ", conditionMessage(e)), e$path, e$value)
+          }
+        )
+      }
+    }
+  }
+}
+
+# Places of values of which all take the checks of a field if these do: the smallest and the largest
+# of each unit, and everything that is no quantity.
+telling_values <- function(values) {
+  places <- which(!duplicated(values))
+  if (length(places) < 100L) return(places)
+  values <- values[places]
+  number <- if (is.numeric(values)) values else {
+    suppressWarnings(as.double(sub(quantity_pattern, "\\1", values, perl = TRUE)))
+  }
+  unit <- if (is.numeric(values)) rep("", length(values)) else {
+    sub(quantity_pattern, "\\2", values, perl = TRUE)
+  }
+  odd <- which(!is.finite(number))
+  ends <- unlist(lapply(split(which(is.finite(number)), unit[is.finite(number)]), function(rows) {
+    whole <- number[rows] == round(number[rows])
+    # of whole and of broken numbers
+    unlist(lapply(split(rows, whole), function(some) {
+      some[c(which.min(number[some]), which.max(number[some]))]
+    }))
+  }))
+  sort(places[unique(c(odd, ends))])
+}
+
+# ---- one run -------------------------------------------------------------------------------------
+
+# The gear's own state, from which all designs start, or NULL where it does not settle.
+base_state <- function(study) settle_one(study$gear, study$nodes, study$netting, NULL)$state
+
+# Settles design k. Returns its row as text.
+run_design <- function(study, base, k) {
+  # messages are the same on every machine
+  kept <- options(cli.unicode = FALSE, cli.num_colors = 1L, OutDec = ".", scipen = 0, digits = 7)
+  on.exit(options(kept))
+  fields <- design_fields(study$designs, k)
+  found <- tryCatch(
+    {
+      gear <- do.call(update, c(list(study$gear), fields))
+      from <- if (!is.null(base) && is.null(odd_parts(gear_si(gear), base))) base
+      settle_one(gear, study$nodes, study$netting, from)
+    },
+    error = function(e) list(problem = plain_message(e))
+  )
+  row_text(k, found)
 }
 
 settle_one <- function(gear, nodes, netting, from) {
@@ -90,17 +203,80 @@ settle_one <- function(gear, nodes, netting, from) {
         invokeRestart("muffleWarning")
       }
     ),
-    codend_error_not_converged = function(e) list(problem = plain_message(e), warning = warned)
+    error = function(e) list(problem = plain_message(e), warning = warned)
   )
 }
 
-# A function(done) that shows a bar once a study has run for two seconds.
-vary_progress <- function(total) {
-  if (!cli::is_dynamic_tty() || total < 2L) return(function(done) NULL)
+# ---- rows ----------------------------------------------------------------------------------------
+
+# A row as a line of JSON, with numbers to the last bit.
+row_text <- function(design, found) {
+  text <- function(value) {
+    if (is.null(value)) return("null")
+    as.character(jsonlite::toJSON(enc2utf8(value), auto_unbox = TRUE))
+  }
+  values <- plain_measures(found$measures)
+  number <- ifelse(is.finite(values), sprintf("%.17g", values), "null")
+  units <- attr(found$measures, "unit")
+  pairs <- if (length(values)) {
+    sprintf("%s:[%s,%s]", vapply(names(units), text, ""), number, vapply(units, text, ""))
+  }
+  sprintf("{\"design\":%d,\"problem\":%s,\"warning\":%s,\"measures\":{%s}}", as.integer(design),
+    text(found$problem), text(found$warning), paste(pairs, collapse = ","))
+}
+
+# Rows by their text: list(design, problem, warning, measures = matrix with a column each, unit).
+read_rows <- function(text) {
+  rows <- lapply(text, jsonlite::fromJSON, simplifyVector = FALSE)
+  design <- vapply(rows, function(row) as.integer(row$design), 0L)
+  rows <- rows[order(design)]
+  said <- function(what) vapply(rows, function(row) first_of(row[[what]], NA_character_), "")
+  known <- unique(unlist(lapply(rows, function(row) names(row$measures))))
+  values <- matrix(NA_real_, length(rows), length(known), dimnames = list(NULL, known))
+  unit <- setNames(character(length(known)), known)
+  for (k in seq_along(rows)) {
+    for (name in names(rows[[k]]$measures)) {
+      pair <- rows[[k]]$measures[[name]]
+      if (!is.null(pair[[1L]])) values[k, name] <- as.double(pair[[1L]])
+      unit[[name]] <- pair[[2L]]
+    }
+  }
+  list(
+    design = sort(design), problem = said("problem"), warning = said("warning"), measures = values,
+    unit = unit
+  )
+}
+
+# What vary() returns of the rows that there are.
+study_table <- function(study, rows) {
+  designs <- study$designs
+  fields <- field_columns(designs, study$gear)
+  table <- data.frame(
+    fields$values[rows$design, , drop = FALSE], settled = is.na(rows$problem),
+    problem = rows$problem, warning = rows$warning, rows$measures,
+    row.names = NULL, check.names = FALSE
+  )
+  structure(table, class = c("codend_variations", "data.frame"), gear_name = study$gear$plan$name,
+    unit = c(fields$unit, rows$unit), study = list(
+      how = attr(designs, "how"), number = attr(designs, "number"), design = rows$design,
+      designs = nrow(designs)
+    ))
+}
+
+# A function(done) that shows a bar once a study has run for two seconds, or tells progressr.
+study_progress <- function(total, done = 0L, frame = parent.frame()) {
+  if (isNamespaceLoaded("progressr")) {
+    tell <- progressr::progressor(steps = total, envir = frame)
+    if (done > 0L) tell(amount = done)
+    return(function(now) {
+      if (now > done) tell(amount = now - done)
+      done <<- now
+    })
+  }
+  if (!cli::is_dynamic_tty() || total < 2L) return(function(now) NULL)
   begun <- proc.time()[["elapsed"]]
   bar <- NULL
-  frame <- parent.frame()
-  function(done) {
+  function(now) {
     if (is.null(bar)) {
       if (proc.time()[["elapsed"]] - begun < 2) return(NULL)
       bar <<- cli::cli_progress_bar(
@@ -108,9 +284,11 @@ vary_progress <- function(total) {
         format = "{cli::pb_bar} {cli::pb_current} of {cli::pb_total} settled, {cli::pb_eta} left"
       )
     }
-    cli::cli_progress_update(set = done, id = bar, .envir = frame)
+    cli::cli_progress_update(set = now, id = bar, .envir = frame)
   }
 }
+
+# ---- fields as columns ---------------------------------------------------------------------------
 
 # Fields as columns whose names end in their unit: list(values = data frame, unit by column).
 field_columns <- function(axis, gear) {
@@ -126,15 +304,24 @@ field_columns <- function(axis, gear) {
 field_column <- function(values, path, gear) {
   path <- paths_of(path)[1L]
   dimension <- field_dimension(gear, path)
-  # as in the plan
-  values[is.na(values)] <- first_of(plan_field(gear$plan, path)$value, NA)
+  if (anyNA(values)) {
+    own <- plan_field(gear$plan, path)$value
+    if (is.atomic(own) && length(own) == 1L) values[is.na(values)] <- own
+  }
   if (is.na(dimension)) return(list(value = values, unit = ""))
-  split <- if (is.character(values)) lapply(values, split_quantity)
-  units <- unique(vapply(split, function(text) plain_unit(text[2L]), ""))
-  if (length(units) == 1L && nzchar(units)) {
-    value <- as.double(vapply(split, `[[`, "", 1L))
+  text <- is.character(values)
+  units <- if (text) {
+    found <- sub(quantity_pattern, "\\2", values[!is.na(values)], perl = TRUE)
+    unique(vapply(unique(found), plain_unit, ""))
   } else {
-    value <- vapply(values, quantity_si, 0, dimension = dimension, USE.NAMES = FALSE)
+    ""
+  }
+  if (length(units) == 1L && nzchar(units)) {
+    value <- as.double(sub(quantity_pattern, "\\1", values, perl = TRUE))
+  } else {
+    value <- vapply(values, function(one) {
+      if (is.na(one)) NA_real_ else quantity_si(one, dimension)
+    }, 0, USE.NAMES = FALSE)
     units <- names(plan_units[[dimension]])[1L]
     # a bare number has no unit
     if (dimension == "number") units <- ""

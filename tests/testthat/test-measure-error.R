@@ -1,7 +1,7 @@
 # Errors of measures, estimated from coarser lattices.
 
-# Values whose error is c h^p on lattices of so many nodes.
-with_error <- function(nodes, p, share = c(a = 3, b = -0.5), exact = c(a = 10, b = 2)) {
+# Values whose error is c h^p on lattices of so many nodes, the same share of each.
+with_error <- function(nodes, p, share = c(a = 3, b = 0.6), exact = c(a = 10, b = 2)) {
   list(nodes = nodes, values = exact + share * nodes^(-p / 2))
 }
 fine_values <- function(p) with_error(1600, p)$values
@@ -31,19 +31,19 @@ test_that("three lattices tell the order, within bounds", {
   expect_gt(swings[["a"]], 1)
 })
 
-test_that("one measure that hardly moves by chance is as uncertain as half of the usual", {
+test_that("one measure that hardly moves by chance is as uncertain as is usual", {
   levels <- list(list(nodes = 200, values = c(a = 10, b = 20, c = 30)))
   found <- estimate_errors(c(a = 10, b = 20.2, c = 30.3), 1600, levels)
   usual <- 0.01 / 1.01 / (sqrt(8) - 1)
-  expect_equal(unname(found["a"]), 0.5 * usual * 10, tolerance = 1e-12)
+  expect_equal(unname(found["a"]), usual * 10, tolerance = 1e-12)
 })
 
 test_that("a force that hardly moves by chance is as uncertain as the drag that it carries", {
   levels <- list(list(nodes = 400, values = c(a = 10, b = 20, c = 30, d = 40)))
   found <- estimate_errors(c(a = 10, b = 20.01, c = 30, d = 41), 1600, levels, 3:4, 4L)
-  # a force; a length keeps half of the usual
+  # a force; a length has the usual
   expect_equal(found[["c"]], 30 / 41, tolerance = 1e-12)
-  expect_equal(found[["a"]], 10 * mean(c(0.01 / 20.01, 1 / 41)) / 2, tolerance = 1e-12)
+  expect_equal(found[["a"]], 10 * mean(c(0.01 / 20.01, 1 / 41)), tolerance = 1e-12)
 })
 
 test_that("lattices that hardly differ tell nothing, and nothing is NA", {

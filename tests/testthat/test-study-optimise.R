@@ -205,3 +205,24 @@ test_that("a wrong aim, condition or range is one error that names it", {
   wrong("starts.*0", starts = 0)
   wrong("most.*many", most = "many")
 })
+
+test_that("a trade-off goes along the closed form of its curve", {
+  # Of a sphere that is to be towed fast and deep the heaviest is best at every speed, and hangs
+  # L W / sqrt(W^2 + D^2) deep. Speed alone leaves the mass free. Ends may miss by 0.1 %.
+  gear <- update(towed_sphere(), pieces.sphere.mass = "80 kg")
+  found <- trade_off(gear, list(speed = ~ -towing.speed, depth = ~ -depth), points = 4,
+    change = list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("60 kg", "100 kg")))
+  weight <- 9.81 * (100 - 0.01 * 1025)
+  curve <- 10 * weight / sqrt(weight^2 + (drag_by_speed * found$speed^2)^2)
+  expect_equal(found[["pieces.sphere.mass_kg"]], rep(100, 4), tolerance = 5e-3)
+  expect_equal(-found$depth, curve, tolerance = 2e-3)
+  expect_equal(found$speed[1], -3, tolerance = 1.1e-3)
+  expect_equal(-found$depth[4], 10 * weight / sqrt(weight^2 + drag_by_speed^2), tolerance = 1.1e-3)
+  expect_true(all(diff(found$depth) < 0) && all(found$kept))
+  expect_output(print(found), "-towing.speed and -depth")
+  file <- tempfile(fileext = ".png")
+  expect_identical(plot(found, file = file), found)
+  expect_gt(file.size(file), 5000)
+  expect_error(trade_off(towed_sphere(), ~depth, change = list()), "two aims",
+    class = "codend_error_argument")
+})

@@ -35,28 +35,34 @@ test_that("fields of a data frame change together, and units are told", {
 })
 
 test_that("what does not settle is told in its row, and the others go on", {
-  gears <- lapply(1:3, function(speed) update(read_gear("towed_cable"), towing.speed = speed))
-  broken <- gears[[2]]
-  attr(broken, "fails") <- TRUE
   failing <- function(gear, ...) {
-    if (isTRUE(attr(gear, "fails"))) {
+    if (gear_si(gear)$towing$speed == 2) {
       cli::cli_abort("The gear did not settle: {.field test}.",
         class = c("codend_error_not_converged", "codend_error"), call = NULL)
     }
     cli::cli_warn("A board is {.field stalled}.", class = "codend_warning")
     settle(gear, ...)
   }
-  one_by_one <- vary_settle
-  package <- environment(vary_settle)
+  package <- environment(run_design)
   single <- settle_one
   environment(single) <- list2env(list(settle = failing), parent = package)
-  environment(one_by_one) <- list2env(list(settle_one = single), parent = package)
-  found <- one_by_one(list(gears[[1]], broken, gears[[3]]), matrix(1:3), 1500, NULL)
-  expect_null(found[[1]]$problem)
-  expect_identical(found[[1]]$warning, "A board is stalled.")
-  expect_identical(found[[2]]$problem, "The gear did not settle: test.")
-  expect_null(found[[2]]$measures)
-  expect_equal(found[[3]]$measures, measures(settle(gears[[3]])), tolerance = 1e-6)
+  run <- run_design
+  environment(run) <- list2env(list(settle_one = single), parent = package)
+  study <- new_study("towed_cable", list(towing.speed = 1:3), 1500, NULL)
+  found <- study_table(study, read_rows(vapply(3:1, function(k) run(study, NULL, k), "")))
+  expect_identical(found$settled, c(TRUE, FALSE, TRUE))
+  expect_identical(found$problem[2], "The gear did not settle: test.")
+  expect_identical(found$warning[1], "A board is stalled.")
+  expect_true(is.na(found$total_drag_kN[2]))
+  alone <- measures(settle(update(read_gear("towed_cable"), towing.speed = 3)))
+  expect_equal(unlist(found[3, names(alone)]), plain_measures(alone), tolerance = 1e-6)
+})
+
+test_that("values that do not go together are told in their row", {
+  plan <- update(read_gear("towed_cable"), ropes.cable.segments = NULL)
+  found <- vary(plan, towing.speed = "3 knot", ropes.cable.to = c(plan$plan$ropes$cable$to, "moon"))
+  expect_identical(found$settled, c(TRUE, FALSE))
+  expect_match(found$problem[2], "moon")
 })
 
 test_that("wrong fields and values are told before anything is computed", {
@@ -68,6 +74,12 @@ test_that("wrong fields and values are told before anything is computed", {
     class = "codend_error_argument")
   expect_error(vary("towed_cable", a = data.frame(towing.speed = 1)), "has no name",
     class = "codend_error_argument")
+  expect_error(vary("towed_cable", towing.speed = between(1, 2)), "designs",
+    class = "codend_error_argument")
+  expect_error(vary("towed_cable", designs(ropes.cable.length = c("300 m", "-2 m"))),
+    "Design 2: .*ropes.cable.length.*-2 m", class = "codend_error_plan")
+  many <- designs(ropes.cable.length = c(seq(300, 500, length.out = 500), -1))
+  expect_error(vary("towed_cable", many), "Design 501", class = "codend_error_plan")
   error <- expect_error(vary("towed_cable", towing.sped = 1:2), class = "codend_error_plan")
   expect_match(conditionMessage(error), "speed")
   expect_error(vary("towed_cable", towing.speed = c("2 knot", "3 kg")),

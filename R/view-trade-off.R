@@ -1,0 +1,59 @@
+#' Plot a trade-off
+#'
+#' The curve of two aims, and beside it how each field goes along it, as a share of what it changes
+#' by.
+#'
+#' @param x A trade-off, from [trade_off()].
+#' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
+#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @export
+#' @examplesIf requireNamespace("nloptr", quietly = TRUE)
+#' plot(trade_off("towed_cable",
+#'   minimise = list(drag = ~ total_drag_kN, depth = ~ -body_depth_m),
+#'   change = list(ropes.cable.length = c("600 m", "1200 m")), points = 4
+#' ))
+plot.codend_trade_off <- function(x, file = NULL, width = 9, height = 4.5, ...) {
+  check_inches("width", width)
+  check_inches("height", height)
+  if (!is.null(file)) check_file_path(file, picture_types)
+  title <- paste0("Trade-off of ", attr(x, "gear_name"))
+  draw <- function(page) draw_trade_off(x, title, page)
+  if (is.null(file)) {
+    draw(grDevices::dev.size())
+  } else {
+    write_picture(file, c(width, height), title, draw)
+  }
+  invisible(x)
+}
+
+draw_trade_off <- function(x, title, page) {
+  kept <- graphics::par(no.readonly = TRUE)
+  on.exit(graphics::par(kept))
+  begin_study_page(page)
+  graphics::par(mfrow = c(1L, 2L))
+  good <- x$kept & x$optimal
+  graphics::plot(x[[1L]], x[[2L]], type = "n", xlab = attr(x, "aims")[1L], ylab = "")
+  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
+  graphics::lines(x[[1L]], x[[2L]], col = "grey60")
+  graphics::points(x[[1L]], x[[2L]], pch = 21, col = water_colour,
+    bg = ifelse(good, water_colour, "white"))
+  graphics::mtext(paste0(attr(x, "aims")[2L], if (!all(good)) " (open: not shown to be optimal)"),
+    side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  fields <- seq(3L, ncol(x) - 2L)
+  shares <- vapply(x[fields], function(values) {
+    width <- diff(range(values))
+    if (width == 0) 0 * values else (values - min(values)) / width
+  }, numeric(nrow(x)))
+  colours <- grDevices::hcl.colors(max(2L, length(fields)), "Dark 3")
+  graphics::plot(range(x[[1L]]), c(0, 1 + 0.13 * length(fields)), type = "n", yaxt = "n",
+    xlab = attr(x, "aims")[1L], ylab = "")
+  graphics::axis(2, at = c(0, 1), labels = c("least", "most"))
+  for (k in seq_along(fields)) graphics::lines(x[[1L]], shares[, k], col = colours[k], lwd = 1.8)
+  ends <- vapply(x[fields], function(values) {
+    paste(four_figures(range(values)), collapse = " to ")
+  }, "")
+  graphics::legend("top", paste0(names(x)[fields], ", ", ends), col = colours, lwd = 1.8, bty = "n",
+    cex = 0.8)
+  graphics::mtext("Fields along it", side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  draw_head(title, list(missing = NULL), page)
+}

@@ -1,0 +1,62 @@
+skip_if_not_installed("future")
+skip_if_not_installed("RNetCDF")
+
+sixteen <- designs(towing.speed = between("3 knot", "5 knot"),
+  ropes.cable.length = c("300 m", "500 m"), how = "grid", number = 8)
+
+with_plan <- function(..., run) {
+  kept <- future::plan(...)
+  on.exit(future::plan(kept))
+  force(run)
+}
+
+test_that("two workers give the bytes of one, with a store and without", {
+  alone <- vary("towed_cable", sixteen)
+  store <- file.path(test_folder(), "a.study")
+  found <- with_plan("multisession", workers = 2, run = {
+    vary("towed_cable", sixteen, store = store, tasks = 5)
+  })
+  expect_identical(found, alone)
+  expect_length(task_files(store), 5L)
+  expect_identical(with_plan("multisession", workers = 2, run = vary("towed_cable", sixteen)),
+    alone)
+})
+
+test_that("a study goes on where a worker is killed, and a design that kills is told", {
+  skip_on_os("windows")
+  store <- file.path(test_folder(), "a.study")
+  create_store(new_study("towed_cable", list(sixteen), 1500, NULL), store)
+  deadly <- new.env()
+  deadly$start <- function(store, designs) {
+    future::future(
+      {
+        for (k in designs) {
+          if (k == 7L) tools::pskill(Sys.getpid(), tools::SIGKILL)
+          get("run_task", asNamespace("codend"))(store, k)
+        }
+      },
+      globals = list(store = store, designs = designs), packages = "codend", seed = NULL
+    )
+  }
+  package <- environment(vary_stored)
+  run <- vary_stored
+  futures <- run_futures
+  environment(futures) <- list2env(list(start_task = deadly$start), parent = package)
+  environment(run) <- list2env(list(run_futures = futures), parent = package)
+  with_plan("multisession", workers = 2, run = run(store, 4))
+  found <- read_study(store)
+  expect_identical(which(!found$settled), 7L)
+  expect_match(found$problem[7], "worker ended 2 times")
+  expect_identical(found$total_drag_kN[-7], vary("towed_cable", sixteen)$total_drag_kN[-7])
+})
+
+test_that("progress is told to progressr as rows come", {
+  skip_if_not_installed("progressr")
+  told <- 0
+  withCallingHandlers(
+    progressr::with_progress(vary("towed_cable", sixteen[1:3, ]), enable = TRUE,
+      handlers = progressr::handler_void),
+    progression = function(p) if (identical(p$type, "update")) told <<- told + p$amount
+  )
+  expect_equal(told, 3)
+})

@@ -1,0 +1,120 @@
+skip_if_not_installed("RNetCDF")
+
+small_study <- function() {
+  designs(towing.speed = c("3 knot", "4 knot", "5 knot"), ropes.cable.length = c("300 m", "500 m"))
+}
+
+test_that("a study on disk gives what the same study in memory gives, to the last bit", {
+  store <- file.path(test_folder(), "a.study")
+  alone <- vary("towed_cable", small_study())
+  expect_identical(vary("towed_cable", small_study(), store = store), alone)
+  expect_identical(read_study(store), alone)
+  # again: nothing is left to do
+  before <- file.mtime(list.files(store, recursive = TRUE, full.names = TRUE))
+  expect_identical(vary("towed_cable", small_study(), store = store), alone)
+  expect_identical(file.mtime(list.files(store, recursive = TRUE, full.names = TRUE)), before)
+})
+
+test_that("designs of every kind come back from a store as they went", {
+  store <- file.path(test_folder(), "a.study")
+  table <- data.frame(
+    towing.speed = c(pi / 2, NA, 1 / 3), ropes.cable.length = c("300 m", NA, "1e2 fathom"),
+    check.names = FALSE
+  )
+  given <- designs(table)
+  write_study("towed_cable", given, store, nodes = 40L)
+  study <- read_store(store)
+  expect_identical(as.list(study$designs), as.list(given))
+  expect_identical(study$nodes, 40)
+  expect_identical(study$gear$plan, read_gear("towed_cable")$plan)
+})
+
+test_that("tasks share the designs among them, and what is done is not run again", {
+  store <- file.path(test_folder(), "a.study")
+  write_study("towed_cable", small_study(), store)
+  expect_equal(run_study(store, 2, 4), 2L)
+  expect_identical(designs_done(store), c(2L, 6L))
+  expect_equal(study_status(store)$done, 2L)
+  expect_identical(attr(read_study(store), "study")$design, c(2L, 6L))
+  expect_equal(run_study(store), 4L)
+  expect_equal(run_study(store), 0L)
+  expect_output(print(study_status(store)), "6 of 6 designs done, 6 settled")
+  expect_identical(read_study(store), vary("towed_cable", small_study()))
+})
+
+test_that("what a killed worker leaves behind is no row", {
+  store <- file.path(test_folder(), "a.study")
+  write_study("towed_cable", small_study(), store)
+  run_study(store, 1, 6)
+  # a file that was being written, and one whose row was gathered by another process
+  writeLines("{\"design\":2,\"prob", file.path(store, "rows", ".codend-1234"))
+  expect_identical(designs_done(store), 1L)
+  run_study(store, 2, 3)
+  expect_identical(designs_done(store), c(1L, 2L, 5L))
+  row <- stored_rows(store)[row_designs(stored_rows(store)) == 2L]
+  writeLines(row, file.path(store, "rows", "0000002.json"))
+  expect_equal(nrow(read_study(store)), 3L)
+})
+
+test_that("a process that is killed loses the run that it was at, no more", {
+  skip_if_not_installed("callr")
+  skip_on_os("windows")
+  store <- file.path(test_folder(), "a.study")
+  many <- designs(towing.speed = between("2 knot", "6 knot"), how = "grid", number = 4000)
+  write_study("towed_cable", many, store)
+  worker <- callr::r_bg(function(store) codend::run_study(store), list(store))
+  on.exit(worker$kill())
+  for (wait in 1:600) {
+    if (length(designs_done(store)) >= 3L) break
+    Sys.sleep(0.1)
+  }
+  tools::pskill(worker$get_pid(), tools::SIGKILL)
+  worker$wait()
+  done <- designs_done(store)
+  expect_gte(length(done), 3L)
+  # one after another, none torn
+  expect_identical(done, seq_along(done))
+  found <- read_study(store)
+  expect_true(all(found$settled))
+  first <- vary("towed_cable", many[1:3, , drop = FALSE])
+  expect_identical(found$total_drag_kN[1:3], first$total_drag_kN)
+})
+
+test_that("another study does not go on in a store", {
+  store <- file.path(test_folder(), "a.study")
+  write_study("towed_cable", small_study(), store)
+  other <- function(...) expect_error(vary(..., store = store), class = "codend_error_file")
+  expect_match(conditionMessage(other("towed_cable", towing.speed = 2)), "other designs")
+  expect_match(conditionMessage(other(update(read_gear("towed_cable"), towing.speed = 2),
+    small_study())), "another plan")
+  expect_match(conditionMessage(other("towed_cable", small_study(), nodes = 50)), "nodes")
+  expect_error(write_study("towed_cable", small_study(), store), "exists",
+    class = "codend_error_file")
+  expect_error(read_study(tempdir()), "is no study", class = "codend_error_file")
+  expect_error(run_study(store, 3, 2), class = "codend_error_argument")
+  writeLines("{\"codend_study\": 99}", file.path(store, "study.json"))
+  expect_error(study_status(store), "another format", class = "codend_error_file")
+})
+
+test_that("a study runs from the shell", {
+  skip_if_not_installed("optparse")
+  folder <- test_folder()
+  file <- file.path(folder, "designs.csv")
+  writeLines(c("towing.speed,ropes.cable.length", "3 knot,300 m", ",500 m", "5 knot,"), file)
+  store <- file.path(folder, "a.study")
+  run <- function(...) {
+    said <- utils::capture.output(status <- suppressMessages(run_command(c("study", ...))))
+    list(status = status, said = said)
+  }
+  expect_match(run("new", store, "towed_cable", "--designs", file)$said[1], "0 of 3")
+  expect_identical(run("run", store, "--task", "2", "--of", "2")$status, 0L)
+  expect_match(run("status", store)$said[1], "1 of 3")
+  run("run", store)
+  out <- file.path(folder, "found.csv")
+  expect_identical(run("table", store, "--out", out)$status, 0L)
+  expect_equal(read.csv(out)$total_drag_kN, read_study(store)$total_drag_kN)
+  expect_identical(run("go", store)$status, 2L)
+  expect_identical(run("new", store)$status, 2L)
+  expect_identical(run("run", store, "--task", "3", "--of", "2")$status, 2L)
+  expect_identical(run("run", file.path(folder, "none"))$status, 1L)
+})
