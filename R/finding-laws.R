@@ -34,8 +34,9 @@ define_finding("drag law", "state",
 greatest_solidity <- c(loland = 0.35, aarsnes = 0.35, kristiansen_faltinsen = 0.5)
 
 define_finding("solidity", "state",
-  "A panel whose `netting_drag` is a screen's stands so closed that its solidity is above that of the
-  netting which the law was fitted to: 0.35 (`loland`, `aarsnes`) or 0.5 (`kristiansen_faltinsen`).",
+  "A panel whose `netting_drag` is a screen's stands so closed that its solidity is above that of
+  the netting which the law was fitted to: 0.35 (`loland`, `aarsnes`) or 0.5
+  (`kristiansen_faltinsen`).",
   function(gear, state) {
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
     law <- law[law %in% names(greatest_solidity)]

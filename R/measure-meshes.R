@@ -157,8 +157,8 @@ twine_shadow <- function(state) {
   sum(1 - exp(-thick / prod(size))) * prod(size)
 }
 
-# Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of knotless
-# netting once, and knots, over the area of the netting.
+# Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
+# knotless netting once, and knots, over the area of the netting.
 solidity_of_panels <- function(state, names) {
   vapply(names, function(name) {
     panel <- state$si$panels[[name]]
