@@ -33,8 +33,40 @@ check_parts <- function(plan, fields, last) {
       check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree
     )$fields
   }
-  now$si <- si_of(now$assembly, last$assembly, last$si)
+  now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
   now
+}
+
+# The fields of an assembly with the terms of its `method`, where it has one, in place of its own.
+#
+# The paper's (Li and others, Modeling of the Midwater Trawl Dynamical Behavior Based on R
+# Language): mass points at knots and in the middle of bars, drag and lift of a bar by its angle to the flow
+# (its eq. 4 and 5; coefficients not printed, here Hoerner's), a sum over all bars, and added mass
+# as a number (eq. 8).
+by_method <- function(fields) {
+  if (is.null(fields$method)) return(fields)
+  fields$netting <- "bars"
+  fields$netting_drag <- "twines"
+  fields$coefficients <- "hoerner"
+  fields$slack_twine <- "straight"
+  fields$shielding <- "none"
+  alike <- list(normal = 1, tangential = 1)
+  fields$materials <- lapply(fields$materials, function(material) {
+    material[names(material) != "coefficients"]
+  })
+  fields$ropes <- lapply(fields$ropes, function(rope) {
+    rope$coefficients <- NULL
+    rope$added_mass <- alike
+    rope
+  })
+  fields$panels <- lapply(fields$panels, function(panel) {
+    panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
+    panel$added_mass <- alike
+    # its knots are spheres without weight (eq. 3)
+    if (panel$knotted) panel$knot_twine <- 0
+    panel
+  })
+  fields
 }
 
 # The gear as SI numbers with every default filled in, from the checked fields of its assembly.

@@ -12,8 +12,9 @@ nothing <- stats::setNames(list(), character())
 shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow", "vessel"
+      "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
+      "coefficients", "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow",
+      "vessel"
     ),
     names(plan)
   )]
