@@ -826,7 +826,11 @@ window.codendView.viewer = function (host, options) {
     repaint();
     return address;
   }
-  function for_paper() { still.src = picture(); }
+  // once the page is laid out for paper the picture has no size, and the last one stays
+  function for_paper() {
+    var made = picture();
+    if (made) still.src = made;
+  }
   window.addEventListener('beforeprint', for_paper);
   // some browsers print without saying so first
   var stillTimer = null;
