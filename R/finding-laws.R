@@ -34,17 +34,23 @@ define_finding("drag law", "state",
 greatest_solidity <- c(loland = 0.35, aarsnes = 0.35, kristiansen_faltinsen = 0.5)
 
 define_finding("solidity", "state",
-  "A panel whose `netting_drag` is a screen's stands so closed that its solidity is above that of
-  the netting which the law was fitted to: 0.35 (`loland`, `aarsnes`) or 0.5
-  (`kristiansen_faltinsen`).",
+  "More than half of the panels of a part whose `netting_drag` is a screen's stand so closed that
+  their solidity is above that of the netting which the law was fitted to: 0.35 (`loland`,
+  `aarsnes`) or 0.5 (`kristiansen_faltinsen`).",
   function(gear, state) {
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
     law <- law[law %in% names(greatest_solidity)]
     if (!length(law)) return(list())
     solidity <- solidity_of_panels(state, names(law))
     over <- solidity / greatest_solidity[law]
+    part <- vapply(state$si$panels[names(law)], function(panel) {
+      first_of(unless_na(panel$part), "")
+    }, "")
+    part[part == ""] <- names(law)[part == ""]
+    # Where a current folds a part, some of its panels close.
+    over[stats::ave(over > 1, part) <= 0.5] <- 0
     worst <- which.max(over)
-    if (!length(worst) || over[worst] <= 1) return(list())
+    if (over[worst] <= 1) return(list())
     used <- law[[worst]]
     list(finding(paste("panel", names(law)[worst]), solidity[[worst]], figures(solidity[[worst]]),
       sprintf("its solidity is %s; %s was fitted to at most %s.", figures(solidity[[worst]]), used,

@@ -10,10 +10,13 @@ test_that("a plan that asks for too many nodes is refused before anything is all
   expect_lt(sum(gc()[, 6]) - sum(before[, 2]), 50)
   expect_identical(error$path, "panels.netting")
   expect_error(tow(huge, until = 1), "nodes", class = "codend_error_plan")
-  expect_error(
-    vary(panel, panels.netting.columns = c(10, 9000), panels.netting.rows = 9000), "nodes",
-    class = "codend_error_plan"
-  )
+  # a design of a study that cannot be is a row with its reason
+  some <- suppressWarnings(
+    vary(panel, panels.netting.columns = c(10, 9000), panels.netting.rows = 10, nodes = 50))
+  expect_identical(some$settled, c(TRUE, TRUE))
+  some <- suppressWarnings(
+    vary(panel, panels.netting.columns = 9000, panels.netting.rows = 9000))
+  expect_match(some$problem, "nodes")
   expect_error(settle(panel, nodes = 1e9), "at most", class = "codend_error_argument")
 })
 
