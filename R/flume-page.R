@@ -2,13 +2,18 @@
 
 flume_page <- function() {
   tags <- shiny::tags
-  asset <- function(name) paste0("codend-flume/", name)
+  asset <- function(name) paste0("codend-app/", name)
+  of_viewer <- function(name) paste0("codend-view/", name)
   bslib::page_fluid(
     theme = bslib::bs_theme(version = 5), title = "codend flume tank", lang = "en",
     tags$head(
       tags$meta(name = "viewport", content = "width=device-width, initial-scale=1"),
       tags$link(rel = "icon", href = "data:,"),
+      tags$link(rel = "stylesheet", href = of_viewer("viewer.css")),
       tags$link(rel = "stylesheet", href = asset("flume.css")),
+      lapply(c("three.js", "materials.js", "gear.js", "motion.js", "viewer.js"), function(name) {
+        tags$script(src = of_viewer(name))
+      }),
       tags$script(src = asset("tank.js")),
       tags$script(src = asset("controls.js"))
     ),
@@ -28,40 +33,10 @@ flume_page <- function() {
 
 flume_tank <- function() {
   tags <- shiny::tags
-  toggle <- function(group, value, text, on = FALSE) {
-    tags$button(
-      type = "button", class = "btn btn-sm btn-outline-secondary", `data-group` = group,
-      `data-value` = value, `aria-pressed` = if (on) "true" else "false", text
-    )
-  }
-  group <- function(label, ...) {
-    tags$div(class = "btn-group btn-group-sm", role = "group", `aria-label` = label, ...)
-  }
   tags$section(
     class = "tank", `aria-label` = "The gear in three dimensions",
-    tags$div(
-      class = "tank-bar",
-      group("Look at", toggle("focus", "net", "Net", TRUE), toggle("focus", "whole", "Whole gear")),
-      group(
-        "Look from", toggle("from", "bow", "Bow", TRUE), toggle("from", "above", "Above"),
-        toggle("from", "side", "Side"), toggle("from", "astern", "Astern")
-      ),
-      group(
-        "Pinned design", toggle("compare", "off", "Now", TRUE), toggle("compare", "over", "Over"),
-        toggle("compare", "beside", "Side by side")
-      )
-    ),
-    tags$div(
-      class = "tank-picture",
-      tags$canvas(
-        id = "tank", tabindex = "0", role = "img", `aria-describedby` = "tank_keys",
-        `aria-label` = "The gear in three dimensions"
-      ),
-      tags$div(id = "working", class = "working", hidden = NA, "settling")
-    ),
-    tags$p(id = "tank_keys", class = "visually-hidden", "Arrow keys turn the gear, plus and minus
-      zoom."),
-    tags$div(id = "tank_legend", class = "tank-legend")
+    tags$div(id = "tank"),
+    tags$div(id = "working", class = "working", hidden = NA, "settling")
   )
 }
 

@@ -54,10 +54,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       )
     }
 
-    session$onFlushed(function() {
-      session$sendCustomMessage("flume_palettes", flume_palettes())
-      show()
-    })
+    session$onFlushed(function() show())
 
     shiny::observeEvent(input$design, {
       given <- as.list(input$design)

@@ -67,7 +67,11 @@ flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
   check_settle_arguments(gear, nodes, NULL)
   marked <- check_marked(first_of(fields, character()), gear$plan)
   start <- settled_start(gear, nodes)
-  shiny::addResourcePath("codend-flume", system.file("app", package = "codend", mustWork = TRUE))
+  for (folder in c("app", "view")) {
+    shiny::addResourcePath(
+      paste0("codend-", folder), system.file(folder, package = "codend", mustWork = TRUE)
+    )
+  }
   shiny::shinyApp(
     ui = flume_page(), server = flume_server(start, marked, nodes),
     onStart = function() {

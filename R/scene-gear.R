@@ -15,14 +15,15 @@ scene_shape <- function(state, limit = scene_limit, meshes = TRUE) {
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
+  found <- if (meshes && length(netting$u)) mesh_places(state)
   mean_of <- function(colour) {
-    if (meshes && length(netting$u)) mesh_means(state, netting$panel, netting$at, colour)
+    if (!is.null(found)) mesh_means(state, netting$panel, netting$at, colour, found)
   }
   list(
     fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
     points = points[, drawn, drop = FALSE], ropes = ropes$tension, u = netting$u, v = netting$v,
     opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle"),
-    drag = part_drag_over_size(state),
+    drag = part_drag_over_size(state), kind = state$lattice$parts$kind,
     places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
   )
 }
@@ -133,10 +134,7 @@ scene_moved <- function(shapes) {
 # Scales of what colours show, over several shapes: by quantity, of ropes and of netting.
 scene_scales <- function(shapes) {
   all <- function(field) unlist(lapply(shapes, `[[`, field), use.names = FALSE)
-  parts <- shapes[[1L]]$fixed$state$lattice$parts
-  drag <- function(kind) {
-    as.double(unlist(lapply(shapes, function(s) s$drag[s$fixed$state$lattice$parts$kind == kind])))
-  }
+  drag <- function(kind) as.double(unlist(lapply(shapes, function(s) s$drag[s$kind == kind])))
   tension <- c(all("u"), all("v"))
   meshes <- function(field, colour) {
     list(netting = scale_told(mesh_scale(all(field), colour), "netting"))

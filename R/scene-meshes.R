@@ -37,12 +37,11 @@ mesh_values <- function(state, lines, colour) {
 
 # Of places of netting, each among some points of one panel (ends: their numbers, a column for each
 # place; panel: its number), their mean opening over mesh size, of squares over a bar (%), or mesh
-# angle (deg). Never 0, which stands for slack.
-mesh_means <- function(state, panel, ends, colour) {
+# angle (deg), from all (found). Never 0, which stands for slack.
+mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
   if (!length(panel)) return(numeric())
   panels <- state$si$panels
   table <- panel_table(panels)
-  found <- mesh_places(state)
   value <- if (colour == "mesh_angle") {
     in_unit(found$angle, "deg")
   } else {

@@ -60,7 +60,7 @@ cloud_surface <- function(state, p, part, places) {
   point <- c(node, point_number(places$node[on_edges], state$lattice$engine$nodes))
   s <- c(pmin(pmax(s, 0), 1), places$s[on_edges])
   t <- c(drawn$j / panel$deep, places$t[on_edges])
-  kept <- which(!duplicated(cbind(round(s, 6), round(t, 6))))
+  kept <- which(!duplicated(round(s * 1e6) + 1e7 * round(t * 1e6)))
   point <- point[kept]
   bars <- bars_of_part(state, part)
   ends <- bar_ends(state, bars)

@@ -182,7 +182,7 @@ read_matches <- function(match, data, task, error) {
     measured <- as.double(measured)
     measured[!is.finite(measured)] <- NA
     measured[task$left_out] <- NA
-    formula <- ready_expression(one[[3L]], "match", task$words, character())
+    formula <- ready_expression(one[[3L]], "match", task$words, character(), environment(one))
     hauls <- sum(!is.na(measured))
     if (hauls < 1L || (is.na(error) && hauls < 3L)) {
       abort_argument("{.arg match} has {hauls} row{?s} with {.code {text}}, too few to estimate its

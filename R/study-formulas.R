@@ -31,10 +31,19 @@ read_formula <- function(given, what, words, paths = character()) {
     abort_argument("{.arg {what}} must be the name of a measure or a formula of measures, such as
       {.code ~ total_drag / door_spread}.")
   }
-  ready_expression(call, what, words, paths)
+  within <- if (inherits(given, "formula")) environment(given)
+  ready_expression(call, what, words, paths, within)
 }
 
-ready_expression <- function(call, what, words, paths) {
+# within: where values stand that are named and are neither measures nor fields.
+ready_expression <- function(call, what, words, paths, within = NULL) {
+  call <- walk_call(call, function(leaf) {
+    name <- if (is.name(leaf)) as.character(leaf) else return(leaf)
+    if (name %in% c(words$name, paths) || is.null(within)) return(leaf)
+    value <- get0(name, within)
+    good <- is_text(value) || (is.numeric(value) && length(value) == 1L && is.finite(value))
+    if (good) unname(value) else leaf
+  })
   text <- paste(trimws(deparse(call, width.cutoff = 500L)), collapse = " ")
   dimensions <- character()
   call <- walk_call(call, function(leaf) {
@@ -83,20 +92,21 @@ read_conditions <- function(keep, words, paths) {
   if (!is.list(keep)) {
     abort_argument("{.arg keep} must be formulas such as {.code ~ headline_height >= \"5 m\"}.")
   }
-  calls <- unlist(lapply(keep, function(one) {
+  calls <- lapply(keep, function(one) {
     if (!inherits(one, "formula") || length(one) != 2L) {
       abort_argument("{.arg keep} must be formulas such as {.code ~ headline_height >= \"5 m\"}.")
     }
-    split_and(one[[2L]])
-  }))
-  lapply(calls, function(call) {
+    lapply(split_and(one[[2L]]), function(call) list(call = call, within = environment(one)))
+  })
+  lapply(unlist(calls, recursive = FALSE), function(one) {
+    call <- one$call
     text <- paste(trimws(deparse(call, width.cutoff = 500L)), collapse = " ")
     sign <- if (is.call(call)) as.character(call[[1L]]) else ""
     if (!sign %in% c("<=", ">=", "<", ">", "==")) {
       abort_argument("{.arg keep} has {.code {text}}; it must compare with >=, <= or ==.")
     }
-    left <- ready_expression(call[[2L]], "keep", words, paths)
-    right <- ready_expression(call[[3L]], "keep", words, paths)
+    left <- ready_expression(call[[2L]], "keep", words, paths, one$within)
+    right <- ready_expression(call[[3L]], "keep", words, paths, one$within)
     check_dimensions(left, right, text, words)
     check_dimensions(right, left, text, words)
     if (!length(c(left$names, right$names))) {

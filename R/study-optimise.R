@@ -26,7 +26,7 @@
 #'   minus before what is to be large. A field that changes may stand there by its path, in SI.
 #' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
 #'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
-#'   text with a unit beside measures named without theirs.
+#'   text with a unit beside measures named without theirs, or a variable that holds either.
 #' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
 #'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [between()] them.
 #'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
@@ -221,7 +221,9 @@ run_slsqp <- function(task, search, place, held, most) {
 # The values and slopes at scaled fields, settled where they are not known yet: what task_values()
 # returns. Where the gear does not settle the aim is infinite, which shortens the step.
 try_point <- function(task, search, scaled) {
-  for (one in search$tried) if (identical(one$scaled, scaled)) return(one$values)
+  for (one in search$tried) {
+    if (max(abs(one$scaled - scaled)) <= same_place) return(one$values)
+  }
   near <- search$near
   exact <- points_values(task$points, scaled)
   point <- settle_point(task$points, exact, near$state)
@@ -244,6 +246,10 @@ try_point <- function(task, search, scaled) {
   add_history(task, tried)
   values
 }
+
+# Scaled fields nearer to one another than this are one place: the optimiser comes back to it with
+# other rounding.
+same_place <- 1e-9
 
 # Whether values are better: kept conditions first, then the aim with what it gains by the little
 # that conditions may fail taken back.

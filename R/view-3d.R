@@ -68,7 +68,7 @@ check_device <- function(device, file, moves) {
   if (moves) abort_argument("A trajectory is viewed on {.arg device} {.val html} alone.")
   if (!is.null(file)) abort_argument("{.arg file} goes with {.arg device} {.val html} alone.")
   if (!requireNamespace("rgl", quietly = TRUE)) {
-    abort_argument("{.arg device} {.val rgl} needs the package {.pkg rgl}: install it first.")
+    abort_package("{.arg device} {.val rgl} takes the package {.pkg rgl}, which is not installed.")
   }
 }
 

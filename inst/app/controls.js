@@ -201,7 +201,6 @@
 
   function listen() {
     window.codendTank.listen();
-    Shiny.addCustomMessageHandler('flume_palettes', window.codendTank.palettes);
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
       clearErrors();
       window.codendTank.picture(message);

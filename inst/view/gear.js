@@ -336,6 +336,8 @@ window.codendView.gear = function (materials) {
 
   // Takes a part of a scene over what is known already.
   gear.take = function (part) {
+    // another gear may have no netting
+    if (part.ropes) told.opening = told.angle = null;
     Object.keys(part).forEach(function (name) { told[name] = part[name]; });
     gear.source = {
       points: places(told.points), places: places(told.places), boards: places(told.boards)

@@ -9,7 +9,8 @@
 //                         over, beside)
 //   time(s)               shows a moment
 //   picture()             the picture as the address of its own PNG, on white
-//   flat(canvas, axes, box)  draws the gear flat on a part of another canvas
+//   flat(...)             draws the gear flat on a part of another canvas
+// options.changed is called after a choice; options.still says whether a still for paper is kept.
 window.codendView = window.codendView || {};
 window.codendView.viewer = function (host, options) {
   'use strict';
@@ -719,6 +720,7 @@ window.codendView.viewer = function (host, options) {
     }
     if (told) write_legend();
     repaint();
+    if (options.changed) options.changed();
   }
 
   function recolour() {
@@ -835,9 +837,9 @@ window.codendView.viewer = function (host, options) {
 
   // ---- flat figures -----------------------------------------------------------------------------
 
-  // Draws the gear flat, seen along the axis that is not among `axes`, to fill `box` (left, top, width,
-  // height, pixels) of another canvas with `scale` pixels per metre around `at`. Returns whether it did.
-  function flat(context, plane, box, at, scale, ghost) {
+  // Draws the gear flat, as seen from `plane` (turn, rise), to fill `box` (left, top, width, height,
+  // pixels) of another canvas with `scale` pixels per metre around `at`. Returns whether it did.
+  function flat(context, plane, box, at, scale) {
     var ratio = window.devicePixelRatio || 1;
     var width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
     if (!gears.now || width < 2 || height < 2) return false;
@@ -865,7 +867,7 @@ window.codendView.viewer = function (host, options) {
     renderer.setViewport(0, 0, width, height);
     renderer.clear();
     function pixel() { return 1 / scale; }
-    if (ghost && gears.pinned) draw_gear(gears.pinned, flatCamera, true, pixel);
+    if (choice.compare !== 'off' && gears.pinned) draw_gear(gears.pinned, flatCamera, true, pixel);
     draw_gear(gears.now, flatCamera, false, pixel);
     renderer.setScissorTest(false);
     context.drawImage(canvas, 0, canvas.height - Math.round(height * ratio), Math.round(width * ratio),
@@ -884,10 +886,10 @@ window.codendView.viewer = function (host, options) {
     gears[name].colour(choice.colour);
   }
 
-  var moment = null;
+  var moment = null, netless = false;
   var shown = {
     show: function (now, pinned) {
-      var first = !gears.now;
+      var first = !gears.now || now.name !== told.name;
       take('now', now);
       take('pinned', pinned);
       told = gears.now.told;
@@ -903,8 +905,13 @@ window.codendView.viewer = function (host, options) {
       // Without netting there is nothing but the whole gear.
       var net = groups.focus.querySelector('[data-value="net"]');
       net.disabled = !gears.now.range.net;
-      if (!gears.now.range.net && choice.focus === 'net') choice.focus = 'whole';
-      else if (gears.now.range.net && !shown.chosen && choice.focus === 'whole') choice.focus = 'net';
+      if (!gears.now.range.net && choice.focus === 'net') {
+        choice.focus = 'whole';
+        netless = true;
+      } else if (gears.now.range.net && netless) {
+        choice.focus = 'net';
+        netless = false;
+      }
       press('focus', choice.focus);
       press('compare', choice.compare);
       colours.textContent = '';
@@ -913,11 +920,12 @@ window.codendView.viewer = function (host, options) {
         if (mode.indexOf('mesh') === 0 && !(scale && scale.netting)) return;
         colours.appendChild(element('option', '', modes[mode], { value: mode }));
       });
-      if (first && told.colour) choice.colour = told.colour;
+      if (first && now.colour) choice.colour = told.colour;
       if (!colours.querySelector('[value="' + choice.colour + '"]')) choice.colour = 'tension';
       colours.value = choice.colour;
       recolour();
       if (first) {
+        held = {};
         first_look();
         aim();
       } else {
@@ -931,7 +939,7 @@ window.codendView.viewer = function (host, options) {
       write_legend();
       if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told);
       repaint();
-      later();
+      if (options.still !== false) later();
     },
     choose: choose,
     time: function (k, share) {
@@ -940,6 +948,7 @@ window.codendView.viewer = function (host, options) {
       repaint();
     },
     picture: picture,
+    redraw: paint_now,
     flat: flat,
     focus: function () { return focus(); },
     gear: function () { return gears.now; },

@@ -6,7 +6,8 @@ const { serve } = require('./serve');
 
 const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update']
+  args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update',
+    '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 });
 
 // Opens the page; what goes wrong in it is kept in `problems`, requests to anything but its server
@@ -29,6 +30,8 @@ async function open(browser, url, size = { width: 1440, height: 900 }) {
   await page.goto(url);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
   await page.waitForSelector('.measures td', { timeout: 60000 });
+  await page.waitForFunction(() => document.querySelector('h1').textContent !== 'Flume tank', null,
+    { timeout: 60000 });
   return page;
 }
 

@@ -4,15 +4,12 @@ skip_if_not_installed("bslib")
 test_that("the page opens with the settled gear, its picture and its controls", {
   in_flume("towed_cable", function(session, sent, tank) {
     picture <- sent("flume_picture")[[1]]
-    points <- readBin(jsonlite::base64_dec(picture$now$moved$points), "double", 1e5, size = 4,
-      endian = "little")
-    # single precision of lengths up to 1000 m
-    expect_equal(matrix(points, 3), unname(state_points(tank$state)[, tank$drawing$drawn]),
-      tolerance = 1e-6)
-    ends <- readBin(jsonlite::base64_dec(picture$now$fixed$ropes), "integer", 1e5, size = 4,
-      endian = "little")
-    # the cable's bars, one after the other
-    expect_equal(tank$drawing$drawn[ends + 1L], as.vector(tank$drawing$ropes$ends))
+    points <- matrix(unpacked(picture$now$points$floats, "double", 4), 3L)
+    ends <- unpacked(picture$now$ropes$ends, "integer", 4) + 1L
+    # the cable's bars, one after the other, in single precision of lengths up to 1000 m
+    expect_equal(points[, ends], unname(state_points(tank$state)[, rope_lines(
+      tank$state, state_points(tank$state), 1e4)$ends]), tolerance = 1e-6)
+    expect_identical(picture$pinned$points, picture$now$points)
     expect_match(session$output$controls$html, "Towing speed", fixed = TRUE)
     expect_match(session$output$measures$html, "ship tension (kN)", fixed = TRUE)
     expect_match(session$output$code, "gear <- read_gear(\"towed_cable\")", fixed = TRUE)
@@ -28,7 +25,8 @@ test_that("a control moves the gear to what settle() finds from the start", {
     expect_length(picture, 1L)
     expect_identical(picture[[1]]$answers, 7)
     # what joins the points is not sent again
-    expect_null(picture[[1]]$now$fixed)
+    expect_null(picture[[1]]$now$ropes)
+    expect_type(picture[[1]]$now$points$floats, "character")
     anew <- settle(update(read_gear("towed_cable"), towing.speed = "5 knot"), nodes = 300)
     # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
     expect_equal(tank$measures, measures(anew), tolerance = 1e-6)

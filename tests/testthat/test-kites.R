@@ -112,8 +112,7 @@ test_that("pages draw a free kite at its angle of attack, and the tank sends it 
   # single precision: 6e-8 of 100 m of depth, over a chord of 1 m
   expect_equal(drawn_attack(corners), board_table(state)$attack_deg, tolerance = 1e-4)
   expect_identical(as.integer(scene$marks$board[scene$marks$role == "kite"]), 0L)
-  marks <- fixed_numbers(flume_drawing(state))$marks
-  expect_identical(as.logical(marks$plate), marks$role == "kite")
+  expect_identical(flume_drawing(state)$fixed$marks, scene$marks)
 })
 
 test_that("a page that plays turns a free kite as it turns", {

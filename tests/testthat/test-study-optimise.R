@@ -143,7 +143,8 @@ test_that("what cannot be kept is said, with the nearest gear", {
 })
 
 test_that("equal conditions are met", {
-  found <- optimise(towed_sphere(), ~ total_drag, ~ tow_power == "1 kW",
+  power <- "1 kW"
+  found <- optimise(towed_sphere(), ~ total_drag, ~ tow_power == power,
     list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("100 kg", "300 kg")))
   # c v^3 = 1000 W
   expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
