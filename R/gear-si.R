@@ -6,7 +6,8 @@
 # last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
 # what is the same as in that plan is taken over from it, unchecked.
 #
-# Returns list(plan, fields, expanded, tree, assembly, si): the plan; its checked fields in SI; the
+# Returns list(plan, fields, derived, expanded, tree, assembly, si): the plan; its checked fields in
+# SI; the counts that its cutting rates and take-up ratios give, by path; the
 # assembly that it stands for as expanded and in plain form (NULL where it is one); that assembly's
 # checked fields; and the SI numbers of si_of().
 check_whole <- function(plan, last = NULL) {
@@ -19,13 +20,18 @@ check_whole <- function(plan, last = NULL) {
 
 # What check_whole() does once every field is as the schema has it.
 check_parts <- function(plan, fields, last) {
-  now <- list(plan = plan, fields = fields)
+  whole <- complete_counts(fields, plan)
+  now <- list(plan = plan, fields = fields, derived = whole$derived)
   if (now$fields$kind == "assembly") {
-    now$assembly <- now$fields
+    now$assembly <- whole$fields
   } else {
-    now$expanded <- with_plain_numbers(gear_expanders[[now$fields$kind]](now$fields, plan))
+    now$expanded <- with_plain_numbers(
+      gear_expanders[[now$fields$kind]](whole$fields, whole$plan)
+    )
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
-    now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
+    now$assembly <- complete_counts(
+      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree
+    )$fields
   }
   now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
   now
@@ -229,7 +235,7 @@ si_panel <- function(panel, path, fields, law) {
   }
   in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path, fields$netting_drag)
-  left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
+  left <- left_taper(panel, path)
   list(
     mesh_size = panel$mesh_size,
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,

@@ -30,8 +30,10 @@ section_panel_name <- function(panel, section) paste0(panel, "_", section)
 # A panel of a section as given, with what its side says otherwise.
 section_panel <- function(section, panel) {
   side <- if (panel %in% c("back", "belly")) panel else "side"
-  own <- section[setdiff(names(section), c("back", "belly", "side"))]
+  own <- section[setdiff(names(section), c("back", "belly", "side", "take_up"))]
   other <- section[[side]]
+  # counts of its own are cut as they ask for
+  if (all(c("upper", "lower", "deep") %in% names(other$meshes))) own$cutting <- NULL
   own[names(other)] <- other
   own
 }
