@@ -259,7 +259,7 @@ study_table <- function(study, rows) {
   structure(table, class = c("codend_variations", "data.frame"), gear_name = study$gear$plan$name,
     unit = c(fields$unit, rows$unit), study = list(
       how = attr(designs, "how"), number = attr(designs, "number"), design = rows$design,
-      designs = nrow(designs)
+      designs = nrow(designs), factors = attr(designs, "factors")
     ))
 }
 

@@ -1,0 +1,236 @@
+#' What matters in a study
+#'
+#' Which fields move a measure, how, and which of them together: means by field, and Sobol' indices
+#' with intervals.
+#'
+#' @details
+#' Main effects are means of a measure over the designs with one value of a field; where a field has
+#' more than `groups` values, over as many groups of equal size. Their `spread` is the largest less
+#' the smallest mean. The effect of two fields together is what the mean of a pair of groups has
+#' beyond the sum of both fields' own effects; its `spread` is the root mean square of that, each
+#' pair weighed by its designs. In grids these are the effects of an analysis of variance; in other
+#' samples fields overlap by chance, the less the more designs there are.
+#'
+#' Sobol' indices are shares of a measure's variance over the designs: `first` what a field explains
+#' alone, `total` what it has a part in, so what would be left if all others were known (Sobol'
+#' 2001). They are estimated after Saltelli et al. (2010, table 2, b and f; f is Jansen's), and
+#' their intervals by the bootstrap over base samples. A small index may come out below 0. Where a
+#' design did not settle, its whole group of designs is left out.
+#'
+#' All of them say with a warning of class `codend_warning_study` how many designs did not settle.
+#'
+#' @param x Variations, from [vary()] or [read_study()]; for `sobol_indices()` of
+#'   [designs()]`(how = "indices")`.
+#' @param measures Names of measures, as [measures()] has them; all that change when `NULL`.
+#' @param groups How many groups a field of many values has.
+#' @param confidence Of the intervals.
+#' @param resamples How often designs are drawn anew for the intervals.
+#' @param seed Of these draws; the session's own random numbers stay as they are.
+#' @return A data frame. `main_effects()`: `measure`, `unit`, `field`, `value` (mean of the group's
+#'   values, or their text), `mean`, `designs` and `spread`. `pair_effects()`: `measure`, `unit`,
+#'   `field`, `other` and `spread`, largest first. `sobol_indices()`: `measure`, `field`, `first`
+#'   and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
+#'   arguments are an error of class `codend_error_argument`.
+#' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
+#'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
+#'   Communications 117:35.
+#' @seealso [plot.codend_variations()]
+#' @name study_effects
+#' @examples
+#' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
+#'   ropes.cable.length = c("400 m", "700 m"))
+#' main_effects(found, "total_drag_kN")
+#' pair_effects(found, "total_drag_kN")
+NULL
+
+#' @rdname study_effects
+#' @export
+main_effects <- function(x, measures = NULL, groups = 5) {
+  study <- effects_study(x, measures, groups)
+  rows <- lapply(study$measures, function(name) {
+    do.call(rbind, lapply(study$fields, function(field) {
+      group <- study$group[[field]]
+      mean <- as.vector(tapply(study$x[[name]], group, mean))
+      values <- split(study$x[[field]], group)
+      data.frame(
+        measure = name, unit = variations_unit(x, name), field = field,
+        value = if (is.numeric(study$x[[field]])) {
+          vapply(values, base::mean, 0)
+        } else {
+          vapply(values, `[[`, "", 1L)
+        },
+        mean = mean, designs = lengths(values), spread = diff(range(mean)), row.names = NULL
+      )
+    }))
+  })
+  # texts and numbers in one column become texts
+  do.call(rbind, rows)
+}
+
+#' @rdname study_effects
+#' @export
+pair_effects <- function(x, measures = NULL, groups = 5) {
+  study <- effects_study(x, measures, groups)
+  if (length(study$fields) < 2L) abort_argument("{.arg x} must have two fields that change.")
+  pairs <- utils::combn(study$fields, 2L, simplify = FALSE)
+  rows <- lapply(study$measures, function(name) {
+    value <- study$x[[name]]
+    own <- lapply(study$group, function(group) {
+      as.vector(tapply(value, group, mean))[group] - mean(value)
+    })
+    found <- do.call(rbind, lapply(pairs, function(pair) {
+      both <- interaction(study$group[[pair[1L]]], study$group[[pair[2L]]], drop = TRUE)
+      beyond <- as.vector(tapply(value, both, mean))[both] - mean(value) - own[[pair[1L]]] -
+        own[[pair[2L]]]
+      data.frame(
+        measure = name, unit = variations_unit(x, name), field = pair[1L], other = pair[2L],
+        spread = sqrt(mean(beyond^2))
+      )
+    }))
+    found[order(-found$spread), ]
+  })
+  found <- do.call(rbind, rows)
+  rownames(found) <- NULL
+  found
+}
+
+#' @rdname study_effects
+#' @export
+sobol_indices <- function(x, measures = NULL, confidence = 0.9, resamples = 1000, seed = 1) {
+  study <- attr(x, "study")
+  if (!identical(study$how, "indices")) {
+    abort_argument("{.arg x} must be of {.code designs(how = \"indices\")}.")
+  }
+  good <- is.numeric(confidence) && length(confidence) == 1L && confidence > 0 && confidence < 1
+  if (!isTRUE(good)) {
+    abort_argument("{.arg confidence} is {.val {confidence}}; it must be between 0 and 1.")
+  }
+  check_whole_argument(resamples, "resamples", 10)
+  measures <- changing_measures(x, measures)
+  tell_unsettled(x)
+  base <- study$number
+  fields <- study$factors
+  rows <- lapply(measures, function(name) {
+    value <- rep(NA_real_, study$designs)
+    value[study$design] <- x[[name]]
+    value <- matrix(value, base)
+    value <- value[stats::complete.cases(value), , drop = FALSE]
+    if (nrow(value) < 4L) {
+      abort_argument("Fewer than 4 whole groups of designs have the measure {.val {name}}.")
+    }
+    found <- index_estimates(value)
+    drawn <- with_seed(seed, vapply(seq_len(resamples), function(k) {
+      index_estimates(value[sample.int(nrow(value), replace = TRUE), , drop = FALSE])
+    }, found))
+    ends <- apply(drawn, 1:2, stats::quantile, c(1 - confidence, 1 + confidence) / 2, na.rm = TRUE)
+    data.frame(
+      measure = name, field = fields,
+      first = found[, 1L], first_low = ends[1L, , 1L], first_high = ends[2L, , 1L],
+      total = found[, 2L], total_low = ends[1L, , 2L], total_high = ends[2L, , 2L],
+      designs = nrow(value), row.names = NULL
+    )
+  })
+  do.call(rbind, rows)
+}
+
+# First-order and total indices, a row per field. value: a row per base sample; columns A, B and A
+# with each field from B.
+index_estimates <- function(value) {
+  first <- value[, 1L]
+  second <- value[, 2L]
+  mixed <- value[, -(1:2), drop = FALSE]
+  variance <- stats::var(c(first, second))
+  # differences alone matter, and products of small numbers round less
+  second <- second - mean(c(value[, 1L], value[, 2L]))
+  cbind(
+    colMeans(second * (mixed - first)) / variance,
+    colMeans((mixed - first)^2) / 2 / variance
+  )
+}
+
+# ---- shared --------------------------------------------------------------------------------------
+
+# What effects are taken of: list(x = settled rows, fields that change, measures, group = by field).
+effects_study <- function(x, measures, groups) {
+  check_whole_argument(groups, "groups", 2)
+  measures <- changing_measures(x, measures)
+  tell_unsettled(x)
+  whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))
+  rows <- as.data.frame(unclass(x), optional = TRUE)[whole, ]
+  fields <- names(x)[seq_len(match("settled", names(x)) - 1L)]
+  fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, fields)
+  if (!length(fields)) abort_argument("No field of {.arg x} changes among what settled.")
+  group <- lapply(setNames(fields, fields), function(field) {
+    value <- rows[[field]]
+    if (!is.numeric(value)) return(match(value, unique(value)))
+    values <- sort(unique(value))
+    if (length(values) <= groups) return(match(value, values))
+    as.integer(ceiling(rank(value, ties.method = "first") / length(value) * groups))
+  })
+  list(x = rows, fields = fields, measures = measures, group = group)
+}
+
+changing_measures <- function(x, measures) {
+  if (!inherits(x, "codend_variations")) {
+    abort_argument("{.arg x} must be variations, as {.fn vary} returns, not {.cls {class(x)}}.")
+  }
+  known <- names(x)[-seq_len(match("warning", names(x)))]
+  if (is.null(measures)) {
+    return(Filter(function(name) {
+      value <- x[[name]][!is.na(x[[name]])]
+      length(value) > 1L && diff(range(value)) > 1e-9 * max(abs(value))
+    }, known))
+  }
+  if (!(is.character(measures) && length(measures) && all(measures %in% known))) {
+    abort_argument("{.arg measures} is {.val {measures}}; it must be any of {.val {known}}.")
+  }
+  measures
+}
+
+tell_unsettled <- function(x) {
+  failed <- sum(!x$settled)
+  if (failed) {
+    cli::cli_warn("{failed} of {nrow(x)} design{?s} did not settle and {?is/are} left out.",
+      class = c("codend_warning_study", "codend_warning"))
+  }
+}
+
+#' @export
+summary.codend_variations <- function(object, ...) {
+  known <- changing_measures(object, NULL)
+  study <- attr(object, "study")
+  table <- data.frame(
+    measure = known, unit = vapply(known, function(name) variations_unit(object, name), ""),
+    t(vapply(known, function(name) {
+      value <- object[[name]]
+      c(
+        least = min(value, na.rm = TRUE), median = stats::median(value, na.rm = TRUE),
+        largest = max(value, na.rm = TRUE)
+      )
+    }, numeric(3))), row.names = NULL
+  )
+  problems <- sort(table(object$problem), decreasing = TRUE)
+  structure(
+    list(
+      name = attr(object, "gear_name"), designs = first_of(study$designs, nrow(object)),
+      done = nrow(object), settled = sum(object$settled), warned = sum(!is.na(object$warning)),
+      measures = table,
+      problems = data.frame(problem = as.character(names(problems)), designs = as.integer(problems))
+    ),
+    class = "codend_study_summary"
+  )
+}
+
+#' @export
+print.codend_study_summary <- function(x, ...) {
+  cat(x$designs, " designs of \"", x$name, "\": ", x$done, " done, ", x$settled, " settled, ",
+    x$warned, " with a warning\n", sep = "")
+  cells <- lapply(x$measures[c("least", "median", "largest")], figures)
+  lines <- align_columns(c(list(c("", words_of(x$measures$measure, x$measures$unit))),
+    Map(c, c("least", "median", "largest"), cells), list(c("", x$measures$unit))), left = c(1L, 5L))
+  cat(paste0(lines, "\n"), sep = "")
+  if (nrow(x$problems)) {
+    cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")
+  }
+  invisible(x)
+}

@@ -1,0 +1,98 @@
+# A study of a function of its fields in place of a gear.
+study_of <- function(designs, f, failed = integer()) {
+  table <- as.data.frame(unclass(designs), optional = TRUE)
+  value <- apply(as.matrix(table), 1, f)
+  value[failed] <- NA
+  n <- nrow(table)
+  settled <- !seq_len(n) %in% failed
+  structure(
+    data.frame(table, settled = settled, problem = ifelse(settled, NA, "did not settle"),
+      warning = NA_character_, drag_kN = value, constant_m = 3, check.names = FALSE),
+    class = c("codend_variations", "data.frame"), gear_name = "A function",
+    unit = c(drag_kN = "kN", constant_m = "m"), study = list(
+      how = attr(designs, "how"), number = attr(designs, "number"), design = seq_len(n),
+      designs = n, factors = attr(designs, "factors")
+    )
+  )
+}
+
+# Ishigami and Homma (1990): sin x1 + a sin^2 x2 + b x3^4 sin x1 of x in -pi to pi, whose indices are
+# known in closed form.
+ishigami <- function(x) sin(x[1]) + 7 * sin(x[2])^2 + 0.1 * x[3]^4 * sin(x[1])
+three <- function(how, number) {
+  side <- between(-pi, pi)
+  designs(x.1 = side, x.2 = side, x.3 = side, how = how, number = number)
+}
+
+test_that("Sobol' indices are those of a function whose indices are known", {
+  skip_if_not_installed("spacefillr")
+  found <- sobol_indices(study_of(three("indices", 1024), ishigami), resamples = 200)
+  v1 <- 0.5 * (1 + 0.1 * pi^4 / 5)^2
+  v2 <- 7^2 / 8
+  v13 <- 0.1^2 * pi^8 * (1 / 18 - 1 / 50)
+  variance <- v1 + v2 + v13
+  expect_identical(found$measure, rep("drag_kN", 3))
+  expect_identical(found$field, c("x.1", "x.2", "x.3"))
+  # their own intervals, of 90 %, are 0.05 wide to either side or less at 1024 random samples
+  expect_true(all(abs(found$first - c(v1, v2, 0) / variance) < 0.05))
+  expect_true(all(abs(found$total - c(v1 + v13, v2, v13) / variance) < 0.05))
+  expect_true(all(found$first_low < found$first & found$first < found$first_high))
+  expect_true(all(found$total_high - found$total_low < 0.15))
+})
+
+test_that("intervals hold the known index about as often as they say", {
+  # of a sum of two fields: variances 1 and 4 of 5; 40 samples of 64
+  held <- vapply(1:40, function(seed) {
+    points <- with_seed(seed, matrix(runif(64 * 4), 64))
+    blocks <- pick_freeze(points)
+    table <- structure(data.frame(x.1 = blocks[, 1], x.2 = blocks[, 2]), how = "indices",
+      number = 64, factors = c("x.1", "x.2"))
+    found <- sobol_indices(study_of(table, function(x) x[1] + 2 * x[2]), resamples = 200)
+    abs(found$total_low[2] + found$total_high[2] - 1.6) <=
+      found$total_high[2] - found$total_low[2]
+  }, NA)
+  # 90 % of 40 is 36, with a standard deviation of 1.9: four of them below
+  expect_gte(sum(held), 28)
+})
+
+test_that("groups with a design that did not settle are left out, with a warning", {
+  skip_if_not_installed("spacefillr")
+  whole <- three("indices", 256)
+  expect_warning(found <- sobol_indices(study_of(whole, ishigami, failed = c(3, 300, 1030)),
+    resamples = 20), "3 of 1280 designs", class = "codend_warning_study")
+  # 3 and 1030 = 4 * 256 + 6, 300 = 256 + 44: three groups
+  expect_identical(unique(found$designs), 253L)
+})
+
+test_that("main effects and effects of pairs are those of an analysis of variance of a grid", {
+  grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), how = "grid")
+  f <- function(x) x[1] + x[2] + 0.5 * x[1] * x[2]
+  x <- study_of(grid, f)
+  found <- main_effects(x)
+  table <- data.frame(y = x$drag_kN, a = factor(grid$x.1), b = factor(grid$x.2))
+  means <- stats::model.tables(stats::aov(y ~ a * b, table), "means")$tables
+  expect_equal(found$mean, unname(c(means$a, means$b)), ignore_attr = TRUE)
+  expect_equal(found$value, c(1, 2, 4, 0, 3))
+  squares <- summary(stats::aov(y ~ a * b, table))[[1]][["Sum Sq"]]
+  expect_equal(pair_effects(x)$spread, sqrt(squares[3] / 6))
+})
+
+test_that("a field of many values has groups of equal size", {
+  skip_if_not_installed("spacefillr")
+  found <- main_effects(study_of(three("sobol", 64), ishigami), groups = 4)
+  expect_identical(found$designs, rep(16L, 12))
+  expect_true(all(diff(found$value[1:4]) > 0))
+})
+
+test_that("a study is summed up, and wrong arguments are told", {
+  x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum, failed = 2)
+  expect_output(print(summary(x)), "6 designs of \"A function\": 6 done, 5 settled")
+  expect_output(print(summary(x)), "1  did not settle")
+  expect_equal(summary(x)$measures$largest, 7)
+  wrong <- function(...) expect_error(..., class = "codend_error_argument")
+  wrong(sobol_indices(x))
+  wrong(main_effects(data.frame(a = 1)))
+  wrong(main_effects(x, "depth"))
+  wrong(main_effects(x, groups = 1))
+  wrong(pair_effects(study_of(designs(x.1 = 1:3), sum)))
+})
