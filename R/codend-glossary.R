@@ -15,7 +15,11 @@
 #'   \item{panel}{A piece of netting of one mesh size and twine, with counts of meshes along its
 #'     upper edge, along its lower edge and from one to the other.}
 #'   \item{orientation}{How meshes stand in a panel: diamond (T0), square (T45) or turned (T90).}
-#'   \item{cutting rate}{Meshes lost or gained across a panel for meshes down it, such as 1N2B.}
+#'   \item{cutting rate}{Meshes lost or gained across a panel for meshes down it, such as 1N2B: in
+#'     turn one point (N) and two bars (B) along its side edge. T is a mesh cut across; AN, AB and AT
+#'     are all points, all bars, all meshes (ISO 1532).}
+#'   \item{take-up}{Meshes of one panel to those of the next that they are joined to, such as 2:3.}
+#'   \item{Rtex}{Resultant linear density of a twine: grams per kilometre of it.}
 #'   \item{stretched length}{Length of netting whose meshes are closed: meshes times mesh size.}
 #'   \item{hanging ratio}{Length of a rope over the stretched length of the netting that hangs on
 #'     it.}
@@ -38,6 +42,8 @@
 #'   \item{sweep, bridle, hand rope}{Rope between board and net. A sweep is single, bridles lead on
 #'     from it to the wing tips, and hand ropes lead from the board straight to the wing tips.}
 #'   \item{head line, footrope}{Rope along the upper, the lower edge of a net's mouth.}
+#'   \item{bosom}{Of head line or footrope, what lies between the wings.}
+#'   \item{tickler}{Chain ahead of the footrope that stirs the sea bed.}
 #'   \item{ground gear}{What protects the footrope and rolls or slides over the sea bed.}
 #'   \item{float line, lead line}{Rope with floats, with weights, along the edge of a seine or
 #'     gillnet.}

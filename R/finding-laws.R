@@ -29,6 +29,34 @@ define_finding("drag law", "state",
   }
 )
 
+# Largest solidity of the netting that a screen's law was fitted to: cage netting of up to 0.35, for
+# Kristiansen and Faltinsen (2012) up to 0.5.
+greatest_solidity <- c(loland = 0.35, aarsnes = 0.35, kristiansen_faltinsen = 0.5)
+
+define_finding("solidity", "state",
+  "A panel whose `netting_drag` is a screen's stands so closed that its solidity is above that of
+  the netting which the law was fitted to: 0.35 (`loland`, `aarsnes`) or 0.5
+  (`kristiansen_faltinsen`).",
+  function(gear, state) {
+    law <- vapply(state$si$panels, `[[`, "", "netting_drag")
+    law <- law[law %in% names(greatest_solidity)]
+    if (!length(law)) return(list())
+    solidity <- solidity_of_panels(state, names(law))
+    over <- solidity / greatest_solidity[law]
+    worst <- which.max(over)
+    if (!length(worst) || over[worst] <= 1) return(list())
+    used <- law[[worst]]
+    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], figures(solidity[[worst]]),
+      sprintf("its solidity is %s; %s was fitted to at most %s.", figures(solidity[[worst]]), used,
+        format(greatest_solidity[[used]])),
+      if (used == "kristiansen_faltinsen") {
+        "Check mesh size and twine; its drag may be off by tens of percent."
+      } else {
+        "Check mesh size and twine, or use kristiansen_faltinsen, fitted up to 0.5."
+      }))
+  }
+)
+
 # Of cells by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
 netting_to_flow <- function(state, cells) {
   node <- cell_corners(state$lattice, cells)
@@ -45,10 +73,13 @@ netting_to_flow <- function(state, cells) {
   )
 }
 
-# Warns where a law is used outside what it was measured for.
+# Warns where a law is used outside what it was measured for: of the first that is found.
 warn_of_laws <- function(state) {
-  found <- do.call(rbind, found_by(finding_checks[["drag law"]], state$gear, state))
-  if (is.null(found)) return(invisible())
-  cli::cli_warn(finding_sentences(found)[1],
-    class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
+  for (check in c("drag law", "solidity")) {
+    found <- do.call(rbind, found_by(finding_checks[[check]], state$gear, state))
+    if (is.null(found)) next
+    cli::cli_warn(finding_sentences(found)[1],
+      class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
+    return(invisible())
+  }
 }

@@ -39,6 +39,32 @@ cutting_rate <- function(lost, deep, orientation = "diamond") {
   paste0(fewer - longer, "(", pair(each), ")+", longer, "(", pair(each + 1), ")")
 }
 
+# Meshes across that an edge loses in a mesh down, by its cutting rate: "1N2B", "AB", or cycles in
+# turn, each with how often it is cut, "9(1N2B)+1(1N3B)".
+cutting_slope <- function(rate, path, orientation = "diamond") {
+  if (startsWith(orientation, "hexagonal") || (orientation == "square" && rate != "AB")) {
+    abort_field(path, rate, sprintf("left out of %s netting: give its counts", orientation))
+  }
+  if (orientation == "square") return(0)
+  text <- toupper(gsub("[[:space:]]|^~", "", rate))
+  text <- gsub("A([NTB])", "1\\1", text)
+  cuts <- c(N = 0, T = 0, B = 0)
+  for (term in strsplit(text, "+", fixed = TRUE)[[1]]) {
+    times <- if (grepl("(", term, fixed = TRUE)) as.double(sub("\\(.*", "", term)) else 1
+    if (is.na(times)) times <- 1
+    cycle <- gsub(".*\\(|\\)", "", term)
+    parts <- regmatches(cycle, gregexpr("[0-9]+[NTB]", cycle))[[1]]
+    counts <- as.double(sub("[NTB]", "", parts)) * times
+    letters <- sub("[0-9]+", "", parts)
+    for (k in seq_along(parts)) cuts[[letters[k]]] <- cuts[[letters[k]]] + counts[k]
+  }
+  # in turned netting points and meshes change places
+  if (orientation == "turned") cuts[c("N", "T")] <- cuts[c("T", "N")]
+  down <- cuts[["N"]] + cuts[["B"]] / 2
+  if (down == 0) abort_field(path, rate, "a rate that runs down the netting, such as 1N2B or AB")
+  (cuts[["T"]] + cuts[["B"]] / 2) / down
+}
+
 # The cycle whose bars over points (or meshes) are nearest to a ratio.
 nearest_cycle <- function(ratio, letter) {
   cycles <- expand.grid(n = seq_len(longest_cycle), b = seq_len(longest_cycle))

@@ -6,7 +6,8 @@
 # last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
 # what is the same as in that plan is taken over from it, unchecked.
 #
-# Returns list(plan, fields, expanded, tree, assembly, si): the plan; its checked fields in SI; the
+# Returns list(plan, fields, derived, expanded, tree, assembly, si): the plan; its checked fields in
+# SI; the counts that its cutting rates and take-up ratios give, by path; the
 # assembly that it stands for as expanded and in plain form (NULL where it is one); that assembly's
 # checked fields; and the SI numbers of si_of().
 check_whole <- function(plan, last = NULL) {
@@ -19,16 +20,53 @@ check_whole <- function(plan, last = NULL) {
 
 # What check_whole() does once every field is as the schema has it.
 check_parts <- function(plan, fields, last) {
-  now <- list(plan = plan, fields = fields)
+  whole <- complete_counts(fields, plan)
+  now <- list(plan = plan, fields = fields, derived = whole$derived)
   if (now$fields$kind == "assembly") {
-    now$assembly <- now$fields
+    now$assembly <- whole$fields
   } else {
-    now$expanded <- with_plain_numbers(gear_expanders[[now$fields$kind]](now$fields, plan))
+    now$expanded <- with_plain_numbers(
+      gear_expanders[[now$fields$kind]](whole$fields, whole$plan)
+    )
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
-    now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
+    now$assembly <- complete_counts(
+      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree
+    )$fields
   }
-  now$si <- si_of(now$assembly, last$assembly, last$si)
+  now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
   now
+}
+
+# The fields of an assembly with the terms of its `method`, where it has one, in place of its own.
+#
+# The paper's (Li and others, Modeling of the Midwater Trawl Dynamical Behavior Based on R
+# Language): mass points at knots and in the middle of bars, drag and lift of a bar by its angle to the flow
+# (its eq. 4 and 5; coefficients not printed, here Hoerner's), a sum over all bars, and added mass
+# as a number (eq. 8).
+by_method <- function(fields) {
+  if (is.null(fields$method)) return(fields)
+  fields$netting <- "bars"
+  fields$netting_drag <- "twines"
+  fields$coefficients <- "hoerner"
+  fields$slack_twine <- "straight"
+  fields$shielding <- "none"
+  alike <- list(normal = 1, tangential = 1)
+  fields$materials <- lapply(fields$materials, function(material) {
+    material[names(material) != "coefficients"]
+  })
+  fields$ropes <- lapply(fields$ropes, function(rope) {
+    rope$coefficients <- NULL
+    rope$added_mass <- alike
+    rope
+  })
+  fields$panels <- lapply(fields$panels, function(panel) {
+    panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
+    panel$added_mass <- alike
+    # its knots are spheres without weight (eq. 3)
+    if (panel$knotted) panel$knot_twine <- 0
+    panel
+  })
+  fields
 }
 
 # The gear as SI numbers with every default filled in, from the checked fields of its assembly.
@@ -197,7 +235,7 @@ si_panel <- function(panel, path, fields, law) {
   }
   in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path, fields$netting_drag)
-  left <- switch(panel$tapered, both = 0.5, left = 1, right = 0)
+  left <- left_taper(panel, path)
   list(
     mesh_size = panel$mesh_size,
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,

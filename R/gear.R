@@ -98,6 +98,11 @@ print.codend_gear <- function(x, ...) {
   cat("Gear \"", x$plan$name, "\" (", gear_checked(x)$fields$kind, ")\n", sep = "")
   cat("  ", paste(groups, lengths(fields[groups]), collapse = ", "), "\n", sep = "")
   cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
+  derived <- gear_checked(x)$derived
+  if (length(derived)) {
+    cat("  found from cutting rates and take-up: ",
+      paste(names(derived), shown_count_each(derived), collapse = ", "), "\n", sep = "")
+  }
   invisible(x)
 }
 

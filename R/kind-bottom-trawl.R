@@ -19,7 +19,7 @@ expand_bottom_trawl <- function(fields, plan) {
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(plan))
+  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan))
   out$otter_boards <- rig$otter_boards
   out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
   out
@@ -269,7 +269,7 @@ side_wings <- function(fields, plan, first) {
       deep <- fields$wings$jib$deep
       straight <- if (side == "starboard") "left" else "right"
       slanted <- setdiff(c("left", "right"), straight)
-      own <- given[setdiff(names(given), "meshes")]
+      own <- given[setdiff(names(given), c("meshes", "cutting"))]
       out$panels[[jib]] <- c(own, list(
         meshes = list(upper = 0, lower = wing$meshes$upper, deep = deep), tapered = slanted,
         part = "wings"
@@ -341,7 +341,7 @@ bottom_trawl_rig <- function(fields, plan) {
       for (tier in c("upper", "lower")) {
         name <- paste("backstrop", tier, side, sep = "_")
         rig$ropes[[name]] <- c(
-          list(from = name, to = paste0("backstrop_end_", side)), plan$backstrops,
+          list(from = name, to = paste0("backstrop_end_", side)), of_side(plan$backstrops, side),
           list(role = "backstrop")
         )
       }

@@ -175,7 +175,7 @@ trawl_rig <- function(fields, plan, ring) {
           from = if (free) paste0("backstrop_", tier, "_", side) else paste0("board_", side),
           to = paste(tier, side, sep = "_")
         ),
-        plan$hand_ropes[[tier]],
+        of_side(plan$hand_ropes[[tier]], side),
         list(role = "hand_rope")
       )
     }
@@ -193,7 +193,7 @@ trawl_rig <- function(fields, plan, ring) {
     }
   }
   list(
-    points = points, ropes = ropes, pieces = c(pieces, trawl_fittings(plan)),
+    points = points, ropes = ropes, pieces = c(pieces, trawl_fittings(fields, plan)),
     otter_boards = boards$otter_boards
   )
 }

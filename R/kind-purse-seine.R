@@ -14,8 +14,8 @@ expand_purse_seine <- function(fields, plan) {
   rings <- seine_rings(fields, plan)
   out <- plan[intersect(
     c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials"
+      "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
+      "coefficients", "netting_drag", "slack_twine", "shielding", "materials"
     ),
     names(plan)
   )]

@@ -12,8 +12,9 @@ nothing <- stats::setNames(list(), character())
 shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
-      "codend", "name", "notes", "sources", "water", "seabed", "netting", "coefficients",
-      "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow", "vessel"
+      "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
+      "coefficients", "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow",
+      "vessel"
     ),
     names(plan)
   )]
@@ -29,8 +30,10 @@ section_panel_name <- function(panel, section) paste0(panel, "_", section)
 # A panel of a section as given, with what its side says otherwise.
 section_panel <- function(section, panel) {
   side <- if (panel %in% c("back", "belly")) panel else "side"
-  own <- section[setdiff(names(section), c("back", "belly", "side"))]
+  own <- section[setdiff(names(section), c("back", "belly", "side", "take_up"))]
   other <- section[[side]]
+  # counts of its own are cut as they ask for
+  if (all(c("upper", "lower", "deep") %in% names(other$meshes))) own$cutting <- NULL
   own[names(other)] <- other
   own
 }

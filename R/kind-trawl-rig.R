@@ -10,13 +10,21 @@ towing_points <- function(names, spacing, depth = 0) {
   )
 }
 
+# What is given of a rope or a board on one side: its fields, with what `port` or `starboard` says
+# otherwise.
+of_side <- function(given, side) {
+  own <- given[setdiff(names(given), trawl_sides)]
+  own[names(given[[side]])] <- given[[side]]
+  own
+}
+
 # The warps, from the points `block_*` to the points `board_*` or as named.
 trawl_warps <- function(plan, to = "board") {
   given <- plan$warps[setdiff(names(plan$warps), "spacing")]
   stats::setNames(
     lapply(trawl_sides, function(side) {
       c(
-        list(from = paste0("block_", side), to = paste(to, side, sep = "_")), given,
+        list(from = paste0("block_", side), to = paste(to, side, sep = "_")), of_side(given, side),
         list(role = "warp")
       )
     }),
@@ -80,6 +88,10 @@ check_boards <- function(fields) {
 # Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
 # points: sweep, bridles to the wing ends, and extensions of the footrope.
 trawl_legs <- function(plan, rig, from) {
+  for (name in names(plan$ticklers)) {
+    rig$ropes[[name]] <- c(list(from = "lower_port", to = "lower_starboard"),
+      plan$ticklers[[name]], list(role = "tickler"))
+  }
   tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
   extended <- !is.null(plan$footrope_extensions)
   for (k in 1:2) {
@@ -89,20 +101,23 @@ trawl_legs <- function(plan, rig, from) {
     if (!is.null(plan$sweeps)) {
       rig$points[[named("sweep_end")]] <- nothing
       rig$ropes[[named("sweep")]] <- c(
-        list(from = start, to = named("sweep_end")), plan$sweeps, list(role = "sweep")
+        list(from = start, to = named("sweep_end")), of_side(plan$sweeps, side),
+        list(role = "sweep")
       )
       start <- named("sweep_end")
     }
     for (tier in tiers) {
       end <- if (tier == "lower" && extended) "extension" else tier
       rig$ropes[[named("bridle", tier)]] <- c(
-        list(from = start, to = named(end)), plan$bridles[[tier]], list(role = "bridle")
+        list(from = start, to = named(end)), of_side(plan$bridles[[tier]], side),
+        list(role = "bridle")
       )
     }
     if (extended) {
       rig$points[[named("extension")]] <- nothing
       rig$ropes[[named("footrope_extension")]] <- c(
-        list(from = named("extension"), to = named("lower")), plan$footrope_extensions,
+        list(from = named("extension"), to = named("lower")),
+        of_side(plan$footrope_extensions, side),
         list(role = "footrope_extension")
       )
     }
@@ -110,11 +125,43 @@ trawl_legs <- function(plan, rig, from) {
   rig
 }
 
+# A group of floats as a piece along the head line. fields: the group, checked; given: as in the
+# plan; line: the head line's fields; path: of the group.
+float_group <- function(fields, given, line, path) {
+  piece <- c(list(along = "head_line"), given[setdiff(names(given), "spacing")],
+    list(role = "float"))
+  if (is.null(fields$spacing)) return(piece)
+  if (is.null(line$length)) {
+    abort_field(paste0(path, ".spacing"), given$spacing,
+      "given where the head line has a `length`")
+  }
+  share <- first_of(fields$share, c(0, 1))
+  room <- diff(share) * line$length
+  number <- first_of(fields$number, floor(room / fields$spacing + 1e-9) + 1)
+  taken <- (number - 1) * fields$spacing
+  if (taken > room + 1e-6) {
+    abort_field(paste0(path, ".spacing"), given$spacing, sprintf(
+      "at most %s, or %s floats take more than the %s of line that they are on",
+      format_si(room / (number - 1), "length"), format(number), format_si(room, "length")
+    ))
+  }
+  if (number == 1) return(piece)
+  piece$number <- number
+  piece$share <- mean(share) + c(-0.5, 0.5) * taken / line$length
+  piece$share <- pmin(pmax(piece$share, 0), 1)
+  piece$end_to_end <- TRUE
+  piece
+}
+
 # Floats along the head line, and a catch as a piece at the codline.
-trawl_fittings <- function(plan) {
+trawl_fittings <- function(fields, plan) {
   pieces <- list()
-  if (!is.null(plan$floats)) {
-    pieces$floats <- c(list(along = "head_line"), plan$floats, list(role = "float"))
+  if (!is.null(names(plan$floats))) {
+    pieces$floats <- float_group(fields$floats, plan$floats, fields$head_line, "floats")
+  }
+  for (k in if (is.null(names(plan$floats))) seq_along(plan$floats)) {
+    pieces[[paste0("floats_", k)]] <- float_group(fields$floats[[k]], plan$floats[[k]],
+      fields$head_line, sprintf("floats[%d]", k))
   }
   if (!is.null(plan$canvas)) {
     pieces$canvas <- c(

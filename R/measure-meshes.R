@@ -157,6 +157,26 @@ twine_shadow <- function(state) {
   sum(1 - exp(-thick / prod(size))) * prod(size)
 }
 
+# Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
+# knotless netting once, and knots, over the area of the netting.
+solidity_of_panels <- function(state, names) {
+  vapply(names, function(name) {
+    panel <- state$si$panels[[name]]
+    found <- mesh_places(state, name)
+    bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
+    u <- bar("u")
+    v <- bar("v")
+    uu <- rowSums(u^2)
+    vv <- rowSums(v^2)
+    # as twine_shadow() counts bars and area
+    cells <- found$meshes * (2 - is_square(panel))
+    area <- sum(cells * sqrt(pmax(uu * vv - rowSums(u * v)^2, 0)))
+    twine <- sum(cells * (sqrt(uu) + sqrt(vv))) * twine_width(panel) / area
+    knots <- sum(cells) * pi / 4 * panel$knot_diameter^2 / area
+    twine - crossing_overlap(list(panel)) * twine^2 + knots
+  }, 0)
+}
+
 #' Meshes along a net
 #'
 #' How far the meshes stand open along every panel: what decides which fish pass through them. Each

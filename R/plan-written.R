@@ -97,7 +97,7 @@ abort_as_written <- function(e, plan) {
   known <- gsub("\\[([0-9]+)\\]", ".\\1", first_of(path, ""))
   if (nzchar(known) && is.null(path_node(plan, known))) {
     written <- written_path(plan, path, e$value)
-    if (!is.null(written)) {
+    if (!is.null(written) && !is.null(path_node(plan, written))) {
       said <- reworded(said, path, written)
       path <- written
     }

@@ -155,3 +155,18 @@ test_that("a law outside what it was measured for warns", {
   # across the flow it is used as it was fitted
   expect_no_warning(settle(read_gear("model_cage")))
 })
+
+test_that("a screen's law on netting denser than it was fitted to warns", {
+  cage <- update(read_gear("model_cage"), water.current.speed = 0.02)
+  # squares of 16 mm: 2 d/a - (d/a)^2
+  expect_equal(range(solidity_of_panels(quiet(cage, nodes = 300), "wall_1")),
+    rep(2 * 1.8 / 16 - (1.8 / 16)^2, 2), tolerance = 0.02)
+  dense <- update(cage, wall.twine.diameter = "4 mm")
+  expect_warning(state <- settle(dense, nodes = 300), "fitted to at most 0.35",
+    class = "codend_warning_drag_law")
+  found <- subset(findings(state), check == "solidity")
+  expect_match(found$place, "^panel wall_")
+  expect_equal(found$value, 0.5 - 0.25^2, tolerance = 0.02)
+  other <- quiet(update(dense, netting_drag = "kristiansen_faltinsen"), nodes = 300)
+  expect_false("solidity" %in% findings(other)$check)
+})

@@ -211,3 +211,31 @@ test_that("coefficient sets by name and by number", {
   expect_plan_error("points:", "coefficients: hoern\npoints:", "coefficients",
     "Did you mean `hoerner`?")
 })
+
+test_that("the paper's method is one word, whatever else the plan says", {
+  explicit <- list(netting = "bars", netting_drag = "twines", coefficients = "hoerner",
+    slack_twine = "straight", shielding = "none")
+  # a short form that chooses otherwise
+  trawl <- read_gear("poly_noreastern_trawl")
+  si <- gear_si(update(trawl, method = "paper"))
+  expect_identical(si[c("netting", "slack_twine")],
+    list(netting = "bars", slack_twine = "straight"))
+  for (panel in si$panels) {
+    expect_identical(panel$netting_drag, "twines")
+    expect_identical(panel$shielding, "none")
+    expect_identical(panel$added_mass, c(normal = 1, tangential = 1))
+  }
+  expect_identical(si$panels[[1]]$coefficients, drag_law("hoerner"))
+  expect_identical(si$ropes$head_line$coefficients$law, drag_law("hoerner")$law)
+  expect_false(identical(gear_si(trawl)$netting, "bars"))
+
+  # the same shape as with each of these given, where knots weigh nothing
+  panel <- read_gear("flat_panel")
+  name <- names(panel$plan$panels)[1]
+  panel <- do.call(update, c(list(panel),
+    stats::setNames(list(FALSE), paste0("panels.", name, ".knotted"))))
+  one <- settle(update(panel, method = "paper"), nodes = 150)
+  each <- settle(do.call(update, c(list(panel), explicit)), nodes = 150)
+  expect_equal(one$position, each$position, tolerance = 1e-7)
+  expect_error(update(trawl, method = "papers"), "method", class = "codend_error_plan")
+})

@@ -1,0 +1,112 @@
+# A panel by three counts, and with one left out that its cutting rate finds. The net maker's rule
+# is independent: a cycle 1N2B goes down 2 meshes and across 1, ISO 1532.
+cut_panel <- function(meshes, ..., kind = small_plan) {
+  fields <- paste0("\n    ", c(...), collapse = "")
+  read_text(spoil("meshes: {upper: 10, lower: 5, deep: 10}", paste0("meshes: ", meshes, fields)))
+}
+
+counts <- function(gear) unlist(gear_si(gear)$panels$net[c("upper", "lower", "deep")])
+
+test_that("a cutting rate finds the count that is left out", {
+  expect_equal(counts(cut_panel("{upper: 40, deep: 20}", "cutting: 1N2B")),
+    c(upper = 40, lower = 20, deep = 20))
+  # one edge, the other straight
+  one <- cut_panel("{upper: 40, deep: 20}", "cutting: 1N2B", "tapered: left")
+  expect_equal(counts(one)[["lower"]], 30)
+  # all bars lose a mesh in a mesh, 1T2B two in one, 1N4B 2/3
+  expect_equal(counts(cut_panel("{upper: 100, deep: 20}", "cutting: AB"))[[2]], 60)
+  expect_equal(counts(cut_panel("{upper: 100, deep: 20}", "cutting: 1T2B"))[[2]], 20)
+  expect_equal(counts(cut_panel("{upper: 100, deep: 30}", "cutting: 1N4B"))[[2]], 60)
+  # cycles in turn: 9(1N2B)+1(1N3B) goes down 9 * 2 + 2.5 and across 9 + 1.5
+  expect_equal(counts(cut_panel("{upper: 61, deep: 41}", "cutting: 9(1N2B)+1(1N3B)"))[[2]],
+    61 - 2 * 41 * 10.5 / 20.5)
+  # the depth, and the narrower edge where the upper one is left out
+  expect_equal(counts(cut_panel("{upper: 40, lower: 20}", "cutting: 1N2B"))[[3]], 20)
+  expect_equal(counts(cut_panel("{lower: 40, deep: 20}", "cutting: 1N2B"))[[1]], 20)
+  # in turned netting points and meshes change places
+  expect_equal(
+    counts(cut_panel("{upper: 40, deep: 20}", "cutting: 1T2B", "orientation: turned"))[[2]], 20
+  )
+})
+
+test_that("rates of the two edges share the loss as they are cut", {
+  gear <- cut_panel("{upper: 60, deep: 20}", "cutting: {left: AB, right: 1N2B}")
+  expect_equal(counts(gear)[["lower"]], 60 - 20 - 10)
+  expect_equal(unlist(gear_si(gear)$panels$net[c("taper_left", "taper_right")]),
+    c(taper_left = 2 / 3, taper_right = 1 / 3))
+  expect_identical(panel_rates(gear_si(gear)$panels$net), c(left = "AB", right = "1N2B"))
+})
+
+test_that("a rate that is written out reads back as the slope that it was made of", {
+  for (lost in c(3, 7, 10.5, 24, 33)) {
+    for (deep in c(12, 33, 41)) {
+      rate <- cutting_rate(lost, deep)
+      if (startsWith(rate, "~")) next
+      expect_equal(cutting_slope(rate, "x"), lost / deep, label = rate)
+    }
+  }
+})
+
+test_that("counts and rate that do not agree are refused, with a rate that does", {
+  error <- function(...) {
+    tryCatch(cut_panel(...), codend_error_plan = function(e) {
+      list(path = e$path, message = gsub("[[:space:]]+", " ", conditionMessage(e)))
+    })
+  }
+  found <- error("{upper: 40, lower: 26, deep: 20}", "cutting: 1N2B")
+  expect_identical(found$path, "panels.net.cutting")
+  expect_match(found$message, "takes off 14 meshes in 20 deep", fixed = TRUE)
+  # within a mesh at each edge is a net maker's rounding
+  expect_s3_class(cut_panel("{upper: 40, lower: 22, deep: 20}", "cutting: 1N2B"), "codend_gear")
+  expect_match(error("{upper: 40, deep: 20}")$message, "found by `cutting`", fixed = TRUE)
+  expect_match(error("{upper: 40}", "cutting: AB")$message, "one count from the other two",
+    fixed = TRUE)
+  expect_match(error("{upper: 10, deep: 20}", "cutting: AB")$message, "leaves meshes", fixed = TRUE)
+  expect_match(error("{upper: 10, deep: 20}", "cutting: AT")$message, "runs down", fixed = TRUE)
+  expect_match(error("{upper: 10, deep: 20}", "cutting: 2X")$message, "such as AN", fixed = TRUE)
+  expect_match(error("{upper: 10, deep: 20}", "cutting: 1N2B", "orientation: square")$message,
+    "left out of square netting", fixed = TRUE)
+})
+
+test_that("short forms take rates and take-up ratios", {
+  text <- paste(readLines(shipped_plans()[["poly_noreastern_trawl"]]), collapse = "\n")
+  text <- sub("meshes: {tip: 0, base: 84, deep: 78}",
+    "meshes: {tip: 0, deep: 78}\n    cutting: 1T26B", text, fixed = TRUE)
+  text <- sub("meshes: {upper: 264, lower: 120, deep: 110}",
+    "meshes: {upper: 264, deep: 110}\n    cutting: 10(1N4B)+1(1N3B)", text, fixed = TRUE)
+  text <- sub("meshes: {upper: 171, lower: 30, deep: 121}",
+    "meshes: {lower: 30, deep: 121}\n    take_up: \"5:7\"", text, fixed = TRUE)
+  gear <- read_text(text)
+  panels <- gear_si(gear)$panels
+  expect_equal(panels$back_wing_left$lower, 78 + 78 / 13)
+  lower <- 264 - 2 * 110 * (10 * 2 + 1.5) / (10 * 3 + 2.5)
+  expect_equal(panels$back_body$lower, lower)
+  expect_equal(panels$belly_intermediate$upper, lower * 7 / 5)
+  # sides with counts of their own keep them
+  expect_identical(panels$side_port_body$lower, 96)
+  expect_output(print(gear), "sections.body.meshes.lower 118.46", fixed = TRUE)
+  # what is found is found again after a change elsewhere
+  again <- update(gear, towing.speed = "4 knot")
+  expect_identical(gear_checked(again)$derived, gear_checked(gear)$derived)
+  expect_identical(gear_si(assembly(gear))$panels, panels)
+  expect_error(update(gear, sections.intermediate.meshes.upper = 171), "it asks for 165.85",
+    class = "codend_error_plan")
+})
+
+test_that("Rtex gives the twine's mass, and its diameter by its material", {
+  twine <- function(text) {
+    gear_si(read_text(spoil("twine: {diameter: 2 mm, material: PE}", text)))$panels$net
+  }
+  plain <- twine("twine: {diameter: 2 mm, material: PE}")
+  # the same twine by its weight: g/km of the mass that its diameter has
+  by_weight <- twine(sprintf("twine: {rtex: %.12g, material: PE}", plain$mass_per_length * 1e6))
+  expect_equal(by_weight[c("twine_diameter", "mass_per_length", "volume_per_length",
+    "axial_stiffness")], plain[c("twine_diameter", "mass_per_length", "volume_per_length",
+    "axial_stiffness")], tolerance = 1e-10)
+  both <- twine("twine: {diameter: 2 mm, rtex: 2500, material: PE}")
+  expect_equal(both$mass_per_length, 2.5e-3)
+  expect_equal(both$twine_diameter, 2e-3)
+  expect_error(twine("twine: {rtex: 2500}"), class = "codend_error_plan")
+  expect_error(twine("twine: {rtex: 2500, material: PE, mass_per_length: 2 g/m}"), "both",
+    class = "codend_error_plan")
+})

@@ -1,0 +1,58 @@
+changed_trawl <- function(...) gear_si(update(read_gear("poly_noreastern_trawl"), ...))
+
+test_that("floats stand at their spacing, in groups", {
+  # 27.2 m of head line; 11 floats of 1 m spacing take 10 m about the middle of it
+  floats <- list(number = 11, buoyancy = "10 kgf", spacing = "1 m")
+  si <- changed_trawl(floats = floats)
+  expect_equal(si$pieces$floats$share, 0.5 + c(-5, 5) / 27.2)
+  expect_true(si$pieces$floats$end_to_end)
+  # without their number as many as there is room for: 0 to 13.6 m by 1.5 m is 10
+  si <- changed_trawl(floats = list(
+    list(buoyancy = "3 kgf", spacing = "1.5 m", share = c(0, 0.5)),
+    list(number = 4, buoyancy = "10 kgf", share = c(0.6, 0.9))
+  ))
+  expect_identical(si$pieces$floats_1$number, 10)
+  expect_equal(si$pieces$floats_1$share, 0.25 + c(-0.5, 0.5) * 13.5 / 27.2)
+  expect_identical(si$pieces$floats_2$number, 4)
+  expect_equal(si$pieces$floats_2$share, c(0.6, 0.9))
+  expect_error(changed_trawl(floats = list(number = 40, buoyancy = "3 kgf", spacing = "1 m")),
+    "at most 0.697", class = "codend_error_plan")
+})
+
+test_that("a buoyancy in groups lifts as the same in one", {
+  one <- changed_trawl(floats = list(number = 20, buoyancy = "5 kgf"))
+  two <- changed_trawl(floats = list(list(number = 10, buoyancy = "5 kgf"),
+    list(number = 10, buoyancy = "5 kgf")))
+  lift <- function(si) {
+    floats <- si$pieces[startsWith(names(si$pieces), "floats")]
+    sum(vapply(floats, function(piece) piece$number * piece$volume, 0))
+  }
+  expect_equal(lift(two), lift(one), tolerance = 1e-14)
+})
+
+test_that("port and starboard may differ, and only in what is said", {
+  ropes <- changed_trawl(warps.starboard = list(length = "352 m"),
+    bridles.upper.port = list(length = "56 m", diameter = "18 mm"))$ropes
+  expect_equal(c(ropes$warp_port$length, ropes$warp_starboard$length), c(340, 352))
+  expect_equal(ropes$warp_starboard$diameter, ropes$warp_port$diameter)
+  expect_equal(c(ropes$bridle_upper_port$length, ropes$bridle_upper_starboard$length), c(56, 54.9))
+  expect_equal(c(ropes$bridle_upper_port$diameter, ropes$bridle_upper_starboard$diameter),
+    c(0.018, 0.016))
+})
+
+test_that("a longer warp trails its board", {
+  trawl <- update(new_plan("bottom_trawl"), warps.starboard = list(length = "335 m"))
+  state <- settle(trawl, nodes = 200)
+  boards <- vapply(c("board_port", "board_starboard"), function(point) {
+    state$position[1, state$lattice$place(point)]
+  }, 0)
+  # 10 m more of a warp that is nearly straight and leads nearly aft
+  expect_gt(boards[[2]] - boards[[1]], 5)
+  expect_lt(boards[[2]] - boards[[1]], 10.5)
+})
+
+test_that("ticklers hang between the lower wing ends", {
+  ticklers <- list(tickler_1 = list(length = "20 m", diameter = "16 mm", material = "steel_chain"))
+  rope <- changed_trawl(ticklers = ticklers)$ropes$tickler_1
+  expect_identical(c(rope$from, rope$to, rope$role), c("lower_port", "lower_starboard", "tickler"))
+})
