@@ -1,8 +1,7 @@
 #' Plot main effects of fields
 #'
 #' Small figures beside one another, of every measure against every field: its mean over designs with
-#' that value of the field, or in a group of values about it. Below each stands the field, and how
-#' far the means are apart. Depths grow downwards.
+#' that value of the field, or in a group of values about it. Depths grow downwards.
 #'
 #' @param x Effects, from [main_effects()].
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
@@ -31,10 +30,9 @@ effects_figure <- function(x, rows) {
   value <- x$value[rows]
   number <- suppressWarnings(as.double(value))
   text <- anyNA(number)
-  apart <- trimws(paste(figures(x$spread[rows][1L]), unit))
   list(
     words = words_of(x$measure[rows][1L], unit), unit = unit,
-    across = paste0(field_words(x, x$field[rows][1L]), ": ", apart, " apart"),
+    across = field_words(x, x$field[rows][1L]),
     lines = list(list(x = if (text) seq_along(value) else number, y = x$mean[rows], group = 1L,
       dashed = FALSE, symbols = TRUE)),
     ticks = if (text) value
