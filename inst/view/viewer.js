@@ -821,12 +821,19 @@ window.codendView.viewer = function (host, options) {
   // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
   function picture() {
     fog_colour(paper);
-    if (!draw()) return '';
-    var address = canvas.toDataURL('image/png');
+    bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
+    var address = draw() ? canvas.toDataURL('image/png') : '';
+    bed.uniforms.strength.value = 0.9;
+    water.uniforms.strength.value = 0.2;
+    if (!address) return '';
     repaint();
     return address;
   }
-  function for_paper() { still.src = picture(); }
+  // once the page is laid out for paper the picture has no size, and the last one stays
+  function for_paper() {
+    var made = picture();
+    if (made) still.src = made;
+  }
   window.addEventListener('beforeprint', for_paper);
   // some browsers print without saying so first
   var stillTimer = null;

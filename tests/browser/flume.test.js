@@ -217,7 +217,7 @@ test('what is on screen can be saved', async () => {
   assert.equal(name, 'midwater-trawl-2048-m-around-the-mouth.yaml');
   assert.match(plan, /(^|\n)codend: 1\n[^]*speed: 5 knot/);
   const [, measures] = await save('save_measures');
-  assert.match(measures, /^"measure","unit","now","pinned","change","change_percent","definition"\n"door s/);
+  assert.match(measures, /^"measure","unit","now","error","pinned","change","change_percent","definition"\n"door s/);
   assert.match((await save('save_tensions'))[1], /^"part","kind","role","element"/);
   assert.match((await save('save_drag'))[1], /^"part","kind","role","drag_kN"/);
   await tab(page, 'R code');
