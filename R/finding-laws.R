@@ -79,12 +79,13 @@ netting_to_flow <- function(state, cells) {
   )
 }
 
-# Warns where a law is used outside what it was measured for.
+# Warns where a law is used outside what it was measured for: of the first that is found.
 warn_of_laws <- function(state) {
   for (check in c("drag law", "solidity")) {
     found <- do.call(rbind, found_by(finding_checks[[check]], state$gear, state))
     if (is.null(found)) next
     cli::cli_warn(finding_sentences(found)[1],
       class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
+    return(invisible())
   }
 }

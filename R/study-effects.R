@@ -26,7 +26,7 @@
 #' @param confidence Of the intervals.
 #' @param resamples How often designs are drawn anew for the intervals.
 #' @param seed Of these draws; the session's own random numbers stay as they are.
-#' @return A data frame. `main_effects()`: `measure`, `unit`, `field`, `value` (mean of the group's
+#' @return A data frame. `main_effects()`, which [plots][plot.codend_effects()]: `measure`, `unit`, `field`, `value` (mean of the group's
 #'   values, or their text), `mean`, `designs` and `spread`. `pair_effects()`: `measure`, `unit`,
 #'   `field`, `other` and `spread`, largest first. `sobol_indices()`: `measure`, `field`, `first`
 #'   and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
@@ -40,6 +40,7 @@
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
 #'   ropes.cable.length = c("400 m", "700 m"))
 #' main_effects(found, "total_drag_kN")
+#' plot(main_effects(found, "total_drag_kN"))
 #' pair_effects(found, "total_drag_kN")
 NULL
 
@@ -64,7 +65,8 @@ main_effects <- function(x, measures = NULL, groups = 5) {
     }))
   })
   # texts and numbers in one column become texts
-  do.call(rbind, rows)
+  structure(do.call(rbind, rows), class = c("codend_effects", "data.frame"),
+    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
 }
 
 #' @rdname study_effects

@@ -69,6 +69,13 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
     abort_argument("{.arg {what}} has a text with a unit in {.code {text}} beside a measure whose
       name ends in one. Leave the unit out of the name, or write a number.")
   }
+  # nothing else is ever called
+  used <- setdiff(all.names(call, unique = TRUE), named)
+  other <- setdiff(used, formula_functions)
+  if (length(other)) {
+    abort_argument("{.arg {what}} is {.code {text}}, where {.code {other[1]}} is not known: use
+      + - * / ^, sqrt, exp, log, sin, cos and tan.")
+  }
   slopes <- lapply(setNames(named, named), function(name) {
     tryCatch(stats::D(call, name), error = function(e) {
       abort_argument("{.arg {what}} is {.code {text}}, whose slope is not known: use + - * / ^,
@@ -77,6 +84,8 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   })
   list(text = text, call = call, names = named, slopes = slopes, dimensions = dimensions)
 }
+
+formula_functions <- c("+", "-", "*", "/", "^", "(", "sqrt", "exp", "log", "sin", "cos", "tan")
 
 # A call with a function of its leaves in their place.
 walk_call <- function(call, leaf) {

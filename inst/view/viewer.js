@@ -821,8 +821,11 @@ window.codendView.viewer = function (host, options) {
   // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
   function picture() {
     fog_colour(paper);
-    if (!draw()) return '';
-    var address = canvas.toDataURL('image/png');
+    bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
+    var address = draw() ? canvas.toDataURL('image/png') : '';
+    bed.uniforms.strength.value = 0.9;
+    water.uniforms.strength.value = 0.2;
+    if (!address) return '';
     repaint();
     return address;
   }

@@ -96,3 +96,17 @@ test_that("a study is summed up, and wrong arguments are told", {
   wrong(main_effects(x, groups = 1))
   wrong(pair_effects(study_of(designs(x.1 = 1:3), sum)))
 })
+
+test_that("main effects are drawn, each field by itself", {
+  x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum)
+  found <- main_effects(x)
+  figure <- effects_figure(found, found$field == "x.1")
+  expect_equal(figure$lines[[1]]$x, c(1, 2, 4))
+  expect_equal(figure$lines[[1]]$y, c(2.5, 3.5, 5.5))
+  expect_identical(figure$across, "x 1")
+  found$value <- rep(c("PA", "PE", "steel"), length.out = nrow(found))
+  expect_identical(effects_figure(found, found$field == "x.1")$ticks, c("PA", "PE", "steel"))
+  file <- file.path(test_folder(), "effects.png")
+  expect_identical(plot(main_effects(x), file = file), main_effects(x))
+  expect_gt(file.size(file), 1000)
+})

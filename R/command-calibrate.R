@@ -1,0 +1,37 @@
+command_calibrate <- function() {
+  list(
+    takes = "PLAN", does = "Find fields of a plan from hauls or tank runs.",
+    options = list(
+      optparse::make_option("--data", metavar = "FILE", help = paste(
+        "a CSV file with a row per haul; columns named by fields, such as towing.speed, set them"
+      )),
+      optparse::make_option("--match", metavar = "FORMULAS", help = paste(
+        "columns and measures, such as \"DoorSpread ~ door_spread; Height ~ headline_height\""
+      )),
+      change_option(),
+      optparse::make_option("--out", metavar = "FILE", help = "write the plan found (.yaml)"),
+      set_option(), nodes_option(), netting_option()
+    ),
+    run = run_calibrate
+  )
+}
+
+run_calibrate <- function(plan, options) {
+  check_lattice_options(options)
+  check_plan_out(options$out)
+  if (is.null(options$data)) abort_usage("--data must be a CSV file.")
+  if (is.null(options$match)) abort_usage("--match must say which column is which measure.")
+  texts <- Filter(nzchar, trimws(strsplit(options$match, ";", fixed = TRUE)[[1L]]))
+  match <- lapply(texts, function(text) {
+    found <- tryCatch(str2lang(text), error = function(e) NULL)
+    if (!(is.call(found) && identical(found[[1L]], as.name("~")) && length(found) == 3L)) {
+      abort_usage("--match has ", text, "; it must be COLUMN ~ MEASURE.")
+    }
+    stats::as.formula(found, env = baseenv())
+  })
+  data <- as.data.frame(read_designs(options$data), check.names = FALSE)
+  arguments <- list(read_changed(plan, options), data, option_ranges(options$change), match)
+  found <- do.call(calibrate, c(arguments, lattice_arguments(options)))
+  print(summary(found))
+  write_found(found$gear, options$out)
+}

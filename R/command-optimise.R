@@ -1,0 +1,71 @@
+command_optimise <- function() {
+  list(
+    takes = "PLAN", does = "Find the gear that does best within ranges of fields.",
+    options = list(
+      optparse::make_option("--minimise", metavar = "FORMULA", help = paste(
+        "what is to be small: a measure or a formula, such as \"total_drag / door_spread\""
+      )),
+      optparse::make_option("--keep", metavar = "CONDITIONS", help = paste(
+        "what must hold, such as \"headline_height >= '5 m' & door_spread <= '80 m'\""
+      )),
+      change_option(),
+      optparse::make_option("--out", metavar = "FILE", help = "write the plan found (.yaml)"),
+      set_option(), nodes_option(), netting_option()
+    ),
+    run = run_optimise
+  )
+}
+
+change_option <- function() {
+  optparse::make_option("--change", metavar = "RANGES", help = paste(
+    "fields with their ranges, such as \"warps.length = 300 m .. 600 m; floats.number = 20 .. 60\""
+  ))
+}
+
+run_optimise <- function(plan, options) {
+  check_lattice_options(options)
+  if (is.null(options$minimise)) abort_usage("--minimise must say what is to be small.")
+  check_plan_out(options$out)
+  keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
+  arguments <- list(
+    read_changed(plan, options), option_formula(options$minimise, "--minimise"), keep,
+    option_ranges(options$change)
+  )
+  found <- do.call(optimise, c(arguments, lattice_arguments(options)))
+  print(found)
+  write_found(found$gear, options$out)
+}
+
+# A formula of an option's text, with nothing around it to take values from.
+option_formula <- function(text, option) {
+  found <- tryCatch(str2lang(text), error = function(e) {
+    abort_usage(option, " is ", text, "; it must be a formula.")
+  })
+  stats::as.formula(call("~", found), env = emptyenv())
+}
+
+# "a = 1 m .. 2 m; b = 3 .. 4" as ranges by paths.
+option_ranges <- function(text) {
+  parts <- if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
+  if (!length(parts)) abort_usage("--change must have fields with their ranges.")
+  wrong <- grep("^[^=]+=.+[.][.].+$", parts, invert = TRUE, value = TRUE)
+  if (length(wrong)) abort_usage("--change has ", wrong[1L], "; it must be FIELD = FROM .. TO.")
+  ranges <- lapply(sub("^[^=]+=", "", parts), function(range) {
+    ends <- trimws(strsplit(range, "..", fixed = TRUE)[[1L]])
+    if (length(ends) != 2L) abort_usage("--change has ", range, "; it must be FROM .. TO.")
+    lapply(ends, plan_value)
+  })
+  setNames(ranges, trimws(sub("=.*", "", parts)))
+}
+
+check_plan_out <- function(out) {
+  if (!is.null(out) && !(grepl("[.]ya?ml$", out) && may_place(out))) {
+    abort_usage("--out is ", out, "; it must end in .yaml and lie in a folder that can be written.")
+  }
+}
+
+write_found <- function(gear, out) {
+  if (is.null(out)) return(invisible(NULL))
+  write_gear(gear, out)
+  tell(0L, "Written: ", out)
+}
