@@ -26,11 +26,12 @@
 #' @param confidence Of the intervals.
 #' @param resamples How often designs are drawn anew for the intervals.
 #' @param seed Of these draws; the session's own random numbers stay as they are.
-#' @return A data frame. `main_effects()`, which [plots][plot.codend_effects()]: `measure`, `unit`, `field`, `value` (mean of the group's
-#'   values, or their text), `mean`, `designs` and `spread`. `pair_effects()`: `measure`, `unit`,
-#'   `field`, `other` and `spread`, largest first. `sobol_indices()`: `measure`, `field`, `first`
-#'   and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
-#'   arguments are an error of class `codend_error_argument`.
+#' @return A data frame. `main_effects()`, which [plots][plot.codend_effects()]: `measure`, `unit`,
+#'   `field`, `value` (mean of the group's values, or their text), `mean`, `designs` and `spread`.
+#'   `pair_effects()`: `measure`, `unit`, `field`, `other` and `spread`, largest first.
+#'   `sobol_indices()`: `measure`, `field`, `first` and `total`, each with `_low` and `_high`, and
+#'   `designs`, the base samples used. Wrong arguments are an error of class
+#'   `codend_error_argument`.
 #' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
 #'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
 #'   Communications 117:35.

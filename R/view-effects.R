@@ -1,7 +1,7 @@
 #' Plot main effects of fields
 #'
-#' Small figures beside one another, of every measure against every field: its mean over designs with
-#' that value of the field, or in a group of values about it. Depths grow downwards.
+#' Small figures beside one another, of every measure against every field: its mean over designs
+#' with that value of the field, or in a group of values about it. Depths grow downwards.
 #'
 #' @param x Effects, from [main_effects()].
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`

@@ -16,8 +16,8 @@ study_of <- function(designs, f, failed = integer()) {
   )
 }
 
-# Ishigami and Homma (1990): sin x1 + a sin^2 x2 + b x3^4 sin x1 of x in -pi to pi, whose indices are
-# known in closed form.
+# Ishigami and Homma (1990): sin x1 + a sin^2 x2 + b x3^4 sin x1 of x in -pi to pi, whose indices
+# are known in closed form.
 ishigami <- function(x) sin(x[1]) + 7 * sin(x[2])^2 + 0.1 * x[3]^4 * sin(x[1])
 three <- function(how, number) {
   side <- between(-pi, pi)
