@@ -16,8 +16,8 @@
 #'     upper edge, along its lower edge and from one to the other.}
 #'   \item{orientation}{How meshes stand in a panel: diamond (T0), square (T45) or turned (T90).}
 #'   \item{cutting rate}{Meshes lost or gained across a panel for meshes down it, such as 1N2B: in
-#'     turn one point (N) and two bars (B) along its side edge. T is a mesh cut across; AN, AB and AT
-#'     are all points, all bars, all meshes (ISO 1532).}
+#'     turn one point (N) and two bars (B) along its side edge. T is a mesh cut across; AN, AB and
+#'     AT are all points, all bars, all meshes (ISO 1532).}
 #'   \item{take-up}{Meshes of one panel to those of the next that they are joined to, such as 2:3.}
 #'   \item{Rtex}{Resultant linear density of a twine: grams per kilometre of it.}
 #'   \item{stretched length}{Length of netting whose meshes are closed: meshes times mesh size.}

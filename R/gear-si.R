@@ -40,9 +40,9 @@ check_parts <- function(plan, fields, last) {
 # The fields of an assembly with the terms of its `method`, where it has one, in place of its own.
 #
 # The paper's (Li and others, Modeling of the Midwater Trawl Dynamical Behavior Based on R
-# Language): mass points at knots and in the middle of bars, drag and lift of a bar by its angle to the flow
-# (its eq. 4 and 5; coefficients not printed, here Hoerner's), a sum over all bars, and added mass
-# as a number (eq. 8).
+# Language): mass points at knots and in the middle of bars, drag and lift of a bar by its angle to
+# the flow (its eq. 4 and 5; coefficients not printed, here Hoerner's), a sum over all bars, and
+# added mass as a number (eq. 8).
 by_method <- function(fields) {
   if (is.null(fields$method)) return(fields)
   fields$netting <- "bars"

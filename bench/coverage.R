@@ -15,7 +15,7 @@ speeds <- rep(paste(2:6, "knot"), 2L)
 
 gear <- gear(
   name = "Towed sphere", towing = list(speed = "2 m/s"),
-  points = list(ship = list(position = c(0, 0, 0), held = "moved"), 
+  points = list(ship = list(position = c(0, 0, 0), held = "moved"),
     end = setNames(list(), character())),
   ropes = list(line = rope(
     from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",

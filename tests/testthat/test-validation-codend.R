@@ -53,8 +53,8 @@ codend_shape <- function(state) {
   )
 }
 
-# What is asked of the codend is 0.5 %. Rows of one mesh on a radius of curvature of 0.7 m flatten it
-# by (0.14 / 0.7)^2 / 24.
+# What is asked of the codend is 0.5 %. Rows of one mesh on a radius of curvature of 0.7 m flatten
+# it by (0.14 / 0.7)^2 / 24.
 within <- 0.005
 
 test_that("a codend with 50 meshes blocked has AxiCodend's shape and drag", {
