@@ -21,7 +21,7 @@ slow <- c(
   "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
   "study-slurm", "study-store", "study-vary", "tow-catch", "validation-cables", "validation-codend",
   "validation-invariants",
-  "validation-published-cases", "validation-refinement", "view-motion"
+  "validation-published-cases", "validation-refinement"
 )
 
 checks <- function() {
