@@ -1,7 +1,8 @@
 #' Plot main effects of fields
 #'
 #' Small figures beside one another, of every measure against every field: its mean over designs
-#' with that value of the field, or in a group of values about it. Depths grow downwards.
+#' with that value of the field, or in a group of values about it. All figures of a measure have one
+#' scale, so that a field that matters little is flat. Depths grow downwards.
 #'
 #' @param x Effects, from [main_effects()].
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
@@ -35,6 +36,6 @@ effects_figure <- function(x, rows) {
     across = field_words(x, x$field[rows][1L]),
     lines = list(list(x = if (text) seq_along(value) else number, y = x$mean[rows], group = 1L,
       dashed = FALSE, symbols = TRUE)),
-    ticks = if (text) value
+    ticks = if (text) value, beside = x$mean[x$measure == x$measure[rows][1L]]
   )
 }

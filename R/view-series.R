@@ -4,7 +4,8 @@
 # A figure is list(words, unit (of what it shows), across (label below), lines = list of list(x, y,
 # group, dashed, symbols), groups (labels of its own groups, or NULL: they are those of the page's
 # key), colours (of its groups, or NULL: from dark to light), missing (places along the axis where
-# there is nothing to show), ticks (labels of the places 1, 2, ... or NULL)).
+# there is nothing to show), ticks (labels of the places 1, 2, ... or NULL), beside (values of
+# figures beside it that its axis reaches too, or NULL)).
 
 # Inches of the page: of one figure, of the title above them and of a row of the key.
 least_series <- c(2.4, 1.3)
@@ -105,7 +106,7 @@ draw_one_series <- function(figure, groups, zoom) {
   y <- unlist(lapply(figure$lines, `[[`, "y"))
   across <- range(c(x, figure$missing))
   if (!is.null(figure$ticks)) across <- c(0.6, length(figure$ticks) + 0.4)
-  up <- series_range(y, figure$words)
+  up <- series_range(c(y, figure$beside), figure$words)
   if (length(figure$groups) > 1L) {
     wanted <- zoom * own_key_row * (length(figure$groups) + 0.5)
     key <- min(0.6, wanted / graphics::par("pin")[2L])
@@ -165,9 +166,11 @@ words_and_unit <- function(words, unit) {
 
 # Numbers of seven digits and more have no room beside an axis.
 in_millions <- function(figure) {
-  largest <- max(0, abs(unlist(lapply(figure$lines, `[[`, "y"))), na.rm = TRUE)
+  shown <- c(unlist(lapply(figure$lines, `[[`, "y")), figure$beside)
+  largest <- max(0, abs(shown), na.rm = TRUE)
   if (largest < 1e6) return(figure)
   figure$unit <- paste("million", figure$unit)
+  if (!is.null(figure$beside)) figure$beside <- figure$beside / 1e6
   figure$lines <- lapply(figure$lines, function(line) {
     line$y <- line$y / 1e6
     line

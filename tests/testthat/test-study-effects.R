@@ -108,5 +108,10 @@ test_that("main effects are drawn, each field by itself", {
   expect_identical(effects_figure(found, found$field == "x.1")$ticks, c("PA", "PE", "steel"))
   file <- file.path(test_folder(), "effects.png")
   expect_identical(plot(main_effects(x), file = file), main_effects(x))
+  # all figures of a measure have one scale
+  effects <- main_effects(x)
+  mine <- effects$measure == effects$measure[1L]
+  figure <- effects_figure(effects, mine & effects$field == effects$field[1L])
+  expect_setequal(figure$beside, effects$mean[mine])
   expect_gt(file.size(file), 1000)
 })
