@@ -5,7 +5,9 @@ test_that("a study runs as jobs of Slurm, and gives the bytes of one process", {
   skip_if_not_installed("future.batchtools")
   skip_if_not_installed("RNetCDF")
   run <- function(...) {
-    suppressWarnings(system2(normalizePath(script), c(...), stdout = TRUE, stderr = TRUE))
+    # a minute is usual; a Slurm that hangs is a failure, not a wait
+    suppressWarnings(system2(normalizePath(script), c(...), stdout = TRUE, stderr = TRUE,
+      timeout = 600))
   }
   said <- run("true")
   status <- attr(said, "status")
