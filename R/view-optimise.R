@@ -80,7 +80,7 @@ draw_arrows <- function(names, from, to, values, title) {
   n <- length(names)
   at <- rev(seq_len(n))
   # inches of names and values at the size that they are drawn in
-  wide <- function(text) max(graphics::strwidth(text, "inches", cex = graphics::par("cex") * 0.85))
+  wide <- function(text) max(graphics::strwidth(text, "inches", cex = 0.85))
   kept <- graphics::par("mai")
   graphics::par(mai = replace(kept, c(2, 4), c(wide(names), wide(values)) + 0.2))
   graphics::plot.new()
@@ -101,7 +101,7 @@ draw_kept <- function(keep) {
   n <- nrow(keep)
   at <- rev(seq_len(n))
   off <- 100 * (keep$left - keep$right) / ifelse(keep$right == 0, 1, abs(keep$right))
-  wide <- max(graphics::strwidth(keep$text, "inches", cex = graphics::par("cex") * 0.85))
+  wide <- max(graphics::strwidth(keep$text, "inches", cex = 0.85))
   kept <- graphics::par("mai")
   graphics::par(mai = replace(kept, 2, wide + 0.2))
   graphics::plot.new()
@@ -109,6 +109,8 @@ draw_kept <- function(keep) {
   graphics::rect(pmin(0, off), at - 0.3, pmax(0, off), at + 0.3,
     col = ifelse(keep$holds, water_colour, "#B03A2E"), border = NA)
   graphics::abline(v = 0, col = "grey40")
+  # what is at its limit has no bar
+  graphics::points(off, at, pch = 16, col = ifelse(keep$holds, water_colour, "#B03A2E"))
   graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
   graphics::axis(2, at = at, labels = keep$text, lwd = 0, cex.axis = 0.85)
   graphics::box(col = "grey40")

@@ -42,7 +42,8 @@ draw_trade_off <- function(x, title, page) {
   fields <- seq(3L, ncol(x) - 2L)
   shares <- vapply(x[fields], function(values) {
     width <- diff(range(values))
-    if (width == 0) 0 * values else (values - min(values)) / width
+    # what an optimiser leaves of a value at the end of its range is no change
+    if (width <= 1e-6 * max(abs(values))) 0 * values else (values - min(values)) / width
   }, numeric(nrow(x)))
   colours <- grDevices::hcl.colors(max(2L, length(fields)), "Dark 3")
   graphics::plot(range(x[[1L]]), c(0, 1 + 0.13 * length(fields)), type = "n", yaxt = "n",
