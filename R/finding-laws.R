@@ -43,6 +43,8 @@ define_finding("solidity", "state",
     if (!length(law)) return(list())
     solidity <- solidity_of_panels(state, names(law))
     over <- solidity / greatest_solidity[law]
+    # what has no area has no solidity
+    over[is.na(over)] <- 0
     part <- vapply(state$si$panels[names(law)], function(panel) {
       first_of(unless_na(panel$part), "")
     }, "")
