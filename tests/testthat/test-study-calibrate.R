@@ -1,19 +1,6 @@
 # Calibrations against planted values, closed forms of least squares, and the likelihood itself.
 
-# A sphere on a line that neither weighs nor drags: D = C_D A rho v^2 / 2, drawn at its top with
-# sqrt(D^2 + W^2).
-towed_sphere <- as_gear(list(
-  codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
-  points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
-  ropes = list(line = list(
-    from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",
-    mass_per_length = 0, volume_per_length = 0, segments = 1,
-    coefficients = list(normal = 0, tangential = 0, skin = 0)
-  )),
-  pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
-    volume = "0.01 m3", drag_coefficient = 0.5)),
-  measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
-))
+towed_sphere <- as_gear(towed_sphere_plan(pieces = list(sphere = list(drag_coefficient = 0.5))))
 drag_by_speed <- pi / 16 * 1025 / 2
 coefficient <- list(pieces.sphere.drag_coefficient = c(0.2, 1.5))
 

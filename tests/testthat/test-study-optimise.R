@@ -2,22 +2,8 @@
 
 skip_if_not_installed("nloptr")
 
-# A sphere on one line of 10 m without weight or drag: its drag is D = C_D A rho v^2 / 2, its weight
-# in water W, and it hangs 10 m W / sqrt(W^2 + D^2) deep.
-towed_sphere <- function(...) {
-  as_gear(utils::modifyList(list(
-    codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
-    points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
-    ropes = list(line = list(
-      from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",
-      mass_per_length = 0, volume_per_length = 0, segments = 1,
-      coefficients = list(normal = 0, tangential = 0, skin = 0)
-    )),
-    pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
-      volume = "0.01 m3")),
-    measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
-  ), list(...)))
-}
+# It hangs 10 m W / sqrt(W^2 + D^2) deep.
+towed_sphere <- function(...) as_gear(towed_sphere_plan(...))
 drag_by_speed <- 0.47 * pi / 16 * 1025 / 2
 
 test_that("the optimum of a towed sphere is that of its closed form", {

@@ -1,18 +1,6 @@
 # Slopes against closed forms and differences of settled shapes, and kinks that are planted.
 
-# A sphere on one line without weight or drag: its drag is D = C_D A rho v^2 / 2.
-towed_sphere <- list(
-  codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
-  points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
-  ropes = list(line = list(
-    from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "12 MN",
-    mass_per_length = 0, volume_per_length = 0, segments = 1,
-    coefficients = list(normal = 0, tangential = 0, skin = 0)
-  )),
-  pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
-    volume = "0.01 m3")),
-  measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
-)
+towed_sphere <- towed_sphere_plan(ropes = list(line = list(axial_stiffness = "12 MN")))
 
 # A weight of 1000 N on two lines of 1 MN side by side, one of which may be slack.
 two_lines <- function(second) {

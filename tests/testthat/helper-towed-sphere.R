@@ -1,0 +1,16 @@
+# A sphere on one line of 10 m without weight or drag: its drag is D = C_D A rho v^2 / 2, its weight
+# in water W, and the line is drawn at its top with sqrt(D^2 + W^2). ...: fields in place of these.
+towed_sphere_plan <- function(...) {
+  utils::modifyList(list(
+    codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),
+    points = list(ship = list(position = c(0, 0, 0), held = "moved"), end = c(a = 1)[0]),
+    ropes = list(line = list(
+      from = "ship", to = "end", length = "10 m", diameter = "1 mm", axial_stiffness = "1200 MN",
+      mass_per_length = 0, volume_per_length = 0, segments = 1,
+      coefficients = list(normal = 0, tangential = 0, skin = 0)
+    )),
+    pieces = list(sphere = list(at = "end", mass = "200 kg", diameter = "0.5 m",
+      volume = "0.01 m3")),
+    measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
+  ), list(...))
+}
