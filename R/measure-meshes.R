@@ -160,21 +160,28 @@ twine_shadow <- function(state) {
 # Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
 # knotless netting once, and knots, over the area of the netting.
 solidity_of_panels <- function(state, names) {
-  vapply(names, function(name) {
-    panel <- state$si$panels[[name]]
-    found <- mesh_places(state, name)
-    bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
-    u <- bar("u")
-    v <- bar("v")
-    uu <- rowSums(u^2)
-    vv <- rowSums(v^2)
-    # as twine_shadow() counts bars and area
-    cells <- found$meshes * (2 - is_square(panel))
-    area <- sum(cells * sqrt(pmax(uu * vv - rowSums(u * v)^2, 0)))
-    twine <- sum(cells * (sqrt(uu) + sqrt(vv))) * twine_width(panel) / area
-    knots <- sum(cells) * pi / 4 * panel$knot_diameter^2 / area
-    twine - crossing_overlap(list(panel)) * twine^2 + knots
-  }, 0)
+  found <- mesh_places(state, names)
+  bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
+  u <- bar("u")
+  v <- bar("v")
+  uu <- rowSums(u^2)
+  vv <- rowSums(v^2)
+  # as twine_shadow() counts bars and area
+  cells <- found$meshes * (2 - is_square(panel_table(state$si$panels))[found$panel])
+  sums <- rowsum(
+    cbind(
+      area = cells * sqrt(pmax(uu * vv - rowSums(u * v)^2, 0)),
+      bars = cells * (sqrt(uu) + sqrt(vv)), cells = cells
+    ),
+    found$panel
+  )
+  sums <- sums[as.character(match(names, base::names(state$si$panels))), , drop = FALSE]
+  panels <- state$si$panels[names]
+  of <- function(what) vapply(panels, what, 0)
+  twine <- sums[, "bars"] * of(twine_width) / sums[, "area"]
+  knots <- sums[, "cells"] * pi / 4 * of(function(panel) panel$knot_diameter^2) / sums[, "area"]
+  overlap <- of(function(panel) crossing_overlap(list(panel)))
+  stats::setNames(twine - overlap * twine^2 + knots, names)
 }
 
 #' Meshes along a net
