@@ -43,6 +43,7 @@ commands <- function() {
   list(
     check = command_check(), gears = command_gears(), settle = command_settle(),
     tow = command_tow(), report = command_report(), export = command_export(),
+    draw = command_draw(),
     study = command_study(), optimise = command_optimise(), calibrate = command_calibrate(),
     flume = command_flume(), expand = command_expand(), new = command_new()
   )

@@ -85,12 +85,13 @@ rope_items <- function(si) {
   }))
 }
 
+# Of the list: name, length (m), diameter (mm) with material, hanging ratio.
 rope_item_words <- function(item) {
   c(
     name = paste0(item$name, if (item$count > 1) paste0(", ", item$count, " off")),
-    length = paste(format(round(item$length, 2), nsmall = 2, trim = TRUE), "m"),
-    make = trimws(paste(short_number(in_unit(item$diameter, "mm")), "mm", item$material)),
-    hanging = if (is.na(item$hanging)) "" else sprintf("E = %.2f", item$hanging)
+    length = format(round(item$length, 2), nsmall = 2, trim = TRUE),
+    make = trimws(paste(short_number(in_unit(item$diameter, "mm")), item$material)),
+    hanging = if (is.na(item$hanging)) "" else sprintf("%.2f", item$hanging)
   )
 }
 

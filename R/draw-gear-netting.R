@@ -1,82 +1,47 @@
-# The netting of a plan drawing: columns of trapezia with their counts, cutting rates and ropes.
-# Lengths on the page in inches.
+# The netting of a drawing: columns of trapezia with their counts, cutting rates and ropes, and
+# their netting in columns beside them. Gear in metres, the sheet in millimetres.
 
-plan_label_gap <- 0.06
-plan_line <- 0.105
-plan_note <- 0.125
-column_gap <- 0.12
-# A wall this many times as long as deep has a scale of its own along it.
-longest_wall <- 5
+# A wall this many times as long as deep has a scale of its own along it, and how many times.
+longest_wall <- 6
+steepest_scale <- 20
 
-draw_flat_netting <- function(figure, frame) {
-  drawn <- best_draft(figure, frame)
-  columns <- drawn$columns
-  scale <- drawn$scale
-  pen$sheet$scale <- 1000 / (scale[2] * 25.4)
-  use <- new_page_use()
-  left <- frame[1] + sum(drawn$widths)
-  for (k in seq_along(columns)) {
-    reach <- column_reach(columns[[k]], scale)
-    columns[[k]]$at <- c(left - reach[1L], drawn$top)
-    left <- left + diff(reach) + column_gap
-  }
-  if (!is.null(drawn$rows)) draw_rows(drawn, frame[1], columns[[1L]])
-  for (column in columns) draw_column(column, figure, scale, use)
-  draw_notes(drawn$notes, frame)
-  draw_scale(scale, frame, width_rule(figure))
-}
-
-# How wide the netting is drawn, in words.
-width_rule <- function(figure) {
-  hung <- !is.na(colSums(hung_widths(figure$si, figure$layout$joints)))
-  square <- vapply(figure$si$panels, function(p) p$orientation == "square", NA) & !hung
-  said <- c(
-    if (any(hung)) "as hung on its ropes", if (any(!hung & !square)) "at a hanging ratio of 0.5",
-    if (any(square)) "square meshes open"
-  )
-  paste0("Netting stretched in depth; in width ", paste(said, collapse = " or "), ".")
-}
-
-# How panels are explained: in a table beside them, where all columns agree; by numbers and notes
-# below, with counts and cutting rates at their edges; or in the notes alone.
-plan_ways <- c("table", "edges", "notes")
-
-# The drawing in the first of these ways that is not much smaller than in the next; symmetric
-# columns whole, or halved where that helps.
+# The columns of a layout ready to draw, the upper panel first: a list of list(panels (with corners
+# ul, ur, lr, ll, rates and whether they have labels), heading, remark, half ("", "left", "right":
+# which half of a symmetric column), wall, outer (the side that labels stand on), rows (whether its
+# netting is told beside it), joined (drawn from the centre line of the column before)).
 #
-# Returns list(columns, rows (of the table, or NULL), widths (of its columns), notes, scale, top,
-# bottom).
-best_draft <- function(figure, frame) {
-  flat <- shorten_longest(figure$layout$panels)
-  top <- frame[4] - 0.42
-  draft <- function(way, halve) {
-    columns <- lapply(seq_len(nrow(figure$layout$columns)), function(k) {
-      flat_column(flat[flat$column == k, ], figure$layout$columns[k, ], figure$si, halve)
-    })
-    rows <- if (way == "table") shared_rows(columns, figure$si)
-    if (way == "table" && is.null(rows)) return(NULL)
-    detail <- way != "notes"
-    if (is.null(rows)) columns <- number_panels(columns, figure$si, detail)
-    notes <- if (is.null(rows)) arrange_notes(panel_notes(columns, figure$si, detail), frame)
-    bottom <- frame[2] + 0.45 + if (is.null(rows)) plan_note * nrow(notes) + 0.1 else 0
-    widths <- table_widths(rows)
-    list(
-      columns = columns, rows = rows, widths = widths, notes = notes, top = top, bottom = bottom,
-      scale = fitting_scale(columns, frame[3] - frame[1] - sum(widths), top - bottom,
-        max(flat$y + flat$depth))
-    )
+# true_size: nothing is drawn shorter than it is.
+net_columns <- function(figure, true_size = FALSE) {
+  layout <- figure$layout
+  flat <- layout$panels
+  wall <- any(vapply(unique(flat$column), function(c) any(beside_another(flat[flat$column == c, ])),
+    NA))
+  flat <- if (true_size || wall) cbind(flat, broken = FALSE) else shorten_longest(flat)
+  said <- layout$columns$heading
+  first <- match(c("back", "belly"), sub(" .*", "", said))
+  order <- unique(c(first[!is.na(first)], seq_along(said)))
+  columns <- lapply(order, function(k) {
+    flat_column(flat[flat$column == k, ], layout$columns[k, ], figure)
+  })
+  names <- c(back = "upper panel", belly = "lower panel", side = "side panel")
+  for (k in seq_along(columns)) {
+    word <- sub(" .*", "", columns[[k]]$heading)
+    if (length(columns) > 1L && word %in% names(names)) {
+      columns[[k]]$heading <- sub(word, names[[word]], columns[[k]]$heading, fixed = TRUE)
+    }
   }
-  larger <- function(one, other, much) {
-    if (is.null(one) || other$scale[2] > much * one$scale[2]) other else one
+  pair <- length(columns) > 1L && !anyNA(first) && all(nzchar(c(columns[[1]]$half,
+    columns[[2]]$half)))
+  if (pair) {
+    columns[[1]] <- turned_half(columns[[1]])
+    columns[[2]]$joined <- TRUE
   }
-  best <- NULL
-  for (way in plan_ways) {
-    whole <- draft(way, FALSE)
-    if (is.null(whole)) next
-    if (whole$scale[1] >= whole$scale[2]) whole <- larger(whole, draft(way, TRUE), 1.15)
-    best <- larger(best, whole, 1.8)
+  rows <- lapply(columns, function(c) column_rows(c, figure$si))
+  for (k in seq_along(columns)) {
+    columns[[k]]$number <- k
+    columns[[k]]$rows <- !columns[[k]]$wall && (k == 1L || !same_rows(rows[[k]], rows[[1L]]))
   }
-  best
+  columns
 }
 
 # Panels with the longest drawn shorter where it makes up most of the length of several: `broken`
@@ -100,12 +65,12 @@ shorten_longest <- function(panels) {
   panels
 }
 
-# A column ready to draw: list(panels (with corners ul, ur, lr, ll, labels and tag), heading,
-# remark, half, wall (panels side by side), detail (whether counts and rates stand at its edges)).
-# In a half column x starts at its middle.
-flat_column <- function(panels, column, si, halve) {
+# Symmetric columns of panels that taper are drawn as their right half, x from their middle.
+flat_column <- function(panels, column, figure) {
+  si <- figure$si
   wall <- any(beside_another(panels))
-  half <- halve && column$symmetric && !wall
+  tapers <- any(abs(panels$upper - panels$lower) > 1e-9 * panels$upper)
+  half <- column$symmetric && !wall && tapers
   middle <- max(panels$x + panels$upper, panels$x + panels$shift + panels$lower) / 2
   # Of two mirror images the right one has the labels.
   panels$labelled <- !column$symmetric |
@@ -121,19 +86,27 @@ flat_column <- function(panels, column, si, halve) {
   }, numeric(4)))
   panels[c("ul", "ur", "lr", "ll")] <- corners
   inside <- half & pmax(abs(panels$ul), abs(panels$ll)) < 1e-6
-  rates <- lapply(panels$name, function(name) panel_rates(si$panels[[name]]))
-  meshes <- t(vapply(si$panels[panels$name], function(p) c(p$upper, p$lower), numeric(2)))
-  panels$across_upper <- mesh_number(meshes[, 1])
-  panels$across_lower <- mesh_number(meshes[, 2])
-  panels$right_rate <- vapply(rates, `[[`, "", "right")
-  left_rate <- vapply(rates, `[[`, "", "left")
-  panels$left_rate <- ifelse(inside | left_rate == panels$right_rate, "", left_rate)
-  panels$tag <- ""
+  rates <- lapply(panels$name, function(name) {
+    drawn_rates(si$panels[[name]], figure$panels[[name]])
+  })
+  panels$outer_rate <- vapply(rates, `[[`, "", "right")
+  inner <- vapply(rates, `[[`, "", "left")
+  # Of a whole panel that is cut alike on both sides it is told once.
+  panels$inner_rate <- ifelse(inside | (!half & inner == panels$outer_rate), "", inner)
   list(
-    panels = panels, half = half, wall = wall, detail = !wall,
-    heading = column$heading,
-    remark = paste(c(if (half) "right half", Filter(nzchar, column$alike)), collapse = ", ")
+    panels = panels, half = if (half) "right" else "", wall = wall, outer = "right",
+    heading = column$heading, remark = column$alike, rows = TRUE, named = FALSE,
+    joined = FALSE, turned = FALSE
   )
+}
+
+# A right half as the left half that is its mirror image.
+turned_half <- function(column) {
+  p <- column$panels
+  column$panels[c("ul", "ur", "lr", "ll")] <- -p[c("ur", "ul", "ll", "lr")]
+  column$half <- column$outer <- "left"
+  column$turned <- TRUE
+  column
 }
 
 # Which panels touch another along a side edge.
@@ -147,198 +120,470 @@ beside_another <- function(panels) {
   }, NA)
 }
 
-# ---- scale ---------------------------------------------------------------------------------------
+# Panels of a column that have a row beside them: those that have labels, one of each place and make.
+column_rows <- function(column, si) {
+  p <- column$panels[column$panels$labelled, ]
+  words <- vapply(p$name, function(name) paste(panel_words(name, si), collapse = "|"), "")
+  data.frame(name = p$name, y = p$y, depth = p$depth, words = words)
+}
 
-# The largest scale (inches per metre, along x and y) at which everything has room.
-fitting_scale <- function(columns, room, height, deepest) {
-  across <- vapply(columns, function(c) max(c$panels$ur, c$panels$lr) - min(c$panels$ul), 0)
-  if (any(vapply(columns, `[[`, NA, "wall")) || length(columns) == 1L) {
-    if (sum(across) > longest_wall * deepest) {
-      long <- (room - 0.4) / sum(across)
-      return(c(long, min(0.4 * height / deepest, 20 * long)))
+# Whether all rows stand beside the first column too.
+same_rows <- function(rows, first) {
+  key <- function(r) paste(round(r$y, 3), round(r$depth, 3), r$words)
+  all(key(rows) %in% key(first))
+}
+
+# ---- all columns ---------------------------------------------------------------------------------
+
+# Columns with their netting in a list elsewhere: beside panels stand their names alone.
+listed_columns <- function(columns) {
+  lapply(columns, function(column) {
+    column$rows <- FALSE
+    column$named <- !column$wall
+    column
+  })
+}
+
+# That list: a data frame with a row for each make of netting: panel (one of them), name, deep, mesh
+# and twine.
+netting_items <- function(columns, figure) {
+  rows <- do.call(rbind, lapply(columns, function(column) {
+    p <- column$panels[column$panels$labelled, ]
+    words <- vapply(p$name, panel_words, character(4), si = figure$si)
+    data.frame(
+      panel = p$name, where = column$heading, part = words[1, ], deep = words[2, ],
+      mesh = words[3, ], twine = words[4, ]
+    )
+  }))
+  rows <- rows[!duplicated(rows[-1L]), ]
+  make <- paste(rows$part, rows$deep, rows$mesh, rows$twine)
+  where <- vapply(make, function(m) {
+    paste(sub(" panel", "", unique(rows$where[make == m]), fixed = TRUE), collapse = ", ")
+  }, "")
+  alone <- vapply(rows$part, function(part) length(unique(make[rows$part == part])) == 1L, NA)
+  rows$name <- ifelse(alone, rows$part, paste0(rows$part, ", ", where))
+  rows[!duplicated(make), ]
+}
+
+# Draws all columns from the left at a scale (mm of sheet in a metre, along and deep), their top at
+# y = top. Returns the right end, mm.
+draw_columns <- function(sheet, columns, figure, scale, left, top, look, use) {
+  for (k in seq_along(columns)) {
+    column <- columns[[k]]
+    if (!column$joined) {
+      left <- left - column_reach(column, figure, scale, look)[1L]
+    }
+    draw_column(sheet, column, figure, scale, c(left, top), look, use)
+    following <- if (k < length(columns)) columns[[k + 1L]]
+    if (!isTRUE(following$joined)) {
+      left <- left + column_reach(column, figure, scale, look)[2L] + 4 * look$gap
     }
   }
-  low <- 0
-  high <- height / deepest
-  needs <- function(s) {
-    sum(vapply(columns, function(c) diff(column_reach(c, c(s, s))) + column_gap, 0)) - column_gap
-  }
-  if (needs(high) > room) {
-    for (pass in 1:20) {
-      s <- (low + high) / 2
-      if (needs(s) <= room) low <- s else high <- s
-    }
-    high <- low
-  }
-  c(high, high)
+  left - 4 * look$gap
 }
 
-# How far a column with its labels reaches left and right of its x = 0, inches.
-column_reach <- function(column, scale) {
-  panels <- column$panels
-  left <- scale[1] * min(panels$ul, panels$ll)
-  right <- scale[1] * max(panels$ur, panels$lr)
-  heading <- pen_width(column$heading, cex = plan_text[["heading"]], font = 2)
-  if (column$wall) return(c(left - 0.05, max(right, left + heading) + 0.05))
-  said <- side_labels(column, scale)
-  wide <- function(text) pen_width(text, cex = plan_text[["label"]])
-  left <- min(left, said$left_x - plan_label_gap - wide(said$left))
-  right <- max(right, said$right_x + plan_label_gap + wide(said$right), left + heading)
-  c(left - 0.02, right)
+columns_width <- function(columns, figure, scale, look) {
+  each <- vapply(columns, column_reach, numeric(2), figure = figure, scale = scale, look = look)
+  joined <- vapply(columns, `[[`, NA, "joined")
+  # of a joined pair, left of the first and right of the second
+  each[1, joined] <- 0
+  each[2, which(joined) - 1L] <- 0
+  sum(each[2, ] - each[1, ]) + 4 * look$gap * sum(!joined[-1L])
 }
 
-# Labels left and right of a column's panels: a data frame with left, right (text), left_x, right_x
-# and y (of the middle of the edges, inches from the column's origin), middle (text within the
-# panel), inside (whether the counts have room within the panel).
-side_labels <- function(column, scale) {
-  panels <- column$panels
-  wide <- function(text) pen_width(text, cex = plan_text[["label"]])
-  upper <- scale[1] * (panels$ur - panels$ul)
-  lower <- scale[1] * (panels$lr - panels$ll)
-  inside <- scale[2] * panels$depth > 2 * plan_line + 0.03 &
-    (upper > wide(panels$across_upper) + 0.06 | panels$across_upper == "0") &
-    (lower > wide(panels$across_lower) + 0.06 | panels$across_lower == "0")
-  counts <- ifelse(panels$across_upper == panels$across_lower, panels$across_upper,
-    paste0(panels$across_upper, "/", panels$across_lower))
-  # How far a slanting edge comes towards a label beside its middle.
-  clear <- function(across) {
-    abs(scale[1] * across) * pmin(plan_line / 2 / (scale[2] * panels$depth), 0.5)
-  }
-  # The number of a panel stands in its middle where three lines fit.
-  roomy <- inside & scale[2] * panels$depth > 3 * plan_line + 0.03
-  outside <- ifelse(nzchar(panels$tag) & !roomy, panels$tag, "")
-  if (column$detail) {
-    outside <- trimws(paste(outside, ifelse(inside, "", counts), panels$right_rate))
-  }
-  data.frame(
-    # Between wings there is little room.
-    left = ifelse(column$detail & panels$labelled,
-      sub("+", "+\n", panels$left_rate, fixed = TRUE), ""),
-    right = ifelse(panels$labelled, gsub(" +", " ", outside), ""),
-    middle = ifelse(roomy, panels$tag, ""),
-    left_x = scale[1] * (panels$ul + panels$ll) / 2 - clear(panels$ul - panels$ll),
-    right_x = scale[1] * (panels$ur + panels$lr) / 2 + clear(panels$ur - panels$lr),
-    y = -scale[2] * (panels$y + panels$depth / 2), inside = inside
-  )
+columns_height <- function(columns) {
+  max(vapply(columns, function(c) max(c$panels$y + c$panels$depth), 0))
 }
 
-# ---- columns -------------------------------------------------------------------------------------
+# How far a column reaches left and right of its x = 0, mm.
+column_reach <- function(column, figure, scale, look) {
+  key <- paste(column$number, column$named, look$t, paste(signif(scale, 12), collapse = " "))
+  known <- figure$reaches[[key]]
+  if (is.null(known)) {
+    known <- drawn_reach(column, figure, scale, look)
+    assign(key, known, envir = figure$reaches)
+  }
+  known
+}
 
-draw_column <- function(column, figure, scale, use) {
+drawn_reach <- function(column, figure, scale, look) {
+  scratch <- new_sheet(c(1, 1))
+  draw_column(scratch, column, figure, scale, c(0, 0), look, new_page_use())
+  boxes <- vapply(scratch$items, item_box, numeric(4))
+  c(min(boxes[1, ]), max(boxes[3, ]))
+}
+
+# Lines that stand above the netting: two of headings, one over the columns beside it.
+heading_lines <- 4.2
+
+draw_column <- function(sheet, column, figure, scale, at, look, use) {
   panels <- column$panels
-  x <- function(m) column$at[1] + scale[1] * m
-  y <- function(m) column$at[2] - scale[2] * m
+  x <- function(m) at[1] + scale[1] * m
+  y <- function(m) at[2] - scale[2] * m
   for (k in seq_len(nrow(panels))) {
     p <- panels[k, ]
-    on_sheet(pen$sheet, component = "panel", ref = paste0("panels.", p$name), draw = {
-      pen_polygon(x(c(p$ul, p$ur, p$lr, p$ll)), y(p$y + c(0, 0, p$depth, p$depth)),
-        border = plan_ink, lwd = 0.8, col = "#F2F4F6")
-    })
-    beyond <- if (column$wall) 0 else 0.05
+    cx <- x(c(p$ul, p$ur, p$lr, p$ll))
+    cy <- y(p$y + c(0, 0, p$depth, p$depth))
+    on_sheet(sheet, component = "panel", ref = paste0("panels.", p$name), layer = "NETTING",
+      draw = sheet_polygon(sheet, cx, cy, sheet_fill, width = sheet_width[["middle"]]))
+    take_lines(use, cx, cy, closed = TRUE)
     if (p$broken) {
-      draw_break(x(min(p$ul, p$ll)) - beyond, x(max(p$ur, p$lr)) + beyond, y(p$y + p$depth / 3))
+      beyond <- if (column$wall || nzchar(column$half)) 0 else 1
+      draw_break(sheet, x(min(p$ul, p$ll)) - beyond, x(max(p$ur, p$lr)) + beyond,
+        y(p$y + p$depth / 3))
     }
   }
-  if (column$half) {
-    span <- range(panels$y, panels$y + panels$depth)
-    pen_segments(x(0), y(span[1]) + 0.12, x(0), y(span[2]) - 0.12, lty = "1242", lwd = 0.8)
+  span <- c(0, max(panels$y + panels$depth))
+  if (nzchar(column$half)) {
+    cy <- c(y(span[1]) + look$t, y(span[2]) - look$t)
+    on_sheet(sheet, component = "centre_line", layer = "CENTRE_LINES",
+      draw = sheet_line(sheet, x(c(0, 0)), cy, dash = c(6, 1.5, 1, 1.5)))
+    take_lines(use, x(c(0, 0)), cy)
   }
-  left <- x(min(panels$ul, panels$ll))
-  pen_text(left, column$at[2] + 0.34, column$heading, adj = c(0, 0.5), font = 2,
-    cex = plan_text[["heading"]])
-  pen_text(left, column$at[2] + 0.22, column$remark, adj = c(0, 0.5), font = 3,
-    cex = plan_text[["label"]])
   laced <- drawn_laced(column, figure, x, y)
   for (k in which(laced$thick)) {
-    pen_segments(laced$x0[k], laced$y0[k], laced$x1[k], laced$y1[k], lwd = 2.6)
+    on_sheet(sheet, component = "rope", ref = paste0("ropes.", laced$rope[k]), layer = "ROPES",
+      draw = sheet_line(sheet, c(laced$x0[k], laced$x1[k]), c(laced$y0[k], laced$y1[k]),
+        sheet_width[["thick"]]))
   }
-  if (column$wall) label_wall(column, x, y, use) else label_column(column, scale, x, y, use)
-  place_balloons(laced, use)
+  if (column$wall) {
+    label_wall(sheet, column, figure, x, y, look, use)
+    draw_heading(sheet, column, x(min(panels$ul, panels$ll)), 0, at[2] + 7 * look$line, look)
+  } else {
+    label_column(sheet, column, figure, scale, at, look, use)
+  }
+  place_balloons(sheet, laced, look, use)
 }
 
-draw_break <- function(left, right, y) {
+# Headings stand at the centre line of a half, at the left of what is whole.
+draw_heading <- function(sheet, column, x, across, top, look) {
+  remark <- c(if (nzchar(column$half)) paste(column$half, "half"), column$remark)
+  on_sheet(sheet, component = "heading", layer = "NAMES", draw = {
+    sheet_text(sheet, x, top + 3.4 * look$line, column$heading, look$t, across, bold = TRUE)
+    sheet_text(sheet, x, top + 2.4 * look$line, paste(remark[nzchar(remark)], collapse = ", "),
+      look$t, across, italic = TRUE)
+  })
+}
+
+draw_break <- function(sheet, left, right, y) {
   zigzag <- function(y) {
     at <- seq(left, right, length.out = 9L)
-    list(x = at, y = y + rep_len(c(0, 0.03, 0, -0.03), 9L))
+    list(x = at, y = y + rep_len(c(0, 0.8, 0, -0.8), 9L))
   }
-  upper <- zigzag(y + 0.025)
-  lower <- zigzag(y - 0.025)
-  pen_polygon(c(upper$x, rev(lower$x)), c(upper$y, rev(lower$y)), col = "white", border = NA)
-  pen_lines(upper, lwd = 0.6)
-  pen_lines(lower, lwd = 0.6)
+  upper <- zigzag(y + 0.7)
+  lower <- zigzag(y - 0.7)
+  on_sheet(sheet, component = "break", layer = "NETTING", draw = {
+    sheet_polygon(sheet, c(upper$x, rev(lower$x)), c(upper$y, rev(lower$y)), "white", NA)
+    sheet_line(sheet, upper$x, upper$y)
+    sheet_line(sheet, lower$x, lower$y)
+  })
 }
 
-label_text <- function(x, y, text, adj, use) {
-  cex <- plan_text[["label"]]
-  pen_text(x, y, text, adj = c(adj, 0.5), cex = cex)
-  wide <- pen_width(text, cex = cex)
-  half <- plan_line / 2 * lengths(strsplit(text, "\n", fixed = TRUE))
-  take_box(use, c(x - adj * wide, y - half, x + (1 - adj) * wide, y + half))
+# A text that takes its place.
+put_text <- function(sheet, use, x, y, text, look, across, component, ref = "", layer = "NAMES") {
+  on_sheet(sheet, component = component, ref = ref, layer = layer,
+    draw = sheet_text(sheet, x, y, text, look$t, across))
+  wide <- text_width(text, look$t)
+  take_box(use, c(x - across * wide, y - look$line / 2, x + (1 - across) * wide,
+    y + look$line / 2))
 }
 
-label_column <- function(column, scale, x, y, use) {
+# Counts, cutting rates and what stands beside the panels of a column.
+label_column <- function(sheet, column, figure, scale, at, look, use) {
   panels <- column$panels
-  said <- side_labels(column, scale)
-  high <- column$at[2]
-  for (k in which(said$inside)) {
+  sign <- if (column$outer == "left") -1 else 1
+  towards <- if (sign < 0) 1 else 0
+  si <- figure$si
+  counted <- put_counts(sheet, column, si, scale, at, look, use)
+  inner <- put_inner_rates(sheet, column, scale, at, look, use)
+  rows <- which(panels$labelled)
+  middle <- at[2] - scale[2] * (panels$y[rows] + panels$depth[rows] / 2)
+  # Side by side, as two wings of a whole panel, they share a line.
+  line <- match(round(middle, 3), round(middle, 3))
+  y <- middle
+  firsts <- unique(line)
+  y[firsts] <- spread_labels(middle[firsts], look$line, -Inf, at[2])
+  y <- y[line]
+  ends <- numeric(length(rows))
+  for (k in seq_along(rows)) {
+    p <- panels[rows[k], ]
+    ref <- paste0("panels.", p$name)
+    counts <- unique(mesh_number(unlist(si$panels[[p$name]][c("upper", "lower")])))
+    words <- c(
+      if (column$named) panel_words(p$name, si)[["part"]],
+      if (!counted[rows[k]]) paste(counts, collapse = "/"), p$outer_rate,
+      if (nzchar(inner[rows[k]])) paste("inner", inner[rows[k]])
+    )
+    words <- paste(words[nzchar(words)], collapse = " ")
+    edge <- outer_edge(column, scale, at, y[k] + c(-0.5, 0.5) * look$line)
+    x <- edge + sign * look$gap
+    if (!any(line[seq_len(k - 1L)] == line[k])) {
+      put_text(sheet, use, x, y[k], words, look, towards, "cutting", paste0(ref, ".cutting"),
+        "CUTTING")
+    }
+    ends[k] <- x + sign * text_width(words, look$t)
+    if (abs(y[k] - middle[k]) > 0.3 * look$line) {
+      own <- outer_edge(column, scale, at, middle[k] + c(-0.01, 0.01))
+      on_sheet(sheet, component = "leader", layer = "NAMES",
+        draw = sheet_line(sheet, c(own, x - sign * 0.2 * look$gap), c(middle[k], y[k])))
+    }
+  }
+  if (column$rows) {
+    put_rows(sheet, column, figure, rows[!duplicated(line)], y[!duplicated(line)],
+      at[2], sign * max(sign * ends) + sign * 2 * look$gap, look)
+  }
+  x <- if (nzchar(column$half)) at[1] - towards * 2 * look$gap else {
+    at[1] + scale[1] * min(panels$ul, panels$ll)
+  }
+  across <- if (sign < 0) 1 else 0
+  draw_heading(sheet, column, x + if (sign > 0 && nzchar(column$half)) look$gap else 0, across,
+    at[2], look)
+}
+
+# The outermost x of a column's netting between two heights, mm.
+outer_edge <- function(column, scale, at, heights) {
+  p <- column$panels
+  right <- column$outer == "right"
+  upper <- at[1] + scale[1] * (if (right) p$ur else p$ul)
+  lower <- at[1] + scale[1] * (if (right) p$lr else p$ll)
+  top <- at[2] - scale[2] * p$y
+  deep <- scale[2] * p$depth
+  share <- function(h) pmin(pmax((top - h) / deep, 0), 1)
+  met <- top >= min(heights) & top - deep <= max(heights)
+  if (!any(met)) met <- which.min(abs(top - deep - mean(heights)))
+  found <- c(
+    (upper + share(heights[1]) * (lower - upper))[met],
+    (upper + share(heights[2]) * (lower - upper))[met]
+  )
+  if (right) max(found) else min(found)
+}
+
+# Meshes across at upper and lower edges, within panels that have the room. Returns which had.
+put_counts <- function(sheet, column, si, scale, at, look, use) {
+  panels <- column$panels
+  vapply(seq_len(nrow(panels)), function(k) {
     p <- panels[k, ]
-    centred <- if (column$half && p$ul < 1e-6) NA else 0.5
-    put <- function(from, to, y, text, edge) {
-      if (text == "0") return(invisible())
-      ref <- paste("panels", p$name, "meshes", edge, sep = ".")
-      on_sheet(pen$sheet, component = "meshes", ref = ref, draw = {
-        if (is.na(centred)) label_text(x(from) + 0.04, y, text, 0, use)
-        else label_text(x((from + to) / 2), y, text, 0.5, use)
-      })
+    if (!p$labelled) return(TRUE)
+    panel <- si$panels[[p$name]]
+    texts <- mesh_number(c(upper = panel$upper, lower = panel$lower))
+    deep <- scale[2] * p$depth
+    down <- 0.95 * look$t
+    # widths of the panel where the counts stand
+    wide <- function(share) scale[1] * ((1 - share) * (p$ur - p$ul) + share * (p$lr - p$ll))
+    share <- c(1.6 * look$t / deep, 1 - 1.6 * look$t / deep)
+    fits <- deep > 4.2 * look$t && all(
+      (vapply(share, wide, 0) > text_width(texts, look$t) + 2 * look$gap) | texts == "0"
+    )
+    if (!fits) return(FALSE)
+    for (e in 1:2) {
+      if (texts[e] == "0") next
+      f <- c(down / deep, 1 - down / deep)[e]
+      left <- (1 - f) * p$ul + f * p$ll
+      right <- (1 - f) * p$ur + f * p$lr
+      put_text(sheet, use, at[1] + scale[1] * (left + right) / 2, at[2] - scale[2] *
+        (p$y + f * p$depth), texts[e], look, 0.5, "meshes",
+        paste("panels", p$name, "meshes", c("upper", "lower")[e], sep = "."), "COUNTS")
     }
-    put(p$ul, p$ur, y(p$y) - plan_line / 2 - 0.01, p$across_upper, "upper")
-    put(p$ll, p$lr, y(p$y + p$depth) + plan_line / 2 + 0.01, p$across_lower, "lower")
-    if (nzchar(said$middle[k])) {
-      label_text(x((p$ul + p$ur + p$ll + p$lr) / 4), y(p$y + p$depth / 2), said$middle[k], 0.5, use)
+    TRUE
+  }, NA)
+}
+
+# Rates of edges that face the centre line, or the left edge of a whole panel: beside the edge, or
+# within the panel. Returns those that have no room there, "" of all others.
+put_inner_rates <- function(sheet, column, scale, at, look, use) {
+  panels <- column$panels
+  left_over <- rep("", nrow(panels))
+  for (k in which(panels$labelled & nzchar(panels$inner_rate))) {
+    p <- panels[k, ]
+    right <- column$outer == "right"
+    ends <- if (right) c(p$ul, p$ll) else c(p$ur, p$lr)
+    text <- p$inner_rate
+    size <- c(text_width(text, look$t), look$line)
+    f <- c(0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1)
+    y <- at[2] - scale[2] * (p$y + f * p$depth)
+    edge <- at[1] + scale[1] * (ends[1] + f * (ends[2] - ends[1]))
+    slope <- abs(scale[1] * (ends[2] - ends[1])) / (scale[2] * p$depth) * look$line / 2
+    away <- size[1] / 2 + look$gap + slope
+    sign <- if (right) -1 else 1
+    places <- rbind(cbind(edge + sign * away, y), cbind(edge - sign * away, y),
+      cbind(edge + sign * (away + 4 * look$t), y), cbind(edge - sign * (away + 4 * look$t), y))
+    where <- find_room(use, places, size)
+    if (is.null(where)) {
+      left_over[k] <- text
+      next
     }
+    on_sheet(sheet, component = "cutting", ref = paste0("panels.", p$name, ".cutting"),
+      layer = "CUTTING", draw = sheet_text(sheet, where[1], where[2], text, look$t, 0.5))
   }
-  at <- spread_labels(high + said$y, plan_line, -Inf, high)
-  for (k in which(nzchar(said$right))) {
-    edge <- column$at[1] + said$right_x[k]
-    label_text(edge + plan_label_gap, at[k], said$right[k], 0, use)
-    if (abs(at[k] - high - said$y[k]) > 0.03) {
-      pen_segments(edge + 0.01, high + said$y[k], edge + plan_label_gap - 0.01, at[k],
-        lwd = 0.4, col = "grey40")
+  left_over
+}
+
+# The columns beside panels: part, meshes deep, mesh size and twine.
+put_rows <- function(sheet, column, figure, rows, y, top, near, look) {
+  words <- vapply(column$panels$name[rows], panel_words, character(4), si = figure$si)
+  wide <- vapply(seq_len(4L), function(c) {
+    max(text_width(c(panel_columns$heading[c], words[c, ]), look$t))
+  }, 0)
+  total <- sum(wide) + 3 * 2 * look$gap
+  left <- if (column$outer == "left") near - total else near
+  start <- left + cumsum(c(0, wide[-4L] + 2 * look$gap))
+  at <- start + panel_columns$across * wide
+  for (c in seq_len(4L)) {
+    on_sheet(sheet, component = "heading", layer = "TABLES",
+      draw = sheet_text(sheet, at[c], top + 1.2 * look$line, panel_columns$heading[c], look$t,
+        panel_columns$across[c], italic = TRUE))
+    for (k in seq_along(rows)) {
+      ref <- paste0("panels.", column$panels$name[rows[k]], panel_columns$field[c])
+      on_sheet(sheet, component = panel_columns$component[c], ref = ref, layer = "TABLES",
+        draw = sheet_text(sheet, at[c], y[k], words[c, k], look$t, panel_columns$across[c]))
     }
-  }
-  for (k in which(nzchar(said$left))) {
-    edge <- column$at[1] + said$left_x[k]
-    label_text(edge - plan_label_gap, high + said$y[k], said$left[k], 1, use)
   }
 }
 
-# ---- scale bar and what holds for all ------------------------------------------------------------
+# ---- walls ---------------------------------------------------------------------------------------
 
-# rule: how wide netting is drawn.
-draw_scale <- function(scale, frame, rule) {
-  cex <- plan_text[["label"]]
-  bar <- function(left, per_metre, words) {
-    lengths <- as.vector(outer(c(1, 2, 5), 10^(-4:4)))
-    length <- max(lengths[lengths * per_metre <= 1.3])
-    ends <- left + c(0, 0.5, 1) * length * per_metre
-    y <- frame[2] + 0.1
-    pen_rect(ends[1:2], y, ends[2:3], y + 0.04, col = c(plan_ink, "white"),
-      border = plan_ink, lwd = 0.6)
-    pen_text(ends[c(1, 3)], y + 0.1, c("0", paste(short_number(length), "m")), cex = cex)
-    said <- paste0(words, "1 : ", short_number(39.37 / (per_metre), 3))
-    pen_text(ends[3] + 0.2, y + 0.03, said, adj = c(0, 0.5), cex = cex)
-    ends[3] + 0.2 + pen_width(said, cex = cex)
+# Panels side by side: what each is stands in it, or below (and above) the wall with a line to it.
+label_wall <- function(sheet, column, figure, x, y, look, use) {
+  panels <- column$panels
+  words <- lapply(panels$name, wall_words, si = figure$si)
+  middle <- x((panels$ul + panels$ur + panels$ll + panels$lr) / 4)
+  room <- x(pmin(panels$ur, panels$lr)) - x(pmax(panels$ul, panels$ll)) - 2 * look$gap
+  deep <- y(panels$y) - y(panels$y + panels$depth)
+  out <- integer()
+  for (k in seq_len(nrow(panels))) {
+    # in as many lines as there is height for
+    for (lines in list(1:4, c(1, 1, 2, 2), c(1, 1, 1, 1))) {
+      wide <- vapply(split(words[[k]], lines), function(w) {
+        sum(text_width(w, look$t)) + (length(w) - 1) * 2 * look$gap
+      }, 0)
+      fits <- max(wide) < room[k] && deep[k] > (max(lines) + 1.2) * look$line
+      if (fits) break
+    }
+    if (!fits) {
+      out <- c(out, k)
+      next
+    }
+    top <- (y(panels$y[k]) + y(panels$y[k] + panels$depth[k]) + max(lines) * look$line) / 2
+    put_wall_words(sheet, use, panels$name[k], words[[k]], lines, middle[k], top, look)
   }
-  left <- frame[1] + 0.05
-  if (scale[1] == scale[2]) {
-    left <- bar(left, scale[1], "")
-  } else {
-    left <- bar(left, scale[1], "along ")
-    left <- bar(left + 0.35, scale[2], "deep ")
+  if (length(out)) lead_wall_words(sheet, use, panels, words, out, x, y, look)
+}
+
+# The words of a panel of a wall in lines around x, under y = top; lines: on which line each is.
+put_wall_words <- function(sheet, use, name, words, lines, x, top, look) {
+  ref <- paste0("panels.", name, c("", ".meshes.upper", ".mesh_size", ".twine.diameter"))
+  component <- c("panel", "meshes", "mesh_size", "twine")
+  for (l in unique(lines)) {
+    mine <- which(lines == l)
+    wide <- text_width(words[mine], look$t)
+    left <- x - (sum(wide) + (length(mine) - 1) * 2 * look$gap) / 2
+    for (m in seq_along(mine)) {
+      put_text(sheet, use, left, top - (l - 0.5) * look$line, words[mine[m]], look, 0,
+        component[mine[m]], ref[mine[m]])
+      left <- left + wide[m] + 2 * look$gap
+    }
   }
-  rules <- c(
-    rule, "Numbers at edges: meshes across the whole panel (upper/lower). N, T, B: cutting rate."
+}
+
+# The words of panels that have no room for them, in rows below and above the wall, each with a line
+# to its panel.
+lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
+  wide <- vapply(words, function(w) max(text_width(w, look$t)), 0) + 2 * look$gap
+  middle <- x((panels$ul + panels$ur + panels$ll + panels$lr) / 4)
+  high <- 4 * look$line
+  out <- out[order(middle[out], panels$y[out])]
+  span <- range(x(c(panels$ul, panels$ll)), x(c(panels$ur, panels$lr)))
+  step <- max(wide[out])
+  # what lies in the upper half of the wall has its words above
+  centre <- panels$y + panels$depth / 2
+  sides <- 1L + (centre[out] < mean(range(panels$y, panels$y + panels$depth)) - 1e-6)
+  for (side in unique(sides)) {
+    mine <- out[sides == side]
+    cx <- spread_labels(middle[mine], step, span[1] + step / 2, span[2] - step / 2)
+    edge <- if (side == 1L) min(y(panels$y + panels$depth)) else max(y(panels$y))
+    top <- if (side == 1L) edge - 3 * look$line else edge + 3 * look$line + high
+    for (k in seq_along(mine)) {
+      p <- panels[mine[k], ]
+      put_wall_words(sheet, use, p$name, words[[mine[k]]], 1:4, cx[k], top, look)
+      # the line ends in its panel, as near above its words as may be
+      side_of <- x(c(max(p$ul, p$ll), min(p$ur, p$lr)))
+      start <- c(cx[k], if (side == 1L) top else top - high)
+      end <- clear_end(use, start, seq(side_of[1] + 1, side_of[2] - 1, length.out = 9L),
+        y(p$y + p$depth / 2))
+      on_sheet(sheet, component = "leader", layer = "NAMES", draw = {
+        sheet_line(sheet, c(end[1], start[1]), c(end[2], start[2]))
+        sheet_circle(sheet, end[1], end[2], 0.3, sheet_ink)
+      })
+      take_lines(use, c(end[1], start[1]), c(end[2], start[2]))
+    }
+  }
+}
+
+# The nearest of the places x at a height to which a line from a start crosses no text.
+clear_end <- function(use, start, x, y) {
+  x <- c(x, min(max(start[1], x[1]), x[length(x)]))
+  x <- x[order(abs(x - start[1]))]
+  for (one in x) {
+    line <- matrix(c(start, one, y), 1L)
+    crossed <- apply(use$boxes, 1L, function(box) {
+      lines_cross_box(line, box + c(0.3, 0.3, -0.3, -0.3))
+    })
+    if (!any(crossed)) return(c(one, y))
+  }
+  c(x[1], y)
+}
+
+# ---- scale ---------------------------------------------------------------------------------------
+
+# Scales that a rule is used with: 1 : these, times powers of ten.
+scale_steps <- c(1, 1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6, 7, 8, 9)
+
+scale_series <- function(least) {
+  all <- as.vector(outer(scale_steps, 10^(-1:5)))
+  all[all >= least * (1 - 1e-9)]
+}
+
+# The largest scale of the series at which the columns have room: mm of sheet in a metre, along and
+# deep; NULL where none of it is useful. true_size: the same along and deep.
+fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE) {
+  deepest <- columns_height(columns)
+  wall <- any(vapply(columns, `[[`, NA, "wall"))
+  above <- heading_lines * look$line
+  height <- height - above - 3 * look$line - if (wall) 14 * look$line else 0
+  if (height <= 0) return(NULL)
+  across <- sum(vapply(columns, function(c) {
+    max(c$panels$ur, c$panels$lr) - min(c$panels$ul, c$panels$ll)
+  }, 0))
+  alone <- length(columns) == 1L && !nzchar(columns[[1]]$half)
+  if (alone && !true_size && across > longest_wall * deepest) {
+    side <- columns_width(columns, figure, c(1e-6, 1e-6), look)
+    free <- room - (if (wall) 4 * look$gap else side) - 2 * look$gap
+    if (free <= 0) return(NULL)
+    long <- 1000 / scale_series(1000 * across / free)[1]
+    deep <- 1000 / scale_series(1000 * deepest / min(height, 0.6 * room))[1]
+    return(c(long, min(deep, steepest_scale * long)))
+  }
+  tried <- scale_series(1000 * max(deepest / height, across / room))
+  scale <- function(k) rep(1000 / tried[k], 2L)
+  fits <- function(k) columns_width(columns, figure, scale(k), look) <= room
+  # the first that fits, by halving
+  low <- 0L
+  high <- min(16L, length(tried))
+  if (!fits(high)) return(NULL)
+  while (high - low > 1L) {
+    middle <- (low + high) %/% 2L
+    if (fits(middle)) high <- middle else low <- middle
+  }
+  scale(high)
+}
+
+# How wide the netting is drawn, in words.
+width_rule <- function(figure) {
+  hung <- !is.na(colSums(hung_widths(figure$si, figure$layout$joints)))
+  square <- vapply(figure$si$panels, function(p) p$orientation == "square", NA) & !hung
+  said <- c(
+    if (any(hung)) "as hung on its ropes", if (any(!hung & !square)) "at a hanging ratio of 0.5",
+    if (any(square)) "square meshes open"
   )
-  pen_text(left + 0.3, frame[2] + c(0.12, 0.02), rules, adj = c(0, 0.5), cex = 0.9 * cex,
-    font = 3)
+  paste0("Netting stretched in depth; in width ", paste(said, collapse = " or "), ".")
 }

@@ -129,26 +129,40 @@ rigging_order <- function(nodes, edges) {
   order
 }
 
-draw_rigging <- function(rigging, frame) {
+# How high and wide the rigging needs to be drawn, mm.
+rigging_size <- function(rigging, look) {
+  most <- max(table(rigging$nodes$layer))
+  c(
+    (max(rigging$nodes$layer) + 1.5) * (8 * look$t + 2 * look$balloon),
+    3 * look$line + max(most, 2) * 4.2 * look$line
+  )
+}
+
+# frame: left, bottom, right, top.
+draw_rigging <- function(sheet, figure, frame, look) {
+  rigging <- figure$rigging
   nodes <- rigging$nodes
   ropes <- rigging$ropes
-  pen_text(frame[1], frame[4] - 0.05, "Rigging (not to scale)", adj = c(0, 0.5), font = 2,
-    cex = plan_text[["heading"]])
-  pen_text(frame[1] + pen_width("Rigging (not to scale)  ", font = 2,
-    cex = plan_text[["heading"]]), frame[4] - 0.05, "what is alike is drawn once", adj = c(0, 0.5),
-    font = 3, cex = plan_text[["label"]])
+  on_sheet(sheet, component = "heading", layer = "NAMES", draw = {
+    sheet_text(sheet, frame[1], frame[4] - look$line / 2, "Rigging", look$t, bold = TRUE)
+    sheet_text(sheet, frame[1] + text_width("Rigging  ", look$t, TRUE), frame[4] - look$line / 2,
+      "not to scale; what is alike is drawn once", look$t, italic = TRUE)
+  })
   netting <- any(nodes$netting)
   last <- max(nodes$layer)
-  right <- frame[3] - if (netting) 0.75 else 0.25
-  left <- frame[1] + 0.32
+  bag <- text_width("netting", look$t) + 3 * look$gap
+  right <- frame[3] - if (netting) bag + 4 * look$gap else 5 * look$t
+  left <- frame[1] + text_width("towing point", look$t) / 2
   x <- if (last == 0L) rep(left, nrow(nodes)) else left + (right - left) * nodes$layer / last
-  middle <- (frame[2] + frame[4] - 0.25) / 2
+  middle <- (frame[2] + frame[4] - 1.5 * look$line) / 2
   most <- max(table(nodes$layer))
-  step <- min(0.8, (frame[4] - frame[2] - 0.6) / max(1, most - 1))
-  y <- middle - step * nodes$order
+  step <- (frame[4] - frame[2] - 4.5 * look$line) / max(1, most - 1)
+  y <- middle - min(step, 40) * nodes$order
   use <- new_page_use()
-  if (netting) draw_net_box(nodes, x, y, frame)
-  for (k in seq_len(nrow(nodes))) take_box(use, c(x[k], y[k], x[k], y[k]) + c(-1, -1, 1, 1) * 0.08)
+  if (netting) draw_net_box(sheet, nodes, x, y, frame[3], bag, look, use)
+  for (k in seq_len(nrow(nodes))) {
+    take_box(use, c(x[k], y[k], x[k], y[k]) + c(-1, -1, 1, 1) * 0.8 * look$t)
+  }
   within <- which(nodes$layer[ropes$from] == nodes$layer[ropes$to])
   lines <- lapply(seq_len(nrow(ropes)), function(k) {
     a <- ropes$from[k]
@@ -156,73 +170,120 @@ draw_rigging <- function(rigging, frame) {
     number <- sum(ropes$from[seq_len(k)] == a & ropes$to[seq_len(k)] == b)
     rope_curve(c(x[a], y[a]), c(x[b], y[b]), k %in% within, number)
   })
-  for (line in lines) pen_lines(line, lwd = 1.6)
-  for (k in seq_along(lines)) label_rope(lines[[k]], ropes[k, ], use)
-  for (k in seq_len(nrow(nodes))) draw_node(nodes[k, ], x[k], y[k], use)
+  for (k in seq_along(lines)) {
+    line <- lines[[k]]
+    take_lines(use, line[, 1], line[, 2])
+    on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope_of(ropes$item[k], figure)),
+      layer = "RIGGING",
+      draw = sheet_line(sheet, line[, 1], line[, 2], sheet_width[["middle"]]))
+  }
+  for (k in seq_along(lines)) label_rope(sheet, lines[[k]], ropes[k, ], figure, frame, look, use)
+  for (k in seq_len(nrow(nodes))) draw_node(sheet, nodes[k, ], x[k], y[k], figure, look, use)
 }
 
+rope_of <- function(item, figure) figure$ropes$first[match(item, figure$ropes$item)]
+
 # The netting as a bag behind the places that are on it.
-draw_net_box <- function(nodes, x, y, frame) {
+draw_net_box <- function(sheet, nodes, x, y, right, wide, look, use) {
   on <- nodes$netting
-  left <- max(x[on]) + 0.12
-  span <- range(y[on]) + c(-0.15, 0.15)
-  right <- frame[3]
+  left <- right - wide
+  span <- range(y[on]) + c(-1.5, 1.5) * look$t
   middle <- mean(span)
-  pen_polygon(c(left, right, right, left), c(span[2], middle + 0.1, middle - 0.1, span[1]),
-    border = plan_ink, col = "#F2F4F6", lwd = 0.8)
-  pen_text((left + right) / 2, middle, "netting", cex = plan_text[["label"]])
-  pen_segments(x[on], y[on], left, pmin(pmax(y[on], span[1]), span[2]), lwd = 0.8, lty = "22")
+  narrow <- max(0.9 * look$t, min(1.6 * look$t, diff(span) / 2))
+  cx <- c(left, right, right, left)
+  cy <- c(span[2], middle + narrow, middle - narrow, span[1])
+  on_sheet(sheet, component = "netting", layer = "RIGGING", draw = {
+    sheet_polygon(sheet, cx, cy, sheet_fill)
+    sheet_text(sheet, (left + right) / 2, middle, "netting", look$t, 0.5)
+  })
+  take_box(use, c(left, span[1], right, span[2]))
+  for (k in which(on)) {
+    if (left - x[k] < 0.5) next
+    take_lines(use, c(x[k], left), c(y[k], y[k]))
+    on_sheet(sheet, component = "netting", layer = "RIGGING",
+      draw = sheet_line(sheet, c(x[k], left), c(y[k], y[k]), dash = c(1.5, 1)))
+  }
 }
 
 # A straight line, or an arc where it joins places of one layer or is one of several between two.
 rope_curve <- function(a, b, within, number) {
   if (all(a == b)) {
     turn <- seq(0, 2 * pi, length.out = 25L)
-    return(cbind(a[1] - 0.14 + 0.14 * cos(turn), a[2] + 0.1 * sin(turn)))
+    long <- 1 + 2.2 * number
+    return(cbind(a[1] + long - long * cos(turn), a[2] + (1 + 1.2 * number) * sin(turn)))
   }
   bend <- if (within) 0.35 else 0.16 * (number - 1)
+  if (bend == 0) return(rbind(a, (a + b) / 2, b))
   s <- seq(0, 1, length.out = 17L)
   across <- c(-(b[2] - a[2]), b[1] - a[1])
   across <- across / sqrt(sum(across^2))
   # Arcs within a layer bend towards the layer before it.
   if (within && across[1] > 0) bend <- -bend
+  bend <- bend * min(1, 20 / sqrt(sum((b - a)^2))) * sqrt(sum((b - a)^2))
   cbind(
     a[1] + s * (b[1] - a[1]) + bend * 4 * s * (1 - s) * across[1],
     a[2] + s * (b[2] - a[2]) + bend * 4 * s * (1 - s) * across[2]
   )
 }
 
-# The number of a rope on its line, and its length beside it.
-label_rope <- function(line, rope, use) {
-  n <- nrow(line)
-  places <- line[pmax(1, round(c(0.5, 0.6, 0.4, 0.7, 0.3) * n)), , drop = FALSE]
-  at <- find_room(use, places, c(0.17, 0.17))
-  if (is.null(at)) at <- places[1L, ]
-  draw_balloon(at[1], at[2], rope$item)
-  text <- paste(short_number(rope$length), "m")
-  size <- c(pen_width(text, cex = plan_text[["label"]]), plan_line)
-  beside <- rbind(
-    at + c(0, 0.15), at - c(0, 0.15), at + c(size[1] / 2 + 0.11, 0), at - c(size[1] / 2 + 0.11, 0)
+# Points at fractions of a line's length.
+line_points <- function(line, share) {
+  long <- c(0, cumsum(sqrt(rowSums(diff(line)^2))))
+  cbind(
+    stats::approx(long, line[, 1], share * max(long), ties = "ordered")$y,
+    stats::approx(long, line[, 2], share * max(long), ties = "ordered")$y
   )
-  where <- find_room(use, beside, size)
-  if (is.null(where)) where <- beside[1L, ]
-  # Lines may run behind.
-  pen_rect(where[1] - size[1] / 2, where[2] - size[2] / 2, where[1] + size[1] / 2,
-    where[2] + size[2] / 2, col = "white", border = NA)
-  pen_text(where[1], where[2], text, cex = plan_text[["label"]])
 }
 
-draw_node <- function(node, x, y, use) {
+# The number of a rope on its line, and its length beside it.
+label_rope <- function(sheet, line, rope, figure, frame, look, use) {
+  places <- line_points(line, c(0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1))
+  size <- rep(2 * look$balloon + 0.4, 2L)
+  at <- find_room(use, places, size, lines = FALSE)
+  if (is.null(at)) at <- places[1L, ]
+  ref <- paste0("ropes.", rope_of(rope$item, figure))
+  on_sheet(sheet, component = "rope", ref = ref, layer = "RIGGING",
+    draw = draw_balloon(sheet, at[1], at[2], rope$item, look))
+  text <- paste(short_number(rope$length), "m")
+  size <- c(text_width(text, look$t) + 0.4, look$line)
+  away <- look$balloon + size / 2 + 0.2
+  beside <- rbind(
+    at + c(0, away[2]), at - c(0, away[2]), at + c(away[1], 0), at - c(away[1], 0),
+    at + c(away[1], away[2]), at + c(away[1], -away[2]), at + c(-away[1], away[2]),
+    at + c(-away[1], -away[2]), at + c(0, 2 * away[2]), at - c(0, 2 * away[2])
+  )
+  inside <- beside[, 1] - size[1] / 2 >= frame[1] & beside[, 1] + size[1] / 2 <= frame[3] &
+    beside[, 2] + size[2] / 2 <= frame[4] - look$line & beside[, 2] - size[2] / 2 >= frame[2]
+  where <- find_room(use, beside[inside, , drop = FALSE], size)
+  # the list of ropes has it too
+  if (is.null(where)) return(invisible())
+  on_sheet(sheet, component = "length", ref = paste0(ref, ".length"), layer = "RIGGING",
+    draw = sheet_text(sheet, where[1], where[2], text, look$t, 0.5))
+}
+
+draw_node <- function(sheet, node, x, y, figure, look, use) {
+  r <- 0.4 * look$t
   if (node$held) {
-    pen_points(x, y, pch = 24, bg = "white", cex = 1.1)
-    pen_text(x, y - 0.14, node$motion, cex = 0.9 * plan_text[["label"]], font = 3)
+    on_sheet(sheet, component = "held", layer = "RIGGING", draw = {
+      sheet_polygon(sheet, x + 2.2 * r * c(-1, 1, 0), y + 2 * r * c(-1, -1, 1), "white")
+      size <- c(text_width(node$motion, look$t), look$line)
+      where <- find_room(use, cbind(x, y + c(-1, 1) * 2 * look$line), size)
+      if (!is.null(where)) {
+        sheet_text(sheet, where[1], where[2], node$motion, look$t, 0.5, italic = TRUE)
+      }
+    })
   } else {
-    pen_points(x, y, pch = 21, bg = plan_ink, cex = 0.6)
+    on_sheet(sheet, component = "joint", layer = "RIGGING",
+      draw = sheet_circle(sheet, x, y, r, sheet_ink))
   }
   letters <- strsplit(node$letters, " ", fixed = TRUE)[[1L]]
+  far <- 2.2 * look$balloon
   for (letter in letters) {
-    at <- find_room(use, cbind(x + c(0, 0, 0.17, -0.17), y + c(-0.17, 0.17, 0, 0)), c(0.16, 0.16))
-    if (is.null(at)) at <- c(x, y - 0.17)
-    draw_balloon(at[1], at[2], letter, square = TRUE)
+    places <- cbind(x + far * c(0, 0, 1, -1, 1, -1, 0, 0), y + far * c(-1, 1, 0, 0, -1, -1, -2, 2))
+    at <- find_room(use, places, rep(2 * look$balloon + 0.4, 2L))
+    if (is.null(at)) at <- find_room(use, places, rep(2 * look$balloon + 0.4, 2L), lines = FALSE)
+    if (is.null(at)) next
+    on_sheet(sheet, component = "piece", ref = figure$pieces$ref[match(letter, figure$pieces$item)],
+      layer = "PIECES", draw = draw_balloon(sheet, at[1], at[2], letter, look, square = TRUE))
   }
 }

@@ -9,20 +9,21 @@ drawn_laced <- function(column, figure, x, y) {
   all <- rbind(ropes, laced_pieces(figure))
   all <- all[all$panel %in% column$panels$name, ]
   panels <- column$panels[match(all$panel, column$panels$name), ]
+  sign <- if (column$turned) -1 else 1
   ends <- vapply(seq_len(nrow(all)), function(k) {
     a <- edge_point(panels[k, ], all$edge[k], all$from[k])
     b <- edge_point(panels[k, ], all$edge[k], all$to[k])
     # In half a column, only what is right of the middle.
-    if (column$half) {
+    if (nzchar(column$half)) {
       if (max(a[1], b[1]) < -1e-6) return(rep(NA_real_, 4L))
       if (a[1] < 0) a <- b + (a - b) * b[1] / (b[1] - a[1])
       if (b[1] < 0) b <- a + (b - a) * a[1] / (a[1] - b[1])
     }
-    c(a, b)
+    c(sign * a[1], a[2], sign * b[1], b[2])
   }, numeric(4))
   ends <- matrix(ends, 4L)
   lines <- data.frame(
-    label = all$label, square = all$square, thick = !all$square,
+    label = all$label, square = all$square, thick = !all$square, rope = all$rope,
     x0 = x(ends[1, ]), y0 = y(ends[2, ]), x1 = x(ends[3, ]), y1 = y(ends[4, ])
   )
   long <- sqrt((lines$x1 - lines$x0)^2 + (lines$y1 - lines$y0)^2)
@@ -48,19 +49,152 @@ laced_pieces <- function(figure) {
 }
 
 # A balloon for each label of a column, on the longest of its lines that has room.
-place_balloons <- function(lines, use) {
+place_balloons <- function(sheet, lines, look, use) {
   for (label in unique(lines$label)) {
     mine <- lines[lines$label == label, ]
     mine <- mine[order(-sqrt((mine$x1 - mine$x0)^2 + (mine$y1 - mine$y0)^2)), ]
-    places <- do.call(rbind, lapply(seq_len(min(8L, nrow(mine))), function(k) {
-      share <- c(0.5, 0.62, 0.38, 0.74, 0.26, 0.86, 0.14, 0.95, 0.05)
+    share <- c(0.5, 0.62, 0.38, 0.74, 0.26, 0.86, 0.14, 0.95, 0.05)
+    on <- do.call(rbind, lapply(seq_len(min(8L, nrow(mine))), function(k) {
       cbind(
         mine$x0[k] + share * (mine$x1[k] - mine$x0[k]),
         mine$y0[k] + share * (mine$y1[k] - mine$y0[k])
       )
     }))
-    at <- find_room(use, places, c(0.19, 0.18))
-    if (is.null(at)) at <- places[1L, ]
-    draw_balloon(at[1], at[2], label, mine$square[1L])
+    size <- rep(2 * look$balloon + 0.4, 2L)
+    at <- find_room(use, on, size, lines = FALSE)
+    if (is.null(at)) {
+      # beside its line, with a line to it
+      far <- 2.6 * look$balloon * rbind(c(-1, 0), c(1, 0), c(0, 1), c(0, -1))
+      away <- do.call(rbind, lapply(1:3, function(m) {
+        do.call(rbind, lapply(1:4, function(d) on + rep(m * far[d, ], each = nrow(on))))
+      }))
+      at <- find_room(use, away, size)
+      if (is.null(at)) next
+      near <- on[which.min((on[, 1] - at[1])^2 + (on[, 2] - at[2])^2), ]
+      on_sheet(sheet, component = "leader", layer = "NAMES",
+        draw = sheet_line(sheet, c(near[1], at[1]), c(near[2], at[2])))
+    }
+    square <- mine$square[1L]
+    on_sheet(sheet, component = if (square) "piece" else "rope",
+      ref = if (square || !nzchar(mine$rope[1L])) "" else paste0("ropes.", mine$rope[1L]),
+      layer = if (square) "PIECES" else "ROPES",
+      draw = draw_balloon(sheet, at[1], at[2], label, look, square))
   }
+}
+
+# ---- ropes laid straight -------------------------------------------------------------------------
+
+# Ropes along the netting that are drawn straight, with the lengths along each part of the net and
+# what is set along them: a list of list(item (row of the ropes), name, parts (data frame: words,
+# length), pieces (data frame: letter, number, share from, to, role)).
+straight_ropes <- function(figure) {
+  si <- figure$si
+  found <- lapply(which(figure$ropes$laced), function(k) {
+    item <- figure$ropes[k, ]
+    parts <- rope_parts(item$first, si)
+    pieces <- pieces_along(item$first, figure)
+    mouth <- grepl("head line|footrope|ground gear|float line|lead line", item$name)
+    if (is.null(pieces) && (!mouth || nrow(parts) < 2L)) return(NULL)
+    list(item = item, name = item$first, parts = parts, pieces = pieces)
+  })
+  utils::head(Filter(Negate(is.null), found), 5L)
+}
+
+# Lengths (m) of a rope along the parts of the net that follow each other: what is hung alike on
+# edges of one kind is one part.
+rope_parts <- function(name, si) {
+  rope <- si$ropes[[name]]
+  along <- rope$along
+  netting <- vapply(seq_along(along), function(k) chain_length(along[k], si$panels), 0)
+  share <- if (is.null(rope$shares)) netting / sum(netting) else rope$shares
+  panel <- vapply(along, `[[`, "", "panel")
+  edge <- vapply(along, `[[`, "", "edge")
+  part <- vapply(panel, function(p) first_of(si$panels[[p]]$part, NA_character_), "")
+  words <- ifelse(part %in% "wings", "wing",
+    ifelse(edge %in% c("upper", "lower") & any(part %in% "wings"), "bosom", ""))
+  key <- paste(words, ifelse(nzchar(words), sub("^[^_]*_", "", panel), ""))
+  run <- cumsum(c(TRUE, key[-1L] != key[-length(key)]))
+  data.frame(
+    words = words[!duplicated(run)], length = as.vector(tapply(share * rope$length, run, sum))
+  )
+}
+
+# Pieces that are spread along a rope, or NULL.
+pieces_along <- function(rope, figure) {
+  rows <- lapply(names(figure$si$pieces), function(name) {
+    piece <- figure$si$pieces[[name]]
+    if (!identical(piece$along$kind, "rope") || !identical(piece$along$name, rope)) return(NULL)
+    item <- which(vapply(figure$pieces$parts, function(parts) name %in% parts, NA))[1]
+    data.frame(
+      letter = figure$pieces$item[item], number = piece$number, from = piece$share[1],
+      to = piece$share[2], name = figure$pieces$name[item], ref = paste0("pieces.", name)
+    )
+  })
+  do.call(rbind, rows)
+}
+
+straight_height <- function(look) 6.2 * look$line
+
+# One rope laid straight, from x on, `wide` long, under y = top.
+draw_straight <- function(sheet, rope, figure, x, top, wide, look) {
+  on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
+    draw_balloon(sheet, x + look$balloon, top - look$line / 2, rope$item$item, look)
+    sheet_text(sheet, x + 2 * look$balloon + look$gap, top - look$line / 2,
+      cut_text(straight_words(rope), wide - 2 * look$balloon - look$gap, look$t), look$t)
+  })
+  y <- top - 3.4 * look$line
+  end <- x + wide
+  bounds <- x + wide * c(0, cumsum(rope$parts$length)) / sum(rope$parts$length)
+  on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
+    sheet_line(sheet, c(x, end), c(y, y), sheet_width[["thick"]])
+    for (b in bounds) sheet_line(sheet, c(b, b), y + c(-0.6, 0.6) * look$t)
+  })
+  shown <- short_number(round(rope$parts$length, 2), 6)
+  long <- trimws(paste(rope$parts$words, shown))
+  centre <- (utils::head(bounds, -1L) + bounds[-1L]) / 2
+  tight <- text_width(long, look$t) + look$gap >= diff(bounds)
+  long[tight] <- shown[tight]
+  if (any(text_width(long, look$t) + look$gap >= diff(bounds))) {
+    long <- cut_text(paste(shown, collapse = " + "), wide, look$t)
+    centre <- (x + end) / 2
+  }
+  on_sheet(sheet, component = "length", ref = paste0("ropes.", rope$name, ".length"),
+    layer = "TABLES", draw = {
+      for (k in seq_along(long)) {
+        sheet_text(sheet, centre[k], y + 1.2 * look$line, long[k], look$t, 0.5)
+      }
+    })
+  draw_pieces_along(sheet, rope, x, y, wide, look)
+}
+
+straight_words <- function(rope) {
+  item <- rope$item
+  make <- trimws(paste0(item$material, " Ø", short_number(in_unit(item$diameter, "mm"))))
+  paste0(item$name, "  ", short_number(round(item$length, 2), 6), " m  ", make,
+    if (!is.na(item$hanging)) sprintf("  E %.2f", item$hanging))
+}
+
+# Pieces at their places, each where they stand apart, and how many and how far apart below.
+draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
+  pieces <- rope$pieces
+  if (is.null(pieces)) return(invisible())
+  said <- character()
+  for (k in seq_len(nrow(pieces))) {
+    p <- pieces[k, ]
+    # each in the middle of its share, as the lattice has them
+    share <- p$from + (p$to - p$from) * (seq_len(p$number) - 0.5) / p$number
+    step <- wide * (p$to - p$from) / p$number
+    radius <- min(0.8 * look$t, step / 2.5)
+    shown <- if (radius < 0.3) share[unique(round(seq(1, p$number, length.out = 40)))] else share
+    on_sheet(sheet, component = "piece", ref = p$ref, layer = "PIECES", draw = {
+      for (s in shown) sheet_circle(sheet, x + s * wide, y, max(radius, 0.3))
+    })
+    each <- rope$item$length * (p$to - p$from) / p$number
+    said <- c(said, paste0(p$letter, ": ", p$name, if (p$number > 1) {
+      paste0(", ", p$number, " off, ", short_number(each, 3), " m apart")
+    }))
+  }
+  text <- cut_text(paste(said, collapse = "; "), wide, look$t)
+  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES",
+    draw = sheet_text(sheet, x, y - 1.3 * look$line, text, look$t))
 }

@@ -80,3 +80,27 @@ panel_rates <- function(panel) {
   rate <- function(share) cutting_rate(loss * share, panel$deep, panel$orientation)
   c(left = rate(panel$taper_left), right = rate(panel$taper_right))
 }
+
+# The rate that an edge is cut by in whole simple steps: the shortest cycle whose cut ends within
+# half a mesh of the counts, or within a mesh of them where that is less than a twentieth of what
+# the edge loses, as net makers round; two cycles in turn where no cycle does.
+simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
+  exact <- cutting_rate(lost, deep, orientation)
+  if (!grepl("[(~]", exact)) return(exact)
+  lost <- abs(lost)
+  near <- min(rounded_meshes, max(rounded_meshes / 2, lost / 20))
+  straight <- if (orientation == "turned") "AT" else "AN"
+  if (lost <= rounded_meshes / 2) return(straight)
+  if (abs(lost - deep) <= near) return("AB")
+  wide <- lost > deep
+  letter <- if (xor(wide, orientation == "turned")) "T" else "N"
+  cycles <- rbind(
+    expand.grid(n = seq_len(5L), b = seq_len(12L)), expand.grid(n = 6:12, b = seq_len(5L)),
+    cbind(n = 1, b = 13:40), cbind(n = 13:40, b = 1)
+  )
+  cycles <- cycles[order(cycles$n + cycles$b, cycles$n), ]
+  bars <- cycles$b / 2
+  slope <- if (wide) (cycles$n + bars) / bars else bars / (cycles$n + bars)
+  fits <- which(abs(slope * deep - lost) <= near + 1e-9)[1]
+  if (is.na(fits)) exact else paste0(cycles$n[fits], letter, cycles$b[fits], "B")
+}

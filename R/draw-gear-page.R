@@ -1,0 +1,429 @@
+# The page of a drawing: frame, title, legend, the netting's place and that of lists and rigging.
+
+# Margins of ISO 5457, mm: for filing at the left.
+sheet_margin <- c(left = 20, other = 10)
+
+# Heights of text (ISO 3098, mm) that a sheet may have, the largest first.
+sheet_text_sizes <- list(
+  A4 = 1.8, A3 = c(2.5, 1.8), A2 = c(3.5, 2.5, 1.8), A1 = c(5, 3.5, 2.5, 1.8)
+)
+
+# A gear's drawing on a sheet of a size ("A4"), on its side or upright as it has more room.
+# true_size: netting at one scale, without breaks.
+gear_sheet <- function(gear, page, true_size = FALSE) {
+  figure <- plan_figure(gear)
+  columns <- if (!is.null(figure$layout)) net_columns(figure, true_size)
+  best <- NULL
+  ways <- list(columns, if (!is.null(columns)) listed_columns(columns))
+  for (way in unique(ways)) {
+    for (t in sheet_text_sizes[[page]]) {
+      found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size)
+      # Larger letters are worth a little of the netting's size.
+      if (!is.null(found) && (is.null(best) || found$worth > 1.5 * best$worth)) {
+        best <- c(found, list(columns = way))
+      }
+    }
+    # Netting is told beside the panels wherever there is room for it.
+    if (!is.null(best)) break
+  }
+  if (is.null(best)) {
+    abort_argument(
+      "This gear does not fit on {.val {page}} in letters of 1.8 mm; choose a larger {.arg page}."
+    )
+  }
+  draw_draft(best, figure, best$columns)
+}
+
+# The best of the arrangements that have room: sheet on its side or upright, lists beside or below
+# the netting; NULL where none has. worth: the netting's scale, or how evenly the sheet is filled.
+best_draft <- function(figure, columns, size, look, true_size) {
+  best <- NULL
+  for (page in list(rev(size), size)) {
+    frame <- c(sheet_margin[["left"]], sheet_margin[["other"]], page - sheet_margin[["other"]])
+    foot <- foot_height(figure, frame, look)
+    inner <- c(frame[1] + 2, frame[2] + foot + 2, frame[3] - 2, frame[4] - 2)
+    blocks <- info_blocks(figure, columns, look)
+    for (found in arrangements(figure, columns, blocks, inner, look, true_size)) {
+      found <- c(found, list(page = page, frame = frame, inner = inner, look = look))
+      if (is.null(best) || found$worth > 1.02 * best$worth) best <- found
+    }
+  }
+  best
+}
+
+# ---- lists, ropes laid straight and rigging as blocks --------------------------------------------
+
+# Blocks in the order in which they stand: list(wide, high (mm), grows, draw = function(sheet, left,
+# top, wide, high)).
+info_blocks <- function(figure, columns, look) {
+  out <- list()
+  add <- function(wide, high, grows, draw) {
+    out[[length(out) + 1L]] <<- list(wide = wide, high = high, grows = grows, draw = draw)
+  }
+  straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
+  if (length(straight)) {
+    add(34 * look$t, length(straight) * straight_height(look), FALSE,
+      function(sheet, left, top, wide, high) {
+        for (k in seq_along(straight)) {
+          draw_straight(sheet, straight[[k]], figure, left, top - (k - 1) * straight_height(look),
+            wide, look)
+        }
+      })
+  }
+  if (!is.null(figure$rigging)) {
+    size <- rigging_size(figure$rigging, look)
+    add(size[1], size[2], TRUE, function(sheet, left, top, wide, high) {
+      draw_rigging(sheet, figure, c(left, top - high, left + wide, top), look)
+    })
+  }
+  if (length(columns) && columns[[1L]]$named) {
+    table <- netting_table(netting_items(columns, figure), look)
+    add(table$wide, table$high, FALSE, table$draw)
+  }
+  for (rows in chunks(NROW(figure$ropes), 20L)) {
+    table <- rope_table(figure, rows, look)
+    add(table$wide, table$high, FALSE, table$draw)
+  }
+  for (rows in chunks(NROW(figure$pieces), 12L)) {
+    table <- piece_table(figure, rows, look)
+    add(table$wide, table$high, FALSE, table$draw)
+  }
+  out
+}
+
+chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most))
+
+rope_table <- function(figure, rows, look) {
+  items <- figure$ropes[rows, ]
+  words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
+  heading <- c("Ropes", "length m", "\u00d8 mm", "E")
+  wide <- vapply(seq_len(4L), function(c) {
+    max(text_width(c(heading[c], words[c, ]), look$t, c == 1L))
+  }, 0)
+  gap <- 1.5 * look$gap
+  first <- 2 * look$balloon + look$gap
+  pitch <- 2 * look$balloon + 0.6
+  list(
+    wide = first + sum(wide) + 3 * gap, high = look$line + pitch * nrow(items) + 0.5 * look$line,
+    draw = function(sheet, left, top, wide_given, high) {
+      start <- left + first + cumsum(c(0, wide[-4L] + gap))
+      across <- c(0, 1, 0, 0)
+      at <- start + across * wide
+      on_sheet(sheet, component = "heading", layer = "TABLES", draw = {
+        for (c in 1:4) {
+          sheet_text(sheet, if (c == 1L) left else at[c], top - look$line / 2, heading[c], look$t,
+            across[c], bold = c == 1L, italic = c > 1L)
+        }
+      })
+      for (k in seq_len(nrow(items))) {
+        y <- top - look$line - (k - 0.5) * pitch
+        ref <- paste0("ropes.", items$first[k])
+        on_sheet(sheet, component = "rope", ref = ref, layer = "TABLES", draw = {
+          draw_balloon(sheet, left + look$balloon, y, items$item[k], look)
+          sheet_text(sheet, at[1], y, words[1, k], look$t)
+        })
+        fields <- c("", "length", "diameter", "hanging_ratio")
+        for (c in 2:4) {
+          on_sheet(sheet, component = fields[c], ref = paste(ref, fields[c], sep = "."),
+            layer = "TABLES", draw = sheet_text(sheet, at[c], y, words[c, k], look$t, across[c]))
+        }
+      }
+    }
+  )
+}
+
+netting_table <- function(items, look) {
+  words <- rbind(items$name, items$deep, items$mesh, items$twine)
+  heading <- c("Netting", panel_columns$heading[-1L])
+  wide <- vapply(seq_len(4L), function(c) {
+    max(text_width(c(heading[c], words[c, ]), look$t, c == 1L))
+  }, 0)
+  gap <- 1.5 * look$gap
+  list(
+    wide = sum(wide) + 3 * gap, high = (nrow(items) + 1.5) * look$line,
+    draw = function(sheet, left, top, wide_given, high) {
+      at <- left + cumsum(c(0, wide[-4L] + gap)) + panel_columns$across * wide
+      for (c in 1:4) {
+        across <- panel_columns$across[c]
+        on_sheet(sheet, component = "heading", layer = "TABLES", draw = sheet_text(sheet, at[c],
+          top - look$line / 2, heading[c], look$t, across, bold = c == 1L, italic = c > 1L))
+        for (k in seq_len(nrow(items))) {
+          on_sheet(sheet, component = panel_columns$component[c],
+            ref = paste0("panels.", items$panel[k], panel_columns$field[c]), layer = "TABLES",
+            draw = sheet_text(sheet, at[c], top - (k + 0.5) * look$line, words[c, k], look$t,
+              across))
+        }
+      }
+    }
+  )
+}
+
+piece_table <- function(figure, rows, look) {
+  items <- figure$pieces[rows, ]
+  first <- 2 * look$balloon + look$gap
+  wide <- 42 * look$t
+  lines <- lapply(seq_len(nrow(items)), function(k) {
+    name <- paste0(items$name[k], if (items$count[k] > 1) paste0(", ", items$count[k], " off"))
+    wrap_words(paste0(name, if (nzchar(items$words[k])) paste0(": ", items$words[k])),
+      wide - first, look$t)
+  })
+  pitch <- pmax(lengths(lines) * look$line, 2 * look$balloon) + 0.6
+  list(
+    wide = wide, high = look$line + sum(pitch) + 0.5 * look$line,
+    draw = function(sheet, left, top, wide_given, high) {
+      on_sheet(sheet, component = "heading", layer = "TABLES", draw = sheet_text(sheet, left,
+        top - look$line / 2, "Floats, weights, boards (of each)", look$t, bold = TRUE))
+      y <- top - look$line - c(0, cumsum(pitch))
+      for (k in seq_along(lines)) {
+        on_sheet(sheet, component = "piece", ref = items$ref[k], layer = "TABLES", draw = {
+          draw_balloon(sheet, left + look$balloon, y[k] - look$balloon - 0.2, items$item[k], look,
+            square = TRUE)
+          for (l in seq_along(lines[[k]])) {
+            sheet_text(sheet, left + first, y[k] - look$balloon - 0.2 - (l - 1) * look$line,
+              lines[[k]][l], look$t)
+          }
+        })
+      }
+    }
+  )
+}
+
+# ---- arrangements --------------------------------------------------------------------------------
+
+# Blocks in n columns of one width and height, in their order: list(column (of each block), high),
+# the least high there is.
+packed <- function(blocks, n, gap) {
+  high <- vapply(blocks, `[[`, 0, "high")
+  fill <- function(most) {
+    column <- integer(length(high))
+    at <- 1L
+    used <- 0
+    for (k in seq_along(high)) {
+      if (used > 0 && used + gap + high[k] > most + 1e-6) {
+        at <- at + 1L
+        used <- 0
+      }
+      used <- used + (if (used > 0) gap else 0) + high[k]
+      column[k] <- at
+    }
+    column
+  }
+  # only sums of blocks that follow each other can be the least height
+  ends <- cumsum(high + gap)
+  sums <- sort(unique(as.vector(outer(ends, c(0, ends), "-"))) - gap)
+  for (most in sums[sums >= max(high) - 1e-6]) {
+    column <- fill(most)
+    if (max(column) <= n) return(list(column = column, high = most))
+  }
+}
+
+# All arrangements that have room: list(worth, scale, net (left, bottom, right, top), blocks, place
+# (of the blocks: left, bottom, right, top), packed, block_width).
+arrangements <- function(figure, columns, blocks, inner, look, true_size) {
+  gap <- 2 * look$line
+  wide <- if (length(blocks)) max(vapply(blocks, `[[`, 0, "wide")) else 0
+  room <- inner[3:4] - inner[1:2]
+  found <- list()
+  add <- function(worth, scale, net, place, pack) {
+    found[[length(found) + 1L]] <<- list(
+      worth = worth, scale = scale, net = net, place = place, packed = pack, blocks = blocks
+    )
+  }
+  if (is.null(columns)) {
+    for (n in 1:4) {
+      if (!length(blocks) || n * wide + (n - 1) * gap > room[1]) next
+      pack <- packed(blocks, n, gap)
+      if (is.null(pack) || pack$high > room[2]) next
+      # as near to filled as may be, no column left empty
+      used <- max(pack$column)
+      add(1 / (1 + abs(room[1] / used / wide - 1)), NULL, NULL, inner, pack)
+    }
+    return(found)
+  }
+  if (!length(blocks)) {
+    scale <- fitting_scale(columns, figure, room[1], room[2], look, true_size)
+    if (!is.null(scale)) add(prod(scale), scale, inner, NULL, NULL)
+    return(found)
+  }
+  for (n in 1:4) {
+    whole <- n * wide + (n - 1) * gap
+    if (whole > room[1]) next
+    pack <- packed(blocks, n, gap)
+    if (is.null(pack) || max(pack$column) < n) next
+    if (pack$high <= room[2]) {
+      scale <- fitting_scale(columns, figure, room[1] - whole - gap, room[2], look, true_size)
+      if (!is.null(scale)) {
+        split <- inner[3] - whole
+        add(prod(scale), scale, c(inner[1:2], split - gap, inner[4]),
+          c(split, inner[2], inner[3], inner[4]), pack)
+      }
+    }
+    high <- room[2] - pack$high - gap
+    if (high > 0) {
+      scale <- fitting_scale(columns, figure, room[1], high, look, true_size)
+      if (!is.null(scale)) {
+        split <- inner[2] + pack$high
+        add(prod(scale), scale, c(inner[1], split + gap, inner[3:4]), c(inner[1:3], split), pack)
+      }
+    }
+  }
+  found
+}
+
+# ---- drawing -------------------------------------------------------------------------------------
+
+draw_draft <- function(draft, figure, columns) {
+  sheet <- new_sheet(draft$page)
+  look <- draft$look
+  frame <- draft$frame
+  on_sheet(sheet, component = "frame", layer = "SHEET", draw = sheet_polygon(sheet,
+    frame[c(1, 3, 3, 1)], frame[c(2, 2, 4, 4)], width = sheet_width[["thick"]]))
+  if (!is.null(columns)) {
+    sheet$scale <- 1000 / draft$scale[2]
+    net <- draft$net
+    # what room is left is shared out around the netting
+    spare <- net[3] - net[1] - columns_width(columns, figure, draft$scale, look)
+    deep <- columns_height(columns) * draft$scale[2]
+    wall <- any(vapply(columns, `[[`, NA, "wall"))
+    above <- (heading_lines + if (wall) 8 else 0) * look$line
+    low <- net[4] - net[2] - above - deep - (if (wall) 7 else 1) * look$line
+    draw_columns(sheet, columns, figure, draft$scale, net[1] + max(0, spare / 2),
+      net[4] - above - max(0, low / 2), look, new_page_use())
+  }
+  draw_blocks(sheet, draft)
+  draw_foot(sheet, figure, draft)
+  sheet
+}
+
+# Blocks at their places, all columns as wide as there is room for; blocks that grow and the gaps
+# between them take what height is left.
+draw_blocks <- function(sheet, draft) {
+  if (is.null(draft$packed)) return(invisible())
+  gap <- 2 * draft$look$line
+  column <- draft$packed$column
+  n <- max(column)
+  place <- draft$place
+  wide <- (place[3] - place[1] - (n - 1) * gap) / n
+  # without netting the rigging is the drawing
+  most <- if (is.null(draft$net)) Inf else 0.8
+  for (c in seq_len(n)) {
+    mine <- draft$blocks[column == c]
+    high <- vapply(mine, `[[`, 0, "high")
+    spare <- place[4] - place[2] - sum(high) - (length(mine) - 1) * gap
+    grows <- vapply(mine, `[[`, NA, "grows")
+    if (any(grows)) high[grows] <- high[grows] + min(spare, most * sum(high[grows])) / sum(grows)
+    left <- place[1] + (c - 1) * (wide + gap)
+    top <- place[4]
+    rest <- place[4] - place[2] - sum(high) - (length(mine) - 1) * gap
+    for (k in seq_along(mine)) {
+      mine[[k]]$draw(sheet, left, top, wide, high[k])
+      top <- top - high[k] - gap - rest / max(1, length(mine) - 1) * 0.6
+    }
+  }
+}
+
+# ---- title and legend ----------------------------------------------------------------------------
+
+legend_words <- function(figure) {
+  c(
+    if (!is.null(figure$layout)) {
+      c(
+        width_rule(figure),
+        "Meshes at edges are across the whole panel (upper/lower). N points, T meshes, B bars.",
+        "E hanging ratio. Lengths of ropes are of one."
+      )
+    },
+    if (is.null(figure$layout) && !is.null(figure$ropes)) "Lengths of ropes are of one."
+  )
+}
+
+legend_lines <- function(figure, frame, look) {
+  words <- legend_words(figure)
+  if (!length(words)) return(character())
+  wrap_words(paste(words, collapse = " "), frame[3] - frame[1] - 4, look$t)
+}
+
+title_height <- function(look) 3.4 * look$line + 2
+
+foot_height <- function(figure, frame, look) {
+  title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
+}
+
+# The strip at the foot of the sheet: name and source, scale with its bar, units, sheet.
+draw_foot <- function(sheet, figure, draft) {
+  frame <- draft$frame
+  look <- draft$look
+  t <- look$t
+  top <- frame[2] + title_height(look)
+  lines <- legend_lines(figure, frame, look)
+  on_sheet(sheet, component = "legend", layer = "TITLE", draw = {
+    for (k in seq_along(lines)) {
+      sheet_text(sheet, frame[1] + 2, top + 0.5 + (length(lines) - k + 0.5) * look$line, lines[k],
+        t, italic = TRUE)
+    }
+    sheet_line(sheet, frame[c(1, 3)], c(top, top), sheet_width[["middle"]])
+  })
+  wide <- frame[3] - frame[1]
+  name <- names(sheet_sizes)[vapply(sheet_sizes, function(s) all(s == sort(draft$page)), NA)]
+  cells <- c(max(0.3 * wide, wide - 66 * t), min(44 * t, 0.45 * wide), 0)
+  cells[3] <- wide - sum(cells)
+  left <- frame[1] + c(0, cumsum(cells)[1:2])
+  for (x in left[-1L]) {
+    on_sheet(sheet, component = "frame", layer = "TITLE",
+      draw = sheet_line(sheet, c(x, x), c(frame[2], top)))
+  }
+  row <- function(k) top - 1 - (k - 0.5) * 1.13 * look$line
+  room <- cells - 4
+  # as large as there is room for
+  large <- if (text_width(figure$title, 1.4 * t, TRUE) <= room[1]) 1.4 * t else t
+  on_sheet(sheet, component = "name", ref = "name", layer = "TITLE", draw = sheet_text(sheet,
+    left[1] + 2, row(1), cut_text(figure$title, room[1], large, TRUE), large, bold = TRUE))
+  on_sheet(sheet, component = "source", layer = "TITLE", draw = {
+    source <- if (nzchar(figure$source)) paste("Source:", figure$source) else ""
+    said <- wrap_words(source, room[1], t)
+    if (length(said) > 2L) {
+      said <- c(said[1], cut_text(paste0(said[2], " and more in the plan"), room[1], t))
+      if (!endsWith(said[2], "plan")) {
+        said[2] <- paste(cut_text(said[2], room[1] - text_width(" (more in the plan)", t), t),
+          "(more in the plan)")
+      }
+    }
+    for (k in seq_along(said)) sheet_text(sheet, left[1] + 2, row(k + 1), said[k], t)
+  })
+  draw_scale_bar(sheet, draft$scale, left[2] + 2, row, room[2], look)
+  on_sheet(sheet, component = "sheet", layer = "TITLE", draw = {
+    sheet_text(sheet, left[3] + 2, row(1), cut_text(name, room[3], t, TRUE), t, bold = TRUE)
+    sheet_text(sheet, left[3] + 2, row(2), cut_text("Drawn by codend", room[3], t), t)
+  })
+}
+
+# Scale in figures and as a bar, and the units.
+draw_scale_bar <- function(sheet, scale, left, row, room, look) {
+  t <- look$t
+  ratio <- function(s) paste("1 :", short_number(1000 / s, 5))
+  on_sheet(sheet, component = "scale", layer = "TITLE", draw = {
+    if (is.null(scale)) {
+      sheet_text(sheet, left, row(1), "Not to scale", t, bold = TRUE)
+    } else {
+      said <- if (scale[1] == scale[2]) paste("Scale", ratio(scale[1])) else {
+        paste0("Scale ", ratio(scale[1]), " along, ", ratio(scale[2]), " deep")
+      }
+      sheet_text(sheet, left, row(1), said, t, bold = TRUE)
+      lengths <- as.vector(outer(c(1, 2, 5), 10^(-4:4)))
+      words <- function(l) paste(short_number(l), "m")
+      fits <- lengths * scale[1] + text_width("5000 m", t) + 3 * t <= room
+      long <- max(lengths[fits])
+      ends <- left + c(0, 0.5, 1) * long * scale[1]
+      y <- row(2) + c(-0.25, 0.25) * t
+      for (k in 1:2) {
+        sheet_polygon(sheet, ends[c(k, k + 1, k + 1, k)], y[c(1, 1, 2, 2)],
+          c(sheet_ink, "white")[k])
+      }
+      sheet_text(sheet, ends[3] + t, row(2), words(long), t)
+    }
+    units <- if (is.null(scale)) "Ropes in m, \u00d8 in mm" else {
+      "Mesh size and \u00d8 in mm, ropes in m, twine in tex"
+    }
+    sheet_text(sheet, left, row(3), cut_text(units, room, t), t)
+  })
+}

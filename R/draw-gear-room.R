@@ -1,0 +1,111 @@
+# Room on a drawing: what is taken, and places for what is left.
+
+# How a drawing is written: list(t = height of capitals, mm; line = distance of lines; balloon =
+# radius of a number's circle).
+drawing_look <- function(t) list(t = t, line = 1.8 * t, gap = 0.8 * t, balloon = 1.15 * t)
+
+# What is taken: an environment with `boxes` (left, bottom, right, top in rows) and `lines` (x0, y0,
+# x1, y1 in rows).
+new_page_use <- function() {
+  use <- new.env(parent = emptyenv())
+  use$boxes <- use$lines <- matrix(0, 0L, 4L)
+  use
+}
+
+take_box <- function(use, box) use$boxes <- rbind(use$boxes, box)
+
+take_lines <- function(use, x, y, closed = FALSE) {
+  if (closed) {
+    x <- c(x, x[1])
+    y <- c(y, y[1])
+  }
+  n <- length(x)
+  use$lines <- rbind(use$lines, cbind(x[-n], y[-n], x[-1L], y[-1L]))
+}
+
+is_free <- function(use, box, lines = TRUE) {
+  b <- use$boxes
+  if (any(b[, 1] < box[3] & b[, 3] > box[1] & b[, 2] < box[4] & b[, 4] > box[2])) return(FALSE)
+  !lines || !any(lines_cross_box(use$lines, box))
+}
+
+# Which lines (x0, y0, x1, y1 in rows) have a point within a box: those whose part between the
+# box's sides also lies between its top and bottom.
+lines_cross_box <- function(lines, box) {
+  dx <- lines[, 3] - lines[, 1]
+  dy <- lines[, 4] - lines[, 2]
+  span <- function(from, d, low, high) {
+    a <- (low - from) / d
+    b <- (high - from) / d
+    still <- d == 0
+    inside <- from > low & from < high
+    cbind(ifelse(still, ifelse(inside, 0, 2), pmin(a, b)),
+      ifelse(still, ifelse(inside, 1, -1), pmax(a, b)))
+  }
+  across <- span(lines[, 1], dx, box[1], box[3])
+  up <- span(lines[, 2], dy, box[2], box[4])
+  pmax(across[, 1], up[, 1], 0) < pmin(across[, 2], up[, 2], 1)
+}
+
+# Places (n x 2) in order of liking: the first that a box of this size (width, height) around it
+# leaves free, which is then taken; NULL where none is.
+find_room <- function(use, places, size, lines = TRUE) {
+  for (k in seq_len(nrow(places))) {
+    box <- c(places[k, ] - size / 2, places[k, ] + size / 2)
+    if (is_free(use, box, lines)) {
+      take_box(use, box)
+      return(places[k, ])
+    }
+  }
+  NULL
+}
+
+# Heights of labels that want to be at y and keep this distance between bottom and top: those with
+# the least squares of what they move, by isotonic regression.
+spread_labels <- function(y, distance, bottom, top) {
+  order <- order(y)
+  n <- length(y)
+  apart <- distance * seq_len(n)
+  out <- if (n > 1L) stats::isoreg(y[order] - apart)$yf else y - apart
+  y[order] <- pmin(pmax(out, bottom - distance), top - apart[n]) + apart
+  y
+}
+
+# A text as lines no wider than a width (mm).
+wrap_words <- function(text, width, size, bold = FALSE) {
+  words <- strsplit(text, " ", fixed = TRUE)[[1L]]
+  lines <- character()
+  line <- ""
+  for (word in words) {
+    longer <- if (nzchar(line)) paste(line, word) else word
+    if (nzchar(line) && text_width(longer, size, bold) > width) {
+      lines <- c(lines, line)
+      line <- word
+    } else {
+      line <- longer
+    }
+  }
+  c(lines, line)
+}
+
+# A text cut at a width (mm), with an ellipsis where something is left out.
+cut_text <- function(text, width, size, bold = FALSE) {
+  if (text_width(text, size, bold) <= width) return(text)
+  characters <- strsplit(text, "")[[1]]
+  for (n in rev(seq_along(characters))) {
+    short <- paste0(paste(characters[seq_len(n)], collapse = ""), "...")
+    if (text_width(short, size, bold) <= width) return(short)
+  }
+  ""
+}
+
+# A number or letter in a circle (ropes) or a square (pieces), taken on the sheet.
+draw_balloon <- function(sheet, x, y, text, look, square = FALSE) {
+  r <- look$balloon * if (nchar(text) > 2L) 1.4 else 1
+  if (square) {
+    sheet_polygon(sheet, x + c(-r, r, r, -r), y + c(-r, -r, r, r), fill = "white")
+  } else {
+    sheet_circle(sheet, x, y, r)
+  }
+  sheet_text(sheet, x, y, text, look$t, 0.5)
+}
