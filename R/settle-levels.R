@@ -50,7 +50,7 @@ fixed_nodes <- function(si) {
     across <- max(panel$upper, panel$lower)
     columns <- c(panel$columns, panel$rows * across / panel$deep, Inf)[1L]
     knots <- if (panel$orientation == "square") 1 else 2
-    columns^2 * panel$deep / across * knots * (2 * panel$bar_segments - 1)
+    columns^2 * panel$deep / across * knots * (2 * first_of(panel$bar_segments, 1) - 1)
   }, 0)
   sum(ropes, panels)
 }

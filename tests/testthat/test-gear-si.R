@@ -19,7 +19,7 @@ test_that("defaults are filled in and units resolved", {
   expect_equal(net$mesh_size, 0.1, tolerance = 1e-15)
   expect_identical(c(net$taper_left, net$taper_right), c(0.5, 0.5))
   expect_equal(net$knot_diameter, 0.004, tolerance = 1e-15)
-  expect_identical(net$bar_segments, 2)
+  expect_null(net$bar_segments)
   expect_identical(net$added_mass, c(normal = 1, tangential = 0))
   expect_identical(net$coefficients,
     list(law = "constant", normal = 1.1, tangential = 0, skin = 0.02))
