@@ -233,7 +233,7 @@ test_that("the paper's method is one word, whatever else the plan says", {
   panel <- read_gear("flat_panel")
   name <- names(panel$plan$panels)[1]
   panel <- do.call(update, c(list(panel),
-    stats::setNames(list(FALSE), paste0("panels.", name, ".knotted"))))
+    stats::setNames(list(FALSE, 2), paste0("panels.", name, c(".knotted", ".bar_segments")))))
   one <- settle(update(panel, method = "paper"), nodes = 150)
   each <- settle(do.call(update, c(list(panel), explicit)), nodes = 150)
   expect_equal(one$position, each$position, tolerance = 1e-7)
