@@ -131,6 +131,9 @@ struct SettleControl {
   double part_tolerance = 1e-6;
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
+  // Called a few times in every second that an iteration's linear equations take; what it throws ends
+  // the settling.
+  std::function<void()> pause;
 
   // What rounds to a force beside which the loads are little is no balance: the share of all loads
   // together that rounding may leave.
