@@ -41,7 +41,9 @@ section_panel <- function(section, panel) {
 # The covers of a section over one of its panels, named as their panels are: what each is made of.
 covers_of <- function(section, panel, name) {
   kind <- if (panel %in% c("back", "belly")) panel else "side"
-  covers <- Filter(function(cover) is.null(cover$over) || kind %in% unlist(cover$over), section$covers)
+  covers <- Filter(
+    function(cover) is.null(cover$over) || kind %in% unlist(cover$over), section$covers
+  )
   covers <- lapply(covers, function(cover) cover[names(cover) != "over"])
   if (length(covers)) names(covers) <- paste(name, names(covers), sep = "_")
   covers
