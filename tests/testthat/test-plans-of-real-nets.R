@@ -14,7 +14,7 @@ test_that("each is a page, marks what it assumes, and settles", {
   }
 })
 
-test_that("the 83-112 Eastern trawl opens as in its surveys at other wires than that it is tuned to", {
+test_that("the 83-112 Eastern trawl opens as in its surveys where it is not tuned", {
   hauls <- utils::read.csv(
     system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"), comment.char = "#"
   )
