@@ -77,15 +77,15 @@ info_blocks <- function(figure, columns, look) {
     })
   }
   if (length(columns) && columns[[1L]]$named) {
-    table <- netting_table(netting_items(columns, figure), look)
+    table <- netting_list(netting_items(columns, figure), look)
     add(table$wide, table$high, FALSE, table$draw)
   }
   for (rows in chunks(NROW(figure$ropes), 20L)) {
-    table <- rope_table(figure, rows, look)
+    table <- rope_list(figure, rows, look)
     add(table$wide, table$high, FALSE, table$draw)
   }
   for (rows in chunks(NROW(figure$pieces), 12L)) {
-    table <- piece_table(figure, rows, look)
+    table <- piece_list(figure, rows, look)
     add(table$wide, table$high, FALSE, table$draw)
   }
   out
@@ -93,7 +93,7 @@ info_blocks <- function(figure, columns, look) {
 
 chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most))
 
-rope_table <- function(figure, rows, look) {
+rope_list <- function(figure, rows, look) {
   items <- figure$ropes[rows, ]
   words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
   heading <- c("Ropes", "length m", "\u00d8 mm", "E")
@@ -132,7 +132,7 @@ rope_table <- function(figure, rows, look) {
   )
 }
 
-netting_table <- function(items, look) {
+netting_list <- function(items, look) {
   words <- rbind(items$name, items$deep, items$mesh, items$twine)
   heading <- c("Netting", panel_columns$heading[-1L])
   wide <- vapply(seq_len(4L), function(c) {
@@ -158,7 +158,7 @@ netting_table <- function(items, look) {
   )
 }
 
-piece_table <- function(figure, rows, look) {
+piece_list <- function(figure, rows, look) {
   items <- figure$pieces[rows, ]
   first <- 2 * look$balloon + look$gap
   wide <- 42 * look$t
@@ -192,7 +192,7 @@ piece_table <- function(figure, rows, look) {
 
 # Blocks in n columns of one width and height, in their order: list(column (of each block), high),
 # the least high there is.
-packed <- function(blocks, n, gap) {
+packed_blocks <- function(blocks, n, gap) {
   high <- vapply(blocks, `[[`, 0, "high")
   fill <- function(most) {
     column <- integer(length(high))
@@ -232,7 +232,7 @@ arrangements <- function(figure, columns, blocks, inner, look, true_size) {
   if (is.null(columns)) {
     for (n in 1:4) {
       if (!length(blocks) || n * wide + (n - 1) * gap > room[1]) next
-      pack <- packed(blocks, n, gap)
+      pack <- packed_blocks(blocks, n, gap)
       if (is.null(pack) || pack$high > room[2]) next
       # as near to filled as may be, no column left empty
       used <- max(pack$column)
@@ -248,7 +248,7 @@ arrangements <- function(figure, columns, blocks, inner, look, true_size) {
   for (n in 1:4) {
     whole <- n * wide + (n - 1) * gap
     if (whole > room[1]) next
-    pack <- packed(blocks, n, gap)
+    pack <- packed_blocks(blocks, n, gap)
     if (is.null(pack) || max(pack$column) < n) next
     if (pack$high <= room[2]) {
       scale <- fitting_scale(columns, figure, room[1] - whole - gap, room[2], look, true_size)
@@ -343,10 +343,10 @@ legend_lines <- function(figure, frame, look) {
   wrap_words(paste(words, collapse = " "), frame[3] - frame[1] - 4, look$t)
 }
 
-title_height <- function(look) 3.4 * look$line + 2
+foot_title_height <- function(look) 3.4 * look$line + 2
 
 foot_height <- function(figure, frame, look) {
-  title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
+  foot_title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
 }
 
 # The strip at the foot of the sheet: name and source, scale with its bar, units, sheet.
@@ -354,7 +354,7 @@ draw_foot <- function(sheet, figure, draft) {
   frame <- draft$frame
   look <- draft$look
   t <- look$t
-  top <- frame[2] + title_height(look)
+  top <- frame[2] + foot_title_height(look)
   lines <- legend_lines(figure, frame, look)
   on_sheet(sheet, component = "legend", layer = "TITLE", draw = {
     for (k in seq_along(lines)) {

@@ -59,6 +59,7 @@ sheet_circle <- function(sheet, x, y, radius, fill = "white", width = sheet_widt
 # where `across` says.
 sheet_text <- function(sheet, x, y, text, size, across = 0, bold = FALSE, italic = FALSE,
                        up = FALSE, ink = sheet_ink) {
+  text <- as.character(text)
   if (is.na(text) || !nzchar(text)) return(invisible(sheet))
   add_item(sheet, kind = "text", x = x, y = y, text = text, size = size, across = across,
     bold = bold, italic = italic, up = up, ink = ink, fill = NA,

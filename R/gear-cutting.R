@@ -81,9 +81,10 @@ panel_rates <- function(panel) {
   c(left = rate(panel$taper_left), right = rate(panel$taper_right))
 }
 
-# The rate that an edge is cut by in whole simple steps: the shortest cycle whose cut ends within
-# half a mesh of the counts, or within a mesh of them where that is less than a twentieth of what
-# the edge loses, as net makers round; two cycles in turn where no cycle does.
+# The rate that an edge is cut by in whole simple steps: the shortest cycle of a dozen cuts at most
+# that ends within half a mesh of the counts; otherwise a cycle that ends within a mesh of them,
+# where that is less than a twentieth of what the edge loses, as net makers round; two cycles in
+# turn where no cycle does.
 simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   exact <- cutting_rate(lost, deep, orientation)
   if (!grepl("[(~]", exact)) return(exact)
@@ -101,6 +102,8 @@ simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   cycles <- cycles[order(cycles$n + cycles$b, cycles$n), ]
   bars <- cycles$b / 2
   slope <- if (wide) (cycles$n + bars) / bars else bars / (cycles$n + bars)
-  fits <- which(abs(slope * deep - lost) <= near + 1e-9)[1]
+  off <- abs(slope * deep - lost)
+  close <- which(off <= rounded_meshes / 2 & cycles$n + cycles$b <= 12)
+  fits <- c(close, which(off <= near + 1e-9))[1]
   if (is.na(fits)) exact else paste0(cycles$n[fits], letter, cycles$b[fits], "B")
 }

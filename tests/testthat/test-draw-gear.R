@@ -120,6 +120,99 @@ test_that("labels keep their distance and stay near their places", {
   expect_true(all(-diff(spread) > 0.1 - 1e-6))
   expect_equal(spread[4], 1)
   expect_equal(mean(spread[1:3]), mean(y[1:3]), tolerance = 1e-6)
+  # at the top they are pushed down, each by no more than it must
+  expect_equal(spread_labels(c(5, 4.99, 1), 0.1, 0, 5), c(5, 4.9, 1))
+})
+
+test_that("lines through a box are told from those beside it", {
+  box <- c(0, 0, 2, 1)
+  lines <- rbind(c(-1, 0.5, 3, 0.5), c(1, -1, 1, 3), c(-1, 0, 3, 4), c(0.5, 0.5, 1, 0.6),
+    c(-1, 2, 3, 2), c(2.5, -1, 2.5, 3), c(0, 1, 2, 1), c(-2, 0.5, -1, 0.5))
+  expect_identical(lines_cross_box(lines, box), c(TRUE, TRUE, FALSE, TRUE, rep(FALSE, 4)))
+})
+
+test_that("nothing overlaps on any shipped gear, and the letters are those of ISO 3098", {
+  # each gear on the smallest sheet and, in turn, on one of the others
+  others <- rep_len(c("A3", "A2", "A1"), nrow(gears()))
+  for (k in seq_len(nrow(gears()))) {
+    for (page in c("A4", others[k])) {
+      sheet <- gear_sheet(read_gear(gears()$name[k]), page)
+      told <- paste(gears()$name[k], page)
+      expect_identical(overlaps(sheet), character(), label = told)
+      sizes <- vapply(Filter(function(item) item$kind == "text", sheet$items), `[[`, 0, "size")
+      expect_gte(min(sizes), 1.8, label = told)
+      expect_setequal(sheet$page, sheet_sizes[[page]])
+    }
+  }
+})
+
+test_that("the check finds texts over texts, lines and the frame", {
+  sheet <- new_sheet(c(100, 50))
+  sheet_text(sheet, 30, 25, "one", 2)
+  expect_identical(overlaps(sheet), character())
+  sheet_text(sheet, 32, 26, "two", 2)
+  expect_identical(overlaps(sheet), "one / two")
+  on_sheet(sheet, component = "leader", draw = sheet_line(sheet, c(25, 40), c(24.9, 24.9)))
+  expect_identical(overlaps(sheet)[2], "one is crossed by a leader")
+  sheet_text(sheet, 5, 40, "out", 2)
+  expect_identical(overlaps(sheet)[2], "out leaves the frame")
+})
+
+test_that("scales are round, and netting is drawn to them", {
+  gear <- read_gear("pair_trawl")
+  sheet <- gear_sheet(gear, "A3")
+  expect_true(any(abs(sheet$scale / 10^(0:4) / rep(scale_steps, each = 5) - 1) < 1e-9))
+  codend <- Filter(function(i) i$component == "panel" && i$ref == "panels.back_codend" &&
+    i$kind == "polygon", sheet$items)[[1]]
+  panel <- gear_si(gear)$panels$back_codend
+  # stretched depth of the panel, on the sheet in millimetres
+  expect_equal(diff(range(codend$y)), panel$deep * panel$mesh_size * 1000 / sheet$scale)
+})
+
+test_that("halves meet at one centre line, the upper panel left and the lower right", {
+  columns <- net_columns(plan_figure(read_gear("pair_trawl")))
+  expect_identical(vapply(columns, `[[`, "", "heading"), c("upper panel", "lower panel"))
+  expect_identical(vapply(columns, `[[`, "", "half"), c("left", "right"))
+  expect_lte(max(columns[[1]]$panels$ur), 1e-9)
+  expect_gte(min(columns[[2]]$panels$ul), -1e-9)
+})
+
+test_that("rates are the plan's own, or the simplest that end within a mesh of the counts", {
+  expect_identical(simple_cutting_rate(21, 25), "1N10B")
+  expect_identical(simple_cutting_rate(50, 100), "1N2B")
+  expect_identical(simple_cutting_rate(0, 100), "AN")
+  expect_identical(simple_cutting_rate(0, 100, "turned"), "AT")
+  for (lost in c(3, 7.5, 31, 72, 107)) {
+    for (deep in c(40, 75, 110)) {
+      rate <- simple_cutting_rate(lost, deep)
+      # what it takes off, read by the rule of plans
+      expect_lte(abs(cutting_slope(rate, "cutting") * deep - lost), 1 + 1e-9, label = rate)
+      expect_lte(nchar(rate), nchar(cutting_rate(lost, deep)), label = rate)
+    }
+  }
+  gear <- read_gear("pair_trawl")
+  panel <- gear_si(gear)$panels$back_body
+  expect_identical(drawn_rates(panel, list(cutting = "2N3B"))[["right"]], "2N3B")
+})
+
+test_that("a rope laid straight has wing, bosom and wing, and its floats along it", {
+  figure <- plan_figure(read_gear("poly_noreastern_trawl"))
+  ropes <- straight_ropes(figure)
+  head_line <- ropes[[match("head line", vapply(ropes, function(r) r$item$name, ""))]]
+  given <- figure$si$ropes$head_line
+  expect_identical(head_line$parts$words, c("wing", "bosom", "wing"))
+  expect_equal(sum(head_line$parts$length), given$length)
+  expect_equal(head_line$parts$length, given$length * given$shares)
+  expect_true(all(head_line$pieces$name == "float"))
+  floats <- figure$pieces[figure$pieces$name == "float", ]
+  expect_equal(sum(head_line$pieces$number), sum(floats$count))
+})
+
+test_that("a DXF has no break and one scale", {
+  wall <- gear_sheet(read_gear("gillnet"), "A1", true_size = TRUE)
+  panel <- Filter(function(i) i$component == "panel" && i$kind == "polygon", wall$items)[[1]]
+  flat <- flat_layout(gear_si(read_gear("gillnet")))$panels
+  expect_equal(diff(range(panel$x)) / diff(range(panel$y)), flat$upper[1] / flat$depth[1])
 })
 
 test_that("every shipped plan is drawn, and the device is left as it was", {

@@ -38,11 +38,13 @@ test_that("what a drawing shows of a field names a field of the plan, with that 
     svg <- svg_of(gear)
     paths <- unique(xml2::xml_attr(xml2::xml_find_all(svg, "//g[@data-path]"), "data-path"))
     expect_gt(length(paths), 5)
-    for (path in paths) expect_false(is.null(plan_field(gear$plan, path)), label = path)
+    for (path in paths) expect_false(is.null(path_node(gear$plan, path)), label = path)
     sizes <- xml2::xml_find_all(svg, "//g[@data-component='mesh_size' and @data-path]")
+    expect_gt(length(sizes), 0)
     for (size in sizes) {
       given <- plan_field(gear$plan, xml2::xml_attr(size, "data-path"))$value
-      expect_equal(as.double(xml2::xml_text(size)) / 1000, quantity_si(given, "length"))
+      shown <- as.double(sub(" mm", "", xml2::xml_text(size), fixed = TRUE))
+      expect_equal(shown / 1000, quantity_si(given, "length"))
     }
   }
 })
