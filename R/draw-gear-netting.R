@@ -248,7 +248,8 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
   }
   if (column$wall) {
     label_wall(sheet, column, figure, x, y, look, use)
-    draw_heading(sheet, column, x(min(panels$ul, panels$ll)), 0, at[2] + 7 * look$line, look)
+    draw_heading(sheet, column, x(min(panels$ul, panels$ll)), 0, at[2] + 7 * look$line, look,
+      use)
   } else {
     label_column(sheet, column, figure, scale, at, look, use)
   }
@@ -256,8 +257,12 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
 }
 
 # Headings stand at the centre line of a half, at the left of what is whole.
-draw_heading <- function(sheet, column, x, across, top, look) {
+draw_heading <- function(sheet, column, x, across, top, look, use) {
   remark <- c(if (nzchar(column$half)) paste(column$half, "half"), column$remark)
+  wide <- max(text_width(column$heading, look$t, TRUE), text_width(paste(remark, collapse = ", "),
+    look$t))
+  take_box(use, c(x - across * wide, top + 1.9 * look$line, x + (1 - across) * wide,
+    top + 3.9 * look$line))
   on_sheet(sheet, component = "heading", layer = "NAMES", draw = {
     sheet_text(sheet, x, top + 3.4 * look$line, column$heading, look$t, across, bold = TRUE)
     sheet_text(sheet, x, top + 2.4 * look$line, paste(remark[nzchar(remark)], collapse = ", "),
@@ -337,7 +342,7 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
   }
   across <- if (sign < 0) 1 else 0
   draw_heading(sheet, column, x + if (sign > 0 && nzchar(column$half)) look$gap else 0, across,
-    at[2], look)
+    at[2], look, use)
 }
 
 # The outermost x of a column's netting between two heights, mm.
@@ -405,8 +410,14 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
     slope <- abs(scale[1] * (ends[2] - ends[1])) / (scale[2] * p$depth) * look$line / 2
     away <- size[1] / 2 + look$gap + slope
     sign <- if (right) -1 else 1
-    places <- rbind(cbind(edge + sign * away, y), cbind(edge - sign * away, y),
-      cbind(edge + sign * (away + 4 * look$t), y), cbind(edge - sign * (away + 4 * look$t), y))
+    other <- if (right) c(p$ur, p$lr) else c(p$ul, p$ll)
+    wide <- scale[1] * abs((1 - f) * (other[1] - ends[1]) + f * (other[2] - ends[2]))
+    within <- function(far) which(far + size[1] / 2 < wide)
+    near <- away + 4 * look$t
+    places <- rbind(
+      cbind(edge + sign * away, y), cbind(edge - sign * away, y)[within(away), ],
+      cbind(edge + sign * near, y), cbind(edge - sign * near, y)[within(near), ]
+    )
     where <- find_room(use, places, size)
     if (is.null(where)) {
       left_over[k] <- text
@@ -564,17 +575,12 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
     return(c(long, min(deep, steepest_scale * long)))
   }
   tried <- scale_series(1000 * max(deepest / height, across / room))
-  scale <- function(k) rep(1000 / tried[k], 2L)
-  fits <- function(k) columns_width(columns, figure, scale(k), look) <= room
-  # the first that fits, by halving
-  low <- 0L
-  high <- min(16L, length(tried))
-  if (!fits(high)) return(NULL)
-  while (high - low > 1L) {
-    middle <- (low + high) %/% 2L
-    if (fits(middle)) high <- middle else low <- middle
+  # What fits at one scale need not at a smaller one, where counts no longer stand within panels.
+  for (one in utils::head(tried, 14L)) {
+    scale <- rep(1000 / one, 2L)
+    if (columns_width(columns, figure, scale, look) <= room) return(scale)
   }
-  scale(high)
+  NULL
 }
 
 # How wide the netting is drawn, in words.

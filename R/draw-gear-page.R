@@ -16,15 +16,17 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
   best <- NULL
   ways <- list(columns, if (!is.null(columns)) listed_columns(columns))
   for (way in unique(ways)) {
+    # Netting is told beside the panels unless it would be drawn much larger without.
+    before <- best
     for (t in sheet_text_sizes[[page]]) {
       found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size)
       # Larger letters are worth a little of the netting's size.
-      if (!is.null(found) && (is.null(best) || found$worth > 1.5 * best$worth)) {
+      much <- if (identical(best, before)) 3 else 1.5
+      if (!is.null(found) && (is.null(best) || found$worth > much * best$worth)) {
         best <- c(found, list(columns = way))
       }
     }
-    # Netting is told beside the panels wherever there is room for it.
-    if (!is.null(best)) break
+    if (is.null(figure$layout)) break
   }
   if (is.null(best)) {
     abort_argument(

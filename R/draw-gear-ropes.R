@@ -68,7 +68,7 @@ place_balloons <- function(sheet, lines, look, use) {
       away <- do.call(rbind, lapply(1:3, function(m) {
         do.call(rbind, lapply(1:4, function(d) on + rep(m * far[d, ], each = nrow(on))))
       }))
-      at <- find_room(use, away, size)
+      at <- find_led_room(use, on, away, size)
       if (is.null(at)) next
       near <- on[which.min((on[, 1] - at[1])^2 + (on[, 2] - at[2])^2), ]
       on_sheet(sheet, component = "leader", layer = "NAMES",
@@ -80,6 +80,21 @@ place_balloons <- function(sheet, lines, look, use) {
       layer = if (square) "PIECES" else "ROPES",
       draw = draw_balloon(sheet, at[1], at[2], label, look, square))
   }
+}
+
+# find_room() where a line from the nearest of some points must cross no text either.
+find_led_room <- function(use, from, places, size) {
+  for (k in seq_len(nrow(places))) {
+    at <- places[k, ]
+    box <- c(at - size / 2, at + size / 2)
+    if (!is_free(use, box)) next
+    near <- from[which.min((from[, 1] - at[1])^2 + (from[, 2] - at[2])^2), ]
+    line <- matrix(c(near, at), 1L)
+    if (any(apply(use$boxes, 1L, lines_cross_box, lines = line))) next
+    take_box(use, box)
+    return(at)
+  }
+  NULL
 }
 
 # ---- ropes laid straight -------------------------------------------------------------------------
