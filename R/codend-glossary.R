@@ -92,5 +92,9 @@
 #'   \item{level}{One of the lattices, from coarse to fine, through which a gear is settled.}
 #'   \item{scheme}{Formula by which a tow goes from one time to the next.}
 #' }
+#' @seealso [measures()] for what each measure means.
+#' @examples
+#' # the words of a plan in use
+#' names(read_gear("poly_noreastern_trawl")$plan)
 #' @name glossary
 NULL

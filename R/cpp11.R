@@ -95,3 +95,7 @@ group_volumes <- function(volume, height, point, n) {
 limit_memory <- function(bytes) {
   .Call(`_codend_limit_memory`, bytes)
 }
+
+shadow_area <- function(place, by_i, by_j, reach, depth, across, down, size) {
+  .Call(`_codend_shadow_area`, place, by_i, by_j, reach, depth, across, down, size)
+}

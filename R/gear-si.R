@@ -30,7 +30,8 @@ check_parts <- function(plan, fields, last) {
     )
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
     now$assembly <- complete_counts(
-      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree
+      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree,
+      twines = FALSE
     )$fields
   }
   now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)

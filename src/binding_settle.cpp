@@ -32,6 +32,7 @@ using namespace binding;
       watch(progress.iteration, progress.residual);
       return true;
     };
+    control.pause = [] { check_user_interrupt(); };
     const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
     std::vector<double> line_strain;
     assembly.strain(line_strain);

@@ -173,6 +173,13 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
     return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
   END_CPP11
 }
+// shadow.cpp
+double shadow_area(doubles place, doubles by_i, doubles by_j, doubles reach, doubles depth, int across, int down, double size);
+extern "C" SEXP _codend_shadow_area(SEXP place, SEXP by_i, SEXP by_j, SEXP reach, SEXP depth, SEXP across, SEXP down, SEXP size) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(shadow_area(cpp11::as_cpp<cpp11::decay_t<doubles>>(place), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_i), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_j), cpp11::as_cpp<cpp11::decay_t<doubles>>(reach), cpp11::as_cpp<cpp11::decay_t<doubles>>(depth), cpp11::as_cpp<cpp11::decay_t<int>>(across), cpp11::as_cpp<cpp11::decay_t<int>>(down), cpp11::as_cpp<cpp11::decay_t<double>>(size)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
@@ -200,6 +207,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
     {"_codend_group_volumes",          (DL_FUNC) &_codend_group_volumes,          4},
     {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
+    {"_codend_shadow_area",            (DL_FUNC) &_codend_shadow_area,            8},
     {NULL, NULL, 0}
 };
 }

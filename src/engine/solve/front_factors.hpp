@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -30,7 +31,7 @@ class FrontFactors {
   FrontFactors(const BlockPattern& pattern, const AssemblyTree& tree, int threads);
 
   // As BlockLU::factorise(). second: null for one thread.
-  bool factorise(const double* values, SecondThread* second);
+  bool factorise(const double* values, SecondThread* second, const std::function<void()>& pause);
   // Right side and solution in the order of elimination, 3 per node, in place.
   void solve(Real* x) const;
   // With the transposed matrix.

@@ -127,6 +127,9 @@ struct SettleControl {
   std::vector<double> strain;
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
+  // Called a few times in every second that an iteration's linear equations take; what it throws ends
+  // the settling.
+  std::function<void()> pause;
 
   // What rounds to a force beside which the loads are little is no balance: the share of all loads
   // together that rounding may leave.

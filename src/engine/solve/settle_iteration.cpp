@@ -26,7 +26,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       rounding_(rounding_force()),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
-      linear_(assembly, control.linear, report, x),
+      linear_(assembly, control, report, x),
       path_steps_(control.law.path_steps),
       left_path_(path_) {}
 
