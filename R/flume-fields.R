@@ -64,7 +64,8 @@ new_control <- function(label, paths, field, required = TRUE) {
   } else if (node$shape == "string" && !is.null(node$enum)) {
     list(kind = "choice", value = first_of(field$value, ""), choices = I(node$enum))
   } else if (node$shape == "string") {
-    list(kind = "word", value = first_of(field$value, ""), suggest = I(as.character(suggestions(paths[1]))))
+    suggest <- I(as.character(suggestions(paths[1])))
+    list(kind = "word", value = first_of(field$value, ""), suggest = suggest)
   } else {
     list(kind = "yaml", value = if (is.null(field$value)) "" else yaml_inline(field$value))
   })

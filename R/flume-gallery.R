@@ -1,4 +1,5 @@
-# Where a page of the flume tank begins: all gears that codend ships, a new one, a plan of one's own.
+# Where a page of the flume tank begins: all gears that codend ships, a new one, a plan of one's
+# own.
 
 flume_gallery <- function() {
   tags <- shiny::tags

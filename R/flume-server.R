@@ -135,7 +135,7 @@ flume_keeping <- function(input, tank, clerk, show, trying, ask_worker, session)
     if (act == "open") {
       trying("keep", {
         kept <- tank$kept[[tank$kept_at(asked$id)]]
-        ask_worker("plan", kept$design)
+        ask_worker("plan", kept$design, if (is.numeric(asked$number)) asked$number[1] else 0)
       })
     } else {
       good <- trying("keep", switch(act,

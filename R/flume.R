@@ -2,8 +2,8 @@
 #'
 #' A page in the browser where gear is made and tried: it begins at a gallery of the shipped gears,
 #' with a new gear from a few numbers ([new_plan()]) or a plan of one's own, and shows the gear
-#' settled, to change field by field. The net moves to its new shape as a slider does: every shape is
-#' settled from the one before.
+#' settled, to change field by field. The net moves to its new shape as a slider does: every shape
+#' is settled from the one before.
 #'
 #' \if{html}{\figure{flume.png}{options: width="100\%" alt="The flume tank: sliders on the left, the
 #' net in three dimensions coloured by tension in the middle, the table of measures with their
@@ -12,10 +12,10 @@
 #' @details
 #' The page shows
 #'
-#' - the controls: first those that people change most, and those of `fields`; then a form with every
-#'   field of the plan, made from the schema and grouped as a net drawing is, with what each means and
-#'   may be. Fields are found by their words, added, and taken out. A wrong value is told beside its
-#'   field;
+#' - the controls: first those that people change most, and those of `fields`; then a form with
+#'   every field of the plan, made from the schema and grouped as a net drawing is, with what each
+#'   means and may be. Fields are found by their words, added, and taken out. A wrong value is told
+#'   beside its field;
 #' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
 #'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
 #'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
@@ -36,28 +36,27 @@
 #'
 #' A settle that takes long says so and can be cancelled. What is on screen can be saved: a report
 #' ([report()]), the plan with its remarks ([write_gear()]), all designs as a file that opens here
-#' again, the tables as CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same
-#' page from a shell.
+#' again, the tables as CSV, and R code that settles both designs again. `codend flume PLAN --port
+#' 3838` opens the same page from a shell.
 #'
 #' The page asks nothing of the network but the R process that serves it. Each browser has a gear of
 #' its own, which a process of its own settles; it waits for its last answer before it asks again,
 #' with the latest values. That process ends when the browser leaves.
 #'
-#' @section As a server for others:
-#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a design
-#' at most 20,000 nodes (or twice `nodes`). Every browser's designs settle in an R process of their
-#' own with at most 4 GB of memory (where the system limits that) and 30 s for each answer; reports and
-#' exports in another of its own with 300 s. What takes longer is ended, and the other browsers do not
-#' wait for it. At most 30 browsers are served
-#' at a time. One that sends messages of more than 6 MB, or more than 40 a second for long, is cut
-#' off. There is no password, and `codend flume` answers this computer alone. To let others in, run
-#' it as a service of a user of its own with a limit of memory (systemd: `DynamicUser=yes`,
-#' `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`), behind a proxy that
-#' encrypts, asks who it is, and limits connections. A process takes some 150 MB, an open page
-#' another.
+#' @section As a server for others: A page sends text and nothing else: no path of a file, no code.
+#'   A plan has at most 2 MB, a design at most 20,000 nodes (or twice `nodes`). Every browser's
+#'   designs settle in an R process of their own with at most 4 GB of memory (where the system
+#'   limits that) and 30 s for each answer; reports and exports in another of its own with 300 s.
+#'   What takes longer is ended, and the other browsers do not wait for it. At most 30 browsers are
+#'   served at a time. One that sends messages of more than 6 MB, or more than 40 a second for long,
+#'   is cut off. There is no password, and `codend flume` answers this computer alone. To let others
+#'   in, run it as a service of a user of its own with a limit of memory (systemd:
+#'   `DynamicUser=yes`, `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`,
+#'   `ProtectHome=yes`), behind a proxy that encrypts, asks who it is, and limits connections. A
+#'   process takes some 150 MB, an open page another.
 #'
-#' @param gear `NULL` for the gallery, or a gear, from [read_gear()] or the constructors, or the name
-#'   or file of a plan.
+#' @param gear `NULL` for the gallery, or a gear, from [read_gear()] or the constructors, or the
+#'   name or file of a plan.
 #' @param fields Further fields of the plan to have a control each: paths as in
 #'   [update.codend_gear()], such as `"otter_boards.lift_coefficient"`. In a list, an item of
 #'   several paths is one control that changes them together; names are labels. A field is a number,
@@ -70,7 +69,9 @@
 #' @examplesIf interactive()
 #' flume()
 #' flume("towed_cable", fields = c("ropes.cable.length", "pieces.sphere.mass"))
-#' flume("midwater_trawl", fields = list("Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")))
+#' flume("midwater_trawl", fields = list(
+#'   "Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")
+#' ))
 #' @export
 flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
   check_flume_packages()

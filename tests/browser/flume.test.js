@@ -85,8 +85,9 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   await page.waitForFunction(() => /^Settled\. door spread/.test(
     document.getElementById('said').textContent), null, patience);
   // and back to where it was
+  const low = (await measure(page, 'net mouth height'))[0];
   await page.click('#back');
-  await changed(page, 'net mouth height', (await measure(page, 'net mouth height'))[0]);
+  await changed(page, 'net mouth height', low);
   assert.equal((await measure(page, 'net mouth height'))[0], height);
   assert.equal(await control(page, 'towing.speed').locator('[type=number]').inputValue(), '4');
   clean(page);

@@ -14,6 +14,7 @@ const launch = () => chromium.launch({
 // `strange`.
 async function visit(browser, url, size = { width: 1440, height: 900 }) {
   const page = await browser.newPage({ viewport: size });
+  const own = new URL(url).origin;
   page.problems = [];
   page.strange = [];
   page.on('console', (message) => {
@@ -22,10 +23,10 @@ async function visit(browser, url, size = { width: 1440, height: 900 }) {
   page.on('pageerror', (error) => page.problems.push(error.message));
   page.on('request', (request) => {
     const to = request.url();
-    if (!to.startsWith(url) && !/^(data|blob):/.test(to)) page.strange.push(to);
+    if (!to.startsWith(own) && !/^(data|blob):/.test(to)) page.strange.push(to);
   });
   page.on('websocket', (socket) => {
-    if (!socket.url().startsWith(url.replace('http', 'ws'))) page.strange.push(socket.url());
+    if (!socket.url().startsWith(own.replace('http', 'ws'))) page.strange.push(socket.url());
   });
   await page.goto(url);
   return page;
