@@ -5,7 +5,7 @@
 form_rooms <- list(
   Netting = c(
     "panels", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
-    "length", "mouth", "selvedges", "seams", "catch"
+    "length", "mouth", "selvedges", "seams", "grids", "catch"
   ),
   Ropes = c(
     "head_line", "footrope", "footrope_extensions", "side_lines", "belly_lines", "cross_ropes",
