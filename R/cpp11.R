@@ -24,8 +24,8 @@ engine_scheduled <- function(lattice, schedule, time) {
   .Call(`_codend_engine_scheduled`, lattice, schedule, time)
 }
 
-engine_settle <- function(lattice, start, from, strain, tolerance, iterations, watch) {
-  .Call(`_codend_engine_settle`, lattice, start, from, strain, tolerance, iterations, watch)
+engine_settle <- function(lattice, start, from, strain, part, tolerance, iterations, watch) {
+  .Call(`_codend_engine_settle`, lattice, start, from, strain, part, tolerance, iterations, watch)
 }
 
 engine_body_modes <- function(lattice, position, velocity) {

@@ -63,6 +63,7 @@ by_method <- function(fields) {
   fields$panels <- lapply(fields$panels, function(panel) {
     panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
     panel$added_mass <- alike
+    panel$bar_segments <- first_of(panel$bar_segments, 2L)
     # its knots are spheres without weight (eq. 3)
     if (panel$knotted) panel$knot_twine <- 0
     panel

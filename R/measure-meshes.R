@@ -94,6 +94,7 @@ mean_of_meshes <- function(state, panels, field) {
 define_measure("mesh_opening", "mm",
   "How wide the meshes of panels stand across them, the mean over their meshes: of diamonds from
   knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
+  sensor = "A camera in the net, with a scale.",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "opening")
 )
 
@@ -101,6 +102,7 @@ define_measure("mesh_angle", "deg",
   "Angle between the bars of the meshes of panels, the mean over their meshes: 0 where diamonds are
   closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
   panel.",
+  sensor = "A camera in the net.",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
 )
 

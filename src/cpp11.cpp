@@ -48,10 +48,10 @@ extern "C" SEXP _codend_engine_scheduled(SEXP lattice, SEXP schedule, SEXP time)
   END_CPP11
 }
 // binding_settle.cpp
-list engine_settle(list lattice, doubles start, std::string from, doubles strain, double tolerance, int iterations, function watch);
-extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP strain, SEXP tolerance, SEXP iterations, SEXP watch) {
+list engine_settle(list lattice, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
+extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding_settle.cpp
@@ -195,7 +195,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
     {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
-    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
+    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          8},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},

@@ -27,6 +27,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
+      parts_(assembly, control.part),
       path_steps_(control.law.path_steps),
       left_path_(path_) {}
 
@@ -43,19 +44,24 @@ void SettleIteration::measure() {
     }
   }
   report_.largest_tension = assembly_.largest_tension();
+  report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale();
+}
+
+// What net forces are compared with, of the whole gear, N.
+double SettleIteration::scale() const {
   double scale = report_.largest_tension;
   if (scale == 0.0) {  // a gear without any tension is measured by its loads
     for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
     if (scale == 0.0) scale = load_;  // a weightless gear, all slack at the moment
   }
-  report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale;
+  return scale;
 }
 
 void SettleIteration::begin(double pseudo_step) {
   path_ = TensionPath(assembly_.model(), load_);
   pseudo_time_.begin(pseudo_step);
   on_law_ = begun_ = closing_in_ = false;
-  part_ = 1.0;
+  loaded_ = 1.0;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
 }
@@ -92,10 +98,17 @@ void SettleIteration::follow(double parameter) {
   path_.follow(strain_, parameter);
 }
 
-bool SettleIteration::balanced() const {
-  return (pseudo_time_.found() && (report_.residual <= control_.tolerance || at_rounding())) ||
-         report_.worst_force == 0.0;
+bool SettleIteration::balanced() {
+  if (report_.worst_force == 0.0) return true;
+  if (!pseudo_time_.found() || !(report_.residual <= control_.tolerance || at_rounding())) {
+    return false;
+  }
+  judge_parts();
+  return report_.parts.residual <= control_.part_tolerance &&
+         report_.parts.rounding <= control_.greatest_rounding;
 }
+
+void SettleIteration::judge_parts() { report_.parts = parts_.worst(force_.data(), scale()); }
 
 // Whether the net forces are no more than what rounding of the positions makes.
 bool SettleIteration::at_rounding() const {
@@ -104,7 +117,9 @@ bool SettleIteration::at_rounding() const {
 
 bool SettleIteration::may_be_unstable() {
   // What settles from its own state was tried there. (Boards cost little: they are tried again.)
-  if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
+  const Model& model = assembly_.model();
+  const bool boards_alone = model.plates.count() > 0 && model.bends.count() == 0;
+  if (from_settled_ && report_.iterations == 0 && !boards_alone) return false;
   unstable_size_ = unstable_size(assembly_);
   return unstable_size_ > 0.0;
 }
@@ -171,7 +186,7 @@ void SettleIteration::choose_law() {
                   report_.residual > law.excess * residual_before_law_ ||
                   (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
-  } else if (!on_law_ && steps_to_law_ <= 0 && part_ == 1.0 && pseudo_time_.found() &&
+  } else if (!on_law_ && steps_to_law_ <= 0 && loaded_ == 1.0 && pseudo_time_.found() &&
              report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
     try_law();
   }
@@ -223,18 +238,18 @@ double SettleIteration::reduction() {
 // step turned lines little.
 void SettleIteration::add_loads_by_parts() {
   if (settled_steps_ == 0) first_force_ = force_;
-  if (part_ == 1.0) return;
+  if (loaded_ == 1.0) return;
   if (pseudo_time_.rotation() <= control_.path.settled_turn) {
-    part_ = std::min(1.0, part_ + part_step_);
+    loaded_ = std::min(1.0, loaded_ + loaded_step_);
   }
-  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - part_) * first_force_[k];
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - loaded_) * first_force_[k];
 }
 
 // The share of the first step from a settled shape, which would turn lines by `rotation`: as the step is
 // linear in the loads, that is the whole step of that part of them.
 double SettleIteration::first_share(double rotation) {
-  part_ = part_step_ = std::min(1.0, control_.path.settled_turn / rotation);
-  return part_;
+  loaded_ = loaded_step_ = std::min(1.0, control_.path.settled_turn / rotation);
+  return loaded_;
 }
 
 void SettleIteration::move() {
@@ -253,7 +268,7 @@ void SettleIteration::move() {
   pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
-    const bool closer = part_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
+    const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
     idle_steps_ = closer ? 0 : idle_steps_ + 1;
     if (closer) least_rotation_ = pseudo_time_.rotation();
   }

@@ -35,7 +35,9 @@ class SettleIteration {
   void resume();
 
   // Whether the shape is found and its net forces are no more than is allowed, or than rounding makes.
-  bool balanced() const;
+  bool balanced();
+  // Tells of every part's balance, as measured.
+  void judge_parts();
   // Whether steps from a settled shape do not close in.
   bool lost() const;
   // One Newton step; where its matrix is singular none, and the next one is held back more.
@@ -60,6 +62,7 @@ class SettleIteration {
   bool at_rounding() const;
   double rounding_force() const;
   double total_load();
+  double scale() const;
 
   Assembly& assembly_;
   const SettleControl& control_;
@@ -75,11 +78,12 @@ class SettleIteration {
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
+  PartBalance parts_;
   bool begun_ = false;       // a step has been taken
   bool closing_in_ = false;  // from a settled state, by its tensions
-  // Of the loads that have changed since: the part that acts so far, by how much it grows, and the net
+  // Of the loads that have changed since: the share that acts so far, by how much it grows, and the net
   // forces that the rest would make at the start.
-  double part_ = 1.0, part_step_ = 1.0;
+  double loaded_ = 1.0, loaded_step_ = 1.0;
   std::vector<double> first_force_;
   // Of that state's steps.
   double least_rotation_ = 1.0;
