@@ -120,7 +120,7 @@ beside_another <- function(panels) {
   }, NA)
 }
 
-# Panels of a column that have a row beside them: those that have labels, one of each place and make.
+# Panels of a column that have a row beside them: those that have labels.
 column_rows <- function(column, si) {
   p <- column$panels[column$panels$labelled, ]
   words <- vapply(p$name, function(name) paste(panel_words(name, si), collapse = "|"), "")

@@ -1,5 +1,5 @@
-# Which field of a plan the drawing shows where: from a field of the assembly that is drawn to that of
-# the short form that somebody wrote.
+# Which field of a plan the drawing shows where: from a field of the assembly that is drawn to that
+# of the short form that somebody wrote.
 
 # A function that gives the path in a gear's plan of a field of its assembly, "" where no field of
 # the plan is that one.

@@ -22,8 +22,8 @@
 #' once.
 #'
 #' A panel that makes up most of the length of a net is drawn shortened, with a break; a wall much
-#' longer than deep is drawn at two scales, and says so. A DXF has neither. Texts have the heights of
-#' ISO 3098, 1.8 mm at least, larger on larger sheets; scales are round.
+#' longer than deep is drawn at two scales, and says so. A DXF has neither. Texts have the heights
+#' of ISO 3098, 1.8 mm at least, larger on larger sheets; scales are round.
 #'
 #' @param x A gear ([read_gear()], [gear()]).
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.svg`, `.pdf`,
