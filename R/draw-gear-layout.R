@@ -381,7 +381,8 @@ ropes_along_panel <- function(name, laced, mirror) {
 }
 
 # Numbers as text that does not tell rounding errors apart; adding 0 turns -0 into 0.
-format_places <- function(x) sprintf("%.3f", round(x, 3) + 0)
+# What is added keeps lengths that are half a millimetre over from going either way.
+format_places <- function(x) sprintf("%.3f", round(x + 1.2345e-5, 3) + 0)
 
 # Which ropes run along which edges, on both sides of seams: a data frame with rope, kind, panel,
 # edge, from and to (from <= to).
