@@ -194,6 +194,25 @@ test_that("the shipped trawl is shot from the surface as its plan says", {
   expect_gt(sinking[3], 2 * sinking[2])
 })
 
+test_that("few attempts at steps of a trawl that turns are rejected", {
+  trawl <- settle("midwater_trawl", nodes = 400)
+  found <- tow(trawl, until = 180, every = 20,
+    course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
+  report <- found$report
+  rejected <- report$repeated + report$not_found + report$unbalanced
+  # 12 % of attempts is what is asked of the whole of its plan's tow
+  expect_lt(rejected / (rejected + report$steps), 0.12)
+})
+
+test_that("a net that is shot goes on to the same bytes while parts of it wait on board", {
+  found <- function(until) tow("purse_seine", until = until, every = 4, nodes = 200)
+  whole <- found(8)
+  half <- tow(found(4), until = 8)
+  for (field in c("time", "position", "velocity", "memory")) {
+    expect_identical(half[[field]], whole[[field]])
+  }
+})
+
 test_that("a state goes on as it is, whatever schedule its plan has for the gear", {
   gear <- short_cable(until = 40, every = 5, warp_out = list(list(time = 0, value = 30),
     list(time = 20, value = 60)), speed = 3)

@@ -60,8 +60,8 @@ test_that("net and vessel put in what the water takes out", {
 
 test_that("an accuracy may name position and tension", {
   gear <- chain_in_air()
-  loose <- tow(gear, until = 10, accuracy = list(position = 0.1))
-  strict <- tow(gear, until = 10, accuracy = list(position = "10 cm", tension = 0.01))
+  loose <- tow(gear, until = 3, accuracy = list(position = 0.1))
+  strict <- tow(gear, until = 3, accuracy = list(position = "10 cm", tension = 1e-4))
   expect_gt(strict$report$steps, 2 * loose$report$steps)
   expect_error(tow(gear, until = 1, accuracy = list(speed = 1)), "`accuracy` must be",
     class = "codend_error_argument")
