@@ -20,6 +20,8 @@
 #
 # make validate  codend beside closed forms, flume tests and hauls: validation/book.md
 #
+# make site    help, guides and pictures as a site, into site/, by pkgdown without the network
+#
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
 # make schema-check  fails where it is not what the parts give
 # make schema-test  shipped plans, right ones and wrong ones by two standard validators; takes Node.js
@@ -27,7 +29,7 @@
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
-  bench-tow errors robust validate schema schema-check
+  bench-tow errors robust validate site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -97,6 +99,10 @@ robust:
 validate:
 	@tools/setup --tests
 	@Rscript validation/book.R
+
+site:
+	@tools/setup --site
+	@Rscript tools/site.R
 
 schema:
 	@Rscript tools/schema.R

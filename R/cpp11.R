@@ -24,8 +24,8 @@ engine_scheduled <- function(lattice, schedule, time) {
   .Call(`_codend_engine_scheduled`, lattice, schedule, time)
 }
 
-engine_settle <- function(lattice, start, from, strain, tolerance, iterations, watch) {
-  .Call(`_codend_engine_settle`, lattice, start, from, strain, tolerance, iterations, watch)
+engine_settle <- function(lattice, start, from, strain, part, tolerance, iterations, watch) {
+  .Call(`_codend_engine_settle`, lattice, start, from, strain, part, tolerance, iterations, watch)
 }
 
 engine_body_modes <- function(lattice, position, velocity) {
@@ -94,4 +94,8 @@ group_volumes <- function(volume, height, point, n) {
 
 limit_memory <- function(bytes) {
   .Call(`_codend_limit_memory`, bytes)
+}
+
+shadow_area <- function(place, by_i, by_j, reach, depth, across, down, size) {
+  .Call(`_codend_shadow_area`, place, by_i, by_j, reach, depth, across, down, size)
 }

@@ -63,7 +63,8 @@ rope_words <- function(name, role) {
 
 # The ropes of a gear: a data frame with a row per item: item (number), name, count, length (m),
 # diameter (m), material (words), hanging (ratio, NA), strength (N, NA), laced (TRUE along netting),
-# kind (rope_kind()).
+# kind (rope_kind()), first (name of the
+# first of them in the assembly).
 rope_items <- function(si) {
   kind <- vapply(names(si$ropes), rope_kind, "", si = si)
   first <- which(!duplicated(kind))
@@ -79,7 +80,7 @@ rope_items <- function(si) {
       length = rope$length, diameter = rope$diameter,
       material = if (is.na(rope$material)) "" else material_words(rope$material),
       hanging = if (along) rope_hanging_ratio(rope, si$panels) else NA_real_,
-      strength = rope$strength, laced = along, kind = kind[[first[k]]]
+      strength = rope$strength, laced = along, kind = kind[[first[k]]], first = name
     )
   }))
 }
@@ -94,16 +95,19 @@ rope_item_words <- function(item) {
 }
 
 # Weights, floats, boards and other pieces: a data frame with a row per item: item (letter), name,
-# count, words (what each is), parts (names, in one text), role.
+# count, words (what each is), parts (names, in one text), role, ref (path of
+# the first in the assembly).
 piece_items <- function(si) {
   each <- c(
     lapply(names(si$pieces), function(name) {
       piece <- si$pieces[[name]]
-      list(part = name, role = piece$role, count = piece$number, words = piece_words(piece, si))
+      list(part = name, role = piece$role, count = piece$number, words = piece_words(piece, si),
+        ref = paste0("pieces.", name))
     }),
     lapply(names(si$otter_boards), function(name) {
       board <- si$otter_boards[[name]]
-      list(part = name, role = board$role, count = 1, words = board_words(board))
+      list(part = name, role = board$role, count = 1, words = board_words(board),
+        ref = paste0("otter_boards.", name))
     })
   )
   if (!length(each)) return(NULL)
@@ -117,7 +121,7 @@ piece_items <- function(si) {
     item = item_letters(length(first)), name = name[first], words = pick("words", "")[first],
     count = vapply(first, function(k) sum(as.double(pick("count", 0))[kind == kind[k]]), 0),
     role = ifelse(role[first] %in% view_symbols$role, role[first], "other"),
-    parts = I(lapply(first, function(k) part[kind == kind[k]]))
+    parts = I(lapply(first, function(k) part[kind == kind[k]])), ref = pick("ref", "")[first]
   )
 }
 

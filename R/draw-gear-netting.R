@@ -12,6 +12,7 @@ draw_flat_netting <- function(figure, frame) {
   drawn <- best_draft(figure, frame)
   columns <- drawn$columns
   scale <- drawn$scale
+  pen$sheet$scale <- 1000 / (scale[2] * 25.4)
   use <- new_page_use()
   left <- frame[1] + sum(drawn$widths)
   for (k in seq_along(columns)) {
@@ -177,10 +178,10 @@ column_reach <- function(column, scale) {
   panels <- column$panels
   left <- scale[1] * min(panels$ul, panels$ll)
   right <- scale[1] * max(panels$ur, panels$lr)
-  heading <- graphics::strwidth(column$heading, cex = plan_text[["heading"]], font = 2)
+  heading <- pen_width(column$heading, cex = plan_text[["heading"]], font = 2)
   if (column$wall) return(c(left - 0.05, max(right, left + heading) + 0.05))
   said <- side_labels(column, scale)
-  wide <- function(text) graphics::strwidth(text, cex = plan_text[["label"]])
+  wide <- function(text) pen_width(text, cex = plan_text[["label"]])
   left <- min(left, said$left_x - plan_label_gap - wide(said$left))
   right <- max(right, said$right_x + plan_label_gap + wide(said$right), left + heading)
   c(left - 0.02, right)
@@ -191,7 +192,7 @@ column_reach <- function(column, scale) {
 # panel), inside (whether the counts have room within the panel).
 side_labels <- function(column, scale) {
   panels <- column$panels
-  wide <- function(text) graphics::strwidth(text, cex = plan_text[["label"]])
+  wide <- function(text) pen_width(text, cex = plan_text[["label"]])
   upper <- scale[1] * (panels$ur - panels$ul)
   lower <- scale[1] * (panels$lr - panels$ll)
   inside <- scale[2] * panels$depth > 2 * plan_line + 0.03 &
@@ -229,8 +230,10 @@ draw_column <- function(column, figure, scale, use) {
   y <- function(m) column$at[2] - scale[2] * m
   for (k in seq_len(nrow(panels))) {
     p <- panels[k, ]
-    graphics::polygon(x(c(p$ul, p$ur, p$lr, p$ll)), y(p$y + c(0, 0, p$depth, p$depth)),
-      border = plan_ink, lwd = 0.8, col = "#F2F4F6")
+    on_sheet(pen$sheet, component = "panel", ref = paste0("panels.", p$name), draw = {
+      pen_polygon(x(c(p$ul, p$ur, p$lr, p$ll)), y(p$y + c(0, 0, p$depth, p$depth)),
+        border = plan_ink, lwd = 0.8, col = "#F2F4F6")
+    })
     beyond <- if (column$wall) 0 else 0.05
     if (p$broken) {
       draw_break(x(min(p$ul, p$ll)) - beyond, x(max(p$ur, p$lr)) + beyond, y(p$y + p$depth / 3))
@@ -238,16 +241,16 @@ draw_column <- function(column, figure, scale, use) {
   }
   if (column$half) {
     span <- range(panels$y, panels$y + panels$depth)
-    graphics::segments(x(0), y(span[1]) + 0.12, x(0), y(span[2]) - 0.12, lty = "1242", lwd = 0.8)
+    pen_segments(x(0), y(span[1]) + 0.12, x(0), y(span[2]) - 0.12, lty = "1242", lwd = 0.8)
   }
   left <- x(min(panels$ul, panels$ll))
-  graphics::text(left, column$at[2] + 0.34, column$heading, adj = c(0, 0.5), font = 2,
+  pen_text(left, column$at[2] + 0.34, column$heading, adj = c(0, 0.5), font = 2,
     cex = plan_text[["heading"]])
-  graphics::text(left, column$at[2] + 0.22, column$remark, adj = c(0, 0.5), font = 3,
+  pen_text(left, column$at[2] + 0.22, column$remark, adj = c(0, 0.5), font = 3,
     cex = plan_text[["label"]])
   laced <- drawn_laced(column, figure, x, y)
   for (k in which(laced$thick)) {
-    graphics::segments(laced$x0[k], laced$y0[k], laced$x1[k], laced$y1[k], lwd = 2.6)
+    pen_segments(laced$x0[k], laced$y0[k], laced$x1[k], laced$y1[k], lwd = 2.6)
   }
   if (column$wall) label_wall(column, x, y, use) else label_column(column, scale, x, y, use)
   place_balloons(laced, use)
@@ -260,15 +263,15 @@ draw_break <- function(left, right, y) {
   }
   upper <- zigzag(y + 0.025)
   lower <- zigzag(y - 0.025)
-  graphics::polygon(c(upper$x, rev(lower$x)), c(upper$y, rev(lower$y)), col = "white", border = NA)
-  graphics::lines(upper, lwd = 0.6)
-  graphics::lines(lower, lwd = 0.6)
+  pen_polygon(c(upper$x, rev(lower$x)), c(upper$y, rev(lower$y)), col = "white", border = NA)
+  pen_lines(upper, lwd = 0.6)
+  pen_lines(lower, lwd = 0.6)
 }
 
 label_text <- function(x, y, text, adj, use) {
   cex <- plan_text[["label"]]
-  graphics::text(x, y, text, adj = c(adj, 0.5), cex = cex)
-  wide <- graphics::strwidth(text, cex = cex)
+  pen_text(x, y, text, adj = c(adj, 0.5), cex = cex)
+  wide <- pen_width(text, cex = cex)
   half <- plan_line / 2 * lengths(strsplit(text, "\n", fixed = TRUE))
   take_box(use, c(x - adj * wide, y - half, x + (1 - adj) * wide, y + half))
 }
@@ -280,13 +283,16 @@ label_column <- function(column, scale, x, y, use) {
   for (k in which(said$inside)) {
     p <- panels[k, ]
     centred <- if (column$half && p$ul < 1e-6) NA else 0.5
-    put <- function(from, to, y, text) {
+    put <- function(from, to, y, text, edge) {
       if (text == "0") return(invisible())
-      if (is.na(centred)) label_text(x(from) + 0.04, y, text, 0, use)
-      else label_text(x((from + to) / 2), y, text, 0.5, use)
+      ref <- paste("panels", p$name, "meshes", edge, sep = ".")
+      on_sheet(pen$sheet, component = "meshes", ref = ref, draw = {
+        if (is.na(centred)) label_text(x(from) + 0.04, y, text, 0, use)
+        else label_text(x((from + to) / 2), y, text, 0.5, use)
+      })
     }
-    put(p$ul, p$ur, y(p$y) - plan_line / 2 - 0.01, p$across_upper)
-    put(p$ll, p$lr, y(p$y + p$depth) + plan_line / 2 + 0.01, p$across_lower)
+    put(p$ul, p$ur, y(p$y) - plan_line / 2 - 0.01, p$across_upper, "upper")
+    put(p$ll, p$lr, y(p$y + p$depth) + plan_line / 2 + 0.01, p$across_lower, "lower")
     if (nzchar(said$middle[k])) {
       label_text(x((p$ul + p$ur + p$ll + p$lr) / 4), y(p$y + p$depth / 2), said$middle[k], 0.5, use)
     }
@@ -296,7 +302,7 @@ label_column <- function(column, scale, x, y, use) {
     edge <- column$at[1] + said$right_x[k]
     label_text(edge + plan_label_gap, at[k], said$right[k], 0, use)
     if (abs(at[k] - high - said$y[k]) > 0.03) {
-      graphics::segments(edge + 0.01, high + said$y[k], edge + plan_label_gap - 0.01, at[k],
+      pen_segments(edge + 0.01, high + said$y[k], edge + plan_label_gap - 0.01, at[k],
         lwd = 0.4, col = "grey40")
     }
   }
@@ -316,12 +322,12 @@ draw_scale <- function(scale, frame, rule) {
     length <- max(lengths[lengths * per_metre <= 1.3])
     ends <- left + c(0, 0.5, 1) * length * per_metre
     y <- frame[2] + 0.1
-    graphics::rect(ends[1:2], y, ends[2:3], y + 0.04, col = c(plan_ink, "white"),
+    pen_rect(ends[1:2], y, ends[2:3], y + 0.04, col = c(plan_ink, "white"),
       border = plan_ink, lwd = 0.6)
-    graphics::text(ends[c(1, 3)], y + 0.1, c("0", paste(short_number(length), "m")), cex = cex)
-    said <- paste0(words, "1 : ", short_number(39.37 / (per_metre * graphics::par("cex")), 3))
-    graphics::text(ends[3] + 0.2, y + 0.03, said, adj = c(0, 0.5), cex = cex)
-    ends[3] + 0.2 + graphics::strwidth(said, cex = cex)
+    pen_text(ends[c(1, 3)], y + 0.1, c("0", paste(short_number(length), "m")), cex = cex)
+    said <- paste0(words, "1 : ", short_number(39.37 / (per_metre), 3))
+    pen_text(ends[3] + 0.2, y + 0.03, said, adj = c(0, 0.5), cex = cex)
+    ends[3] + 0.2 + pen_width(said, cex = cex)
   }
   left <- frame[1] + 0.05
   if (scale[1] == scale[2]) {
@@ -333,6 +339,6 @@ draw_scale <- function(scale, frame, rule) {
   rules <- c(
     rule, "Numbers at edges: meshes across the whole panel (upper/lower). N, T, B: cutting rate."
   )
-  graphics::text(left + 0.3, frame[2] + c(0.12, 0.02), rules, adj = c(0, 0.5), cex = 0.9 * cex,
+  pen_text(left + 0.3, frame[2] + c(0.12, 0.02), rules, adj = c(0, 0.5), cex = 0.9 * cex,
     font = 3)
 }

@@ -132,9 +132,9 @@ rigging_order <- function(nodes, edges) {
 draw_rigging <- function(rigging, frame) {
   nodes <- rigging$nodes
   ropes <- rigging$ropes
-  graphics::text(frame[1], frame[4] - 0.05, "Rigging (not to scale)", adj = c(0, 0.5), font = 2,
+  pen_text(frame[1], frame[4] - 0.05, "Rigging (not to scale)", adj = c(0, 0.5), font = 2,
     cex = plan_text[["heading"]])
-  graphics::text(frame[1] + graphics::strwidth("Rigging (not to scale)  ", font = 2,
+  pen_text(frame[1] + pen_width("Rigging (not to scale)  ", font = 2,
     cex = plan_text[["heading"]]), frame[4] - 0.05, "what is alike is drawn once", adj = c(0, 0.5),
     font = 3, cex = plan_text[["label"]])
   netting <- any(nodes$netting)
@@ -156,7 +156,7 @@ draw_rigging <- function(rigging, frame) {
     number <- sum(ropes$from[seq_len(k)] == a & ropes$to[seq_len(k)] == b)
     rope_curve(c(x[a], y[a]), c(x[b], y[b]), k %in% within, number)
   })
-  for (line in lines) graphics::lines(line, lwd = 1.6)
+  for (line in lines) pen_lines(line, lwd = 1.6)
   for (k in seq_along(lines)) label_rope(lines[[k]], ropes[k, ], use)
   for (k in seq_len(nrow(nodes))) draw_node(nodes[k, ], x[k], y[k], use)
 }
@@ -168,10 +168,10 @@ draw_net_box <- function(nodes, x, y, frame) {
   span <- range(y[on]) + c(-0.15, 0.15)
   right <- frame[3]
   middle <- mean(span)
-  graphics::polygon(c(left, right, right, left), c(span[2], middle + 0.1, middle - 0.1, span[1]),
+  pen_polygon(c(left, right, right, left), c(span[2], middle + 0.1, middle - 0.1, span[1]),
     border = plan_ink, col = "#F2F4F6", lwd = 0.8)
-  graphics::text((left + right) / 2, middle, "netting", cex = plan_text[["label"]])
-  graphics::segments(x[on], y[on], left, pmin(pmax(y[on], span[1]), span[2]), lwd = 0.8, lty = "22")
+  pen_text((left + right) / 2, middle, "netting", cex = plan_text[["label"]])
+  pen_segments(x[on], y[on], left, pmin(pmax(y[on], span[1]), span[2]), lwd = 0.8, lty = "22")
 }
 
 # A straight line, or an arc where it joins places of one layer or is one of several between two.
@@ -200,24 +200,24 @@ label_rope <- function(line, rope, use) {
   if (is.null(at)) at <- places[1L, ]
   draw_balloon(at[1], at[2], rope$item)
   text <- paste(short_number(rope$length), "m")
-  size <- c(graphics::strwidth(text, cex = plan_text[["label"]]), plan_line)
+  size <- c(pen_width(text, cex = plan_text[["label"]]), plan_line)
   beside <- rbind(
     at + c(0, 0.15), at - c(0, 0.15), at + c(size[1] / 2 + 0.11, 0), at - c(size[1] / 2 + 0.11, 0)
   )
   where <- find_room(use, beside, size)
   if (is.null(where)) where <- beside[1L, ]
   # Lines may run behind.
-  graphics::rect(where[1] - size[1] / 2, where[2] - size[2] / 2, where[1] + size[1] / 2,
+  pen_rect(where[1] - size[1] / 2, where[2] - size[2] / 2, where[1] + size[1] / 2,
     where[2] + size[2] / 2, col = "white", border = NA)
-  graphics::text(where[1], where[2], text, cex = plan_text[["label"]])
+  pen_text(where[1], where[2], text, cex = plan_text[["label"]])
 }
 
 draw_node <- function(node, x, y, use) {
   if (node$held) {
-    graphics::points(x, y, pch = 24, bg = "white", cex = 1.1)
-    graphics::text(x, y - 0.14, node$motion, cex = 0.9 * plan_text[["label"]], font = 3)
+    pen_points(x, y, pch = 24, bg = "white", cex = 1.1)
+    pen_text(x, y - 0.14, node$motion, cex = 0.9 * plan_text[["label"]], font = 3)
   } else {
-    graphics::points(x, y, pch = 21, bg = plan_ink, cex = 0.6)
+    pen_points(x, y, pch = 21, bg = plan_ink, cex = 0.6)
   }
   letters <- strsplit(node$letters, " ", fixed = TRUE)[[1L]]
   for (letter in letters) {

@@ -8,7 +8,7 @@ table_rows <- function(panels, si) {
   rows <- lapply(seq_len(nrow(panels)), function(k) {
     panel <- si$panels[[panels$name[k]]]
     data.frame(
-      y = panels$y[k], depth = panels$depth[k],
+      y = panels$y[k], depth = panels$depth[k], panel = panels$name[k],
       part = gsub("_", " ", if (is.na(panel$part)) panels$name[k] else panel$part),
       deep = mesh_number(panel$deep), mesh = short_number(in_unit(panel$mesh_size, "mm"), 6),
       twine = trimws(paste(twine_words(panel), mesh_words(panel)))
@@ -42,7 +42,7 @@ table_columns <- c(part = "part", deep = "deep", mesh = "mesh mm", twine = "twin
 table_widths <- function(rows) {
   if (is.null(rows)) return(0)
   vapply(names(table_columns), function(c) {
-    max(graphics::strwidth(c(table_columns[[c]], rows[[c]]), cex = plan_text[["label"]]))
+    max(pen_width(c(table_columns[[c]], rows[[c]]), cex = plan_text[["label"]]))
   }, 0) + 0.09
 }
 
@@ -56,9 +56,15 @@ draw_rows <- function(drawn, left, column) {
   at[2:3] <- left + cumsum(drawn$widths)[2:3] - 0.09
   adj <- c(0, 1, 1, 0)
   for (c in 1:4) {
-    graphics::text(at[c], drawn$top + 0.1, table_columns[[c]], adj = c(adj[c], 0.5), cex = cex,
+    pen_text(at[c], drawn$top + 0.1, table_columns[[c]], adj = c(adj[c], 0.5), cex = cex,
       font = 3)
-    graphics::text(at[c], y, rows[[names(table_columns)[c]]], adj = c(adj[c], 0.5), cex = cex)
+    field <- c(part = "", deep = "meshes.deep", mesh = "mesh_size", twine = "twine.diameter")[c]
+    for (k in seq_along(y)) {
+      ref <- paste0("panels.", rows$panel[k], if (nzchar(field)) ".", field)
+      on_sheet(pen$sheet, component = c("panel", "meshes", "mesh_size", "twine")[c], ref = ref,
+        draw = pen_text(at[c], y[k], rows[[names(table_columns)[c]]][k], adj = c(adj[c], 0.5),
+          cex = cex))
+    }
   }
   moved <- abs(y - middle) > 0.02
   right <- left + sum(drawn$widths)
@@ -67,7 +73,7 @@ draw_rows <- function(drawn, left, column) {
     if (any(mine)) min(((column$panels$ul + column$panels$ll) / 2)[mine]) else NA_real_
   }, 0)
   edge <- column$at[1] + drawn$scale[1] * edge
-  graphics::segments(rep(right - 0.06, sum(moved)), y[moved], edge[moved] - 0.02, middle[moved],
+  pen_segments(rep(right - 0.06, sum(moved)), y[moved], edge[moved] - 0.02, middle[moved],
     lwd = 0.4, col = "grey40")
 }
 
@@ -116,7 +122,7 @@ panel_notes <- function(columns, si, detail) {
 
 # Notes in as many columns as fit beside each other: a matrix of texts.
 arrange_notes <- function(notes, frame) {
-  wide <- max(graphics::strwidth(notes, cex = plan_text[["label"]])) + 0.15
+  wide <- max(pen_width(notes, cex = plan_text[["label"]])) + 0.15
   columns <- max(1, min(length(notes), floor((frame[3] - frame[1]) / wide)))
   rows <- ceiling(length(notes) / columns)
   matrix(c(notes, rep("", rows * columns - length(notes))), rows)
@@ -127,9 +133,9 @@ draw_notes <- function(notes, frame) {
   room <- (frame[3] - frame[1]) / ncol(notes)
   for (c in seq_len(ncol(notes))) {
     cex <- plan_text[["label"]]
-    cex <- cex * min(1, room / max(graphics::strwidth(notes[, c], cex = cex)))
+    cex <- cex * min(1, room / max(pen_width(notes[, c], cex = cex)))
     y <- frame[2] + 0.4 + plan_note * (nrow(notes) - seq_len(nrow(notes)))
-    graphics::text(frame[1] + (c - 1) * room, y, notes[, c], adj = c(0, 0.5), cex = cex)
+    pen_text(frame[1] + (c - 1) * room, y, notes[, c], adj = c(0, 0.5), cex = cex)
   }
 }
 

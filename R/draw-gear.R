@@ -23,27 +23,92 @@
 #' longer than deep is drawn at two scales, and says so.
 #'
 #' @param x A gear ([read_gear()], [gear()]).
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; A4 on its side by default. On a smaller page
-#'   all is drawn smaller.
+#' @param file `NULL` for the current graphics device, or a file to write, ending in `.svg`, `.pdf`,
+#'   `.png` or `.dxf`. It is written whole or not at all. A DXF has the gear's true size in
+#'   millimetres, and a layer for each kind of thing. In an SVG every group (`g`) that shows a part
+#'   of the gear or a field of it has `data-component`, what it shows, and `data-path`, the path of
+#'   its field in the plan, as [update()][update.codend_gear()] takes it.
+#' @param page Size of the sheet: `"A4"`, `"A3"`, `"A2"` or `"A1"`.
 #' @param ... Not used.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' plot(read_gear("midwater_trawl"))
 #' @export
-plot.codend_gear <- function(x, file = NULL, width = plan_page[1], height = plan_page[2],
-                             ...) {
-  check_inches("width", width)
-  check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
-  figure <- plan_figure(x)
-  if (is.null(file)) {
-    draw_plan(figure, grDevices::dev.size())
-  } else {
-    write_picture(file, c(width, height), figure$title, function(page) draw_plan(figure, page))
-  }
+plot.codend_gear <- function(x, file = NULL, page = c("A4", "A3", "A2", "A1"), ...) {
+  page <- chosen(page, names(sheet_sizes))
+  if (!is.null(file)) check_file_path(file, drawing_types)
+  sheet <- gear_sheet(x, page)
+  if (is.null(file)) paint_sheet(sheet) else write_sheet(sheet, x, file)
   invisible(x)
+}
+
+drawing_types <- c(".svg", ".pdf", ".png", ".dxf")
+
+write_sheet <- function(sheet, gear, file) {
+  title <- gear$plan$name
+  switch(check_file_path(file, drawing_types),
+    .svg = write_text(sheet_svg(sheet, title, path_finder(gear)), file),
+    .dxf = write_dxf(sheet, file),
+    write_picture(file, sheet$page / 25.4, title, function(page) paint_sheet(sheet, page))
+  )
+}
+
+# The drawing of a gear as the text of an SVG.
+drawing_svg <- function(gear, page = "A4") {
+  paste(sheet_svg(gear_sheet(gear, page), gear$plan$name, path_finder(gear)), collapse = "\n")
+}
+
+# A function that gives the path in a gear's plan of a field of its assembly, "" where no field of
+# the plan is that one.
+path_finder <- function(gear) {
+  plan <- gear$plan
+  tree <- first_of(gear_checked(gear)$tree, plan)
+  leaves <- plan_leaves(plan)
+  known <- new.env(parent = emptyenv())
+  function(ref) {
+    if (is.null(known[[ref]])) known[[ref]] <- drawn_path(ref, plan, tree, leaves)
+    known[[ref]]
+  }
+}
+
+# Fields that a wing's panel has by other names in its short form.
+wing_fields <- c(upper = "tip", lower = "base")
+
+drawn_path <- function(ref, plan, tree, leaves) {
+  steps <- path_steps(ref)
+  has <- function(path) !is.null(path) && !is.null(plan_field(plan, path))
+  if (has(ref)) return(ref)
+  value <- tryCatch(tree[[steps]], error = function(e) NULL)
+  # of a part as a whole, what the first of its fields belongs to
+  if (is.list(value) || is.null(value) && length(steps) == 2L) {
+    for (name in intersect(part_marks, names(value))) {
+      path <- drawn_path(paste(ref, name, sep = "."), plan, tree, leaves)
+      if (nzchar(path) && grepl(".", path, fixed = TRUE)) return(sub("[.][^.]*$", "", path))
+    }
+    return("")
+  }
+  if (is.null(value)) return("")
+  path <- written_path(plan, ref, value, leaves)
+  if (has(path)) return(path)
+  last <- steps[length(steps)]
+  if (last %in% names(wing_fields)) {
+    steps[length(steps)] <- wing_fields[[last]]
+    path <- written_path(plan, paste(steps, collapse = "."), value, leaves)
+    if (has(path)) return(path)
+  }
+  ""
+}
+
+# The fields by which a part is found in a short form, those that tell it best first.
+part_marks <- c("mesh_size", "diameter", "mass", "area", "buoyancy", "length", "material",
+  "mass_per_length", "drag_area", "volume")
+
+# A gear's drawing on a sheet of a size ("A4").
+gear_sheet <- function(gear, page) {
+  sheet <- new_sheet(rev(sheet_sizes[[page]]))
+  pen$sheet <- sheet
+  draw_plan(plan_figure(gear), plan_page)
+  sheet
 }
 
 # What the drawing shows, before any page is known: list(title, si, layout (NULL without netting),
@@ -74,26 +139,13 @@ plan_ink <- "#202428"
 plan_page <- c(11.69, 8.27)
 
 draw_plan <- function(figure, page) {
-  if (page[1] < 5 || page[2] < 3.5) {
-    size <- round(page, 1)
-    abort_argument(
-      "A page of {size[1]} by {size[2]} inches is too small for a plan; it takes 5 by 3.5."
-    )
-  }
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  small <- min(1, page / plan_page)
-  page <- page / small
-  graphics::par(family = "sans", bg = "white", mai = c(0, 0, 0, 0), cex = small, xaxs = "i",
-    yaxs = "i", col = plan_ink, lend = "butt")
-  graphics::plot.new()
-  graphics::plot.window(c(0, page[1]), c(0, page[2]))
   top <- page[2] - plan_margin - plan_title_height
   left <- plan_margin
   right <- page[1] - plan_margin
   bottom <- plan_margin
-  graphics::text(left, page[2] - plan_margin, figure$title, adj = c(0, 1), font = 2, cex = 1)
-  graphics::segments(left, top + 0.08, right, top + 0.08, lwd = 0.8)
+  on_sheet(pen$sheet, component = "name", ref = "name",
+    draw = pen_text(left, page[2] - plan_margin, figure$title, adj = c(0, 1), font = 2, cex = 1))
+  pen_segments(left, top + 0.08, right, top + 0.08, lwd = 0.8)
   has_netting <- !is.null(figure$layout)
   has_rigging <- !is.null(figure$rigging)
   split <- left + (right - left) * netting_share
@@ -118,12 +170,11 @@ draw_plan <- function(figure, page) {
 draw_balloon <- function(x, y, text, square = FALSE) {
   r <- 0.075
   if (square) {
-    graphics::rect(x - r, y - r, x + r, y + r, col = "white", border = plan_ink, lwd = 0.8)
+    pen_rect(x - r, y - r, x + r, y + r, col = "white", border = plan_ink, lwd = 0.8)
   } else {
-    graphics::symbols(x, y, circles = r, inches = FALSE, add = TRUE, bg = "white", fg = plan_ink,
-      lwd = 0.8)
+    sheet_circle(pen$sheet, x * 25.4, y * 25.4, r * 25.4)
   }
-  graphics::text(x, y, text, cex = 0.5, font = 2)
+  pen_text(x, y, text, cex = 0.5, font = 2)
 }
 
 # Boxes taken on the page: an environment with `boxes` (left, bottom, right, top in rows).
@@ -195,26 +246,32 @@ draw_plan_lists <- function(figure, frame) {
   cex <- min(plan_text[["list"]], plan_text[["list"]] * step / 0.14)
   y <- frame[4] - step / 2
   heading <- function(words) {
-    graphics::text(frame[1], y, words, adj = c(0, 0.5), font = 2, cex = plan_text[["heading"]])
+    pen_text(frame[1], y, words, adj = c(0, 0.5), font = 2, cex = plan_text[["heading"]])
     y <<- y - 1.2 * step
   }
   if (NROW(ropes)) {
     heading("Ropes (length of each)")
     words <- vapply(seq_len(nrow(ropes)), function(k) rope_item_words(ropes[k, ]), character(4))
-    width <- apply(words, 1L, function(w) max(graphics::strwidth(w, cex = cex)))
+    width <- apply(words, 1L, function(w) max(pen_width(w, cex = cex)))
     room <- frame[3] - frame[1] - 0.2
     cex <- cex * min(1, (room - 0.3) / sum(width))
     width <- width * min(1, (room - 0.3) / sum(width))
     at <- frame[1] + 0.2 + c(0, cumsum(width[1:3] + 0.1))
     for (k in seq_len(nrow(ropes))) {
       draw_balloon(frame[1] + 0.08, y, ropes$item[k])
-      graphics::text(at[1], y, words[1, k], adj = c(0, 0.5), cex = cex)
-      graphics::text(at[2] + width[2], y, words[2, k], adj = c(1, 0.5), cex = cex)
-      graphics::text(at[3:4], y, words[3:4, k], adj = c(0, 0.5), cex = cex)
+      put <- function(component, field, c, x, across) {
+        ref <- paste0("ropes.", ropes$first[k], if (nzchar(field)) ".", field)
+        on_sheet(pen$sheet, component = component, ref = ref,
+          draw = pen_text(x, y, words[c, k], adj = c(across, 0.5), cex = cex))
+      }
+      put("rope", "", 1, at[1], 0)
+      put("length", "length", 2, at[2] + width[2], 1)
+      put("diameter", "diameter", 3, at[3], 0)
+      put("hanging_ratio", "hanging_ratio", 4, at[4], 0)
       y <- y - step
     }
     if (nrow(ropes) < nrow(figure$ropes)) {
-      graphics::text(at[1], y, sprintf("and %d more in the plan", nrow(figure$ropes) - nrow(ropes)),
+      pen_text(at[1], y, sprintf("and %d more in the plan", nrow(figure$ropes) - nrow(ropes)),
         adj = c(0, 0.5), cex = cex, font = 3)
       y <- y - step
     }
@@ -225,15 +282,16 @@ draw_plan_lists <- function(figure, frame) {
     for (k in seq_len(nrow(pieces))) {
       draw_balloon(frame[1] + 0.08, y, pieces$item[k], square = TRUE)
       name <- paste0(pieces$name[k], if (pieces$count[k] > 1) paste0(", ", pieces$count[k], " off"))
-      graphics::text(frame[1] + 0.2, y, name, adj = c(0, 0.5), cex = cex)
-      beside <- frame[1] + 0.2 + graphics::strwidth(name, cex = cex) + 0.12
-      fits <- beside + graphics::strwidth(pieces$words[k], cex = cex) <= frame[3]
+      on_sheet(pen$sheet, component = "piece", ref = pieces$ref[k],
+        draw = pen_text(frame[1] + 0.2, y, name, adj = c(0, 0.5), cex = cex))
+      beside <- frame[1] + 0.2 + pen_width(name, cex = cex) + 0.12
+      fits <- beside + pen_width(pieces$words[k], cex = cex) <= frame[3]
       if (!fits) {
         y <- y - 0.85 * step
         beside <- frame[1] + 0.3
       }
-      small <- min(1, (frame[3] - beside) / graphics::strwidth(pieces$words[k], cex = cex))
-      graphics::text(beside, y, pieces$words[k], adj = c(0, 0.5), cex = cex * small)
+      small <- min(1, (frame[3] - beside) / pen_width(pieces$words[k], cex = cex))
+      pen_text(beside, y, pieces$words[k], adj = c(0, 0.5), cex = cex * small)
       y <- y - step
     }
   }

@@ -1,10 +1,11 @@
 # Mesh counts, cutting rates and twines as drawings have them: what a plan leaves out because the
 # rest of the drawing gives it.
 
-# A plan with its counts and twines complete. fields: checked, in SI; plan: as given.
+# A plan with its counts and twines complete. fields: checked, in SI; plan: as given; twines:
+# whether it may have some by weight, as what a short form stands for has not.
 # Returns list(fields, plan, derived), both trees with the same numbers put in; derived: these by
 # path.
-complete_counts <- function(fields, plan) {
+complete_counts <- function(fields, plan, twines = TRUE) {
   done <- list(fields = fields, plan = plan, derived = numeric())
   put <- function(path, value) {
     done$fields <<- put_in(done$fields, path, value)
@@ -17,8 +18,10 @@ complete_counts <- function(fields, plan) {
       done$derived[[paste(c(path, "meshes", name), collapse = ".")]] <<- found[[name]]
     }
   }
-  done$fields <- twines_by_weight(done$fields, fields$materials, "")
-  done$plan <- twines_by_weight(done$plan, fields$materials, "")
+  if (twines && has_field(fields, "rtex")) {
+    done$fields <- twines_by_weight(done$fields, fields$materials, "")
+    done$plan <- twines_by_weight(done$plan, fields$materials, "")
+  }
   if (is_map(fields$panels)) {
     for (name in names(fields$panels)) complete(c("panels", name), fields$panels[[name]])
   }
@@ -188,6 +191,13 @@ taken_up <- function(section, before, path) {
   }
   if (is.null(given)) section$meshes$upper <- due
   section
+}
+
+# Whether a tree has a field of this name anywhere.
+has_field <- function(tree, name) {
+  if (name %in% names(tree)) return(TRUE)
+  for (part in tree) if (is.list(part) && has_field(part, name)) return(TRUE)
+  FALSE
 }
 
 # Every twine with its Rtex as mass per length, and with the diameter that its material has at that

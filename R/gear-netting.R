@@ -73,6 +73,11 @@
 #' angle is measured across the panel. It matters in codends of thick twine. Values are to be
 #' measured: none is assumed.
 #'
+#' @examples
+#' panel <- read_gear("flat_panel")
+#' as_screen <- update(panel, netting_drag = "loland")
+#' measures(settle(panel))[["total_drag_kN"]]
+#' measures(settle(as_screen))[["total_drag_kN"]]
 #' @name netting
 NULL
 
@@ -94,6 +99,11 @@ NULL
 #' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
 #' deep the catch is.
 #'
+#' @examples
+#' codend <- read_gear("t90_codend")
+#' codend$plan$catch
+#' fuller <- settle(update(codend, catch.blocked_meshes = 20), nodes = 300)
+#' measures(fuller)[c("catch_volume_m3", "catch_front_meshes")]
 #' @name catch
 NULL
 

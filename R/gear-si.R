@@ -30,7 +30,8 @@ check_parts <- function(plan, fields, last) {
     )
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
     now$assembly <- complete_counts(
-      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree
+      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree,
+      twines = FALSE
     )$fields
   }
   now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
@@ -62,6 +63,7 @@ by_method <- function(fields) {
   fields$panels <- lapply(fields$panels, function(panel) {
     panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
     panel$added_mass <- alike
+    panel$bar_segments <- first_of(panel$bar_segments, 2L)
     # its knots are spheres without weight (eq. 3)
     if (panel$knotted) panel$knot_twine <- 0
     panel

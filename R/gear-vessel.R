@@ -24,6 +24,11 @@
 #' share s of it `power` s^1.5. That is exact where the vessel stands still; under way a lightly
 #' loaded propeller meets the water faster than that, and a light tow takes somewhat more.
 #'
+#' @examples
+#' with_engine <- update(read_gear("towed_cable"), vessel = list(power = "200 kW",
+#'   pull = list(list(speed = "0 knot", pull = "30 kN"), list(speed = "10 knot", pull = "0 kN")),
+#'   fuel = "215 g/kWh"))
+#' measures(settle(with_engine))[c("engine_power_kW", "pull_used_percent", "fuel_rate_l_per_h")]
 #' @name vessel
 NULL
 

@@ -3,8 +3,9 @@
 # A gear from a tree of lists: put into its plain form and checked in full.
 # like: a gear, parts of which are checked already where this one is the same.
 # source: the text that it was read from, whose remarks a file of it keeps.
-as_gear <- function(tree, file = NULL, like = NULL, source = like$source) {
-  plan <- plain_tree(tree)
+# changed: names of the fields of the tree that are not known to be in plain form; NULL: all.
+as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
+  plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
   structure(
     list(plan = plan, file = file, source = source, checked = check_whole(plan, like$checked)),
     class = "codend_gear"
@@ -127,7 +128,7 @@ update.codend_gear <- function(object, ...) {
   }
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
-  as_gear(plan, file = object$file, like = object)
+  as_gear(plan, file = object$file, like = object, changed = changed_groups(object, names(fields)))
 }
 
 #' @export
@@ -148,5 +149,12 @@ update.codend_trajectory <- function(object, ...) {
 
 # The gear with one field changed (NULL: taken out), checked in full again.
 set_field <- function(gear, path, value) {
-  as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear)
+  as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear,
+    changed = changed_groups(gear, path))
+}
+
+# The fields of a gear's plan that hold these paths; NULL where somebody changed the plan by hand.
+changed_groups <- function(gear, paths) {
+  if (!identical(gear$checked$plan, gear$plan)) return(NULL)
+  unique(vapply(paths, function(path) path_steps(path)[1], ""))
 }

@@ -85,6 +85,12 @@ engine_order <- function(lattice, bars, u, v, straight) {
   c(bars, u[!hexagonal], v[!hexagonal], straight[hexagonal], u[hexagonal], v[hexagonal])
 }
 
+# The part that every line of a lattice is of, in the engine's order.
+line_part <- function(lattice) {
+  of_cells <- lattice$cell_part
+  as.integer(engine_order(lattice, lattice$bar_part, of_cells, of_cells, of_cells))
+}
+
 # Numbers of the places of nodes in their panels.
 match_places <- function(panel, node, places) {
   span <- max(places$node, 0) + 1

@@ -18,6 +18,13 @@ new_collection <- function(nodes) {
     chunks[[kind]][[length(chunks[[kind]]) + 1L]] <<- list(...)
     invisible()
   }
+  join <- function(kind) {
+    fields <- types[[kind]]
+    lapply(setNames(names(fields), names(fields)), function(f) {
+      all <- unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE)
+      if (is.null(all)) fields[[f]] else as.vector(all, typeof(fields[[f]]))
+    })
+  }
   list(
     add = add,
     new_nodes = function(n) {
@@ -32,18 +39,23 @@ new_collection <- function(nodes) {
       ties <<- ties + length(first)
       ids
     },
+    # All so far, to be taken by another collection that has neither nodes nor ties of its own yet.
+    hand_over = function() {
+      list(found = lapply(setNames(names(types), names(types)), join), nodes = nodes, ties = ties)
+    },
+    take = function(given) {
+      stopifnot(ties == 0L)
+      for (kind in names(types)) do.call(add, c(list(kind), given$found[[kind]]))
+      nodes <<- given$nodes
+      ties <<- given$ties
+    },
     collect = function() {
       points <- nodes + ties
-      join <- function(kind) {
-        fields <- types[[kind]]
-        out <- lapply(setNames(names(fields), names(fields)), function(f) {
-          all <- unlist(lapply(chunks[[kind]], `[[`, f), use.names = FALSE)
-          if (is.null(all)) fields[[f]] else as.vector(all, typeof(fields[[f]]))
-        })
+      found <- lapply(setNames(names(types), names(types)), function(kind) {
+        out <- join(kind)
         if (!is.null(out$node)) out$node <- point_number(out$node, nodes)
         out
-      }
-      found <- lapply(setNames(names(types), names(types)), join)
+      })
       c(found, list(
         nodes = nodes, mass = sum_by(found$masses$mass, found$masses$node, points),
         volume = sum_by(found$masses$volume, found$masses$node, points)

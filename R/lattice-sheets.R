@@ -67,29 +67,33 @@ sided_rows <- function(build, panels, numbers, rows, known, division) {
 }
 
 # Facets (3 x n) between the places of each row (in order of s) and the next one of the same panel.
+# In the order of s each place of two rows makes one with the last ones met of its own and of the
+# other row.
 row_facets <- function(panel, row, s) {
-  groups <- split(seq_along(row), cumsum(c(TRUE, diff(panel) != 0 | diff(row) != 0)))
-  of <- panel[vapply(groups, `[`, 0L, 1L)]
-  upper <- which(of[-1L] == of[-length(of)])
-  do.call(cbind, Map(strip_between, groups[upper], groups[upper + 1L], list(s)))
-}
-
-# Facets (3 x n) between two rows of places: in the order of s each makes one with the last ones met
-# of its own and of the other row.
-strip_between <- function(upper, lower, s) {
+  number <- cumsum(c(TRUE, diff(panel) != 0 | diff(row) != 0))
+  of <- panel[!duplicated(number)]
+  # strips between two rows, by the number of the upper one
+  has_lower <- c(of[-1L] == of[-length(of)], FALSE)
+  has_upper <- c(FALSE, has_lower[-length(of)])
+  upper <- which(has_lower[number])
+  lower <- which(has_upper[number])
   all <- c(upper, lower)
-  order <- order(s[all])
+  strip <- c(number[upper], number[lower] - 1L)
+  order <- order(strip, s[all])
   is_upper <- (seq_along(all) <= length(upper))[order]
+  strip <- strip[order]
   all <- all[order]
-  last_upper <- cummax(is_upper * seq_along(all))
-  last_lower <- cummax((!is_upper) * seq_along(all))
-  k <- seq_along(all)[-1L]
-  own <- ifelse(is_upper[k], last_upper[k - 1L], last_lower[k - 1L])
-  other <- ifelse(is_upper[k], last_lower[k - 1L], last_upper[k - 1L])
-  some <- own > 0L & other > 0L
-  first <- ifelse(is_upper[k], own, other)[some]
-  second <- ifelse(is_upper[k], other, own)[some]
-  rbind(all[first], all[second], all[k[some]])
+  place <- seq_along(all)
+  # the last place of a row before each, in its strip; 0: none
+  first <- place[match(strip, strip)]
+  last <- function(mine) {
+    found <- c(0L, cummax(place * mine))[place]
+    found * (found >= first)
+  }
+  before_upper <- last(is_upper)
+  before_lower <- last(!is_upper)
+  some <- which(before_upper > 0L & before_lower > 0L)
+  rbind(all[before_upper[some]], all[before_lower[some]], all[some])
 }
 
 # Points at these fractions of edges: their nodes, or points tied between two of them.

@@ -50,17 +50,12 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   ))
   build <- new_collection(division$nodes)
   for (r in seq_along(si$ropes)) add_rope(build, si$ropes[[r]], division$ropes[[r]], r)
-  drawn <- setNames(vector("list", length(bars)), names(si$panels))
-  of_bars <- which(bars)
-  of_cells <- which(!bars)
-  if (length(of_bars)) {
-    drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
-      length(si$ropes) + of_bars, division, pick_panels(counts$grouping, of_bars))
-  }
-  if (length(of_cells)) {
-    drawn[of_cells] <- add_cell_panels(build, pick_panels(panels, of_cells),
-      of_cells, length(si$ropes) + of_cells, division)
-  }
+  own <- division[c("nodes", "fraction", "edge_node", "count", "before", "grids")]
+  # what is large is not kept for a gear that may never be changed
+  netting_of <- if (division$nodes > most_remembered_nodes) collect_netting else netting_again
+  all_netting <- netting_of(panels, bars, length(si$ropes), own, counts$grouping)
+  build$take(all_netting$collected)
+  drawn <- setNames(all_netting$drawn, names(si$panels))
   for (k in seq_along(si$pieces)) {
     add_piece(build, si$pieces[[k]], piece_run(si, division, names(si$pieces)[k]), division$places,
       si$water$density, length(si$ropes) + length(bars) + k)
@@ -149,6 +144,28 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   if (!is.null(si$shooting)) lattice$hung <- hang_out(si, lattice, panels, chains)
   lattice
 }
+
+# The netting of a gear: list(collected = as new_collection()'s hand_over(), drawn = what the views
+# draw of each panel). ropes: how many parts come before it; division: what of divide()'s it takes.
+collect_netting <- function(panels, bars, ropes, division, grouping) {
+  build <- new_collection(division$nodes)
+  drawn <- vector("list", length(bars))
+  of_bars <- which(bars)
+  of_cells <- which(!bars)
+  if (length(of_bars)) {
+    drawn[of_bars] <- add_bar_panels(build, pick_panels(panels, of_bars), of_bars,
+      ropes + of_bars, division, pick_panels(grouping, of_bars))
+  }
+  if (length(of_cells)) {
+    drawn[of_cells] <- add_cell_panels(build, pick_panels(panels, of_cells), of_cells,
+      ropes + of_cells, division)
+  }
+  list(collected = build$hand_over(), drawn = drawn)
+}
+
+# A change of ropes, boards or pieces leaves the netting as it was.
+netting_again <- remembered(collect_netting)
+most_remembered_nodes <- 5e4
 
 # Which panels are of bars. netting: "bars" or "cells" for all, or NULL.
 panels_of_bars <- function(si, netting) {

@@ -26,6 +26,23 @@ slowest_told <- 0.002
 #'   `damping` (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without
 #'   swinging), `"flutters"` (swings and grows) or `"diverges"` (grows without swinging);
 #'   `NA` of a growing one that does not meet the gear's equations to 2 %: look at [tow()] then.
+#' @examples
+#' # a kite of 1 m by 2 m on two front lines and one behind
+#' on_lines <- function(from, to, length) {
+#'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
+#' }
+#' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
+#'   block_port = point(position = c(0, -0.6, -100), held = "moved"),
+#'   block_starboard = point(position = c(0, 0.6, -100), held = "moved"),
+#'   port = point(), starboard = point(), tail = point(),
+#'   front_port = on_lines("block_port", "port", "0.99 m"),
+#'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
+#'   rear_port = on_lines("block_port", "tail", "1.293 m"),
+#'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
+#'   kite = kite(pushes = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03 m3",
+#'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
+#'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
+#' board_modes(settle(flown))
 #' @export
 board_modes <- function(state) {
   check_is_state(state)

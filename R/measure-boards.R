@@ -13,6 +13,23 @@ fallen_heel <- 45
 #'   flow), `drag_kN`, `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`,
 #'   `"stalled"` (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face)
 #'   or `"fallen over"` (heel beyond 45 deg).
+#' @examples
+#' # a kite of 1 m by 2 m on two front lines and one behind
+#' on_lines <- function(from, to, length) {
+#'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
+#' }
+#' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
+#'   block_port = point(position = c(0, -0.6, -100), held = "moved"),
+#'   block_starboard = point(position = c(0, 0.6, -100), held = "moved"),
+#'   port = point(), starboard = point(), tail = point(),
+#'   front_port = on_lines("block_port", "port", "0.99 m"),
+#'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
+#'   rear_port = on_lines("block_port", "tail", "1.293 m"),
+#'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
+#'   kite = kite(pushes = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03 m3",
+#'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
+#'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
+#' board_table(settle(flown))
 #' @export
 board_table <- function(state) {
   check_is_state(state)
@@ -41,6 +58,8 @@ board_table <- function(state) {
 define_measure("attitude", "deg",
   "Angle of attack of a free otter board, its heel (positive where its upper edge leans outward, so
   that its lift points down) or trim (positive where its leading edge is high).",
+  sensor = "Heel (roll) and trim (pitch): an inclinometer in a door sensor, each maker with its own
+  signs and its zero as it is mounted. Attack: none at sea.",
   asks_board_angle, function(state, measure) measure_attitude(state, measure)
 )
 

@@ -3,6 +3,7 @@
 define_measure("tension", "kN",
   "Tension of a rope at a place, or the largest along it. At its start or end it is that of its
   outermost bar.",
+  sensor = "A load cell in the line. What a winch tells has the friction of the blocks in it.",
   asks_rope_place, function(state, measure) measure_tension(state, measure)
 )
 
@@ -93,6 +94,7 @@ drag_table <- function(state) {
 
 define_measure("drag", "kN",
   "Hydrodynamic force on ropes, panels and pieces together, along the flow.",
+  sensor = "None at sea; of a model, the balance of the flume.",
   asks_parts, function(state, measure) part_force(state, measure$parts, "flow")
 )
 

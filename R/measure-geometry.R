@@ -12,6 +12,9 @@ define_measure("spread", "m",
   "Horizontal distance between two places, as an acoustic sensor tells it, or the mean over several
   pairs. In a straight tow that is the distance across it; in a turn, where one door runs ahead of
   the other, it stays that of the doors from each other.",
+  sensor = "Acoustic sensors on both doors or wing ends tell the slant distance between them from
+  where they are fastened, which is some decimetres from the place named here; it wavers as the
+  doors swing.",
   asks_pairs, function(state, measure) measure_spread(state, measure)
 )
 
@@ -22,6 +25,8 @@ measure_spread <- function(state, measure) {
 define_measure("height", "m",
   "Height of the first place above the second, negative where it lies below. The height of a net's
   mouth is that of the head line's centre above the footrope's.",
+  sensor = "A trawl eye or scanner on the head line tells the distance straight down to the
+  footrope, or to the sea bed where its beam meets that first.",
   asks_pair, function(state, measure) measure_height(state, measure)
 )
 
@@ -34,12 +39,14 @@ define_measure("length", "m", "Straight distance between two places.",
 measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[1]])^2))
 
 define_measure("depth", "m", "Depth of a place below the water surface.",
+  sensor = "A pressure sensor, its zero set at the surface.",
   asks_place, function(state, measure) measure_depth(state, measure)
 )
 
 measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
 
 define_measure("sinking_speed", "m/s", "Downward speed of a place; 0 in a settled state.",
+  sensor = "The change of a depth sensor's reading in time.",
   asks_place, function(state, measure) measure_sinking_speed(state, measure)
 )
 
@@ -48,6 +55,8 @@ measure_sinking_speed <- function(state, measure) {
 }
 
 define_measure("clearance", "m", "Height of a place above the sea bed, across it.",
+  sensor = "A height sensor on the head line, looking down; it is the distance to the first echo,
+  which may be the footrope.",
   asks_place_over_ground, function(state, measure) measure_clearance(state, measure)
 )
 
@@ -59,6 +68,8 @@ define_measure("area", "m2",
   "Area enclosed by ropes end to end, seen level and from right ahead of them: along x in a straight
   tow, along the net's own heading in a turn. A gap between two ropes is closed by a straight
   line.",
+  sensor = "A scanning sonar on the head line shows the outline; from height and spread alone it is
+  mostly overestimated, as the outline is no rectangle.",
   asks_ropes, function(state, measure) measure_area(state, measure)
 )
 
@@ -110,6 +121,9 @@ define_measure("angle", "deg",
   "Direction of a rope's bar at a place, from start to end: below the horizontal (declination,
   negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180),
   in a turn too.",
+  sensor = "Declination: an inclinometer on the warp near the block, which the warp's own weight
+  makes steeper than farther down. Divergence: the distance of the warps apart at the blocks and a
+  metre or two behind them.",
   asks_rope_angle, function(state, measure) measure_angle(state, measure)
 )
 

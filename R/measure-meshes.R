@@ -94,6 +94,7 @@ mean_of_meshes <- function(state, panels, field) {
 define_measure("mesh_opening", "mm",
   "How wide the meshes of panels stand across them, the mean over their meshes: of diamonds from
   knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
+  sensor = "A camera in the net, with a scale.",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "opening")
 )
 
@@ -101,6 +102,7 @@ define_measure("mesh_angle", "deg",
   "Angle between the bars of the meshes of panels, the mean over their meshes: 0 where diamonds are
   closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
   panel.",
+  sensor = "A camera in the net.",
   asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
 )
 
@@ -114,67 +116,67 @@ define_measure("mesh_angle", "deg",
 # so.
 twine_shadow <- function(state) {
   found <- mesh_places(state)
-  found <- found[found$meshes > 0, ]
+  kept <- which(found$meshes > 0)
+  if (!length(kept)) return(0)
+  of <- function(field) found[[field]][kept]
   panels <- state$si$panels
-  width <- vapply(panels, twine_width, 0)[found$panel]
-  square <- is_square(panel_table(panels))[found$panel]
-  axes <- flow_axes(state$si)
-  seen_along <- function(columns) as.matrix(found[columns]) %*% axes
-  bar <- list(u = seen_along(c("u_x", "u_y", "u_z")), v = seen_along(c("v_x", "v_y", "v_z")))
-  seen <- function(family) {
-    found$meshes * (2 - square) * width *
-      sqrt(bar[[family]][, "across"]^2 + bar[[family]][, "up"]^2)
-  }
+  number <- of("panel")
+  width <- vapply(panels, twine_width, 0)[number]
+  square <- is_square(panel_table(panels))[number]
+  # rows: across the flow, up
+  seen <- t(flow_axes(state$si)[, c("across", "up")])
+  seen_along <- function(fields) seen %*% rbind(of(fields[1]), of(fields[2]), of(fields[3]))
+  u <- seen_along(c("u_x", "u_y", "u_z"))
+  v <- seen_along(c("v_x", "v_y", "v_z"))
   # a mesh of diamonds is the parallelogram of two bars of each family, one of squares of one
-  area <- found$meshes * (2 - square) *
-    abs(bar$u[, "across"] * bar$v[, "up"] - bar$u[, "up"] * bar$v[, "across"])
-  through <- function(family) 1 - pmin(seen(family) / pmax(area, 1e-12), 1)
-  depth <- -log(pmax(through("u") * through("v"), 0.01)) * area
+  bars <- of("meshes") * (2 - square)
+  area <- bars * abs(u[1L, ] * v[2L, ] - u[2L, ] * v[1L, ])
+  through <- function(bar) {
+    hidden <- bars * width * sqrt(bar[1L, ]^2 + bar[2L, ]^2) / pmax(area, 1e-12)
+    hidden[hidden > 1] <- 1
+    1 - hidden
+  }
+  depth <- -log(pmax(through(u) * through(v), 0.01)) * area
 
   # derivatives of the place by meshes across and down
-  by_i <- bar$u - bar$v * !square
-  by_j <- bar$u * !square + bar$v
+  both <- rep(square, each = 2L)
+  by_i <- u - v * !both
+  by_j <- u * !both + v
   # parts as long across as they are deep, on the mean
-  long <- function(by) sqrt(by[, "across"]^2 + by[, "up"]^2)
-  wide <- mean(long(by_i) * (found$starboard - found$port))
-  deep <- mean(long(by_j) * (found$aft - found$fore))
+  long <- function(by) sqrt(by[1L, ]^2 + by[2L, ]^2)
+  reach <- rbind(of("port"), of("starboard"), of("fore"), of("aft"))
+  wide <- mean(long(by_i) * (reach[2L, ] - reach[1L, ]))
+  deep <- mean(long(by_j) * (reach[4L, ] - reach[3L, ]))
   ways <- max(1, min(16, round(4 * sqrt(wide / max(deep, 1e-9)))))
-  middle <- function(n) (seq_len(n) - 0.5) / n
-  share <- expand.grid(i = middle(ways), j = middle(round(16 / ways)))
-  parts <- lapply(seq_len(nrow(share)), function(k) {
-    (seen_along(c("x", "y", "z")) +
-      by_i * (found$port + share$i[k] * (found$starboard - found$port)) +
-      by_j * (found$fore + share$j[k] * (found$aft - found$fore)))[, c("across", "up")]
-  })
-  at <- do.call(rbind, parts)
-  low <- apply(at, 2, min)
-  wide <- pmax(apply(at, 2, max) - low, 1e-6)
-  cells <- pmax(1, pmin(400, round(wide / max(sqrt(sum(area) / nrow(found)), 1e-6))))
-  size <- wide / cells
-  cell <- floor((t(at) - low) / size)
-  cell <- pmin(cell, cells - 1)
-  thick <- rowsum(rep(depth, nrow(share)) / nrow(share), cell[1, ] + cells[1] * cell[2, ])
-  sum(1 - exp(-thick / prod(size))) * prod(size)
+  shadow_area(seen_along(c("x", "y", "z")), by_i, by_j, reach, depth, as.integer(ways),
+    as.integer(round(16 / ways)), sqrt(sum(area) / length(kept)))
 }
 
 # Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
 # knotless netting once, and knots, over the area of the netting.
 solidity_of_panels <- function(state, names) {
-  vapply(names, function(name) {
-    panel <- state$si$panels[[name]]
-    found <- mesh_places(state, name)
-    bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
-    u <- bar("u")
-    v <- bar("v")
-    uu <- rowSums(u^2)
-    vv <- rowSums(v^2)
-    # as twine_shadow() counts bars and area
-    cells <- found$meshes * (2 - is_square(panel))
-    area <- sum(cells * sqrt(pmax(uu * vv - rowSums(u * v)^2, 0)))
-    twine <- sum(cells * (sqrt(uu) + sqrt(vv))) * twine_width(panel) / area
-    knots <- sum(cells) * pi / 4 * panel$knot_diameter^2 / area
-    twine - crossing_overlap(list(panel)) * twine^2 + knots
-  }, 0)
+  found <- mesh_places(state, names)
+  bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
+  u <- bar("u")
+  v <- bar("v")
+  uu <- rowSums(u^2)
+  vv <- rowSums(v^2)
+  # as twine_shadow() counts bars and area
+  cells <- found$meshes * (2 - is_square(panel_table(state$si$panels))[found$panel])
+  sums <- rowsum(
+    cbind(
+      area = cells * sqrt(pmax(uu * vv - rowSums(u * v)^2, 0)),
+      bars = cells * (sqrt(uu) + sqrt(vv)), cells = cells
+    ),
+    found$panel
+  )
+  sums <- sums[as.character(match(names, base::names(state$si$panels))), , drop = FALSE]
+  panels <- state$si$panels[names]
+  of <- function(what) vapply(panels, what, 0)
+  twine <- sums[, "bars"] * of(twine_width) / sums[, "area"]
+  knots <- sums[, "cells"] * pi / 4 * of(function(panel) panel$knot_diameter^2) / sums[, "area"]
+  overlap <- of(function(panel) crossing_overlap(list(panel)))
+  stats::setNames(twine - overlap * twine^2 + knots, names)
 }
 
 #' Meshes along a net

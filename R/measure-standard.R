@@ -18,9 +18,13 @@ measured_lines <- function(state) {
 }
 
 # kind: its name without the unit; unit: in which it is shown; value(state, found): the measure, SI,
-# or NULL where it does not apply, where `found` is as measured_once() gives it.
-standard_measure <- function(kind, unit, definition, value) {
-  entry <- list(kind = kind, unit = unit, definition = one_line(definition), value = value)
+# or NULL where it does not apply, where `found` is as measured_once() gives it; sensor: as
+# define_measure() has it.
+standard_measure <- function(kind, unit, definition, value, sensor = NA_character_) {
+  entry <- list(
+    kind = kind, unit = unit, definition = one_line(definition), sensor = one_line(sensor),
+    value = value
+  )
   setNames(list(entry), kind)
 }
 
@@ -28,7 +32,11 @@ standard_measures <- c(
   standard_measure("total_drag", "kN",
     "Pull of all supports on the gear against the flow. The flow runs along x past a towed gear,
     which is along the vessel's course, in a turn too; else along the fastest current, else along
-    x.", function(state, found) found$drag
+    x.",
+    sensor = "Load cells in all warps, each reading times the cosines of the warp's declination and
+    divergence at the block; the flow is that past the gear, which a log on the vessel does not
+    tell.",
+    function(state, found) found$drag
   ),
   standard_measure("tow_power", "kW",
     "Of a towed gear, its total drag times the towing speed.",
@@ -38,12 +46,16 @@ standard_measures <- c(
     "Of a towed gear with an area `mouth_area` among its measures, the water that flows through the
     ropes around it: that area times the water's speed, past the ropes as they move and at their
     mean depth, across it.",
+    sensor = "A flow sensor in the mouth, times the area: it also sees how the net slows the water
+    there, which is not counted here.",
     function(state, found) filtered_volume(state)
   ),
   standard_measure("swept_area", "km2/h",
     "Of a towed gear with a spread `wing_end_spread` among its measures, the ground that the lines
     between the wing ends pass over: that spread times their speed over the ground across them, the
     mean over its pairs.",
+    sensor = "The spread of wing ends times the speed over the ground by satellite; with that of the
+    doors it would be larger.",
     function(state, found) swept_area(state)
   ),
   standard_measure("mouth_blockage", "%",
@@ -60,14 +72,17 @@ standard_measures <- c(
     "With a `vessel`, the power that its engine gives to tow the gear at this speed: full power
     times the share of the pull there that the gear takes, to the power 3/2. Above full power the
     vessel cannot tow it so fast.",
+    sensor = "A torque meter on the shaft, with the losses between engine and shaft.",
     function(state, found) engine_need(state, found$drag)$power
   ),
   standard_measure("pull_used", "%",
     "With a `vessel`, the total drag over what it can pull at this speed.",
+    sensor = "The engine's load, by the power that it stands for.",
     function(state, found) engine_need(state, found$drag)$pull_share
   ),
   standard_measure("fuel_rate", "l/h",
     "With a `vessel` whose fuel consumption is given, the fuel that towing takes in an hour.",
+    sensor = "A flow meter in the fuel line, less what generators take.",
     function(state, found) engine_need(state, found$drag)$fuel
   ),
   standard_measure("fuel_per_swept_area", "l/km2",
@@ -92,10 +107,13 @@ standard_measures <- c(
   ),
   standard_measure("catch_front", "meshes",
     "With a catch in netting, how many meshes deep the netting is that its front encloses.",
+    sensor = "Catch sensors, each at a count of meshes from the codline, which tell when the netting
+    there is stretched across.",
     function(state, found) if (!is.null(state$si$catch)) state$lattice$catch$blocked
   ),
   standard_measure("largest_rope_tension", "kN",
     "The largest tension in any rope.",
+    sensor = "A load cell, where it sits in that rope.",
     function(state, found) if (nrow(found$lines$ropes)) max(found$lines$ropes$tension)
   ),
   standard_measure("twine_tension_exceeded_by_1_percent", "N",
@@ -117,6 +135,8 @@ standard_measures <- c(
   ),
   standard_measure("rope_on_ground", "m",
     "With a sea bed, the length of rope, not of poles, that lies on it.",
+    sensor = "A bottom contact sensor tells whether its place lies on the ground; bright links and
+    shackles tell how far.",
     function(state, found) if (has_ground(state)) found$ground$length
   ),
   standard_measure("ground_load", "kN",
@@ -132,11 +152,13 @@ standard_measures <- c(
   ),
   standard_measure("least_depth", "m",
     "Depth of the highest node of the gear.",
+    sensor = "A pressure sensor there.",
     # adding 0 turns the -0 of a node at the surface into 0
     function(state, found) -max(state$position[3, ]) + 0
   ),
   standard_measure("greatest_depth", "m",
     "Depth of the lowest node of the gear.",
+    sensor = "A pressure sensor there.",
     function(state, found) -min(state$position[3, ]) + 0
   )
 )

@@ -6,6 +6,8 @@
 #' becomes `door_spread_m`). Then follow the standard ones that apply, unless the plan has a measure
 #' of the same name.
 #'
+#' `vignette("measures", "codend")` shows them in pictures, and how sensors see them.
+#'
 #' @eval measure_help()
 #'
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
@@ -44,11 +46,12 @@ standard_names <- function() with_unit(names(standard_measures), measure_units(s
 
 measure_units <- function(kinds) vapply(kinds, `[[`, "", "unit", USE.NAMES = FALSE)
 
-measure_texts <- function(kinds) vapply(kinds, `[[`, "", "definition", USE.NAMES = FALSE)
+measure_texts <- function(kinds, of = "definition") vapply(kinds, `[[`, "", of, USE.NAMES = FALSE)
 
-#' @return `measure_definitions()` gives a data frame with `name`, `unit` and `definition`: without
-#'   a state a row per kind of measure that a plan may ask for and per standard measure, which
-#'   `asked` tells apart; of a state a row per measure that it has, under the names that
+#' @return `measure_definitions()` gives a data frame with `name`, `unit`, `definition` and `sensor`
+#'   (what tells it on a vessel or a model, and what that sees otherwise; `NA` where none is known):
+#'   without a state a row per kind of measure that a plan may ask for and per standard measure,
+#'   which `asked` tells apart; of a state a row per measure that it has, under the names that
 #'   `measures()` uses.
 #' @rdname measures
 #' @export
@@ -62,7 +65,8 @@ measure_definitions <- function(state = NULL) {
     kinds <- kinds[attr(found, "kind")]
   }
   table <- data.frame(
-    name = name, unit = measure_units(kinds), definition = measure_texts(kinds)
+    name = name, unit = measure_units(kinds), definition = measure_texts(kinds),
+    sensor = measure_texts(kinds, "sensor")
   )
   if (is.null(state)) table$asked <- !name %in% names(standard_measures)
   table

@@ -3,11 +3,13 @@
 define_measure("volume", "m3",
   "Volume within panels that follow each other around an opening, such as a cage's walls and bottom,
   closed by a lid from the rim of the opening to its middle.",
+  sensor = "Depth sensors around the bottom ring of a cage, or cameras, show it in part.",
   asks_panels, function(state, measure) volume_within(state, measure$panels)
 )
 
 define_measure("volume_share", "%",
   "The volume within panels as a share of a volume `of`.",
+  sensor = "As that of the volume.",
   asks_share, function(state, measure) volume_within(state, measure$panels) / measure$of
 )
 

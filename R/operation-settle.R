@@ -5,7 +5,10 @@
 #' of its own, and each shape is the start of the next finer one.
 #'
 #' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
-#' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear.
+#' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear
+#' and at most 1e-6 of the largest force on any line of the parts (ropes, panels, boards) that meet
+#' there, so that a warp's tension does not hide a light net. What rounding of the places makes is
+#' left out of the latter; more than 1e-3 of it is no balance.
 #'
 #' Where the plan asks for `shielding`, netting slows the water behind it: every sheet of netting
 #' that the line straight upstream from a point crosses reduces the speed there. `loland`: by

@@ -304,8 +304,9 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   start <- lattice_at(what, now)
   settled <- engine_settle(
     start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
-    numeric(), settle_tolerance, settle_iterations, progress
+    numeric(), line_part(start), settle_tolerance, settle_iterations, progress
   )
+  settled <- name_parts(settled, start)
   if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
   add_start(what, settled$position, c(-now$speed, 0, 0))

@@ -30,10 +30,12 @@ abort_field <- function(path, value, must, is = paste("is", show_value(value)), 
 abort_unknown <- function(path, name, known, value = NULL) {
   near <- nearest(name, known)
   where <- join(path, name)
+  advice <- if (!length(near)) advice_on(name)
   abort_plan(
     paste0(
       "Plan field `", where, "` is not known",
-      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+      if (length(near)) paste0("; did you mean `", near, "`?"),
+      if (length(advice)) paste0(": ", advice) else if (!length(near)) ".",
       if (length(known)) paste0(" Known here: ", paste(known, collapse = ", "), ".")
     ),
     where, value

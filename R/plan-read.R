@@ -172,7 +172,8 @@ yaml_number <- function(text) if (grepl(",", text, fixed = TRUE)) text else as.d
 
 # Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
 # no attributes but names, doubles for integers, a list of several scalars of one type as a vector.
-plain_tree <- function(tree) {
+# depth: of the tree in the plan that it is a part of.
+plain_tree <- function(tree, depth = 0) {
   count <- 0
   plain <- function(value, depth) {
     count <<- count + 1
@@ -216,5 +217,13 @@ plain_tree <- function(tree) {
     }
     value
   }
-  plain(tree, 0)
+  plain(tree, depth)
+}
+
+# A plan of which all but these fields is in plain form.
+plain_again <- function(plan, changed) {
+  for (name in intersect(changed, names(plan))) {
+    plan[name] <- list(plain_tree(plan[[name]], depth = 1))
+  }
+  plan
 }

@@ -45,14 +45,13 @@ part_words <- function(path) {
 }
 
 # The path of the field that became the field of a part, or NULL where none is like it. plan: as
-# written; path, value: of the part's field; value NULL where it is missing.
-written_path <- function(plan, path, value) {
+# written; path, value: of the part's field; value NULL where it is missing; leaves: the plan's.
+written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   path <- gsub("\\[([0-9]+)\\]", ".\\1", path)
   steps <- path_steps(path)
-  leaves <- plan_leaves(plan)
   last <- sub("^.*[.]", "", leaves$path)
   fits <- last == steps[length(steps)]
-  if (!is.null(value)) fits <- fits & vapply(leaves$value, same_value, NA, value)
+  if (!is.null(value)) fits[fits] <- vapply(leaves$value[fits], same_value, NA, value)
   candidates <- leaves$path[fits]
   if (!length(candidates) || is.null(value)) {
     # the map that it would stand in

@@ -110,11 +110,17 @@ report_header <- function(of, words) {
 measure_terms <- function(measures) {
   kind <- attr(measures, "kind")
   first <- !duplicated(kind)
-  text <- definitions_of(measures)
+  kinds <- all_kinds()[kind]
+  text <- measure_texts(kinds)
+  sensor <- measure_texts(kinds, "sensor")
   terms <- lapply(which(first), function(k) {
-    list(tag$dt(gsub("_", " ", kind[[k]])), tag$dd(text[k]))
+    list(
+      tag$dt(gsub("_", " ", kind[[k]])), tag$dd(text[k]),
+      if (!is.na(sensor[k])) tag$dd(paste("Sensor:", sensor[k]))
+    )
   })
-  tag$details(tag$summary("What these measures are"), tag$dl(terms))
+  tag$details(tag$summary("What these measures are"), tag$dl(terms),
+    tag$p("In pictures: ", tag$code("vignette(\"measures\", \"codend\")"), "."))
 }
 
 report_section <- function(title, ..., class = NULL) {

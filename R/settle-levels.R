@@ -50,7 +50,7 @@ fixed_nodes <- function(si) {
     across <- max(panel$upper, panel$lower)
     columns <- c(panel$columns, panel$rows * across / panel$deep, Inf)[1L]
     knots <- if (panel$orientation == "square") 1 else 2
-    columns^2 * panel$deep / across * knots * (2 * panel$bar_segments - 1)
+    columns^2 * panel$deep / across * knots * (2 * first_of(panel$bar_segments, 1) - 1)
   }, 0)
   sum(ropes, panels)
 }
@@ -88,7 +88,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     if (is.null(from)) from <- list(position = lattice$start, begins = begins, strain = strain)
     engine_settle(
       lattice$engine, as.double(from$position), first_of(from$begins, "settled"),
-      as.double(from$strain), settle_tolerance, steps, progress
+      as.double(from$strain), line_part(lattice), settle_tolerance, steps, progress
     )
   }
   settled <- if (is.null(si$catch) || is.na(si$catch$volume)) {
@@ -102,7 +102,16 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
   found$lattice$engine$wake <- report$wake
   report$position <- report$strain <- report$wake <- NULL
   report$seconds_lattice <- seconds_lattice
+  report <- name_parts(report, found$lattice)
   c(found, list(report = report, from = from))
+}
+
+# A solver's report with the names of parts for their numbers; NA for none.
+name_parts <- function(report, lattice) {
+  for (of in c("worst_part", "rounding_part")) {
+    report[[of]] <- lattice$parts$name[replace(report[[of]], report[[of]] == 0L, NA)]
+  }
+  report
 }
 
 # How many times the drag of a gear that was settled (NULL: none) it has at its speed now: drag

@@ -36,6 +36,23 @@ abort_unsettled <- function(report, lattice, position) {
       report = report
     )
   }
+  if (report$part_rounding > report$greatest_rounding) {
+    abort_not_converged(
+      c("The gear did not settle: rounding of places alone leaves net forces of
+        {signif(report$part_rounding, 2)} of the largest force in {.val {report$rounding_part}}.",
+        "i" = "It is too stiff for a place so far from the origin to tell its tension: lower its
+        {.field axial_stiffness}."),
+      report = report
+    )
+  }
+  if (report$residual <= settle_tolerance && report$part_residual > report$part_tolerance) {
+    abort_not_converged(
+      "The gear did not settle: after {report$iterations} steps the largest net force on
+      {.val {report$worst_part}} is {signif(report$part_residual, 2)} of the largest force in it,
+      where {report$part_tolerance} is asked for.",
+      report = report
+    )
+  }
   abort_not_converged(
     c(
       "The gear did not settle: after {report$iterations} steps the largest net force is

@@ -11,7 +11,10 @@
 #' - `lattice`: the gear as nodes and elements, class `codend_lattice`.
 #' - `report`: the solver's report: `converged`, `iterations`, `factorisations`, `residual` (largest
 #'   net force on a free node as a share of the largest tension), `largest_tension` (N),
-#'   `worst_node`, `worst_force` (N), `cpu_seconds` and seconds by step.
+#'   `worst_node`, `worst_force` (N), `part_residual` (largest net force beyond rounding as a share
+#'   of the largest force on a line of its part) and `worst_part` (which that is),
+#'   `part_rounding` and `rounding_part` (the same of what rounding of places makes),
+#'   `cpu_seconds` and seconds by step.
 #' - `position` (3 x nodes, m) and `force` (3 x nodes, N): the net force on each node; on a held
 #'   node the reaction of its support is the opposite.
 #' - `bar_tension` (N, of one line), `bar_length` (m), and of the two families of twine in every

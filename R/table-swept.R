@@ -10,6 +10,15 @@
 #'   `filtered_volume` and `swept_area` ([measures()]) by the trapezoid rule between kept times.
 #'   `NA` where the gear has no such measure.
 #' @seealso [mesh_openings()], the other half of what a model of selection takes.
+#' @examples
+#' # two ropes side by side sweep the ground between their ends
+#' line <- function(from, to) rope(from, to, length = "20 m", diameter = "20 mm", material = "PA")
+#' pair <- gear("Two ropes", towing = list(speed = "2 knot"),
+#'   port = point(position = c(0, -5, 0), held = "moved"), end_port = point(),
+#'   starboard = point(position = c(0, 5, 0), held = "moved"), end_starboard = point(),
+#'   line_port = line("port", "end_port"), line_starboard = line("starboard", "end_starboard"),
+#'   wing_end_spread = measure(spread = c("end_port", "end_starboard")))
+#' swept(tow(settle(pair), until = 60, every = 20))
 #' @export
 swept <- function(trajectory) {
   check_is_trajectory(trajectory)

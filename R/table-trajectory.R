@@ -32,6 +32,10 @@
 #'   - `"nodes"`: `node` and its place over the ground, `x_m`, `y_m`, `z_m`.
 #' @param ... Not used.
 #' @return A data frame.
+#' @examples
+#' faster <- tow("towed_cable", until = 40, every = 20,
+#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#' as.data.frame(faster, what = "measures")
 #' @export
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
                                             what = c("measures", "conditions", "tensions", "nodes"),
@@ -121,6 +125,10 @@ print.codend_trajectory <- function(x, ...) {
 #' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at
 #'   the start and at the end, the least and the greatest, and the times of these (s). Its attribute
 #'   `energy` holds the `imbalance` at the end and what was `put_through`, J.
+#' @examples
+#' faster <- tow("towed_cable", until = 40, every = 20,
+#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#' summary(faster)
 #' @export
 summary.codend_trajectory <- function(object, ...) {
   table <- as.data.frame(object, what = "measures")

@@ -11,6 +11,10 @@
 #' @return A `codend_state` with the fields of a settled one and `time` (s) and `velocity` (3 x
 #'   nodes, m/s, relative to the vessel). Its net forces are what moves the gear, so they do not
 #'   vanish.
+#' @examples
+#' faster <- tow("towed_cable", until = 40, every = 20,
+#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#' measures(state_at(faster, 40))
 #' @export
 state_at <- function(trajectory, time) {
   check_is_trajectory(trajectory)

@@ -20,7 +20,7 @@ rival_problem <- function() {
   start <- as.double(lattice$start)
   free <- which(rep(!engine$held, each = 3L))
   known <- codend:::engine_settle(
-    engine, start, "crude", numeric(), 1e-12, 3200L, function(iteration, residual) NULL
+    engine, start, "crude", numeric(), integer(), 1e-12, 3200L, function(iteration, residual) NULL
   )
   stopifnot(known$converged)
   evaluations <- 0

@@ -1,4 +1,6 @@
 // Equilibria for R.
+#include <algorithm>
+
 #include "binding_model.h"
 #include "engine/solve/body_modes.hpp"
 #include "engine/solve/layout.hpp"
@@ -6,10 +8,10 @@
 
 using namespace binding;
 
-// from: what the start is, a name of codend::Start.
+// from: what the start is, a name of codend::Start; part: of every line, counted from 1, or empty.
 [[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
-                                       doubles strain, double tolerance, int iterations,
-                                       function watch) {
+                                       doubles strain, integers part, double tolerance,
+                                       int iterations, function watch) {
   return guarded([&]() -> list {
     codend::Model model = read_model(lattice);
     codend::Assembly assembly(model);
@@ -25,6 +27,13 @@ using namespace binding;
                                              " values, must have " + std::to_string(model.lines()) +
                                              " (1 per line)");
     }
+    for (const int one : part) control.part.push_back(one - 1);
+    if (!control.part.empty() &&
+        (control.part.size() != static_cast<std::size_t>(model.lines()) ||
+         *std::min_element(control.part.begin(), control.part.end()) < 0)) {
+      throw codend::InputError("part", "part must be a number from 1 per line, of " +
+                                           std::to_string(model.lines()) + " lines");
+    }
     control.tolerance = tolerance;
     control.iterations = iterations;
     control.watch = [&](const codend::SettleProgress& progress) {
@@ -32,6 +41,7 @@ using namespace binding;
       watch(progress.iteration, progress.residual);
       return true;
     };
+    control.pause = [] { check_user_interrupt(); };
     const codend::SettleReport report = codend::settle(assembly, control, v.data(), x.data());
     std::vector<double> line_strain;
     assembly.strain(line_strain);
@@ -51,6 +61,12 @@ using namespace binding;
         "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
         "worst_node"_nm = report.worst_node + 1,
         "worst_force"_nm = report.worst_force,
+        "part_residual"_nm = report.parts.residual,
+        "part_tolerance"_nm = control.part_tolerance,
+        "worst_part"_nm = report.parts.part + 1,
+        "part_rounding"_nm = report.parts.rounding,
+        "greatest_rounding"_nm = control.greatest_rounding,
+        "rounding_part"_nm = report.parts.rounding_part + 1,
         "seconds_forces"_nm = report.seconds_forces,
         "seconds_jacobian"_nm = report.seconds_jacobian,
         "seconds_linear"_nm = report.seconds_linear,

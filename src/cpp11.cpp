@@ -48,10 +48,10 @@ extern "C" SEXP _codend_engine_scheduled(SEXP lattice, SEXP schedule, SEXP time)
   END_CPP11
 }
 // binding_settle.cpp
-list engine_settle(list lattice, doubles start, std::string from, doubles strain, double tolerance, int iterations, function watch);
-extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP strain, SEXP tolerance, SEXP iterations, SEXP watch) {
+list engine_settle(list lattice, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
+extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding_settle.cpp
@@ -173,6 +173,13 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
     return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
   END_CPP11
 }
+// shadow.cpp
+double shadow_area(doubles place, doubles by_i, doubles by_j, doubles reach, doubles depth, int across, int down, double size);
+extern "C" SEXP _codend_shadow_area(SEXP place, SEXP by_i, SEXP by_j, SEXP reach, SEXP depth, SEXP across, SEXP down, SEXP size) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(shadow_area(cpp11::as_cpp<cpp11::decay_t<doubles>>(place), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_i), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_j), cpp11::as_cpp<cpp11::decay_t<doubles>>(reach), cpp11::as_cpp<cpp11::decay_t<doubles>>(depth), cpp11::as_cpp<cpp11::decay_t<int>>(across), cpp11::as_cpp<cpp11::decay_t<int>>(down), cpp11::as_cpp<cpp11::decay_t<double>>(size)));
+  END_CPP11
+}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
@@ -188,7 +195,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
     {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
-    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          7},
+    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          8},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
@@ -200,6 +207,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
     {"_codend_group_volumes",          (DL_FUNC) &_codend_group_volumes,          4},
     {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
+    {"_codend_shadow_area",            (DL_FUNC) &_codend_shadow_area,            8},
     {NULL, NULL, 0}
 };
 }

@@ -8,6 +8,8 @@ checks <- c(
   "format of C++ (.clang-format)" = "tools/check-format",
   "objects in src/Makevars; includes, words and headers of the engine" = "tools/check-engine.sh",
   "schema of plans and its parts" = "make -s schema-check",
+  "an example on every help page; help and guides grouped (_pkgdown.yml)" =
+    "Rscript tools/check-help.R",
   "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
 )
 

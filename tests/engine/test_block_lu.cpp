@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -395,6 +396,46 @@ TEST_CASE("two threads report a singular matrix") {
     CHECK_FALSE(lu.factorise(values.data()));
   }
   CHECK(lu.factorise(sound.data()));
+}
+
+TEST_CASE("block LU pauses, and stops where the pause throws") {
+  const Mesh mesh = sheet(220, 200);
+  const BlockPattern pattern = pattern_of(mesh);
+  const std::vector<double> values = random_values(pattern, 22);
+  const std::vector<double> b = random_vector(3 * pattern.n, 23);
+  std::vector<double> expected(b.size()), found(b.size());
+  BlockLU plain(Precision::single_precision);
+  plain.analyse(pattern, mesh.coordinates.data());
+  REQUIRE(plain.factorise(values.data()));
+  plain.solve(b.data(), expected.data());
+  for (const int threads : {1, 2}) {
+    CAPTURE(threads);
+    int pauses = 0, stop_at = 1;
+    const std::thread::id here = std::this_thread::get_id();
+    BlockLU lu(Precision::single_precision, threads, [&] {
+      CHECK(std::this_thread::get_id() == here);
+      if (++pauses == stop_at) throw std::runtime_error("stopped");
+    });
+    CHECK_THROWS_WITH(lu.analyse(pattern, mesh.coordinates.data()), "stopped");
+    pauses = stop_at = 0;
+    lu.analyse(pattern, mesh.coordinates.data());
+    CHECK(pauses >= 2);  // before the first cut of 44,000 nodes and those of its halves
+    pauses = 0;
+    REQUIRE(lu.factorise(values.data()));
+    const int all = pauses;
+    REQUIRE(all >= 2);
+    for (const int at : {1, all}) {
+      pauses = 0;
+      stop_at = at;
+      CHECK_THROWS_WITH(lu.factorise(values.data()), "stopped");
+      CHECK(pauses == at);
+      CHECK_THROWS_AS(lu.solve(b.data(), found.data()), std::logic_error);
+    }
+    stop_at = 0;
+    REQUIRE(lu.factorise(values.data()));
+    lu.solve(b.data(), found.data());
+    CHECK(found == expected);
+  }
 }
 
 TEST_CASE("block LU takes one thread or two") {

@@ -274,6 +274,134 @@ TEST_CASE("a settled model has its gravest node below the tolerance") {
   CHECK(report.residual == doctest::Approx(worst / report.largest_tension).epsilon(1e-12));
 }
 
+TEST_CASE("a part with little force is in balance by its own measure") {
+  // 200 kN pull at a warp; from its end hang three links with 1 mN each, which is less than 1e-8 of
+  // the warp's tension at every node: beside that they would be settled as they were laid out.
+  auto chain = [](const std::vector<int>& part) {
+    Structure s;
+    const int held = s.node({0.0, 0.0, 0.0}, true), end = s.node({100.0, 0.0, 0.0});
+    const int stiff = s.material(1e8), soft = s.material(10.0);
+    s.pull(end, {2e5, 0.0, 0.0});
+    s.bar(held, end, 100.0, stiff);
+    int above = end;
+    for (int k = 1; k <= 3; ++k) {
+      const int link = s.node({100.2 + 0.4 * k, 0.0, -0.9 * k});
+      s.pull(link, {0.0, 0.0, -1e-3});
+      s.bar(above, link, 1.0, soft);
+      above = link;
+    }
+    SettleControl control;
+    control.part = part;
+    s.settle(control);
+    return s;
+  };
+  const Structure one = chain({}), each = chain({0, 1, 1, 1});
+  REQUIRE(one.report.converged);
+  REQUIRE(each.report.converged);
+  // Below the warp's end, by the links' lengths under what hangs on them.
+  const Vector end = at(each.x.data(), 1), last = at(each.x.data(), 4);
+  const double down = 3.0 + (3.0 + 2.0 + 1.0) * 1e-3 / 10.0;
+  // A net force of 1e-6 of 3 mN turns a link that carries 1 mN by 3e-6.
+  CHECK((last - end - Vector(0.0, 0.0, -down)).norm() < 3 * 3e-6);
+  CHECK(each.report.parts.residual <= 1e-6);
+  // What the whole gear's largest tension lets pass.
+  CHECK(one.report.residual <= 1e-8);
+}
+
+TEST_CASE("the part that is farthest from balance is told") {
+  Random random(20260446);
+  Structure s = ladder(random, 0.3);
+  SettleControl control;
+  const int bars = s.model.bars.count();
+  for (int b = 0; b < bars; ++b) control.part.push_back(b % 3);
+  control.iterations = 2;
+  const SettleReport& report = s.settle(control);
+  REQUIRE_FALSE(report.converged);
+  // By hand: in vacuum a part's largest force is its largest tension.
+  double own[3] = {0.0, 0.0, 0.0};
+  for (int b = 0; b < bars; ++b) own[b % 3] = std::max(own[b % 3], s.tension(b));
+  std::vector<double> scale(static_cast<std::size_t>(s.model.nodes), 0.0);
+  for (int b = 0; b < bars; ++b) {
+    for (const int end : {0, 1}) {
+      double& of_node = scale[static_cast<std::size_t>(s.model.bars.line(b).nodes[end])];
+      of_node = std::max(of_node, own[b % 3]);
+    }
+  }
+  double worst = 0.0;
+  for (int n = 4; n < s.model.nodes; ++n) {
+    worst = std::max(worst, s.force(n).norm() / scale[static_cast<std::size_t>(n)]);
+  }
+  CHECK(report.parts.residual == doctest::Approx(worst).epsilon(1e-12));
+  REQUIRE(report.parts.part >= 0);
+  CHECK(own[report.parts.part] == scale[static_cast<std::size_t>(report.parts.node)]);
+}
+
+TEST_CASE("what rounds to more than its forces is no balance") {
+  // Places 1000 m away are known to 1e-13 m, which stretches a bar of 1e17 N by more than its load.
+  Structure s;
+  const int held = s.node({1000.0, 0.0, 0.0}, true), end = s.node({1000.0, 0.0, -5.0});
+  s.pull(end, {0.0, 0.0, -100.0});
+  s.bar(held, end, 5.0, s.material(1e17));
+  CHECK_FALSE(s.settle().converged);
+  CHECK(s.report.parts.rounding > 1.0);
+}
+
+TEST_CASE("a pole of hinged bars that is pressed gives way at the mechanism's load") {
+  // Two bars of 1 m between ends that are d apart, and four strings of length b, stretched to c,
+  // that hold the joint between them.
+  const double push = 1e5, string = 1e3, c = 0.5, b = 0.4;
+  // A little aside the bars drive it by 2 push (1 - d / 2) / (d / 2), and the strings hold it by
+  // twice their tension over c, of the pair across, and twice their stiffness over b, of that along.
+  const double held_by = string * (c / b - 1.0) / c + string / b;
+  const double greatest = 1.0 / (1.0 + held_by / push);  // d / 2 at which it gives way
+  auto settled = [&](double half) {
+    Structure s;
+    const int bars = s.material(push), strings = s.material(string);
+    s.model.materials[static_cast<std::size_t>(bars)].strut = true;
+    const int left = s.node({-half, 0.0, 0.0}, true), right = s.node({half, 0.0, 0.0}, true),
+              joint = s.node({0.0, 0.0, 0.0});
+    s.model.mass[static_cast<std::size_t>(joint)] = 1.0;
+    s.bar(left, joint, 1.0, bars);
+    s.bar(joint, right, 1.0, bars);
+    for (const Vector& side :
+         {Vector(0, c, 0), Vector(0, -c, 0), Vector(0, 0, c), Vector(0, 0, -c)})
+      s.bar(joint, s.node(side, true), b, strings);
+    s.settle();
+    return s;
+  };
+  const Structure straight = settled(greatest + 1e-4);
+  REQUIRE(straight.report.converged);
+  CHECK(straight.report.perturbations == 0);
+  CHECK_FALSE(straight.report.unstable);
+  CHECK(at(straight.x.data(), 2).norm() < 1e-9);
+  const Structure bent = settled(greatest - 1e-3);
+  REQUIRE(bent.report.converged);
+  CHECK(bent.report.perturbations > 0);
+  CHECK_FALSE(bent.report.unstable);
+  // By energy: the least of it over where the joint may go.
+  auto energy = [&](double y, double z, double half) {
+    auto stored = [](double stiffness, double length, double rest, bool pushes) {
+      const double strain = length / rest - 1.0;
+      return strain > 0.0 || pushes ? 0.5 * stiffness * rest * strain * strain : 0.0;
+    };
+    return 2.0 * stored(push, std::sqrt(half * half + y * y + z * z), 1.0, true) +
+           stored(string, std::hypot(c - y, z), b, false) +
+           stored(string, std::hypot(c + y, z), b, false) +
+           stored(string, std::hypot(c - z, y), b, false) +
+           stored(string, std::hypot(c + z, y), b, false);
+  };
+  const Vector aside = at(bent.x.data(), 2);
+  CHECK(std::abs(aside.x()) < 1e-9);
+  CHECK(aside.norm() > 0.01);
+  const double here = energy(aside.y(), aside.z(), greatest - 1e-3);
+  CHECK(here < energy(0.0, 0.0, greatest - 1e-3));
+  for (int k = 0; k < 8; ++k) {
+    const double turn = k * pi / 4;
+    CHECK(here <= energy(aside.y() + 1e-4 * std::cos(turn), aside.z() + 1e-4 * std::sin(turn),
+                         greatest - 1e-3));
+  }
+}
+
 TEST_CASE("what does not converge is reported") {
   Random random(20260443);
   Structure s = ladder(random, 1.0);

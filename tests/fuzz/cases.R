@@ -96,7 +96,7 @@ kinds <- list(
     evaluated <- judged(codend:::engine_evaluate(engine, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")
     quiet <- function(...) NULL
-    judged(codend:::engine_settle(engine, model$start, "crude", numeric(), 1e-8, 3L, quiet))
+    judged(codend:::engine_settle(engine, model$start, "crude", numeric(), integer(), 1e-8, 3L, quiet))
     "taken"
   }),
   message = list(share = 2, run = function() try_messages())

@@ -79,5 +79,37 @@ test_that("a pole below its Euler load stays straight", {
 test_that("what is too stiff to have a tension does not settle", {
   # Rounding of a place 100 m away stretches it by more than its load would.
   cable <- update(read_gear("towed_cable"), ropes.cable.axial_stiffness = "1e17 N")
-  expect_error(settle(cable), class = "codend_error_not_converged")
+  error <- expect_error(settle(cable), "rounding of places.*cable",
+    class = "codend_error_not_converged")
+  expect_gt(error$report$part_rounding, 1e-3)
+})
+
+test_that("a pole that is divided and has no bending stiffness gives way when it is pressed", {
+  # Two hinged halves between supports 10 mm nearer than their length: straight they would push with
+  # 2.5 kN, and nothing holds the joint but 1 kg that hangs from it, which bends them down.
+  pole <- gear("A pole", water = list(density = 0),
+    left = point(position = c(0, 0, 0), held = "fixed"),
+    right = point(position = c(3.99, 0, 0), held = "fixed"),
+    weight = piece(at = "pole.middle", mass = "1 kg", volume = 0, diameter = "10 mm",
+      drag_coefficient = 0),
+    pole = rope("left", "right", length = "4 m", diameter = "40 mm", axial_stiffness = "1 MN",
+      mass_per_length = "1e-6 kg/m", segments = 2, pushes = TRUE))
+  state <- settle(pole)
+  expect_false(state$report$unstable)
+  # It hangs as a string does: each half pulls with half the weight over the sine of its slope.
+  pull <- function(sag) gear_gravity / 2 * sqrt(1.995^2 + sag^2) / sag
+  stretched <- function(sag) 1e6 * (sqrt(1.995^2 + sag^2) / 2 - 1)
+  sag <- uniroot(function(sag) pull(sag) - stretched(sag), c(0.1, 0.2), tol = 1e-12)$root
+  expect_equal(-min(state$position[3, ]), sag, tolerance = 1e-6)
+  # the bars weigh 4e-5 N
+  expect_equal(1000 * as.data.frame(state, what = "tensions")$tension_kN, rep(pull(sag), 2),
+    tolerance = 1e-5)
+})
+
+test_that("a report tells how well every part is in balance", {
+  state <- settle("poly_noreastern_trawl", nodes = 300)
+  report <- state$report
+  expect_lte(report$part_residual, 1e-6)
+  expect_true(is.na(report$worst_part) || report$worst_part %in% state$lattice$parts$name)
+  expect_gt(report$part_rounding, 0)
 })

@@ -70,26 +70,26 @@ test_that("counts and rate that do not agree are refused, with a rate that does"
 
 test_that("short forms take rates and take-up ratios", {
   text <- paste(readLines(shipped_plans()[["poly_noreastern_trawl"]]), collapse = "\n")
-  text <- sub("meshes: {tip: 0, base: 84, deep: 78}",
-    "meshes: {tip: 0, deep: 78}\n    cutting: 1T26B", text, fixed = TRUE)
-  text <- sub("meshes: {upper: 264, lower: 120, deep: 110}",
-    "meshes: {upper: 264, deep: 110}\n    cutting: 10(1N4B)+1(1N3B)", text, fixed = TRUE)
-  text <- sub("meshes: {upper: 171, lower: 30, deep: 121}",
+  text <- sub("meshes: {tip: 0, base: 80, deep: 80}",
+    "meshes: {tip: 0, deep: 80}\n    cutting: 1T26B", text, fixed = TRUE)
+  text <- sub("meshes: {upper: 250, lower: 185, deep: 115}",
+    "meshes: {upper: 250, deep: 115}\n    cutting: 10(1N4B)+1(1N3B)", text, fixed = TRUE)
+  text <- sub("meshes: {upper: 264, lower: 30, deep: 121}",
     "meshes: {lower: 30, deep: 121}\n    take_up: \"5:7\"", text, fixed = TRUE)
   gear <- read_text(text)
   panels <- gear_si(gear)$panels
-  expect_equal(panels$back_wing_left$lower, 78 + 78 / 13)
-  lower <- 264 - 2 * 110 * (10 * 2 + 1.5) / (10 * 3 + 2.5)
+  expect_equal(panels$back_wing_left$lower, 80 + 80 / 13)
+  lower <- 250 - 2 * 115 * (10 * 2 + 1.5) / (10 * 3 + 2.5)
   expect_equal(panels$back_body$lower, lower)
   expect_equal(panels$belly_intermediate$upper, lower * 7 / 5)
   # sides with counts of their own keep them
-  expect_identical(panels$side_port_body$lower, 96)
-  expect_output(print(gear), "sections.body.meshes.lower 118.46", fixed = TRUE)
+  expect_identical(panels$side_port_body$lower, 126)
+  expect_output(print(gear), "sections.body.meshes.lower 97.85", fixed = TRUE)
   # what is found is found again after a change elsewhere
   again <- update(gear, towing.speed = "4 knot")
   expect_identical(gear_checked(again)$derived, gear_checked(gear)$derived)
   expect_identical(gear_si(assembly(gear))$panels, panels)
-  expect_error(update(gear, sections.intermediate.meshes.upper = 171), "it asks for 165.85",
+  expect_error(update(gear, sections.intermediate.meshes.upper = 171), "it asks for 136.98",
     class = "codend_error_plan")
 })
 

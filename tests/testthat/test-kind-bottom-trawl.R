@@ -195,14 +195,14 @@ test_that("a pointed panel ends in one node, gathered or not", {
 
 # The flume tests with bridles of 54.9 m and 16 m between the upper wing ends, see the data file.
 # The towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to
-# the test at 3 knot alone.
+# those at 2, 3 and 4 knot among others.
 test_that("the survey trawl closes and pulls with speed as its flume model does", {
   tests <- read.csv(system.file("extdata", "flume_poly_noreastern.csv", package = "codend"),
     comment.char = "#")
   tests <- tests[tests$bridles == "standard" & tests$spread_treatment_m == 16 &
     tests$pulling_point_mm == 200 & tests$catch == "empty", ]
   rig <- update(read_gear("poly_noreastern_trawl"), warps = NULL, otter_boards = NULL,
-    towing_points = list(spread = "52.9 m", height = "1.6 m"), water.viscosity = 1.15e-6 * 8^1.5)
+    towing_points = list(spread = "54.1 m", height = "1.6 m"), water.viscosity = 1.15e-6 * 8^1.5)
   state <- NULL
   found <- vapply(tests$speed_knot, function(v) {
     state <<- settle(update(rig, towing.speed = paste(v, "knot")), from = state)
@@ -216,10 +216,10 @@ test_that("the survey trawl closes and pulls with speed as its flume model does"
   measured <- rbind(tests$bridle_tension_t, tests$headline_height_m, tests$upper_wing_spread_m,
     tests$lower_wing_spread_m)
   # A finite-element model of a deep bottom trawl is off its tank model by 10 % on the mean (Front.
-  # Mar. Sci. 2022, 891046). Of the four the height of the mouth is worst: refined, cells are 11.5 %
-  # off and bars 8.4 % (6,000 nodes); triangles, which locked, held it down by a few per cent.
+  # Mar. Sci. 2022, 891046). Of the four the height of the mouth is worst: refined, cells are 10.1 %
+  # off and bars 9.6 % (6,000 nodes), as it falls too little at 4 knot; tension is 2.1 and 3.7 %.
   off <- rowMeans(abs(found / measured - 1))
-  expect_lt(max(off[-2]), 0.1)
+  expect_lt(max(off[-2]), 0.04)
   expect_lt(off[2], 0.12)
   # The flume's own powers scatter by 0.07 (tension) and 0.14 (height) among its six series.
   # Refined, the height's is off by 0.18 (cells) and 0.17 (bars): it falls too little at the highest

@@ -80,3 +80,18 @@ test_that("a division is taken over only where it would be the same", {
   shape$lattice$division$runs <- NULL
   expect_false(again("warps.length", "310 m"))
 })
+
+test_that("netting that is taken again equals the netting that is made", {
+  gear <- read_gear("midwater_trawl")
+  si <- gear_si(gear)
+  first <- build_lattice(si, 200)
+  shape <- list(lattice = first, position = lattice_points(first, first$start), settled = si)
+  longer <- changed_gear(gear, "warps.length", "720 m")
+  build <- function() {
+    lattice <- build_lattice(longer, 200, NULL, shape)
+    unclass(lattice)[names(lattice) != "place"]
+  }
+  again <- build()
+  build_lattice(gear_si(read_gear("model_cage")), 200)
+  expect_identical(again, build())
+})

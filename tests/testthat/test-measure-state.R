@@ -99,6 +99,17 @@ test_that("every measure of a state has its definition", {
   }
 })
 
+test_that("every measure says what it is, and most how a sensor sees it", {
+  defined <- measure_definitions()
+  told <- defined$sensor[!is.na(defined$sensor)]
+  expect_gt(length(told), nrow(defined) / 2)
+  expect_match(told, "^[A-Z][^\n]{15,}[.]$")
+  state <- settled("towed_cable")
+  of_state <- measure_definitions(state)
+  kind <- attr(measures(state), "kind")
+  expect_identical(of_state$sensor, defined$sensor[match(kind, defined$name)])
+})
+
 test_that("only a state is measured", {
   expect_error(measures(1), class = "codend_error_argument")
 })

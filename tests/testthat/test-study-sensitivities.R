@@ -109,7 +109,7 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
     si <- gear_si(gear)
     near <- settle_level(si, 1500, NULL, work$shape, 200L, quiet)
     tight <- engine_settle(near$lattice$engine, as.double(near$position), "settled",
-      as.double(near$strain), 1e-13, 200L, quiet)
+      as.double(near$strain), integer(), 1e-13, 200L, quiet)
     codend:::values_at(work, gear, si, near$lattice, tight$position)[of]
   }
   for (field in slope_fields(gear, names(shares))) {

@@ -39,7 +39,7 @@ double largest_row(const Assembly& assembly, const std::vector<double>& mass,
     }
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(size / 3);
     for (const auto& [number, column] : columns) {
-      const Eigen::MatrixXd rates = group.factors.solve(column);
+      const Eigen::MatrixXd rates = group.factors->solve(column);
       for (Eigen::Index i = 0; i < size / 3; ++i) sum[i] += rates.block<3, 3>(3 * i, 0).norm();
     }
     largest = std::max(largest, sum.maxCoeff());

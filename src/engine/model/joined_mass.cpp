@@ -57,8 +57,8 @@ void JoinedMass::update(const double* mass) {
             Eigen::Map<const Block>(&values_[9 * static_cast<std::size_t>(b)]);
       }
     }
-    group.factors.compute(group.mass);
-    group.has_mass = group.factors.info() == Eigen::Success;
+    group.factors.emplace(group.mass);
+    group.has_mass = group.factors->info() == Eigen::Success;
   }
 }
 
@@ -71,7 +71,7 @@ void JoinedMass::solve(const double* force, double* acceleration) const {
     };
     Eigen::VectorXd values(size);
     for (Eigen::Index i = 0; i < size / 3; ++i) values.segment<3>(3 * i) = at(force, node(i));
-    group.factors.solveInPlace(values);
+    group.factors->solveInPlace(values);
     for (Eigen::Index i = 0; i < size / 3; ++i) {
       at(acceleration, node(i)) = values.segment<3>(3 * i);
     }

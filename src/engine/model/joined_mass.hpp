@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Cholesky>
+#include <optional>
 #include <vector>
 
 #include "assembly.hpp"
@@ -17,8 +18,8 @@ class JoinedMass {
   struct Group {
     std::vector<int> unknown;  // free nodes by their number among the free ones
     Eigen::MatrixXd mass;      // kg, 3 rows per node
-    Eigen::LLT<Eigen::MatrixXd> factors;
-    bool has_mass = false;  // in every direction
+    std::optional<Eigen::LLT<Eigen::MatrixXd>> factors;  // once updated
+    bool has_mass = false;                               // in every direction
   };
 
   // Takes the assembly where it was last moved to; mass: what Assembly::mass() gives there.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "flushed_denormals.hpp"
 
@@ -45,7 +46,8 @@ void solve_ordered(const FrontFactors<Real>& factors, const std::vector<int>& or
 
 }  // namespace
 
-BlockLU::BlockLU(Precision precision, int threads) : precision_(precision), threads_(threads) {
+BlockLU::BlockLU(Precision precision, int threads, std::function<void()> pause)
+    : precision_(precision), threads_(threads), pause_(std::move(pause)) {
   if (threads < 1 || threads > 2)
     throw std::invalid_argument("block LU: threads is " + std::to_string(threads) +
                                 "; it must be 1 or 2");
@@ -55,7 +57,7 @@ void BlockLU::analyse(const BlockPattern& pattern, const double* coordinates) {
   check_pattern(pattern);
   factorised_ = false;
   factors_ = {};  // its memory is needed for the new ones
-  tree_ = assembly_tree(pattern, nested_dissection(pattern, coordinates));
+  tree_ = assembly_tree(pattern, nested_dissection(pattern, coordinates, pause_));
   double flops = 0;
   for (int f = 0; f < tree_.fronts(); ++f) flops += tree_.flops(f);
   const int threads = flops < flops_for_two ? 1 : threads_;
@@ -105,11 +107,12 @@ void BlockLU::measure() {
 }
 
 bool BlockLU::factorise(const double* values) {
+  factorised_ = false;
   if (const auto* factors = std::get_if<0>(&factors_)) {
-    factorised_ = (*factors)->factorise(values, second_.get());
+    factorised_ = (*factors)->factorise(values, second_.get(), pause_);
   } else {
     const FlushedDenormals flushed;
-    factorised_ = std::get<1>(factors_)->factorise(values, second_.get());
+    factorised_ = std::get<1>(factors_)->factorise(values, second_.get(), pause_);
   }
   return factorised_;
 }

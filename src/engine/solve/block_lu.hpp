@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -34,7 +35,10 @@ class BlockLU {
   // time; use solve_refined() then. Denormal numbers in them count as zero.
   // threads: 1 or 2. Patterns of little work get one thread, since they gain nothing from two.
   // Throws std::invalid_argument for other numbers.
-  explicit BlockLU(Precision precision = Precision::double_precision, int threads = 1);
+  // pause: called on the calling thread by analyse() and factorise(), a few times in every second
+  // that they take. What it throws ends them and leaves no factors.
+  explicit BlockLU(Precision precision = Precision::double_precision, int threads = 1,
+                   std::function<void()> pause = {});
 
   // Orders the nodes and lays out the factors, once per pattern.
   // coordinates: 3n doubles, x y z of each node; they guide the order, and nodes may coincide.
@@ -74,6 +78,7 @@ class BlockLU {
 
   Precision precision_;
   int threads_;
+  std::function<void()> pause_;
   AssemblyTree tree_;
   Factors factors_;
   std::unique_ptr<SecondThread> second_;

@@ -1,6 +1,8 @@
 #include "front_factors.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <numeric>
 
 namespace codend {
@@ -29,6 +31,8 @@ std::vector<int64_t> mirror_entries(const BlockPattern& pattern) {
 
 // Two threads are even when one has at most this share of the subtrees' work more than the other.
 constexpr double even_enough = 0.03;
+// Multiplications and additions between two pauses: some hundredths of a second.
+constexpr double flops_to_pause = 1e9;
 // Subtrees are not split further than this share of all work.
 constexpr double least_subtree = 0.01;
 
@@ -258,31 +262,50 @@ template <class Real>
 struct FrontFactors<Real>::Work {
   FrontFactors& factors;
   const double* values;
-  std::array<bool, 2> sound;
+  const std::function<void()>& pause;
+  std::atomic<bool> over{false};  // at an unsound front, or when the pause throws
+  std::exception_ptr thrown = nullptr;
+  double done = 0;  // since the last pause, by the calling thread
+
+  // The fronts of a list in turn, while all goes well.
+  void go_through(const std::vector<int>& fronts, const Sharing* sharing, bool pauses) {
+    for (const int f : fronts) {
+      if (over) return;
+      if (!factors.factorise_front(f, values, sharing)) over = true;
+      if (pauses && pause) rest(factors.tree_.flops(f));
+    }
+  }
+
+  void rest(double flops) {
+    done += flops;
+    if (done < flops_to_pause) return;
+    done = 0;
+    try {
+      pause();
+    } catch (...) {  // the other thread has to come to its end first
+      thrown = std::current_exception();
+      over = true;
+    }
+  }
 
   static void part(void* self, int half) {
     Work& work = *static_cast<Work*>(self);
-    bool sound = true;
-    for (const int f : work.factors.shares_.subtrees[half])
-      sound = sound && work.factors.factorise_front(f, work.values, nullptr);
-    work.sound[half] = sound;
+    work.go_through(work.factors.shares_.subtrees[half], nullptr, half == 0);
   }
 };
 
 template <class Real>
-bool FrontFactors<Real>::factorise(const double* values, SecondThread* second) {
+bool FrontFactors<Real>::factorise(const double* values, SecondThread* second,
+                                   const std::function<void()>& pause) {
   Sharing sharing{[](void* thread, void (*job)(void*, int), void* data) {
                     static_cast<SecondThread*>(thread)->run(job, data);
                   },
                   second};
-  if (second) {
-    Work work{*this, values, {true, true}};
-    second->run(&Work::part, &work);
-    if (!work.sound[0] || !work.sound[1]) return false;
-  }
-  for (const int f : shares_.above)
-    if (!factorise_front(f, values, second ? &sharing : nullptr)) return false;
-  return true;
+  Work work{*this, values, pause};
+  if (second) second->run(&Work::part, &work);
+  work.go_through(shares_.above, second ? &sharing : nullptr, true);
+  if (work.thrown) std::rethrow_exception(work.thrown);
+  return !work.over;
 }
 
 template <class Real>

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,7 +33,7 @@ class FrontFactors {
   // As BlockLU::leave_out().
   void leave_out(const std::vector<char>& nodes);
   // As BlockLU::factorise(). second: null for one thread.
-  bool factorise(const double* values, SecondThread* second);
+  bool factorise(const double* values, SecondThread* second, const std::function<void()>& pause);
   // Right side and solution in the order of elimination, 3 per node, in place.
   void solve(Real* x) const;
   // With the transposed matrix.

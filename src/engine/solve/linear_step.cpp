@@ -7,13 +7,14 @@
 
 namespace codend {
 
-LinearStep::LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
+LinearStep::LinearStep(const Assembly& assembly, const SettleControl& control, SettleReport& report,
                        const double* x)
     : assembly_(assembly),
-      control_(control),
+      control_(control.linear),
+      pause_(control.pause),
       report_(report),
       x_(x),
-      double_steps_(control.first_double_steps) {}
+      double_steps_(control_.first_double_steps) {}
 
 BlockLU& LinearStep::factors() {
   if (!lu_) analyse(Precision::single_precision);
@@ -29,7 +30,7 @@ void LinearStep::analyse(Precision precision) {
   }
   precision_ = precision;
   lu_.reset();  // its memory is needed for the new one
-  lu_ = std::make_unique<BlockLU>(precision, usable_threads());
+  lu_ = std::make_unique<BlockLU>(precision, usable_threads(), pause_);
   lu_->analyse(assembly_.pattern(), coordinates.data());
 }
 

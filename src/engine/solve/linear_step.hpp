@@ -2,6 +2,7 @@
 // it; where it does not they are double for a few steps, and for twice as many each time.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,7 @@ class LinearStep {
   // coordinates: 3 per free node, m, by which unknowns are eliminated; asked for at every analysis,
   // the first of which is made when it is needed.
   // What it takes of time and factorisations is booked in `report`.
-  LinearStep(const Assembly& assembly, const LinearControl& control, SettleReport& report,
+  LinearStep(const Assembly& assembly, const SettleControl& control, SettleReport& report,
              const double* x);
 
   // values * step = right, 3 per free node; false where the matrix is singular.
@@ -29,6 +30,7 @@ class LinearStep {
 
   const Assembly& assembly_;
   const LinearControl& control_;
+  const std::function<void()>& pause_;
   SettleReport& report_;
   const double* x_;
   Precision precision_ = Precision::single_precision;

@@ -18,6 +18,8 @@ namespace {
 // Parts of at most this many nodes are not cut further. Small, because the assembly tree merges
 // vertices again where one larger front is cheaper.
 constexpr int leaf_nodes = 6;
+// Parts of at least this many nodes take some hundredths of a second to cut.
+constexpr int nodes_to_pause = 10000;
 // Places along a direction where a cut is tried, at most.
 constexpr int most_slices = 128;
 // A cut leaves each side at least this share of the weight, where it can.
@@ -45,8 +47,10 @@ struct Part {
 
 class Dissector {
  public:
-  Dissector(const CompressedGraph& graph, const double* coordinates)
-      : nodes_(static_cast<int>(graph.weight.size())),
+  Dissector(const CompressedGraph& graph, const double* coordinates,
+            const std::function<void()>& pause)
+      : pause_(pause),
+        nodes_(static_cast<int>(graph.weight.size())),
         side_(nodes_),
         moved_(nodes_),
         key_(nodes_),
@@ -80,6 +84,7 @@ class Dissector {
     if (begin == end) return;
     const size_t orphans_before = orphans_.size();
     int separator = begin, owner = which;
+    if (pause_ && end - begin >= nodes_to_pause) pause_();
     if (end - begin > leaf_nodes) {
       bisect(part_[which], begin, end);
       const auto [middle, last] = divide(begin, end, which);
@@ -256,6 +261,7 @@ class Dissector {
     int near, far;
   };
 
+  const std::function<void()>& pause_;
   int nodes_;
   std::array<Part, 2> part_;  // a part lies in one and its halves in the other
   SeparatorTree tree_;
@@ -277,9 +283,10 @@ class Dissector {
 
 }  // namespace
 
-SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates) {
+SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates,
+                                const std::function<void()>& pause) {
   const CompressedGraph graph = compress(pattern);
-  return expand(graph, Dissector(graph, coordinates).run());
+  return expand(graph, Dissector(graph, coordinates, pause).run());
 }
 void check_pattern(const BlockPattern& pattern) {
   if (pattern.n < 0 || pattern.row_start.size() != static_cast<size_t>(pattern.n) + 1 ||

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "../base/block_pattern.hpp"
@@ -20,8 +21,10 @@ struct SeparatorTree {
 //
 // pattern: valid (see check_pattern); coordinates: 3n doubles, x y z of each node. They only guide
 // the cuts: nodes may coincide, and the order stays usable when all of them do.
+// pause: called before every cut of a large part; may throw.
 // Returns the same tree for the same input, ties being broken by node number.
-SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates);
+SeparatorTree nested_dissection(const BlockPattern& pattern, const double* coordinates,
+                                const std::function<void()>& pause = {});
 
 // Throws std::invalid_argument, naming the row, if `pattern` breaks its own description.
 void check_pattern(const BlockPattern& pattern);

@@ -23,6 +23,12 @@ class Settling {
         iteration_(assembly, control, v, x, report) {}
 
   void run() {
+    find();
+    if (!report_.converged) iteration_.judge_parts();
+  }
+
+ private:
+  void find() {
     for (;; ++report_.iterations, ++steps_) {
       iteration_.measure();
       if (report_.iterations == 0) {
@@ -46,7 +52,6 @@ class Settling {
     }
   }
 
- private:
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near();
     if (control_.start == Start::settled) iteration_.begin_settled();

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "../model/assembly.hpp"
+#include "part_balance.hpp"
 #include "settle_control.hpp"
 
 namespace codend {
@@ -25,6 +26,8 @@ struct SettleReport {
   double wake_change = 0.0;      // of any point's share of the free flow's speed, the last time
   int worst_node = -1;           // where the largest net force acts
   double worst_force = 0.0;      // N
+  // Of the shape that was found, or came last.
+  PartResidual parts;
   double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
          seconds_linear = 0.0;  // CPU
 };

@@ -125,8 +125,15 @@ struct SettleControl {
   // Strains of all lines in a like state that the tensions begin from, where x is near or settled;
   // empty: those of x itself.
   std::vector<double> strain;
+  // What part every line is of (part_balance.hpp), each of which is held to part_tolerance of its own
+  // forces besides; empty: all are of one.
+  std::vector<int> part;
+  double part_tolerance = 1e-6;
   // Called once an iteration; returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
+  // Called a few times in every second that an iteration's linear equations take; what it throws ends
+  // the settling.
+  std::function<void()> pause;
 
   // What rounds to a force beside which the loads are little is no balance: the share of all loads
   // together that rounding may leave.

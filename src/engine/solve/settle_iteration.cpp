@@ -26,7 +26,8 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       rounding_(rounding_force()),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
-      linear_(assembly, control.linear, report, x),
+      linear_(assembly, control, report, x),
+      parts_(assembly, control.part),
       path_steps_(control.law.path_steps),
       left_path_(path_) {}
 
@@ -43,12 +44,17 @@ void SettleIteration::measure() {
     }
   }
   report_.largest_tension = assembly_.largest_tension();
+  report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale();
+}
+
+// What net forces are compared with, of the whole gear, N.
+double SettleIteration::scale() const {
   double scale = report_.largest_tension;
   if (scale == 0.0) {  // a gear without any tension is measured by its loads
     for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
     if (scale == 0.0) scale = load_;  // a weightless gear, all slack at the moment
   }
-  report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale;
+  return scale;
 }
 
 void SettleIteration::begin(double pseudo_step) {
@@ -91,10 +97,17 @@ void SettleIteration::follow(double parameter) {
   path_.follow(strain_, parameter);
 }
 
-bool SettleIteration::balanced() const {
-  return (pseudo_time_.found() && (report_.residual <= control_.tolerance || at_rounding())) ||
-         report_.worst_force == 0.0;
+bool SettleIteration::balanced() {
+  if (report_.worst_force == 0.0) return true;
+  if (!pseudo_time_.found() || !(report_.residual <= control_.tolerance || at_rounding())) {
+    return false;
+  }
+  judge_parts();
+  return report_.parts.residual <= control_.part_tolerance &&
+         report_.parts.rounding <= control_.greatest_rounding;
 }
+
+void SettleIteration::judge_parts() { report_.parts = parts_.worst(force_.data(), scale()); }
 
 // Whether the net forces are no more than what rounding of the positions makes.
 bool SettleIteration::at_rounding() const {
@@ -103,7 +116,9 @@ bool SettleIteration::at_rounding() const {
 
 bool SettleIteration::may_be_unstable() {
   // What settles from its own state was tried there. (Boards cost little: they are tried again.)
-  if (from_settled_ && report_.iterations == 0 && assembly_.model().bends.count() > 0) return false;
+  const Model& model = assembly_.model();
+  const bool boards_alone = model.plates.count() > 0 && model.bends.count() == 0;
+  if (from_settled_ && report_.iterations == 0 && !boards_alone) return false;
   unstable_size_ = unstable_size(assembly_);
   return unstable_size_ > 0.0;
 }

@@ -34,7 +34,9 @@ class SettleIteration {
   void resume();
 
   // Whether the shape is found and its net forces are no more than is allowed, or than rounding makes.
-  bool balanced() const;
+  bool balanced();
+  // Tells of every part's balance, as measured.
+  void judge_parts();
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -55,6 +57,7 @@ class SettleIteration {
   bool at_rounding() const;
   double rounding_force() const;
   double total_load();
+  double scale() const;
 
   Assembly& assembly_;
   const SettleControl& control_;
@@ -70,6 +73,7 @@ class SettleIteration {
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
+  PartBalance parts_;
   bool begun_ = false;       // a step has been taken
   bool closing_in_ = false;  // from a settled state, by its tensions
   // Of the trials of the law.

@@ -1,5 +1,6 @@
 // Whether an equilibrium is stable: one that a small perturbation grows in is never seen in nature. Tried
-// are the kinds of elements that may stand so (ElementKind::unstable_size).
+// are the kinds of elements that may stand so (ElementKind::unstable_size), and joints between bars that
+// push, as of a pole that is divided and has no stiffness against bending.
 //
 // Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
 // forces (-dF/dx) and D the drag-like damping of pseudo time (Assembly::pseudo_damping). A motion

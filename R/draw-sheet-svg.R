@@ -1,0 +1,83 @@
+# A sheet as SVG: one unit a millimetre; what shows one component of the gear is one group, which
+# names its field.
+
+# The text of the SVG. find_path: a function that gives the path in the plan of a field of the
+# assembly, or "".
+#
+# Each group is <g data-path="..." data-component="...">: the component is a kind of thing ("panel",
+# "rope", "piece", "mesh_size", "twine", "meshes", "cutting", "length", "diameter", "material",
+# "name"), the path that of the field for update(), left out where no field of the plan is shown.
+sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
+  high <- sheet$page[2]
+  key <- vapply(sheet$items, function(item) paste(item$component, item$ref, item$layer), "")
+  runs <- rle(key)
+  last <- cumsum(runs$lengths)
+  first <- last - runs$lengths + 1L
+  groups <- vapply(seq_along(first), function(k) {
+    items <- sheet$items[seq(first[k], last[k])]
+    about <- items[[1]]
+    path <- if (nzchar(about$ref)) find_path(about$ref) else ""
+    drawn <- paste(vapply(items, svg_item, "", high = high), collapse = "")
+    if (!nzchar(about$component)) return(drawn)
+    paste0(
+      "<g", if (nzchar(path)) paste0(" data-path=\"", svg_text(path), "\""),
+      " data-component=\"", svg_text(about$component), "\">", drawn, "</g>"
+    )
+  }, "")
+  size <- svg_number(sheet$page)
+  c(
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
+    sprintf(paste0(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%smm\" height=\"%smm\" ",
+      "viewBox=\"0 0 %s %s\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" ",
+      "fill=\"none\">"
+    ), size[1], size[2], size[1], size[2]),
+    paste0("<title>", svg_text(title), "</title>"),
+    sprintf("<rect width=\"%s\" height=\"%s\" fill=\"white\"/>", size[1], size[2]),
+    groups, "</svg>", ""
+  )
+}
+
+svg_number <- function(x) {
+  format(round(x, 3), trim = TRUE, scientific = FALSE, drop0trailing = TRUE)
+}
+
+svg_text <- function(text) {
+  for (pair in list(c("&", "&amp;"), c("<", "&lt;"), c(">", "&gt;"), c("\"", "&quot;"))) {
+    text <- gsub(pair[1], pair[2], text, fixed = TRUE)
+  }
+  text
+}
+
+svg_item <- function(item, high) {
+  n <- svg_number
+  if (item$kind == "text") {
+    at <- if (item$up) c(item$x + item$size / 2, high - item$y) else {
+      c(item$x, high - item$y + item$size / 2)
+    }
+    # the width as it was laid out, whatever font there is
+    return(paste0(
+      "<text x=\"", n(at[1]), "\" y=\"", n(at[2]), "\" font-size=\"", n(item$size / capital_height),
+      "\" textLength=\"", n(item$wide), "\" lengthAdjust=\"spacingAndGlyphs\" fill=\"", item$ink,
+      "\"",
+      if (item$across > 0) {
+        paste0(" text-anchor=\"", if (item$across == 1) "end" else "middle", "\"")
+      },
+      if (item$bold) " font-weight=\"bold\"", if (item$italic) " font-style=\"italic\"",
+      if (item$up) sprintf(" transform=\"rotate(-90 %s %s)\"", n(at[1]), n(at[2])),
+      ">", svg_text(item$text), "</text>"
+    ))
+  }
+  paint <- paste0(
+    if (!is.na(item$ink)) sprintf(" stroke=\"%s\" stroke-width=\"%s\"", item$ink, n(item$width)),
+    if (!is.na(item$fill)) sprintf(" fill=\"%s\"", item$fill),
+    if (length(item$dash)) sprintf(" stroke-dasharray=\"%s\"", paste(n(item$dash), collapse = " "))
+  )
+  if (item$kind == "circle") {
+    return(sprintf("<circle cx=\"%s\" cy=\"%s\" r=\"%s\"%s/>", n(item$x), n(high - item$y),
+      n(item$radius), paint))
+  }
+  points <- paste(n(item$x), n(high - item$y), sep = ",", collapse = " ")
+  element <- if (item$kind == "polygon") "polygon" else "polyline"
+  sprintf("<%s points=\"%s\"%s/>", element, points, paint)
+}

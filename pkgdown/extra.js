@@ -1,0 +1,19 @@
+// "On this page": links to the headings of the page.
+const nav = document.getElementById("toc");
+const headings = [...document.querySelectorAll("main h2, main h3")];
+if (nav && headings.length > 1) {
+  const list = nav.appendChild(document.createElement("ul"));
+  for (const heading of headings) {
+    const id = heading.id || heading.closest("[id]").id;
+    if (!id || id === "main") continue;
+    const link = document.createElement("a");
+    link.href = `#${id}`;
+    // a heading's own anchor is no part of its words
+    link.textContent = [...heading.childNodes]
+      .filter((node) => !node.classList?.contains("anchor"))
+      .map((node) => node.textContent).join("").trim();
+    const item = list.appendChild(document.createElement("li"));
+    item.className = `below-${heading.tagName.toLowerCase()}`;
+    item.append(link);
+  }
+} else if (nav) nav.remove();

@@ -1,0 +1,20 @@
+# Builds the site, by pkgdown without asking the network, into `site` or the folder that is named:
+#   Rscript tools/site.R [folder]
+# It takes codend installed from these sources.
+
+folder <- c(commandArgs(TRUE), "site")[1]
+options(pkgdown.internet = FALSE)
+site <- pkgdown::as_pkgdown(".", list(destination = normalizePath(folder, mustWork = FALSE)))
+pkgdown::init_site(site)
+# pkgdown warns of pictures that it does not copy itself: the gallery's are copied here
+invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
+withCallingHandlers(
+  pkgdown::build_home(site, quiet = TRUE),
+  warning = function(said) {
+    if (grepl("Missing images", conditionMessage(said))) tryInvokeRestart("muffleWarning")
+  }
+)
+pkgdown::build_reference(site, devel = FALSE)
+pkgdown::build_articles(site, quiet = TRUE)
+pkgdown::build_news(site)
+cat("Built", file.path(site$dst_path, "index.html"), "\n")
