@@ -28,7 +28,8 @@ turning_trawl <- function(nodes) {
 # The shipped purse seine, bunched at the surface as the vessel begins to shoot it.
 seine_from_vessel <- function(nodes, until) {
   gear <- read_gear("purse_seine")
-  codend:::shot_trajectory(gear, codend:::gear_si(gear), list(control_every = 10), until, nodes, NULL)
+  given <- list(control_every = 10)
+  codend:::shot_trajectory(gear, codend:::gear_si(gear), given, until, nodes, NULL)
 }
 
 # The warp of the public case, straight down and unstretched.

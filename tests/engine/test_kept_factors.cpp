@@ -91,7 +91,8 @@ struct Case {
   // What is left of the right side, over what may be left.
   double left(const std::vector<double>& values, double share) {
     REQUIRE(factors.solve(b, scale, {share, 0.0}, x));
-    return (as_vector(b) - sheet.dense(values) * as_vector(x)).norm() / (share * as_vector(b).norm());
+    return (as_vector(b) - sheet.dense(values) * as_vector(x)).norm() /
+           (share * as_vector(b).norm());
   }
 };
 

@@ -62,7 +62,7 @@ class KeptFactors {
   bool factorised_ = false;  // there are factors
   bool fresh_ = false;       // and they are of this matrix
   bool first_ = true;
-  int affordable_ = 1;       // iterations that cost less than a factorisation
+  int affordable_ = 1;  // iterations that cost less than a factorisation
   Patience patience_[2];
   std::vector<char> left_out_;
   long long factorisations_ = 0;
