@@ -6,6 +6,8 @@ level_ratio <- 7
 coarsest_nodes <- 250
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
+# The same from a state, beside which to settle anew takes about as many.
+from_steps <- 100L
 # Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
 settle_tolerance <- 1e-8
 settle_iterations <- 3200L

@@ -212,6 +212,22 @@ test_that("coefficient sets by name and by number", {
     "Did you mean `hoerner`?")
 })
 
+test_that("each kind of gear has the law that its data support where its plan names none", {
+  law <- function(name) {
+    gear <- update(read_gear(name), netting_drag = NULL)
+    unique(vapply(gear_si(gear)$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE))
+  }
+  expect_identical(
+    vapply(c("midwater_trawl", "poly_noreastern_trawl", "pair_trawl", "beam_trawl", "stow_net",
+      "cage", "gillnet", "purse_seine"), law, ""),
+    c(midwater_trawl = "blended", poly_noreastern_trawl = "blended", pair_trawl = "blended",
+      beam_trawl = "blended", stow_net = "twines", cage = "loland", gillnet = "twines",
+      purse_seine = "twines")
+  )
+  # the shipped trawl of the paper keeps the paper's sum
+  expect_identical(gear_si(read_gear("midwater_trawl"))$panels[[1]]$netting_drag, "twines")
+})
+
 test_that("the paper's method is one word, whatever else the plan says", {
   explicit <- list(netting = "bars", netting_drag = "twines", coefficients = "hoerner",
     slack_twine = "straight", shielding = "none")
