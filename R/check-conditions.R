@@ -17,8 +17,8 @@
 #' Warnings have class `codend_warning`; those of [settle()] about an otter board also
 #' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`.
 #'
-#' A study has `codend_warning_conditions_not_kept` ([optimise()]) and
-#' `codend_warning_hauls_left_out` ([calibrate()]).
+#' A study has `codend_warning_conditions_not_kept` ([optimise()]),
+#' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws` ([posterior()]).
 #'
 #' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full
 #' disk too, the old file stays.

@@ -45,6 +45,9 @@
 #'   \item{bosom}{Of head line or footrope, what lies between the wings.}
 #'   \item{tickler}{Chain ahead of the footrope that stirs the sea bed.}
 #'   \item{ground gear}{What protects the footrope and rolls or slides over the sea bed.}
+#'   \item{disc}{Of rubber or steel on the ground gear's wire; a bobbin or roller is one too.}
+#'   \item{cover}{Netting laced over a section: a lifting bag, a chafer, a second layer.}
+#'   \item{grid}{Bars in a frame behind a section, which sort the catch.}
 #'   \item{float line, lead line}{Rope with floats, with weights, along the edge of a seine or
 #'     gillnet.}
 #'   \item{belly line, side line, cross rope}{Rope that strengthens a net along its belly, along the

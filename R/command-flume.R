@@ -1,7 +1,8 @@
 command_flume <- function() {
   list(
     takes = "[PLAN]",
-    does = "Open a page with the settled gear and its controls: the live flume tank.",
+    does = paste("Open a page with the settled gear and its controls: the live flume tank.",
+      "Without PLAN it begins at a gallery of gears."),
     options = list(
       optparse::make_option("--port", metavar = "N", help = paste(
         "port of this machine at which a browser finds the page [one that is free]"
@@ -19,8 +20,10 @@ run_flume <- function(plan, options) {
   if (!is.null(port) && !(grepl("^[0-9]{1,5}$", port) && as.numeric(port) %in% 1024:65535)) {
     abort_usage("--port is ", port, "; it must be a whole number from 1024 to 65535.")
   }
-  gear <- read_changed(if (length(plan)) plan else "midwater_trawl", options)
-  app <- do.call(flume, c(list(gear), lattice_arguments(options)))
+  changed <- length(options$set) > 0L
+  gear <- if (length(plan)) read_changed(plan, options)
+  if (is.null(gear) && changed) abort_usage("--set changes a plan: give PLAN too.")
+  app <- do.call(flume, c(list(gear = gear), lattice_arguments(options)))
   shiny::runApp(app, host = "127.0.0.1", launch.browser = FALSE,
     port = if (!is.null(port)) as.integer(port))
 }

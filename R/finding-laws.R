@@ -29,41 +29,89 @@ define_finding("drag law", "state",
   }
 )
 
-# Largest solidity of the netting that a screen's law was fitted to: cage netting of up to 0.35, for
-# Kristiansen and Faltinsen (2012) up to 0.5.
+# Solidity of the netting that a screen's law was fitted to: cage netting of up to 0.35, for
+# Kristiansen and Faltinsen (2012) up to 0.5. Below 0.1 codend takes the first two in proportion to
+# the solidity, which is a choice made here.
 greatest_solidity <- c(loland = 0.35, aarsnes = 0.35, kristiansen_faltinsen = 0.5)
+least_solidity <- c(loland = 0.1, aarsnes = 0.1, kristiansen_faltinsen = 0)
+# Reynolds numbers U d / (nu (1 - Sn)) that the cylinder drag of Kristiansen and Faltinsen is for.
+fitted_reynolds <- c(32, 1e4)
 
 define_finding("solidity", "state",
   "More than half of the panels of a part whose `netting_drag` is a screen's stand so closed that
-  their solidity is above that of the netting which the law was fitted to: 0.35 (`loland`,
-  `aarsnes`) or 0.5 (`kristiansen_faltinsen`).",
+  their solidity is above that of the netting which the law was fitted to, 0.35 (`loland`,
+  `aarsnes`) or 0.5 (`kristiansen_faltinsen`), or so open that it is below 0.1 (`loland`,
+  `aarsnes`).",
   function(gear, state) {
-    law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-    law <- law[law %in% names(greatest_solidity)]
+    law <- screened_panels(state)
     if (!length(law)) return(list())
     solidity <- solidity_of_panels(state, names(law))
-    over <- solidity / greatest_solidity[law]
     # what has no area has no solidity
-    over[is.na(over)] <- 0
-    part <- vapply(state$si$panels[names(law)], function(panel) {
-      first_of(unless_na(panel$part), "")
-    }, "")
-    part[part == ""] <- names(law)[part == ""]
+    solidity[is.na(solidity)] <- least_solidity[law[is.na(solidity)]]
     # Where a current folds a part, some of its panels close.
-    over[stats::ave(over > 1, part) <= 0.5] <- 0
-    worst <- which.max(over)
-    if (over[worst] <= 1) return(list())
+    off <- mostly_of_part(state, names(law),
+      pmax(solidity / greatest_solidity[law], least_solidity[law] / pmax(solidity, 1e-6)))
+    worst <- which.max(off)
+    if (off[worst] <= 1) return(list())
     used <- law[[worst]]
-    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], figures(solidity[[worst]]),
-      sprintf("its solidity is %s; %s was fitted to at most %s.", figures(solidity[[worst]]), used,
-        format(greatest_solidity[[used]])),
-      if (used == "kristiansen_faltinsen") {
-        "Check mesh size and twine; its drag may be off by tens of percent."
-      } else {
-        "Check mesh size and twine, or use kristiansen_faltinsen, fitted up to 0.5."
-      }))
+    shown <- figures(solidity[[worst]])
+    closed <- solidity[[worst]] > greatest_solidity[[used]]
+    bound <- if (closed) {
+      paste("at most", format(greatest_solidity[[used]]))
+    } else {
+      paste("at least", format(least_solidity[[used]]))
+    }
+    advice <- if (!closed) {
+      "Use twines: there one twine hardly shields another."
+    } else if (used == "kristiansen_faltinsen") {
+      "Check mesh size and twine; its drag may be off by tens of percent."
+    } else {
+      "Check mesh size and twine, or use kristiansen_faltinsen, fitted up to 0.5."
+    }
+    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], shown,
+      sprintf("its solidity is %s; %s was fitted to %s.", shown, used, bound), advice))
   }
 )
+
+define_finding("Reynolds number", "state",
+  "More than half of the panels of a part with `netting_drag` `kristiansen_faltinsen` have twine
+  whose Reynolds number, that of the free flow, is below 32 or above 10000: the law's drag of a
+  cylinder is held at its ends there.",
+  function(gear, state) {
+    law <- screened_panels(state)
+    law <- law[law == "kristiansen_faltinsen"]
+    current <- state$si$water$current
+    speed <- max(state$si$towing$speed, sqrt(current$x^2 + current$y^2))
+    if (!length(law) || speed == 0) return(list())
+    diameter <- vapply(state$si$panels[names(law)], `[[`, 0, "twine_diameter")
+    solidity <- solidity_of_panels(state, names(law))
+    solidity[is.na(solidity)] <- 0
+    reynolds <- speed * diameter / state$si$water$viscosity / (1 - pmin(solidity, 0.35))
+    off <- mostly_of_part(state, names(law),
+      pmax(reynolds / fitted_reynolds[2], fitted_reynolds[1] / reynolds))
+    worst <- which.max(off)
+    if (off[worst] <= 1) return(list())
+    shown <- figures(reynolds[[worst]])
+    list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], shown,
+      sprintf("its twine has a Reynolds number of %s; kristiansen_faltinsen is for 32 to 10000.",
+        shown),
+      "Check speed, viscosity and twine, or use twines with choo_casarella."))
+  }
+)
+
+# The screens' laws of a state's panels by name, where they have one.
+screened_panels <- function(state) {
+  law <- vapply(state$si$panels, `[[`, "", "netting_drag")
+  law[law %in% names(greatest_solidity)]
+}
+
+# What is above 1 in these panels (by name), but 0 in parts of which no more than half is.
+mostly_of_part <- function(state, names, off) {
+  part <- vapply(state$si$panels[names], function(panel) first_of(unless_na(panel$part), ""), "")
+  part[part == ""] <- names[part == ""]
+  off[stats::ave(off > 1, part) <= 0.5] <- 0
+  off
+}
 
 # Of cells by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
 netting_to_flow <- function(state, cells) {
@@ -83,7 +131,7 @@ netting_to_flow <- function(state, cells) {
 
 # Warns where a law is used outside what it was measured for: of the first that is found.
 warn_of_laws <- function(state) {
-  for (check in c("drag law", "solidity")) {
+  for (check in c("drag law", "solidity", "Reynolds number")) {
     found <- do.call(rbind, found_by(finding_checks[[check]], state$gear, state))
     if (is.null(found)) next
     cli::cli_warn(finding_sentences(found)[1],

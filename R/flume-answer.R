@@ -8,32 +8,42 @@ flume_steps <- 1000L
 # Most nodes of a design, whatever its plan asks for.
 flume_nodes <- 20000
 
-# request: list(kind, said (of the page), base, controls (of the tank), file (of the gear on
-# screen), nodes, state (to settle from or to save)); without `state` it is the one that the memory,
-# an environment, holds from the last answer. Returns list(found, problem): found NULL where there
-# is a problem, problem as flume_problem() gives it.
+# request: list(kind, said (of the page), base (the gear that changes are told of), file (of the
+# gear on screen), nodes, state (to settle from, or that something is made of)); without `state` it
+# is the one that the memory, an environment, holds from the last answer. Returns list(found,
+# problem): found NULL where there is a problem, problem as flume_problem() gives it.
 flume_answer <- function(request, memory) {
   if (!is.null(request$state)) memory$state <- request$state
   found <- NULL
   problem <- flume_problem({
-    if (request$kind == "save") {
-      save_state(memory$state, request$said)
+    made <- made_of_state[[request$kind]]
+    if (!is.null(made)) {
+      found <- made(memory$state, request$said)
     } else {
       found <- settled_design(request, memory$state)
-      memory$state <- found$state
+      if (request$kind != "kept") memory$state <- found$state
     }
   })
   list(found = found, problem = problem)
 }
 
+# What is made of the state on screen and leaves it as it is.
+made_of_state <- list(save = function(state, said) save_state(state, said))
+
 # list(gear, state, notes, drawing, measures) of what the page asks for.
 settled_design <- function(request, from) {
+  said <- request$said
   gear <- switch(request$kind,
-    design = apply_controls(request$base, request$controls, request$said),
-    plan_text = read_typed(request$said, request$file),
-    plan_file = read_opened(request$said)
+    design = apply_edits(request$base, said),
+    plan_text = read_typed(said, request$file),
+    plan_file = read_opened(said),
+    shipped = read_shipped(said),
+    new = read_new(said),
+    words = , kept = gear_of_words(said),
+    plan = gear_of_design(said, request$base)
   )
-  settled_start(gear, request$nodes, if (request$kind != "plan_file") from)
+  like <- request$kind %in% c("design", "plan_text", "plan")
+  settled_start(gear, request$nodes, if (like) from)
 }
 
 settled_start <- function(gear, nodes, from = NULL) {
@@ -97,6 +107,27 @@ read_typed <- function(text, file) {
   gear <- read_sent(text, "on this page")
   gear["file"] <- list(file)
   gear
+}
+
+# A gear that codend ships, by its name.
+read_shipped <- function(name) {
+  if (!is_text(name) || !name %in% names(shipped_plans())) {
+    abort_argument("There is no shipped gear of that name.")
+  }
+  read_gear(name)
+}
+
+# A new gear: list(kind, values), texts by what new_plan() asks for.
+read_new <- function(said) {
+  said <- as.list(said)
+  asks <- names(new_plan_kinds()[[if (is_text(said$kind)) said$kind else ""]]$asks)
+  values <- as.list(said$values)
+  values <- values[names(values) %in% asks]
+  good <- vapply(values, function(value) is_text(value) && nchar(value) <= most_characters, NA)
+  if (!all(good)) abort_argument("A new gear is asked for by texts such as 25 m.")
+  # an empty field is as usual
+  values <- values[vapply(values, function(value) nzchar(trimws(value)), NA)]
+  do.call(new_plan, c(list(said$kind), values))
 }
 
 read_sent <- function(text, name) {

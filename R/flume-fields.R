@@ -1,9 +1,15 @@
-# The fields of a plan that the flume tank shows as controls.
+# The fields of a plan as the flume tank's controls.
 
-# The controls of a plan: a named list by id of lists of id, label, help, paths (fields that change
-# together), kind ("number", "choice" or "truth"), value (number, text or truth value), and of
-# numbers unit (as shown), units (factors to SI by name, NULL where it has none), low, high and step
-# (of the slider, in the unit) and whole; of choices `choices`.
+# A control is a list of label, help, paths (fields that change together), must (what the schema
+# allows, in words), required (whether the plan must give it), kind and value, by kind
+#   number  unit (as shown), factor (to SI), dimension (NULL without units), low, high and step (of
+#           the slider, in the unit), whole
+#   choice  choices
+#   truth
+#   word    a text, with `suggest`: texts to choose from, if any
+#   yaml    anything else, as a plan writes it on one line
+
+# The controls that a page begins with.
 #
 # marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
 # out.
@@ -15,11 +21,9 @@ plan_controls <- function(plan, marked = list()) {
   controls <- lapply(unname(c(usual, asked)), function(ask) {
     found <- lapply(ask$paths, function(path) plan_field(plan, path))
     if (any(vapply(found, is.null, NA))) return(NULL)
-    new_control(ask$label, ask$paths, found[[1]])
+    simple_control(ask$label, ask$paths, found[[1]])
   })
-  controls <- Filter(Negate(is.null), controls)
-  ids <- sprintf("control_%d", seq_along(controls))
-  stats::setNames(Map(function(control, id) c(list(id = id), control), controls, ids), ids)
+  Filter(Negate(is.null), controls)
 }
 
 # "otter_boards.lift_coefficient" becomes "Otter boards: lift coefficient", unless it has a name.
@@ -39,46 +43,66 @@ path_words <- function(path) {
   paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 }
 
-# A control of a field, or NULL for fields that are no single number, choice or truth value.
-new_control <- function(label, paths, field) {
-  node <- field$node
-  about <- list(label = label, paths = paths, help = first_of(node$description, ""))
-  if (is.null(node)) return(NULL)
-  if (node$shape %in% c("quantity", "number", "integer")) return(c(about, number_control(field)))
-  if (node$shape == "boolean") {
-    return(c(about, list(kind = "truth", value = check_boolean(field$value, node, ""))))
-  }
-  if (node$shape == "string" && !is.null(node$enum)) {
-    return(c(about, list(kind = "choice", value = field$value, choices = node$enum)))
-  }
-  NULL
+# A control of a field that is a number, a choice or a truth value, or NULL.
+simple_control <- function(label, paths, field) {
+  if (is.null(field$node)) return(NULL)
+  control <- new_control(label, paths, field)
+  if (control$kind %in% c("number", "choice", "truth")) control
 }
 
+# The control of any field: list(node, value, given) of plan_field().
+new_control <- function(label, paths, field, required = TRUE) {
+  node <- field$node
+  about <- list(
+    label = label, paths = I(as.character(paths)), help = first_of(node$description, ""),
+    must = describe(node), required = required
+  )
+  c(about, if (is_number_node(node)) {
+    number_control(field)
+  } else if (node$shape == "boolean") {
+    list(kind = "truth", value = check_boolean(first_of(field$value, FALSE), node, ""))
+  } else if (node$shape == "string" && !is.null(node$enum)) {
+    list(kind = "choice", value = first_of(field$value, ""), choices = I(node$enum))
+  } else if (node$shape == "string") {
+    suggest <- I(as.character(suggestions(paths[1])))
+    list(kind = "word", value = first_of(field$value, ""), suggest = suggest)
+  } else {
+    list(kind = "yaml", value = if (is.null(field$value)) "" else yaml_inline(field$value))
+  })
+}
+
+is_number_node <- function(node) node$shape %in% c("quantity", "number", "integer")
+
+# Words that a field of any text is often given.
+suggestions <- function(path) {
+  if (grepl("(^|[.])material$", path)) c(names(material_abbreviations), rownames(gear_materials))
+}
+
+# A number as the plan gives it, in its own unit; without a value in the first of its units.
 number_control <- function(field) {
   node <- field$node
   dimension <- node[["x-dimension"]]
-  quantity <- if (is.character(field$value)) split_quantity(field$value) else c(field$value, "")
-  value <- as.double(quantity[1])
-  units <- control_units(dimension, quantity[2])
-  unit <- if (is.null(units)) "" else names(units)[1]
-  range <- control_range(value, node, if (is.null(units)) 1 else units[[1]])
+  value <- field$value
+  quantity <- if (is.character(value)) split_quantity(value) else c(value, "")
+  number <- if (is.null(value)) NA else as.double(quantity[1])
+  unit <- quantity[2]
+  if (identical(dimension, "number") && !nzchar(first_of(unit, ""))) dimension <- NULL
+  if (is.null(dimension)) unit <- "" else if (is.na(unit) || !nzchar(unit)) {
+    unit <- names(plan_units[[dimension]])[1]
+  }
+  factor <- if (is.null(dimension)) 1 else plan_units[[dimension]][[plain_unit(unit)]]
   c(
     list(
-      kind = "number", value = value, unit = unit, units = units, whole = node$shape == "integer"
+      kind = "number", value = number, unit = unit, factor = factor, dimension = dimension,
+      whole = node$shape == "integer"
     ),
-    range
+    if (!is.na(number)) control_range(number, node, factor)
   )
 }
 
-# Factors to SI of a dimension's units, one spelling each, the plan's own first; NULL where it has
-# none.
-control_units <- function(dimension, own) {
-  if (is.null(dimension) || dimension == "number" && !nzchar(own)) return(NULL)
-  factors <- plan_units[[dimension]]
-  own <- if (nzchar(own)) own else names(factors)[1]
-  factor <- factors[[plain_unit(own)]]
-  others <- factors[!duplicated(factors) & factors != factor]
-  c(stats::setNames(factor, own), others)
+# Factors to SI by dimension and unit, one spelling each: what a page offers beside a number.
+offered_units <- function() {
+  lapply(plan_units, function(units) as.list(units[!duplicated(units)]))
 }
 
 # From half to one and a half times the value, as far as the schema allows, in round steps.
@@ -102,53 +126,11 @@ round_step <- function(x) {
   power * c(1, 2, 5, 10)[which(c(1, 2, 5, 10) * power >= x * (1 - 1e-9))[1]]
 }
 
-# What a plan's field becomes by what a control sends: `given` comes from a browser, and may be
-# anything. A number with a unit becomes text such as "4.8 knot".
-control_value <- function(control, given) {
-  refuse <- function(must) abort_field(control$paths[1], given$value, must)
-  value <- given$value
-  if (control$kind == "truth") {
-    if (!is.logical(value) || length(value) != 1L || is.na(value)) refuse("yes or no")
-    return(value)
-  }
-  if (control$kind == "choice") {
-    if (!is_text(value) || !value %in% control$choices) {
-      refuse(paste("one of", word_list(control$choices)))
-    }
-    return(value)
-  }
-  if (!is.numeric(value) || length(value) != 1L || !is.finite(value)) refuse("a number")
-  if (is.null(control$units)) return(as.double(value))
-  if (!is_text(given$unit) || !given$unit %in% names(control$units)) {
-    refuse(paste("in one of these units:", word_list(names(control$units))))
-  }
-  paste(shortest_decimal(as.double(value)), given$unit)
-}
-
-# The gear with what the controls say: values = list by control id of list(value, unit).
-apply_controls <- function(gear, controls, values) {
-  plan <- gear$plan
-  for (id in intersect(names(values), names(controls))) {
-    value <- control_value(controls[[id]], as.list(values[[id]]))
-    for (path in controls[[id]]$paths) plan <- set_plan_field(plan, path, value)
-  }
-  as_gear(plan, file = gear$file, like = gear)
-}
-
-# The id of the control that a plan's wrong field belongs to, or NULL.
-control_of_path <- function(controls, path) {
-  if (is.null(path)) return(NULL)
-  own <- function(control) any(control$paths == path)
-  # A wrong field of what a short form stands for is named by the part that it became.
-  found <- names(Filter(own, controls))
-  if (length(found)) found[1] else NULL
-}
-
-# Paths of all fields of a plan that can have a control, for the user to mark.
+# Paths of all fields of a plan that can have a slider, a choice or a tick.
 markable_fields <- function(plan) {
   Filter(function(path) {
     field <- plan_field(plan, path)
-    !is.null(field) && !is.null(new_control("", path, field))
+    !is.null(field) && !is.null(simple_control("", path, field))
   }, given_paths(plan))
 }
 
@@ -169,7 +151,7 @@ check_marked <- function(marked, plan) {
       suggestion <- if (length(near)) paste0("; did you mean \"", near, "\"?") else "."
       abort_argument("{.arg fields} holds {.val {path}}, which this plan does not have{suggestion}")
     }
-    if (is.null(new_control("", path, field))) {
+    if (is.null(simple_control("", path, field))) {
       abort_argument(
         "{.arg fields} holds {.val {path}}, which is no single number, choice or yes or no; the
         flume tank has no control for it."

@@ -1,6 +1,7 @@
 # The flume tank's page.
 
-flume_page <- function() {
+# opens: whether a gear is on screen at once, not the gallery.
+flume_page <- function(opens = TRUE) {
   tags <- shiny::tags
   asset <- function(name) paste0("codend-app/", name)
   of_viewer <- function(name) paste0("codend-view/", name)
@@ -14,20 +15,62 @@ flume_page <- function() {
       lapply(c("three.js", "materials.js", "gear.js", "motion.js", "viewer.js"), function(name) {
         tags$script(src = of_viewer(name))
       }),
-      tags$script(src = asset("tank.js")),
-      tags$script(src = asset("controls.js"))
+      lapply(flume_scripts, function(name) tags$script(src = asset(name)))
     ),
     tags$a(class = "skip-link", href = "#controls", "Skip to the controls"),
     tags$div(
-      id = "flume",
-      tags$header(
-        tags$h1(id = "gear_name", "Flume tank"), tags$p(id = "gear_conditions", class = "note")
-      ),
+      id = "flume", class = if (opens) "opens",
+      flume_header(), flume_waiting(), flume_gallery(),
       tags$main(
-        class = "flume-grid", flume_tank(), flume_controls(), flume_measures(), flume_tabs()
+        id = "design", class = "flume-grid", hidden = if (!opens) NA,
+        flume_tank(), flume_controls(), flume_measures(), flume_tabs()
       ),
       tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite")
     )
+  )
+}
+
+# The page's own scripts, in the order in which they are read.
+flume_scripts <- c(
+  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "gallery.js", "page.js"
+)
+
+flume_header <- function() {
+  tags <- shiny::tags
+  button <- function(id, words, about) {
+    tags$button(type = "button", id = id, class = "btn btn-outline-secondary btn-sm",
+      title = about, words)
+  }
+  units <- function(dimension, label) {
+    tags$select(
+      class = "form-select form-select-sm preferred", `data-dimension` = dimension,
+      `aria-label` = label, lapply(preferred_units[[dimension]], function(unit) {
+        tags$option(value = unit, unit)
+      })
+    )
+  }
+  tags$header(
+    tags$div(tags$h1(id = "gear_name", "Flume tank"), tags$p(id = "gear_conditions",
+      class = "note")),
+    tags$div(
+      class = "header-tools", role = "group", `aria-label` = "Design",
+      button("gears", "Gears", "All gears, a new one, or a plan of your own"),
+      button("undo", "Undo", "The design before (Ctrl+Z)"),
+      button("redo", "Redo", "The design after (Ctrl+Y)"),
+      tags$span(class = "preferred-units", units("length", "Lengths in"),
+        units("force", "Forces in"), units("speed", "Speeds in"))
+    )
+  )
+}
+
+# What is waited for, with a way out.
+flume_waiting <- function() {
+  tags <- shiny::tags
+  tags$div(
+    id = "working", class = "working", role = "status", hidden = NA,
+    tags$span(id = "working_words", "settling"), tags$span(id = "working_time"),
+    tags$button(type = "button", id = "cancel", class = "btn btn-sm btn-outline-secondary",
+      "Cancel")
   )
 }
 
@@ -35,44 +78,42 @@ flume_tank <- function() {
   tags <- shiny::tags
   tags$section(
     class = "tank", `aria-label` = "The gear in three dimensions",
-    tags$div(id = "tank"),
-    tags$div(id = "working", class = "working", hidden = NA, "settling")
+    tags$div(id = "tank")
   )
 }
 
+# The controls themselves are laid out by form.js, from what R/flume-form.R makes of the schema.
 flume_controls <- function() {
   tags <- shiny::tags
   tags$section(
     id = "controls", class = "panel controls", `aria-labelledby` = "controls_heading",
     tags$h2(id = "controls_heading", "Design"),
     tags$div(id = "refused", class = "alert alert-danger", role = "alert", hidden = NA),
-    tags$div(id = "noted", class = "alert alert-warning", role = "status", hidden = NA),
-    shiny::uiOutput("controls"),
+    tags$div(id = "quick"),
     tags$div(
       class = "button-row",
-      shiny::actionButton("pin", "Pin this design", class = "btn-primary btn-sm"),
-      shiny::actionButton("reset", "Back to pinned", class = "btn-outline-secondary btn-sm")
+      tags$button(type = "button", id = "keep", class = "btn btn-primary btn-sm",
+        "Keep this design"),
+      tags$button(type = "button", id = "back", class = "btn btn-outline-secondary btn-sm",
+        "Back to the kept one")
     ),
-    tags$details(
-      tags$summary("Another field of the plan"),
-      shiny::uiOutput("markable")
-    ),
+    tags$h2("Every field of the plan"),
     tags$div(
-      id = "plan_drop",
-      # without an id Shiny leaves it alone: the page reads the file and sends what is in it
-      tags$label(
-        "Open a plan (or drop its file on the page)",
-        tags$input(type = "file", class = "form-control plan-file", accept = ".yaml,.yml")
-      ),
-      tags$p(class = "note", "YAML, at most 2 MB"),
-      tags$p(id = "plan_file_error", class = "field-error", role = "alert", hidden = NA)
-    )
+      class = "find-row",
+      tags$input(id = "find_field", type = "search", class = "form-control form-control-sm",
+        placeholder = "Find a field, such as twine", `aria-label` = "Find a field",
+        autocomplete = "off")
+    ),
+    tags$div(id = "form")
   )
 }
 
 flume_measures <- function() {
   shiny::tags$section(
-    class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures")
+    class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures"),
+    shiny::tags$div(
+      id = "worth", hidden = NA, shiny::tags$h2("Worth a look"), shiny::tags$ul(id = "noted")
+    )
   )
 }
 
@@ -93,6 +134,7 @@ flume_tabs <- function() {
         plane("xz", "From the port side (XZ)"), plane("yz", "From astern (YZ)"))),
       tab("Tensions", shiny::uiOutput("tensions")),
       tab("Drag", shiny::uiOutput("drag")),
+      tab("Designs", tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
       tab("Changes", shiny::uiOutput("differences")),
       tab("Plan", flume_plan_editor()),
       tab("R code", shiny::tags$p("This settles the same gear again:"),
@@ -107,8 +149,8 @@ flume_tabs <- function() {
 flume_plan_editor <- function() {
   tags <- shiny::tags
   tags$div(
-    tags$label(`for` = "plan_text", "The plan of the gear on screen, to change and settle"),
-    tags$textarea(id = "plan_text", class = "form-control plan-text", rows = "24",
+    tags$label(`for` = "plan_area", "The plan of the gear on screen, to change and settle"),
+    tags$textarea(id = "plan_area", class = "form-control plan-text", rows = "24",
       spellcheck = "false", wrap = "off", `aria-describedby` = "plan_text_error"),
     tags$p(id = "plan_text_error", class = "field-error", role = "alert", hidden = NA),
     tags$button(type = "button", id = "plan_text_settle", class = "btn btn-primary btn-sm",
@@ -125,7 +167,9 @@ flume_downloads <- function() {
     class = "downloads",
     save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
-    save("save_measures", "Measures (CSV)", "with the pinned design's and the change"),
+    save("save_all", "All designs (JSON)", "that on screen and those kept; opens here again"),
+    save("save_designs", "Designs (CSV)", "measures of all designs beside each other"),
+    save("save_measures", "Measures (CSV)", "with the kept design's and the change"),
     save("save_drag", "Drag (CSV)", "by rope, panel and piece"),
     lapply(formats_of("state"), function(format) {
       package <- format$package
@@ -133,111 +177,5 @@ flume_downloads <- function() {
       save(paste0("save_", format$name), sprintf("%s (%s)", format$title, format$extension),
         paste("for", format$opens))
     })
-  )
-}
-
-# The controls of a gear, with the values that it has.
-controls_html <- function(controls) {
-  if (!length(controls)) {
-    return(shiny::tags$p("This gear has none of the usual fields; mark one of its own below."))
-  }
-  shiny::tagList(lapply(unname(controls), function(control) {
-    switch(control$kind,
-      number = number_html(control), choice = choice_html(control), truth = truth_html(control)
-    )
-  }))
-}
-
-control_frame <- function(control, ...) {
-  tags <- shiny::tags
-  id <- control$id
-  tags$div(
-    class = "control", `data-control` = id, `data-kind` = control$kind,
-    `data-paths` = paste(control$paths, collapse = " "),
-    ...,
-    tags$p(id = paste0(id, "_error"), class = "field-error", hidden = NA)
-  )
-}
-
-number_html <- function(control) {
-  tags <- shiny::tags
-  id <- control$id
-  number <- paste0(id, "_number")
-  shown <- shortest_decimal(control$value)
-  units <- if (length(control$units)) {
-    tags$select(
-      class = "form-select form-select-sm unit", `aria-label` = paste("Unit of", control$label),
-      Map(function(unit, factor) {
-        tags$option(value = unit, `data-factor` = format(factor, digits = 15),
-          selected = if (unit == control$unit) NA, unit)
-      }, names(control$units), control$units)
-    )
-  }
-  control_frame(
-    control,
-    tags$label(`for` = number, title = control$help, control$label),
-    tags$div(
-      class = "control-row",
-      tags$input(
-        type = "range", class = "form-range", min = shortest_decimal(control$low),
-        max = shortest_decimal(control$high), step = shortest_decimal(control$step), value = shown,
-        `aria-label` = control$label, `aria-valuetext` = trimws(paste(shown, control$unit))
-      ),
-      tags$input(
-        type = "number", id = number, class = "form-control form-control-sm",
-        step = if (control$whole) "1" else "any", value = shown, inputmode = "decimal",
-        `aria-describedby` = paste0(id, "_error")
-      ),
-      units
-    )
-  )
-}
-
-choice_html <- function(control) {
-  tags <- shiny::tags
-  id <- paste0(control$id, "_choice")
-  control_frame(
-    control, tags$label(`for` = id, title = control$help, control$label),
-    tags$select(
-      id = id, class = "form-select form-select-sm choice",
-      `aria-describedby` = paste0(control$id, "_error"),
-      lapply(control$choices, function(choice) {
-        tags$option(value = choice, selected = if (choice == control$value) NA,
-          gsub("_", " ", choice))
-      })
-    )
-  )
-}
-
-truth_html <- function(control) {
-  tags <- shiny::tags
-  id <- paste0(control$id, "_truth")
-  control_frame(
-    control,
-    tags$div(
-      class = "form-check",
-      tags$input(type = "checkbox", id = id, class = "form-check-input truth",
-        checked = if (control$value) NA, `aria-describedby` = paste0(control$id, "_error")),
-      tags$label(`for` = id, class = "form-check-label", title = control$help, control$label)
-    )
-  )
-}
-
-# A field of the plan to choose, of those that have no control yet.
-markable_html <- function(plan, controls) {
-  tags <- shiny::tags
-  shown <- unlist(lapply(controls, `[[`, "paths"))
-  paths <- setdiff(markable_fields(plan), shown)
-  shiny::tagList(
-    tags$label(`for` = "mark_path", "Path of the field"),
-    tags$div(
-      class = "control-row",
-      tags$input(id = "mark_path", class = "form-control form-control-sm", list = "mark_paths",
-        autocomplete = "off", spellcheck = "false", `aria-describedby` = "mark_error"),
-      tags$datalist(id = "mark_paths", lapply(paths, function(path) tags$option(value = path))),
-      tags$button(type = "button", id = "mark", class = "btn btn-outline-secondary btn-sm",
-        "Add control")
-    ),
-    tags$p(id = "mark_error", class = "field-error", hidden = NA)
   )
 }

@@ -72,19 +72,28 @@ signed <- function(x, decimals) {
 
 # A row has one number of decimals: four figures of its larger value, as in summaries, and at most
 # four decimals.
-measures_html <- function(now, pinned) {
+decimals_of <- function(largest) {
+  shown <- signif(largest, 4)
+  ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
+}
+
+# preferred: units, as of preferred_of().
+measures_html <- function(now, pinned, preferred = list()) {
   table <- measure_changes(now, pinned)
-  shown <- signif(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE), 4)
-  decimals <- ifelse(shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
+  units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
+  factor <- vapply(units, `[[`, 0, "value")
+  numbers <- c("now", "error", "pinned", "change")
+  table[numbers] <- lapply(table[numbers], `*`, factor)
+  decimals <- decimals_of(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE))
   change <- signed(table$change, decimals)
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
   rows <- data.frame(
-    paste0(table$measure, " (", table$unit, ")"),
+    paste0(table$measure, " (", vapply(units, `[[`, "", "unit"), ")"),
     trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error))),
     fixed_decimals(table$pinned, decimals), change, percent
   )
-  html_table("Measures", c("Measure", "Now", "Pinned", "Change", "%"), text_rows(rows),
+  html_table("Measures", c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows),
     titles = table$definition)
 }
 
@@ -178,13 +187,13 @@ plan_differences <- function(one, other) {
 differences_html <- function(pinned, now) {
   found <- plan_differences(pinned$plan, now$plan)
   if (!length(found)) {
-    return(shiny::tags$p("The design on screen is the pinned one."))
+    return(shiny::tags$p("The design on screen is the kept one that it is compared with."))
   }
   shown <- function(value) if (is.null(value)) "none" else show_value(value)
   listed <- utils::head(found, 60L)
   shiny::tagList(
     html_table(
-      "Fields of the plan that differ", c("Field", "Pinned", "Now"),
+      "Fields of the plan that differ", c("Field", "Kept", "Now"),
       lapply(listed, function(d) list(d$path, shown(d$one), shown(d$other))), numbers = integer()
     ),
     if (length(found) > length(listed)) {

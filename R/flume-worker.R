@@ -5,11 +5,14 @@
 #   ask(kind, make, then)  asks for what flume_answer() answers: make() gives the request when its
 #                          turn comes, or NULL when it is out of date; then(answer) is called once,
 #                          with NULL for a request that is out of date
+#   cancel()               ends what it is about and all that waits, which are answered so
 #   stop()                 ends it
 #   holds                  a number for the tank: the state that the worker remembers; 0 for none
 
-# Seconds that the answer to one request may take, and bytes that a worker may take.
+# Seconds that the answer to one request may take: of what moves the net, and of what somebody asks
+# for and waits (reports, drawings, tows); and bytes that a worker may take.
 flume_seconds <- 30
+clerk_seconds <- 300
 flume_memory <- 4e9
 
 # Seconds that a process may take to start.
@@ -21,12 +24,21 @@ most_waiting <- 4L
 # How often a process is looked at while it works, s.
 look_every <- 0.01
 
+# Requests of one of these a later one takes the place of while they wait.
+replaced_requests <- list(
+  c("design", "plan_text", "plan_file", "shipped", "new", "words", "plan"), "drawing", "slopes",
+  "tow"
+)
+
+# What is told of a request that is cancelled.
+cancelled_answer <- list(problem = list(message = "Cancelled.", cancelled = TRUE))
+
 # In this process, which answers at once; for tests.
-direct_worker <- function() {
+direct_worker <- function(...) {
   worker <- new.env(parent = emptyenv())
   memory <- new.env(parent = emptyenv())
   worker$holds <- 0
-  worker$stop <- function() NULL
+  worker$stop <- worker$cancel <- function() NULL
   worker$ask <- function(kind, make, then) {
     request <- make()
     then(if (!is.null(request)) flume_answer(request, memory))
@@ -34,7 +46,8 @@ direct_worker <- function() {
   worker
 }
 
-process_worker <- function(seconds = flume_seconds, bytes = flume_memory) {
+# late: whether its process starts with the first request.
+process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late = FALSE) {
   worker <- new.env(parent = emptyenv())
   process <- NULL
   idle <- FALSE
@@ -88,10 +101,10 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory) {
   }
   # Its answer is what is wrong; another process takes its place, at the next request where this one
   # did not even start.
-  replace_process <- function(message) {
+  replace_process <- function(message) replace_with(list(problem = list(message = message)))
+  replace_with <- function(answer) {
     process$kill()
     process <<- NULL
-    answer <- list(problem = list(message = message))
     jobs <- if (is.null(current$then)) waiting else list(current)
     if (is.null(current$then)) waiting <<- list() else start()
     for (job in jobs) tell(job, answer)
@@ -120,7 +133,8 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory) {
   }
   worker$ask <- function(kind, make, then) {
     # of designs the latest counts
-    old <- vapply(waiting, function(job) kind != "save" && job$kind != "save", NA)
+    alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
+    old <- vapply(waiting, function(job) job$kind %in% alike, NA)
     passed <- waiting[old]
     waiting <<- waiting[!old]
     for (job in passed) tell(job, NULL)
@@ -131,12 +145,18 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory) {
     waiting <<- c(waiting, list(list(kind = kind, make = make, then = then)))
     if (is.null(process)) start() else go_on()
   }
+  worker$cancel <- function() {
+    jobs <- waiting
+    waiting <<- list()
+    if (!idle && !is.null(current$then)) replace_with(cancelled_answer)
+    for (job in jobs) tell(job, cancelled_answer)
+  }
   worker$stop <- function() {
     stopped <<- TRUE
     if (!is.null(process)) process$kill()
   }
   worker$process <- function() process
-  start()
+  if (!late) start()
   worker
 }
 

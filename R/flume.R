@@ -1,8 +1,9 @@
 #' The live flume tank
 #'
-#' A page in the browser with a settled gear in it, to try a design on: sliders and number fields
-#' change the towing speed, the warp out, the boards, hammers, canvas and floats, and the net moves
-#' to its new shape as they do. Every shape is settled from the one before.
+#' A page in the browser where gear is made and tried: it begins at a gallery of the shipped gears,
+#' with a new gear from a few numbers ([new_plan()]) or a plan of one's own, and shows the gear
+#' settled, to change field by field. The net moves to its new shape as a slider does: every shape
+#' is settled from the one before.
 #'
 #' \if{html}{\figure{flume.png}{options: width="100\%" alt="The flume tank: sliders on the left, the
 #' net in three dimensions coloured by tension in the middle, the table of measures with their
@@ -11,42 +12,51 @@
 #' @details
 #' The page shows
 #'
-#' - the controls, with their units: those of these that the gear has, and the fields of the plan
-#'   that are marked by `fields` or on the page;
+#' - the controls: first those that people change most, and those of `fields`; then a form with
+#'   every field of the plan, made from the schema and grouped as a net drawing is, with what each
+#'   means and may be. Fields are found by their words, added, and taken out. A wrong value is told
+#'   beside its field;
 #' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
 #'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
 #'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
-#' - the measures, each with its change from a pinned design. The gear is pinned as it was opened;
-#'   *Pin this design* pins another. The two are drawn one over the other or side by side;
+#' - the measures, each with its change from a kept design, and what is worth a look ([findings()]).
+#'   The gear is kept as it was opened; *Keep this design* keeps others, and a table has all beside
+#'   each other. Each can be put on screen again, or drawn over the other or beside it;
 #' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag
-#'   by part, what differs from the pinned design, the plan and the R code of what is on screen.
+#'   by part, what differs from the kept design, the plan and the R code of what is on screen.
+#'
+#' Every step can be undone and done again. The address of the page carries the design on screen and
+#' those kept, so that a reload loses neither and a link shows them to others. Lengths, forces and
+#' speeds are shown in the units that the user likes.
 #'
 #' A plan file dropped on the page, or chosen there, takes the gear's place. A wrong one is answered
 #' as [read_gear()] answers, and a wrong value beside its control; a design that does not settle
 #' leaves the last shape on screen and says where the imbalance is. Nothing that is typed or loaded
 #' is run as code.
 #'
-#' What is on screen can be saved: a report ([report()]), the plan ([write_gear()]), the tables as
-#' CSV, and R code that settles both designs again. `codend flume PLAN --port 3838` opens the same
-#' page from a shell.
+#' A settle that takes long says so and can be cancelled. What is on screen can be saved: a report
+#' ([report()]), the plan with its remarks ([write_gear()]), all designs as a file that opens here
+#' again, the tables as CSV, and R code that settles both designs again. `codend flume PLAN --port
+#' 3838` opens the same page from a shell.
 #'
 #' The page asks nothing of the network but the R process that serves it. Each browser has a gear of
 #' its own, which a process of its own settles; it waits for its last answer before it asks again,
 #' with the latest values. That process ends when the browser leaves.
 #'
-#' @section As a server for others:
-#' A page sends text and nothing else: no path of a file, no code. A plan has at most 2 MB, a design
-#' at most 20,000 nodes (or twice `nodes`). Every browser's designs settle in an R process of their
-#' own with at most 4 GB of memory (where the system limits that) and 30 s for each answer; what
-#' takes longer is ended, and the other browsers do not wait for it. At most 30 browsers are served
-#' at a time. One that sends messages of more than 6 MB, or more than 40 a second for long, is cut
-#' off. There is no password, and `codend flume` answers this computer alone. To let others in, run
-#' it as a service of a user of its own with a limit of memory (systemd: `DynamicUser=yes`,
-#' `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`, `ProtectHome=yes`), behind a proxy that
-#' encrypts, asks who it is, and limits connections. A process takes some 150 MB, an open page
-#' another.
+#' @section As a server for others: A page sends text and nothing else: no path of a file, no code.
+#'   A plan has at most 2 MB, a design at most 20,000 nodes (or twice `nodes`). Every browser's
+#'   designs settle in an R process of their own with at most 4 GB of memory (where the system
+#'   limits that) and 30 s for each answer; reports and exports in another of its own with 300 s.
+#'   What takes longer is ended, and the other browsers do not wait for it. At most 30 browsers are
+#'   served at a time. One that sends messages of more than 6 MB, or more than 40 a second for long,
+#'   is cut off. There is no password, and `codend flume` answers this computer alone. To let others
+#'   in, run it as a service of a user of its own with a limit of memory (systemd:
+#'   `DynamicUser=yes`, `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`,
+#'   `ProtectHome=yes`), behind a proxy that encrypts, asks who it is, and limits connections. A
+#'   process takes some 150 MB, an open page another.
 #'
-#' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
+#' @param gear `NULL` for the gallery, or a gear, from [read_gear()] or the constructors, or the
+#'   name or file of a plan.
 #' @param fields Further fields of the plan to have a control each: paths as in
 #'   [update.codend_gear()], such as `"otter_boards.lift_coefficient"`. In a list, an item of
 #'   several paths is one control that changes them together; names are labels. A field is a number,
@@ -59,21 +69,30 @@
 #' @examplesIf interactive()
 #' flume()
 #' flume("towed_cable", fields = c("ropes.cable.length", "pieces.sphere.mass"))
-#' flume(fields = list("Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")))
+#' flume("midwater_trawl", fields = list(
+#'   "Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")
+#' ))
 #' @export
-flume <- function(gear = "midwater_trawl", fields = NULL, nodes = 1500) {
+flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
   check_flume_packages()
-  if (is.character(gear)) gear <- read_gear(gear)
-  check_settle_arguments(gear, nodes, NULL)
-  marked <- check_marked(first_of(fields, character()), gear$plan)
-  start <- settled_start(gear, nodes)
+  start <- NULL
+  if (is.null(gear)) {
+    check_settle_arguments(read_gear("towed_cable"), nodes, NULL)
+    if (!is.null(fields)) abort_argument("{.arg fields} are those of a gear: give {.arg gear} too.")
+    marked <- list()
+  } else {
+    if (is.character(gear)) gear <- read_gear(gear)
+    check_settle_arguments(gear, nodes, NULL)
+    marked <- check_marked(first_of(fields, character()), gear$plan)
+    start <- settled_start(gear, nodes)
+  }
   for (folder in c("app", "view")) {
     shiny::addResourcePath(
       paste0("codend-", folder), system.file(folder, package = "codend", mustWork = TRUE)
     )
   }
   shiny::shinyApp(
-    ui = flume_page(), server = flume_server(start, marked, nodes),
+    ui = flume_page(!is.null(start)), server = flume_server(start, marked, nodes),
     onStart = function() {
       kept <- options(shiny.maxRequestSize = plan_bytes_limit)
       shiny::onStop(function() options(kept))

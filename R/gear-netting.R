@@ -43,7 +43,8 @@
 #'
 #' @section Drag of netting:
 #' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where
-#' a plan says nothing, bottom, pair and beam trawls have `blended`, all else `twines`.
+#' a plan says nothing, trawls have `blended`, cages `loland`, all else `twines`.
+#' `method: paper` has `twines` whatever a plan says.
 #'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
@@ -65,7 +66,9 @@
 #' 1) back to the sum. These bounds are a choice made here. With coefficients whose part along the
 #' twine is small, such as `hoerner`, the screen may be the larger of the two. A mesh that closes up
 #' loses its area, and as a screen its drag. In netting of bars the screens are sheets between the
-#' rows of its knots. Hexagonal netting can be a screen, but not blended.
+#' rows of its knots. Hexagonal netting can be a screen, but not blended: where the plan's law is
+#' that, it has the sum over its twines. `settle()` warns where a screen's law is used outside the
+#' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
 #' @section Stiffness of meshes:
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
@@ -107,8 +110,8 @@ NULL
 #' @name catch
 NULL
 
-# Length (m) of the straight bars of a panel, 0 where it has none. netting_drag: the plan's.
-si_hexagons <- function(panel, path, netting_drag) {
+# Length (m) of the straight bars of a panel, 0 where it has none.
+si_hexagons <- function(panel, path) {
   hexagonal <- panel$orientation %in% c("hexagonal", "hexagonal_turned")
   refuse <- function(field) {
     abort_plan(
@@ -124,7 +127,7 @@ si_hexagons <- function(panel, path, netting_drag) {
     return(0)
   }
   if (!is.null(panel$opening_stiffness)) refuse("opening_stiffness")
-  if (first_of(panel$netting_drag, netting_drag) == "blended") {
+  if (identical(panel$netting_drag, "blended")) {
     abort_field(paste0(path, ".netting_drag"), "blended", "another for hexagonal netting")
   }
   if (identical(panel$netting, "bars")) {

@@ -63,6 +63,7 @@ by_method <- function(fields) {
   fields$panels <- lapply(fields$panels, function(panel) {
     panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
     panel$added_mass <- alike
+    panel$bar_segments <- first_of(panel$bar_segments, 2L)
     # its knots are spheres without weight (eq. 3)
     if (panel$knotted) panel$knot_twine <- 0
     panel
@@ -235,7 +236,13 @@ si_panel <- function(panel, path, fields, law) {
     )
   }
   in_knots <- if (panel$knotted) twine$diameter else 0
-  hexagons <- si_hexagons(panel, path, fields$netting_drag)
+  hexagons <- si_hexagons(panel, path)
+  # hexagons cannot be blended: where the plan is, they are sums over their twines
+  usual_drag <- if (hexagons > 0 && fields$netting_drag == "blended") {
+    "twines"
+  } else {
+    fields$netting_drag
+  }
   left <- left_taper(panel, path)
   list(
     mesh_size = panel$mesh_size,
@@ -256,7 +263,7 @@ si_panel <- function(panel, path, fields, law) {
     netting = first_of(panel$netting, fields$netting),
     shielding = first_of(panel$shielding, fields$shielding),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),
-    netting_drag = first_of(panel$netting_drag, fields$netting_drag),
+    netting_drag = first_of(panel$netting_drag, usual_drag),
     opening_stiffness = panel$opening_stiffness,
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,

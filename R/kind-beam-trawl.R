@@ -46,7 +46,7 @@ expand_beam_trawl <- function(fields, plan) {
   out$ropes <- c(ropes, frame_struts(start), net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(shoe_pieces(fields), trawl_fittings(fields, plan))
+  out$pieces <- c(shoe_pieces(fields), trawl_fittings(fields, plan, panels_around(fields)))
   out$measures <- beam_trawl_measures(fields)
   out
 }

@@ -19,7 +19,7 @@ expand_bottom_trawl <- function(fields, plan) {
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan))
+  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
   out$otter_boards <- rig$otter_boards
   out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
   out
@@ -139,8 +139,10 @@ check_middle_bridle <- function(fields) {
   }
 }
 
+panels_around <- function(fields) bottom_trawl_rings[[as.character(fields$panels)]]
+
 bottom_trawl_net <- function(fields, plan) {
-  around <- bottom_trawl_rings[[as.character(fields$panels)]]
+  around <- panels_around(fields)
   net <- trawl_sections(plan, around)
   first <- names(plan$sections)[1L]
   behind <- c(back = section_panel_name("back", first), belly = section_panel_name("belly", first))
@@ -298,26 +300,28 @@ side_wings <- function(fields, plan, first) {
 # Mass in air over mass in water of steel, for ground gear of which only the latter is given.
 steel_in_air <- 7850 / (7850 - 1025)
 
-# The ground gear as a rope along the footrope, by its mass in water: what it displaces is the rest.
-# lengths: the footrope's along each edge, which it is hung in proportion to, or NULL.
+# The ground gear as a rope along the footrope, by its material or its mass in water: what it
+# displaces is the rest. lengths: the footrope's along each edge, which it is hung in proportion to,
+# or NULL.
 ground_gear_rope <- function(fields, plan, along, lengths) {
   gear <- fields$ground_gear
   density <- fields$water$density
-  in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
-  if (in_air < gear$mass_in_water) {
-    abort_field("ground_gear.mass_per_length", in_air,
-      paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
+  own <- plan$ground_gear[names(plan$ground_gear) != "discs"]
+  if (is.null(gear$material)) {
+    in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
+    if (in_air < gear$mass_in_water) {
+      abort_field("ground_gear.mass_per_length", in_air,
+        paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
+    }
+    own <- own[setdiff(names(own), c("mass_in_water", "mass_per_length"))]
+    own$mass_per_length <- in_air
+    own$volume_per_length <- if (density > 0) (in_air - gear$mass_in_water) / density else 0
   }
-  own <- plan$ground_gear[setdiff(names(plan$ground_gear), c("mass_in_water", "mass_per_length"))]
   if (!is.null(lengths) && !is.null(gear$length)) {
     own$length <- NULL
     own$lengths <- lengths * gear$length / sum(lengths)
   }
-  c(list(along = along), own, list(
-    mass_per_length = in_air,
-    volume_per_length = if (density > 0) (in_air - gear$mass_in_water) / density else 0,
-    role = "ground_gear"
-  ))
+  c(list(along = along), own, list(role = "ground_gear"))
 }
 
 bottom_trawl_rig <- function(fields, plan) {

@@ -193,7 +193,7 @@ trawl_rig <- function(fields, plan, ring) {
     }
   }
   list(
-    points = points, ropes = ropes, pieces = c(pieces, trawl_fittings(fields, plan)),
+    points = points, ropes = ropes, pieces = c(pieces, trawl_fittings(fields, plan, ring$panels)),
     otter_boards = boards$otter_boards
   )
 }

@@ -95,7 +95,7 @@ new_midwater_trawl <- function(given) {
       if (sizes[k] > 0.8) ", knotted: no" else "")
   }, "")
   last <- max(2, round(front * 0.1 / codend))
-  boards <- max(1, round(0.065 * h, 1))
+  boards <- max(1, round(0.095 * h, 1))
   hand_rope <- 1.4 * h
   lines <- c(
     "# A four-panel midwater trawl to begin with. Its proportions are usual, none is of",

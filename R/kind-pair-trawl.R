@@ -28,7 +28,7 @@ expand_pair_trawl <- function(fields, plan) {
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan))
+  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
   out$measures <- bottom_trawl_measures(fields, NULL, "warp_end", "warp_end_spread")
   out
 }

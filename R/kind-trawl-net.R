@@ -30,7 +30,7 @@ section_panel_name <- function(panel, section) paste0(panel, "_", section)
 # A panel of a section as given, with what its side says otherwise.
 section_panel <- function(section, panel) {
   side <- if (panel %in% c("back", "belly")) panel else "side"
-  own <- section[setdiff(names(section), c("back", "belly", "side", "take_up"))]
+  own <- section[setdiff(names(section), c("back", "belly", "side", "take_up", "covers"))]
   other <- section[[side]]
   # counts of its own are cut as they ask for
   if (all(c("upper", "lower", "deep") %in% names(other$meshes))) own$cutting <- NULL
@@ -38,8 +38,19 @@ section_panel <- function(section, panel) {
   own
 }
 
-# Panels of all sections, joined around the net and end to end, gathered at the point `codline`.
-# Returns list(panels, seams, points).
+# The covers of a section over one of its panels, named as their panels are: what each is made of.
+covers_of <- function(section, panel, name) {
+  kind <- if (panel %in% c("back", "belly")) panel else "side"
+  covers <- Filter(
+    function(cover) is.null(cover$over) || kind %in% unlist(cover$over), section$covers
+  )
+  covers <- lapply(covers, function(cover) cover[names(cover) != "over"])
+  if (length(covers)) names(covers) <- paste(name, names(covers), sep = "_")
+  covers
+}
+
+# Panels of all sections, joined around the net and end to end, gathered at the point `codline`; a
+# cover is joined to its panel along every edge. Returns list(panels, seams, points).
 trawl_sections <- function(plan, around) joined_sections(plan$sections, around)
 
 joined_sections <- remembered(function(given, around) {
@@ -48,28 +59,35 @@ joined_sections <- remembered(function(given, around) {
   after <- panel_after(around)
   sections <- names(given)
   id <- section_panel_name
+  # a panel's edge, and those of its covers
+  edges <- function(panel, section, edge) {
+    name <- id(panel, section)
+    paste0(c(name, names(covers_of(given[[section]], panel, name))), ".", edge)
+  }
   for (section in sections) {
     for (panel in around) {
-      panels[[id(panel, section)]] <- c(
-        section_panel(given[[section]], panel), list(part = section)
-      )
+      name <- id(panel, section)
+      panels[[name]] <- c(section_panel(given[[section]], panel), list(part = section))
+      covers <- covers_of(given[[section]], panel, name)
+      panels[names(covers)] <- Map(function(cover, part) c(cover, list(part = part)),
+        covers, sub(paste0(name, "_"), "", names(covers), fixed = TRUE))
     }
     for (k in seq_len(n)) {
       seams[[paste(section, around[k], after[k], sep = "_")]] <- list(edges = c(
-        paste0(id(around[k], section), ".right"), paste0(id(after[k], section), ".left")
+        edges(around[k], section, "right"), edges(after[k], section, "left")
       ))
     }
   }
   for (k in seq_along(sections)[-1L]) {
     for (panel in around) {
       seams[[paste(panel, sections[k - 1L], sections[k], sep = "_")]] <- list(edges = c(
-        paste0(id(panel, sections[k - 1L]), ".lower"), paste0(id(panel, sections[k]), ".upper")
+        edges(panel, sections[k - 1L], "lower"), edges(panel, sections[k], "upper")
       ))
     }
   }
   last <- sections[length(sections)]
   seams$codline_gathered <- list(
-    edges = paste0(vapply(around, id, "", section = last), ".lower"), gathered_at = "codline"
+    edges = unlist(lapply(around, edges, section = last, edge = "lower")), gathered_at = "codline"
   )
   list(panels = panels, seams = seams, points = list(codline = nothing))
 })
@@ -147,7 +165,25 @@ trawl_lines <- function(plan, around, mouth, outer) {
   ropes
 }
 
-# Stops where belly lines or cross ropes name a section that is not there.
+# How many places around the net a grid's weight and drag are spread to.
+places_of_grid <- 12
+
+# Grids at the rear edges of sections, as pieces.
+trawl_grids <- function(fields, around) {
+  lapply(fields$grids, function(grid) {
+    along <- paste0(vapply(around, section_panel_name, "", section = grid$behind), ".lower")
+    density <- if (is.null(grid$density) && is.null(grid$material) && is.null(grid$volume)) 7850
+    own <- grid[names(grid) != "behind"]
+    for (field in intersect(c("mass", "volume", "area", "drag_area"), names(own))) {
+      own[[field]] <- own[[field]] / places_of_grid
+    }
+    c(list(along = along, number = places_of_grid), own,
+      if (!is.null(density) && !is.null(grid$mass)) list(density = density), list(role = "grid"))
+  })
+}
+
+# Stops where belly lines, cross ropes or grids name a section that is not there, or where a cover
+# lies over a section whose front edge it cannot be laced to.
 check_section_names <- function(fields) {
   check_section <- function(name, path) {
     sections <- names(fields$sections)
@@ -158,6 +194,13 @@ check_section_names <- function(fields) {
   check_section(fields$belly_lines$until, "belly_lines.until")
   for (name in names(fields$cross_ropes)) {
     check_section(fields$cross_ropes[[name]]$behind, paste0("cross_ropes.", name, ".behind"))
+  }
+  for (name in names(fields$grids)) {
+    check_section(fields$grids[[name]]$behind, paste0("grids.", name, ".behind"))
+  }
+  if (length(fields$sections[[1L]]$covers)) {
+    abort_field(paste0("sections.", names(fields$sections)[1L], ".covers"), "given",
+      "left out of the first section: cover one behind it, cut in two if need be")
   }
 }
 

@@ -130,10 +130,46 @@ trawl_legs <- function(plan, rig, from) {
 float_group <- function(fields, given, line, path) {
   piece <- c(list(along = "head_line"), given[setdiff(names(given), "spacing")],
     list(role = "float"))
+  spaced_group(piece, fields, given, line, path, "the head line")
+}
+
+# A group of discs or bobbins as a piece along the ground gear. A disc weighs and displaces as a
+# full cylinder of its material does, and drags as a short cylinder with its axis across the flow.
+disc_group <- function(fields, given, line, path) {
+  full <- pi / 4 * fields$diameter^2 * fields$width
+  density <- first_of(fields$density, rubber_density)
+  mass <- first_of(fields$mass, density * full)
+  volume <- if (!is.null(fields$mass) && !is.null(fields$density)) mass / density else full
+  piece <- c(
+    list(along = "ground_gear"), given[intersect(c("number", "share"), names(given))],
+    list(mass = mass, volume = volume, area = fields$diameter * fields$width,
+      drag_coefficient = fields$drag_coefficient, role = "disc")
+  )
+  spaced_group(piece, fields, given, line, path, "the ground gear")
+}
+
+# kg/m3, where a plan says nothing: the middle of 1000 to 1500 (Prado and Dremiere, Fisherman's
+# Workbook, FAO 1990), from memory of its table of densities.
+rubber_density <- 1250
+
+# Groups along a line, one or a list of them, as pieces: `name`, or `name_1`, `name_2`...
+grouped_pieces <- function(group, fields, given, line, name, path) {
+  if (is.null(given)) return(list())
+  if (!is.null(names(given))) {
+    return(stats::setNames(list(group(fields, given, line, path)), name))
+  }
+  pieces <- lapply(seq_along(given), function(k) {
+    group(fields[[k]], given[[k]], line, sprintf("%s[%d]", path, k))
+  })
+  stats::setNames(pieces, paste0(name, "_", seq_along(given)))
+}
+
+# A piece along a line, spread over the room that the `spacing` of its group takes.
+spaced_group <- function(piece, fields, given, line, path, called) {
   if (is.null(fields$spacing)) return(piece)
   if (is.null(line$length)) {
     abort_field(paste0(path, ".spacing"), given$spacing,
-      "given where the head line has a `length`")
+      sprintf("given where %s has a `length`", called))
   }
   share <- first_of(fields$share, c(0, 1))
   room <- diff(share) * line$length
@@ -141,7 +177,7 @@ float_group <- function(fields, given, line, path) {
   taken <- (number - 1) * fields$spacing
   if (taken > room + 1e-6) {
     abort_field(paste0(path, ".spacing"), given$spacing, sprintf(
-      "at most %s, or %s floats take more than the %s of line that they are on",
+      "at most %s, or %s of them take more than the %s of line that they are on",
       format_si(room / (number - 1), "length"), format(number), format_si(room, "length")
     ))
   }
@@ -153,16 +189,15 @@ float_group <- function(fields, given, line, path) {
   piece
 }
 
-# Floats along the head line, and a catch as a piece at the codline.
-trawl_fittings <- function(fields, plan) {
-  pieces <- list()
-  if (!is.null(names(plan$floats))) {
-    pieces$floats <- float_group(fields$floats, plan$floats, fields$head_line, "floats")
-  }
-  for (k in if (is.null(names(plan$floats))) seq_along(plan$floats)) {
-    pieces[[paste0("floats_", k)]] <- float_group(fields$floats[[k]], plan$floats[[k]],
-      fields$head_line, sprintf("floats[%d]", k))
-  }
+# Floats along the head line, discs along the ground gear, grids, and a catch as a piece at the
+# codline. around: the panels around the net.
+trawl_fittings <- function(fields, plan, around) {
+  pieces <- c(
+    grouped_pieces(float_group, fields$floats, plan$floats, fields$head_line, "floats", "floats"),
+    grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
+      fields$ground_gear, "discs", "ground_gear.discs"),
+    trawl_grids(fields, around)
+  )
   if (!is.null(plan$canvas)) {
     pieces$canvas <- c(
       list(along = "head_line"), plan$canvas, list(lift_direction = "up", role = "canvas")

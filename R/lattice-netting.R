@@ -105,10 +105,10 @@ join_cells <- function(groups) {
   )
 }
 
-# Equivalent bars of panels. Knots lie lambda bars apart along the twines; those within a quarter
-# of an equivalent mesh of an edge are moved onto it, twines that cross an edge end there, and what
-# lies on an edge is tied to the edge's nodes. Lengths at slanted edges are so only nearly right;
-# multiplicities are scaled to the panel's exact length of twine.
+# Equivalent bars of panels. Knots lie lambda bars apart along the twines. Twines end where they
+# cross an edge, and what lies on an edge is tied to the edge's nodes; there are no knots within a quarter
+# of an equivalent mesh of an edge but where a twine runs nearly along it, and these are moved onto
+# it. Multiplicities are scaled to the panel's exact length of twine.
 #
 # Returns list(points, bars), see bar_points() and split_bars().
 bar_elements <- function(panels, grouping) {
@@ -118,7 +118,8 @@ bar_elements <- function(panels, grouping) {
   lambda <- grouping$lambda
   panel <- seq_along(rows)
 
-  whole <- twines$from_kept & twines$to_kept
+  cut <- cut_twines(knots, twines)
+  whole <- twines$from_kept & twines$to_kept & !cut$instead
   from <- twines$from[whole]
   to <- twines$to[whole]
   # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
@@ -126,7 +127,6 @@ bar_elements <- function(panels, grouping) {
   ends_row <- is_square(panels)[knots$panel] & (knots$row == 0L | knots$row == rows[knots$panel])
   along_edge <- (knots$edge[from] == knots$edge[to] & knots$edge[from] > 0L) |
     (ends_row[from] & knots$row[from] == knots$row[to])
-  cut <- cut_twines(knots, twines)
 
   # Knots and cut ends of each panel follow each other.
   kept <- which(knots$kept)
@@ -163,9 +163,9 @@ bar_elements <- function(panels, grouping) {
 
 # All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
 #
-# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, j, left, right
-# = i of the panel's sides there, edge = 3 or 4 where moved onto a side, kept; width, first = of
-# every panel, knots in a row and knots before its first).
+# Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, at = i before
+# it was moved, j, left, right = i of the panel's sides there, edge = 3 or 4 where moved onto a side,
+# kept; width, first = of every panel, knots in a row and knots before its first).
 knot_rows <- function(panels, lambda, rows) {
   # A knot at the left end of the upper edge, or midway where that fits the width better.
   meshes <- round(panels$upper / lambda)
@@ -192,12 +192,15 @@ knot_rows <- function(panels, lambda, rows) {
   from_left <- i - left
   from_right <- right - i
   near <- (lambda / 4 + 1e-9)[panel]
-  on_left <- abs(from_left) <= near
-  on_right <- abs(from_right) <= near & !on_left
+  # The twines of the first and the last row of diamonds end there, not at a side.
+  ends <- !is_square(panels)[panel] & (row == 0L | row == rows[panel])
+  on_left <- abs(from_left) <= near & !(ends & from_left > 1e-9 * near)
+  on_right <- abs(from_right) <= near & !(ends & from_right > 1e-9 * near) & !on_left
+  at <- i
   i[on_left] <- left[on_left]
   i[on_right] <- right[on_right]
   list(
-    panel = panel, row = row, shift = shift, i = i, j = j, left = left, right = right,
+    panel = panel, row = row, shift = shift, i = i, at = at, j = j, left = left, right = right,
     edge = 3L * on_left + 4L * on_right, kept = from_left >= -near & from_right >= -near,
     width = width, first = cumsum(size) - size
   )
@@ -223,32 +226,41 @@ knot_twines <- function(knots, square, rows) {
   list(from = from, to = to, from_kept = knots$kept[from], to_kept = kept[to])
 }
 
-# Twines that leave over a side, cut where they meet it.
+# Twines that end on a side: those that leave over it, cut where they meet it, and those whose last
+# knot is near it, cut there or drawn out to it along the twine, so that lengths are exact. A twine
+# that runs nearly along the side keeps its knot, moved onto the side.
 #
-# Returns list(inner = the knot inside, i, j, edge = where the cut end lies, share = of the twine
-# that is left).
+# Returns list(inner = the knot inside, i, j, edge = where the end lies, share = of the twine that
+# is left, instead = which of all twines are so ended at a knot that is kept).
 cut_twines <- function(knots, twines) {
-  cut <- twines$from_kept != twines$to_kept
-  starts <- twines$from_kept[cut]
-  inner <- twines$to[cut]
-  outer <- twines$from[cut]
-  inner[starts] <- twines$from[cut][starts]
-  outer[starts] <- twines$to[cut][starts]
-  loose <- knots$edge[inner] == 0L
-  inner <- inner[loose]
-  outer <- outer[loose]
-  leftwards <- knots$i[outer] < knots$left[outer]
+  leaves <- twines$from_kept != twines$to_kept
+  both <- twines$from_kept & twines$to_kept
+  nears <- both & (knots$edge[twines$from] > 0L) != (knots$edge[twines$to] > 0L)
+  some <- which(leaves | nears)
+  starts <- ifelse(leaves, twines$from_kept, knots$edge[twines$from] == 0L)[some]
+  inner <- ifelse(starts, twines$from[some], twines$to[some])
+  outer <- ifelse(starts, twines$to[some], twines$from[some])
+  side <- knots$edge[outer]
+  beyond <- 4L - (knots$at[outer] < knots$left[outer])
+  side[side == 0L] <- beyond[side == 0L]
   gap <- function(k) {
-    across <- knots$right[k] - knots$i[k]
-    across[leftwards] <- (knots$i[k] - knots$left[k])[leftwards]
-    across
+    ifelse(side == 3L, knots$at[k] - knots$left[k], knots$right[k] - knots$at[k])
   }
   inside <- gap(inner)
   share <- inside / (inside - gap(outer))
+  kept <- nears[some]
+  # what lies on the side is a knot of it
+  ended <- knots$edge[inner] == 0L & (!kept | (abs(gap(outer)) > 1e-9 * inside &
+    is.finite(share) & share > 0.45 & share < 1.55))
+  instead <- logical(length(leaves))
+  instead[some[ended & kept]] <- TRUE
+  inner <- inner[ended]
+  outer <- outer[ended]
+  share <- share[ended]
   list(
-    inner = inner, share = share, edge = 4L - leftwards,
-    i = knots$i[inner] + share * (knots$i[outer] - knots$i[inner]),
-    j = knots$j[inner] + share * (knots$j[outer] - knots$j[inner])
+    inner = inner, share = share, edge = side[ended],
+    i = knots$at[inner] + share * (knots$at[outer] - knots$at[inner]),
+    j = knots$j[inner] + share * (knots$j[outer] - knots$j[inner]), instead = instead
   )
 }
 

@@ -1,14 +1,14 @@
 # The panels of a gear as one table, so that the lattice of all netting is made at once.
 
 # Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that the
-# lattice needs, NA for columns and rows that a plan leaves open.
+# lattice needs, NA for columns, rows and segments that a plan leaves open.
 panel_table <- remembered(function(panels) {
   fields <- c(
-    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "bar_segments",
+    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right",
     "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
     "knot_twine", "straight_bar"
   )
-  optional <- c("columns", "rows")
+  optional <- c("columns", "rows", "bar_segments")
   c(
     lapply(setNames(fields, fields), function(field) {
       vapply(panels, `[[`, 0, field, USE.NAMES = FALSE)

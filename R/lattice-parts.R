@@ -149,7 +149,9 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
   inner <- ends < 0L
   ends[!inner] <- id[ends[!inner]]
   ends[inner] <- between[-bars$ends[inner]]
-  if (any(panels$shielding != "none")) add_bar_wake_sheets(build, panels, parts, bars, ends)
+  if (any(panels$shielding != "none")) {
+    add_bar_wake_sheets(build, panels, parts, bars, ends, grouping$segments)
+  }
   half <- rep(bars$rest * bars$multiplicity / 2, each = 2L)
   add_twine(build, panels, rep(bars$panel, each = 2L), ends, half, rep(bars$rest, each = 2L))
   second <- seq.int(2L, by = 2L, length.out = length(bars$rest))
@@ -177,10 +179,10 @@ add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
 
 # Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and
 # half a mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
-# ends: points at both ends of every segment of a bar.
-add_bar_wake_sheets <- function(build, panels, parts, bars, ends) {
+# ends: points at both ends of every segment of a bar; segments: of the bars of every panel.
+add_bar_wake_sheets <- function(build, panels, parts, bars, ends, segments) {
   ends <- matrix(ends, 2L)
-  segments <- panels$bar_segments[bars$panel]
+  segments <- segments[bars$panel]
   first <- cumsum(c(TRUE, diff(bars$panel) != 0))
   place <- sequence(tabulate(first)) - 1L
   begins <- which(place %% segments == 0L)

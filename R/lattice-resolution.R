@@ -74,7 +74,9 @@ bar_grouping <- function(of, h) {
   # Whole half-rows (whole rows of squares), so that the upper and the lower edge lie on knots.
   steps <- ifelse(of$square, 1, 2)
   lambda <- steps * of$deep / pmax(1, round(steps * of$deep / lambda))
+  # A slack bar of many meshes would hang in a bight of its own length, which no mesh does.
   segments <- of$bar_segments
+  segments[is.na(segments)] <- 1
   single <- !by_columns & !by_rows & lambda <= 1 + 1e-9
   if (is.finite(h)) {
     wanted <- pmin(greatest_bar_segments, ceiling(lambda * of$mesh_size / 2 / (1.5 * h)))

@@ -39,7 +39,7 @@ divided_at_most <- function(si) {
   across <- max(0, unlist(lapply(si$panels, function(panel) c(panel$columns, panel$rows))))
   panels <- vapply(si$panels, function(panel) {
     sides <- c(panel$upper, panel$lower, panel$deep)
-    max(1, across)^2 * max(sides) / min(sides[sides > 0]) * 4 * panel$bar_segments
+    max(1, across)^2 * max(sides) / min(sides[sides > 0]) * 4 * first_of(panel$bar_segments, 1)
   }, 0)
   ropes + sum(panels)
 }

@@ -84,9 +84,9 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), near_steps, progress)
-    if (!isTRUE(found$report$converged)) {
-      found <- settle_level(si, nodes, netting, shape_for(si, from), near_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), from_steps, progress)
+    if (!found$report$converged && !identical(rope_lengths(si), rope_lengths(from$si))) {
+      found <- settle_level(si, nodes, netting, shape_for(si, from), from_steps, progress)
     }
   }
   if (!isTRUE(found$report$converged)) {

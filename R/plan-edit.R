@@ -132,7 +132,8 @@ added_edit <- function(source, places, change) {
 
 # Any value on one line.
 yaml_inline <- function(value) {
-  if (!is.list(value)) return(yaml_flow(value))
+  if (!is.list(value) && length(value) > 1L) value <- as.list(value)
+  if (!is.list(value) || !length(value)) return(yaml_flow(value))
   items <- vapply(value, yaml_inline, "")
   if (is.null(names(value))) return(paste0("[", paste(items, collapse = ", "), "]"))
   paste0("{", paste0(vapply(names(value), yaml_text, ""), ": ", items, collapse = ", "), "}")

@@ -30,10 +30,12 @@ abort_field <- function(path, value, must, is = paste("is", show_value(value)), 
 abort_unknown <- function(path, name, known, value = NULL) {
   near <- nearest(name, known)
   where <- join(path, name)
+  advice <- if (!length(near)) advice_on(name)
   abort_plan(
     paste0(
       "Plan field `", where, "` is not known",
-      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+      if (length(near)) paste0("; did you mean `", near, "`?"),
+      if (length(advice)) paste0(": ", advice) else if (!length(near)) ".",
       if (length(known)) paste0(" Known here: ", paste(known, collapse = ", "), ".")
     ),
     where, value
@@ -76,7 +78,7 @@ describe <- function(node) {
     integer = paste0("a whole number", bounds_text(node, format)),
     boolean = "yes or no",
     string = if (is.null(node$pattern)) "text" else sentence_part(first_of(node$meaning,
-      node$description)),
+      first_of(node$description, first_of(node$title, "text")))),
     array = paste0("a list", count_text(node)),
     object = paste0("a map", if (length(node$properties)) {
       paste(" with fields such as", paste0("`", utils::head(names(node$properties), 4), "`",

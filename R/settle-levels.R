@@ -6,6 +6,8 @@ level_ratio <- 7
 coarsest_nodes <- 250
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
+# The same from a state, beside which to settle anew takes about as many.
+from_steps <- 100L
 # Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
 settle_tolerance <- 1e-8
 settle_iterations <- 3200L
@@ -54,7 +56,7 @@ fixed_nodes <- function(si) {
     across <- max(panel$upper, panel$lower)
     columns <- c(panel$columns, panel$rows * across / panel$deep, Inf)[1L]
     knots <- if (panel$orientation == "square") 1 else 2
-    columns^2 * panel$deep / across * knots * (2 * panel$bar_segments - 1)
+    columns^2 * panel$deep / across * knots * (2 * first_of(panel$bar_segments, 1) - 1)
   }, 0)
   sum(ropes, panels)
 }

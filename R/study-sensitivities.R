@@ -90,7 +90,7 @@ secant_share <- 0.01
 # tension that they end at.
 chord_steps <- 20L
 most_renewals <- 3L
-chord_tolerance <- 1e-8
+chord_tolerance <- 1e-10
 # Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
 # the secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005

@@ -5,12 +5,12 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, open, control, measure } = require('./tank');
+const { serve, launch, visit, open, control, measure } = require('./tank');
 
 let tank, browser, folder;
 before(async () => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), 'flume-'));
-  [tank, browser] = await Promise.all([serve(), launch()]);
+  [tank, browser] = await Promise.all([serve('midwater_trawl'), launch()]);
 });
 after(async () => {
   await browser?.close();
@@ -85,8 +85,9 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   await page.waitForFunction(() => /^Settled\. door spread/.test(
     document.getElementById('said').textContent), null, patience);
   // and back to where it was
-  await page.click('#reset');
-  await changed(page, 'net mouth height', (await measure(page, 'net mouth height'))[0]);
+  const low = (await measure(page, 'net mouth height'))[0];
+  await page.click('#back');
+  await changed(page, 'net mouth height', low);
   assert.equal((await measure(page, 'net mouth height'))[0], height);
   assert.equal(await control(page, 'towing.speed').locator('[type=number]').inputValue(), '4');
   clean(page);
@@ -124,6 +125,8 @@ test('a wrong file, garbage and a file of 50 MB are refused and the gear stays',
     await page.waitForFunction((source) => new RegExp(source).test(
       document.getElementById('plan_file_error').textContent), words.source, patience);
     assert.ok(await error.isVisible());
+    await page.click('#gears');
+    assert.ok(await page.isVisible('#tank'));
     assert.match(await page.textContent('h1'), /Midwater trawl/);
   };
   await refuses('wrong.yaml', 'codend: 1\nname: Wrong\ntowing: {sped: 4 knot}\n',
@@ -154,13 +157,11 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   await page.dispatchEvent('main', 'drop', { dataTransfer: data });
   await page.waitForFunction(() => /Towed cable/.test(document.querySelector('h1').textContent),
     null, patience);
-  await page.waitForFunction(() => document.querySelectorAll('[data-control]').length === 1, null,
+  await page.waitForFunction(() => document.querySelectorAll('#quick [data-control]').length === 1, null,
     patience);
   assert.equal(await page.evaluate(() => window.ran), undefined);
-  // any field of the plan can have a control
-  await page.click('summary');
-  await page.fill('#mark_path', 'ropes.cable.length');
-  await page.click('#mark');
+  // any field of the plan is found by its words
+  await page.fill('#find_field', 'cable length');
   const length = control(page, 'ropes.cable.length').locator('[type=number]');
   await length.waitFor(patience);
   const depth = (await measure(page, 'body depth'))[0];
@@ -178,19 +179,19 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
 test('a plan typed on the page is settled, a wrong line is found', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Plan');
-  await page.waitForFunction(() => document.getElementById('plan_text').value.length > 100, null,
+  await page.waitForFunction(() => document.getElementById('plan_area').value.length > 100, null,
     patience);
-  const text = await page.inputValue('#plan_text');
-  await page.fill('#plan_text', text.replace('mass: 6 tonne', 'mass: 6 knot'));
+  const text = await page.inputValue('#plan_area');
+  await page.fill('#plan_area', text.replace('mass: 6 tonne', 'mass: 6 knot'));
   await page.click('#plan_text_settle');
   await page.waitForFunction(() => /hammers\.mass/.test(
     document.getElementById('plan_text_error').textContent), null, patience);
   const marked = await page.evaluate(() => {
-    const area = document.getElementById('plan_text');
+    const area = document.getElementById('plan_area');
     return area.value.slice(area.selectionStart, area.selectionEnd);
   });
   assert.match(marked, /mass: 6 knot/);
-  await page.fill('#plan_text', text.replace('mass: 6 tonne', 'mass: 5 tonne'));
+  await page.fill('#plan_area', text.replace('mass: 6 tonne', 'mass: 5 tonne'));
   await page.click('#plan_text_settle');
   await page.waitForFunction(() => document.querySelector(
     '.control[data-paths="hammers.mass"] [type=number]').value === '5', null, patience);
@@ -227,7 +228,7 @@ test('what is on screen can be saved', async () => {
   await page.close();
 });
 
-test('the pinned design is drawn over the other and beside it', async () => {
+test('a kept design is drawn over the other and beside it, in a table, and can be compared with', async () => {
   const page = await open(browser, tank.url);
   const spread = (await measure(page, 'door spread'))[0];
   await control(page, 'otter_boards.area').locator('[type=number]').fill('16');
@@ -240,9 +241,114 @@ test('the pinned design is drawn over the other and beside it', async () => {
   await tab(page, 'Changes');
   await page.waitForFunction(() => /otter_boards\.area/.test(
     document.getElementById('differences').textContent), null, patience);
-  await page.click('#pin');
-  await page.waitForFunction(() => /is the pinned one/.test(
+  await page.click('#keep');
+  await tab(page, 'Designs');
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('#designs thead th').length === 4, null,
+    patience);
+  await page.click('.kept-row:nth-child(2) button:has-text("Compare with it")');
+  await tab(page, 'Changes');
+  await page.waitForFunction(() => /is the kept one/.test(
     document.getElementById('differences').textContent), null, patience);
+  clean(page);
+  await page.close();
+});
+
+test('steps are undone and done again, and the address carries the design and those kept', async () => {
+  const page = await open(browser, tank.url);
+  const shown = (value) => page.waitForFunction((value) => document.querySelector(
+    '#quick [data-paths="towing.speed"] [type=number]').value === value, value, patience);
+  const speed = control(page, 'towing.speed').locator('[type=number]');
+  for (const value of ['5', '4.5']) {
+    const drag = (await measure(page, 'total drag'))[0];
+    await speed.fill(value);
+    await speed.press('Tab');
+    await changed(page, 'total drag', drag);
+  }
+  await page.click('#undo');
+  await shown('5');
+  await page.click('#undo');
+  await shown('4');
+  assert.ok(await page.isDisabled('#undo'));
+  await page.click('#redo');
+  await shown('5');
+  await page.click('#keep');
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await page.waitForFunction(() => /^#d=/.test(location.hash), null, patience);
+  await page.waitForTimeout(1500);
+  const address = page.url();
+  assert.ok(address.length < 600, `${address.length} characters`);
+  const other = await visit(browser, tank.url + address.slice(address.indexOf('/#')));
+  await other.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  assert.equal(await other.inputValue('#quick [data-paths="towing.speed"] [type=number]'), '5');
+  clean(page);
+  clean(other);
+  await Promise.all([page.close(), other.close()]);
+});
+
+test('an address that is no design is told, and nothing of it runs', async () => {
+  const page = await visit(browser, tank.url + '/#d=AAAA');
+  await page.waitForSelector('#gallery_refused', { state: 'visible', ...patience });
+  assert.match(await page.textContent('#gallery_refused'), /carries no design/);
+  clean(page);
+  await page.close();
+});
+
+test('begins at a gallery: a shipped gear, a new one from a few numbers, and a way out', async () => {
+  const empty = await serve();
+  const page = await visit(browser, empty.url);
+  await page.waitForSelector('.gear-card', { state: 'visible', ...patience });
+  assert.ok(await page.locator('.gear-card').count() >= 15);
+  const broken = await page.$$eval('.gear-card img', async (all) => {
+    await Promise.all(all.map((one) => { one.loading = 'eager'; return one.decode().catch(() => 0); }));
+    return all.filter((one) => !one.naturalWidth).map((one) => one.src);
+  });
+  assert.deepEqual(broken, []);
+  await page.click('[data-gear="gillnet"]');
+  await page.waitForFunction(() => /gillnet/.test(document.querySelector('h1').textContent), null, patience);
+  await page.waitForSelector('.measures td', patience);
+  await page.click('#gears');
+  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="head_line"]', 'wide');
+  await page.click('#make_gear');
+  await page.waitForSelector('#new_error', { state: 'visible', ...patience });
+  assert.match(await page.textContent('#new_error'), /head_line.*is "wide"/);
+  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="head_line"]', '22 m');
+  await page.click('#make_gear');
+  await page.waitForFunction(() => /head line 22 m/.test(document.querySelector('h1').textContent), null,
+    patience);
+  // a settle that runs says so and can be left
+  const before = await page.evaluate(() => window.codendTank.point(0));
+  await page.evaluate(() => Shiny.setInputValue('plan_text', { number: window.codendTalk.next('settling'),
+    asked: document.getElementById('plan_area').value + '\nname: x' }, { priority: 'event' }));
+  await page.evaluate(() => { window.codendTalk.ask('shipped', 'cage'); });
+  await page.waitForSelector('#cancel', { state: 'visible', ...patience });
+  await page.click('#cancel');
+  await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
+  if (!/cage/i.test(await page.textContent('h1'))) {
+    assert.deepEqual(await page.evaluate(() => window.codendTank.point(0)), before);
+  }
+  clean(page);
+  await page.close();
+  empty.stop();
+});
+
+test('every field is in the form: found, added, taken out', async () => {
+  const page = await open(browser, tank.url);
+  await page.click('.group > summary:has-text("Boards and beams")');
+  await page.click('.part > summary:has-text("Otter boards")');
+  const part = page.locator('.part[data-path="otter_boards"]');
+  await part.locator('[data-paths="otter_boards.mass"] [type=number]').waitFor(patience);
+  await part.locator('.add-field').click();
+  const offered = part.locator('.offered');
+  await offered.waitFor(patience);
+  await offered.selectOption({ label: 'Vertical lift coefficient' });
+  const depth = (await measure(page, 'door depth'))[0];
+  await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] [type=number]').fill('0.3');
+  await changed(page, 'door depth', depth);
+  assert.ok(number((await measure(page, 'door depth'))[0]) < number(depth));
+  await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] .take-out').click();
+  await page.waitForFunction((depth) => [...document.querySelectorAll('.measures tbody tr')]
+    .some((r) => /^door depth/.test(r.cells[0].textContent) && r.cells[1].textContent === depth), depth, patience);
   clean(page);
   await page.close();
 });

@@ -60,7 +60,7 @@ function page(url) {
     open: () => new Promise((resolve, reject) => {
       socket.onerror = (event) => reject(new Error(`no connection to ${socket.url}: ${event.message}`));
       socket.onopen = () => {
-        const shown = ['controls', 'measures', 'markable', 'tensions', 'drag', 'code'];
+        const shown = ['measures', 'tensions', 'drag', 'designs', 'code'];
         const data = {
           '.clientdata_url_protocol': 'http:', '.clientdata_url_hostname': where.hostname,
           '.clientdata_url_port': where.port, '.clientdata_url_pathname': '/',
@@ -84,7 +84,7 @@ async function use(url, name, end) {
     await tank.open();
     if (!await opened) { wrong.push(`${name}: no picture`); tank.close(); continue; }
     const text = tank.wait(['flume_plan']);
-    tank.set({ shown: 'Plan' });
+    tank.set({ plan_wanted: visit });
     const sent = await text;
     if (!sent) { wrong.push(`${name}: no plan`); tank.close(); continue; }
     const plan = sent.text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
@@ -99,7 +99,7 @@ async function use(url, name, end) {
       const speed = (3 + 2 * Math.random()).toFixed(2);
       const answer = tank.wait(['flume_picture', 'flume_refused'], (m) => m.answers === mine);
       const asked = performance.now();
-      tank.set({ design: { number: mine, values: { control_1: { value: Number(speed), unit: 'knot' } } } });
+      tank.set({ design: { number: mine, gesture: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
@@ -123,7 +123,7 @@ async function trouble(url, end) {
     await tank.open();
     await opened;
     const text = tank.wait(['flume_plan']);
-    tank.set({ shown: 'Plan' });
+    tank.set({ plan_wanted: 1 });
     const sent = await text;
     if (sent) tank.set({ 'plan_text': sent.text + '\nresolution: {nodes: 20000}\n' });
     tank.set({ 'plan_text': 'x'.repeat(3e6) });
@@ -137,7 +137,7 @@ const quantile = (sorted, share) => sorted[Math.floor(share * (sorted.length - 1
 
 let tank;
 (async () => {
-  tank = await serve();
+  tank = await serve('midwater_trawl');
   const end = Date.now() + 60e3 * minutes;
   const resident = [];
   const look = setInterval(() => {

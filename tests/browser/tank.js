@@ -10,10 +10,11 @@ const launch = () => chromium.launch({
     '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
 });
 
-// Opens the page; what goes wrong in it is kept in `problems`, requests to anything but its server
-// in `strange`.
-async function open(browser, url, size = { width: 1440, height: 900 }) {
+// A page; what goes wrong in it is kept in `problems`, requests to anything but its server in
+// `strange`.
+async function visit(browser, url, size = { width: 1440, height: 900 }) {
   const page = await browser.newPage({ viewport: size });
+  const own = new URL(url).origin;
   page.problems = [];
   page.strange = [];
   page.on('console', (message) => {
@@ -22,12 +23,18 @@ async function open(browser, url, size = { width: 1440, height: 900 }) {
   page.on('pageerror', (error) => page.problems.push(error.message));
   page.on('request', (request) => {
     const to = request.url();
-    if (!to.startsWith(url) && !/^(data|blob):/.test(to)) page.strange.push(to);
+    if (!to.startsWith(own) && !/^(data|blob):/.test(to)) page.strange.push(to);
   });
   page.on('websocket', (socket) => {
-    if (!socket.url().startsWith(url.replace('http', 'ws'))) page.strange.push(socket.url());
+    if (!socket.url().startsWith(own.replace('http', 'ws'))) page.strange.push(socket.url());
   });
   await page.goto(url);
+  return page;
+}
+
+// Opens the page of a tank that begins with a gear.
+async function open(browser, url, size) {
+  const page = await visit(browser, url, size);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
   await page.waitForSelector('.measures td', { timeout: 60000 });
   await page.waitForFunction(() => document.querySelector('h1').textContent !== 'Flume tank', null,
@@ -35,8 +42,8 @@ async function open(browser, url, size = { width: 1440, height: 900 }) {
   return page;
 }
 
-// The control of a field.
-const control = (page, fieldPath) => page.locator(`.control[data-paths~="${fieldPath}"]`);
+// The control of a field: the one before the form, where it is there too.
+const control = (page, fieldPath) => page.locator(`.control[data-paths~="${fieldPath}"]`).first();
 
 // A measure's row as texts: [now, pinned, change, %].
 async function measure(page, name) {
@@ -46,4 +53,4 @@ async function measure(page, name) {
   return row.locator('td').allTextContents();
 }
 
-module.exports = { serve, launch, open, control, measure };
+module.exports = { serve, launch, visit, open, control, measure };

@@ -34,7 +34,7 @@ async function click(seconds) {
     .some((e) => !e.hidden);
   const end = performance.now() + 1000 * seconds;
   while (performance.now() < end) {
-    const sliders = [...document.querySelectorAll('.control [type=range]')];
+    const sliders = [...document.querySelectorAll('#quick .control [type=range]')];
     const slider = sliders[Math.floor(Math.random() * sliders.length)];
     const share = 0.3 + 0.4 * Math.random();
     const asked = performance.now();
@@ -50,7 +50,7 @@ async function click(seconds) {
 }
 
 (async () => {
-  const tank = await serve();
+  const tank = await serve('midwater_trawl');
   const browser = await launch();
   const pages = [];
   for (let k = 0; k < users; k++) {

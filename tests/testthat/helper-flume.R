@@ -1,8 +1,9 @@
-# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear.
+# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear
+# (NULL: with the gallery).
 # sent() gives the messages of a type that the page has been sent since it was last asked.
 in_flume <- function(gear, test, fields = list(), nodes = 300) {
   if (is.character(gear)) gear <- read_gear(gear)
-  start <- list(gear = gear, state = settle(gear, nodes = nodes))
+  start <- if (!is.null(gear)) list(gear = gear, state = settle(gear, nodes = nodes))
   session <- shiny::MockShinySession$new()
   messages <- list()
   # the mock has no page to send to
@@ -25,7 +26,7 @@ in_flume <- function(gear, test, fields = list(), nodes = 300) {
   )
 }
 
-# What a control sends: the latest values of all that were moved.
-ask <- function(session, ..., number = 1) {
-  session$setInputs(design = list(number = number, values = list(...)))
+# What controls send: the latest values of all that were moved, by path.
+ask <- function(session, ..., number = 1, gesture = number) {
+  session$setInputs(design = list(number = number, gesture = gesture, edits = list(...)))
 }

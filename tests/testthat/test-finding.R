@@ -182,3 +182,28 @@ test_that("a screen's law on netting denser than it was fitted to warns", {
   other <- quiet(update(dense, netting_drag = "kristiansen_faltinsen"), nodes = 300)
   expect_false("solidity" %in% findings(other)$check)
 })
+
+test_that("a screen's law on netting more open than it was fitted to warns", {
+  # squares of 16 mm: 2 d/a of twine of 0.6 mm
+  cage <- update(read_gear("model_cage"), water.current.speed = 0.02,
+    wall.twine.diameter = "0.6 mm")
+  expect_warning(state <- settle(cage, nodes = 300), "fitted to at least 0.1",
+    class = "codend_warning_drag_law")
+  found <- subset(findings(state), check == "solidity")
+  expect_equal(found$value, 2 * 0.6 / 16, tolerance = 0.05)
+  summed <- update(cage, netting_drag = "twines")
+  expect_no_warning(state <- settle(summed, nodes = 300))
+  expect_false("solidity" %in% findings(state)$check)
+})
+
+test_that("the screen by Reynolds number warns outside its range of them", {
+  cage <- update(read_gear("model_cage"), netting_drag = "kristiansen_faltinsen")
+  expect_false("Reynolds number" %in% findings(quiet(cage, nodes = 300))$check)
+  slow <- update(cage, water.current.speed = 0.01)
+  expect_warning(state <- settle(slow, nodes = 300), "Reynolds number",
+    class = "codend_warning_drag_law")
+  found <- subset(findings(state), check == "Reynolds number")
+  si <- gear_si(slow)
+  solidity <- 2 * 1.8 / 16 - (1.8 / 16)^2
+  expect_equal(found$value, 0.01 * 1.8e-3 / si$water$viscosity / (1 - solidity), tolerance = 0.02)
+})

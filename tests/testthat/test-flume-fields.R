@@ -5,7 +5,7 @@ test_that("a gear has controls of what it has, in its own units", {
     c("Towing speed", "Warp out", "Otter board area", "Hammer mass", "Canvas area"))
   speed <- controls[[1]]
   expect_identical(speed[c("value", "unit")], list(value = 4, unit = "knot"))
-  expect_equal(speed$units[["m/s"]] / speed$units[["knot"]], 3600 / 1852)
+  expect_equal(1 / speed$factor, 3600 / 1852)
   # a half to one and a half times 4 in steps of a round number
   expect_equal(c(speed$low, speed$high, speed$step), c(2, 6, 0.05))
 })
@@ -14,10 +14,10 @@ test_that("parts of one role in an assembly move together where they are alike",
   plan <- assembly(read_gear("midwater_trawl"))$plan
   warps <- c("ropes.warp_port.length", "ropes.warp_starboard.length")
   paths <- lapply(plan_controls(plan), `[[`, "paths")
-  expect_true(list(warps) %in% unname(paths))
+  expect_true(list(I(warps)) %in% unname(paths))
   plan$ropes$warp_port$length <- "710 m"
   paths <- lapply(plan_controls(plan), `[[`, "paths")
-  expect_true(all(as.list(warps) %in% unname(paths)))
+  expect_true(all(lapply(warps, I) %in% unname(paths)))
 })
 
 test_that("every field that can be marked gives a control, and its own value changes nothing", {
@@ -27,8 +27,11 @@ test_that("every field that can be marked gives a control, and its own value cha
     expect_gt(length(paths), 3)
     controls <- plan_controls(gear$plan, as.list(paths))
     expect_true(all(paths %in% unlist(lapply(controls, `[[`, "paths"))))
-    values <- lapply(controls, function(control) list(value = control$value, unit = control$unit))
-    same <- apply_controls(gear, controls, values)
+    values <- list()
+    for (control in controls) {
+      for (path in control$paths) values[[path]] <- list(value = control$value, unit = control$unit)
+    }
+    same <- apply_edits(gear, values)
     expect_equal(gear_si(same), gear_si(gear), tolerance = 1e-14)
   }
 })
@@ -37,11 +40,13 @@ test_that("choices and truth values are controls too", {
   plan <- read_gear("midwater_trawl")$plan
   controls <- plan_controls(plan, list("netting", "sections.section_1.knotted"))
   found <- controls[vapply(controls, function(c) c$kind != "number", NA)]
-  expect_identical(found[[1]]$choices, c("cells", "bars", "triangles"))
+  expect_identical(found[[1]]$choices, I(c("cells", "bars", "triangles")))
   expect_identical(found[[2]]$value, FALSE)
-  expect_error(control_value(found[[1]], list(value = "ropes")), "one of cells, bars",
+  gear <- read_gear("midwater_trawl")
+  expect_error(apply_edits(gear, list(netting = list(value = "ropes"))), "one of cells, bars",
     class = "codend_error_plan")
-  expect_error(control_value(found[[2]], list(value = 1)), "yes or no", class = "codend_error_plan")
+  expect_error(apply_edits(gear, list(sections.section_1.knotted = list(value = 1))), "yes or no",
+    class = "codend_error_plan")
 })
 
 test_that("a slider goes no further than its field may", {

@@ -31,7 +31,7 @@ asking <- function(...) {
 start <- list(gear = settled_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
 tank <- shiny::isolate(new_tank(start, list(), 300))
 towed_at <- function(speed) {
-  tank$request("design", list(control_1 = list(value = speed, unit = "knot")))
+  tank$request("design", list(towing.speed = list(value = speed, unit = "knot")))
 }
 
 test_that("a worker's process finds what this one would, and remembers what it found", {
@@ -114,6 +114,39 @@ test_that("what takes too long ends, others do not wait for it, and the next is 
   slow$ask("again", towed_at(4))
   expect_true(slow$wait(4))
   expect_null(slow$answers()[[4]]$answer$problem)
+})
+
+test_that("what is cancelled ends at once, and the next is answered by a new process", {
+  one <- asking()
+  on.exit(one$worker$stop())
+  one$ask("before", towed_at(4))
+  expect_true(one$wait(1))
+  first <- one$worker$process()$get_pid()
+  # one that stands still would take its 30 s
+  tools::pskill(first, tools::SIGSTOP)
+  one$ask("long", towed_at(5))
+  one$ask("waits", kind = "save", tank$request("save", list(format = "vtu", file = tempfile())))
+  one$worker$cancel()
+  expect_length(one$answers(), 3L)
+  for (answer in one$answers()[2:3]) expect_true(answer$answer$problem$cancelled)
+  expect_false(ps_there(first))
+  one$ask("after", towed_at(5))
+  expect_true(one$wait(4))
+  expect_null(one$answers()[[4]]$answer$problem)
+  # nothing to cancel
+  one$worker$cancel()
+  expect_length(one$answers(), 4L)
+})
+
+test_that("a late worker has no process before it is asked", {
+  late <- process_worker(late = TRUE)
+  on.exit(late$stop())
+  expect_null(late$process())
+  late$cancel()
+  found <- NULL
+  late$ask("design", function() towed_at(5), function(answer) found <<- answer)
+  expect_true(wait_until(function() !is.null(found)))
+  expect_null(found$problem)
 })
 
 test_that("a worker gets no more memory than the tank gives it", {

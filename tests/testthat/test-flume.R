@@ -10,7 +10,8 @@ test_that("the page opens with the settled gear, its picture and its controls", 
     expect_equal(points[, ends], unname(state_points(tank$state)[, rope_lines(
       tank$state, state_points(tank$state), 1e4)$ends]), tolerance = 1e-6)
     expect_identical(picture$pinned$points, picture$now$points)
-    expect_match(session$output$controls$html, "Towing speed", fixed = TRUE)
+    form <- tank$form()
+    expect_identical(form$quick[[1]]$label, "Towing speed")
     expect_match(session$output$measures$html, "ship tension (kN)", fixed = TRUE)
     expect_match(session$output$code, "gear <- read_gear(\"towed_cable\")", fixed = TRUE)
   })
@@ -20,7 +21,7 @@ test_that("a control moves the gear to what settle() finds from the start", {
   in_flume("towed_cable", function(session, sent, tank) {
     opened <- tank$measures
     sent("flume_picture")
-    ask(session, control_1 = list(value = 5, unit = "knot"), number = 7)
+    ask(session, towing.speed = list(value = 5, unit = "knot"), number = 7)
     picture <- sent("flume_picture")
     expect_length(picture, 1L)
     expect_identical(picture[[1]]$answers, 7)
@@ -30,12 +31,7 @@ test_that("a control moves the gear to what settle() finds from the start", {
     anew <- settle(update(read_gear("towed_cable"), towing.speed = "5 knot"), nodes = 300)
     # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
     expect_equal(tank$measures, measures(anew), tolerance = 1e-6)
-    session$setInputs(pin = 1)
-    expect_identical(tank$pinned$measures, tank$measures)
-    ask(session, control_1 = list(value = 2, unit = "m/s"))
-    session$setInputs(reset = 1)
-    expect_identical(tank$measures, tank$pinned$measures)
-    expect_false(isTRUE(all.equal(tank$measures, opened)))
+    expect_identical(tank$pinned$measures, opened)
   })
 })
 
@@ -44,19 +40,26 @@ test_that("a wrong value is told at its control and changes nothing", {
     before <- tank$state
     wrong <- list(
       list(value = -1, unit = "knot"), list(value = 4, unit = "furlong"), list(value = "4; q()"),
-      list(value = NULL), list(value = 1:3, unit = "knot"), list()
+      list(value = NULL), list(value = 1:3, unit = "knot"), list(), list(value = list(1)),
+      list(value = strrep("9", 1e5)), list(value = NA), list(value = 4, unit = c("knot", "m/s"))
     )
     for (value in wrong) {
       sent("flume_refused")
-      ask(session, control_1 = value)
+      ask(session, towing.speed = value)
       refused <- sent("flume_refused")
       expect_length(refused, 1L)
-      expect_identical(refused[[1]]$control, "control_1")
+      expect_identical(refused[[1]]$path, "towing.speed")
       expect_match(refused[[1]]$message, "`towing.speed`", fixed = TRUE)
     }
-    # values for controls that there are not, and no values at all
-    ask(session, control_99 = list(value = 1, unit = "m"))
+    # fields that there are not, and no values at all
+    ask(session, towing.sped = list(value = 1, unit = "m"))
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "did you mean `speed`", fixed = TRUE)
+    ask(session, ropes.cable = list(like = "ropes.other"))
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "cannot be like")
     session$setInputs(design = "nonsense")
+    session$setInputs(design = list(number = 3, edits = list(1, 2)))
     expect_identical(tank$state$position, before$position)
     expect_identical(tank$gear$plan, before$gear$plan)
   })
@@ -105,7 +108,8 @@ test_that("files that are no plans are refused by their own name", {
     expect_length(upload(format(settled_gear("panel_in_current"))), 0L)
     expect_identical(tank$gear$plan$name, "Panel in a current")
     expect_identical(tank$pinned$gear, tank$gear)
-    expect_match(session$output$controls$html, "Current")
+    labels <- vapply(tank$form()$quick, `[[`, "", "label")
+    expect_true("Current" %in% labels)
   })
 })
 
@@ -134,26 +138,148 @@ test_that("no message makes the server read a file, or compute for longer than a
   })
 })
 
-test_that("a typed plan and a marked field take effect", {
+test_that("a typed plan takes effect and keeps what was typed", {
   in_flume("towed_cable", function(session, sent, tank) {
-    session$setInputs(plan_text = sub("length: 1000 m", "length: 700 m", format(tank$gear)))
+    sent("flume_picture")
+    typed <- sub("length: 1000 m", "length: 700 m  # shorter", format(tank$gear))
+    session$setInputs(plan_text = list(number = 2, asked = typed))
     expect_identical(tank$gear$plan$ropes$cable$length, "700 m")
-    session$setInputs(mark = "ropes.cable.length")
-    expect_identical(tank$controls[[2]]$paths, "ropes.cable.length")
-    expect_identical(tank$controls[[2]]$value, 700)
+    got <- sent("flume_picture")[[1]]$answers
+    expect_identical(got, 2)
+    session$setInputs(plan_wanted = 1)
+    got <- sent("flume_plan")[[1]]$text
+    expect_match(got, "700 m  # shorter", fixed = TRUE)
+  })
+})
+
+test_that("a page begins at the gallery: shipped gears, and new ones from a few numbers", {
+  in_flume(NULL, function(session, sent, tank) {
+    expect_null(tank$gear)
+    expect_length(sent("flume_picture"), 0L)
+    # asked for before there is a gear
+    ask(session, towing.speed = list(value = 5, unit = "knot"))
+    session$setInputs(undo = list(number = 1), keep = list(), words_wanted = 1, plan_wanted = 1)
+    expect_null(tank$gear)
+    session$setInputs(shipped = list(number = 4, asked = "../towed_cable"))
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "no shipped gear")
+    session$setInputs(shipped = list(number = 5, asked = "towed_cable"))
+    expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
+    session$setInputs(new = list(asked = list(kind = "bottom_trawl",
+      values = list(head_line = "20 m", depth = "", file = tempfile()))))
+    expect_identical(tank$gear$plan, new_plan("bottom_trawl", head_line = "20 m")$plan)
     sent("flume_refused")
-    session$setInputs(mark = "ropes.cable.lenght")
-    unknown <- sent("flume_refused")[[1]]
-    expect_match(unknown$message, "did you mean \"ropes.cable.length\"", fixed = TRUE)
-    session$setInputs(mark = list("a", "b"))
-    two <- sent("flume_refused")[[1]]
-    expect_match(two$message, "by its path")
+    session$setInputs(new = list(asked = list(kind = "bottom_trawl",
+      values = list(head_line = "wide"))))
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "head_line", fixed = TRUE)
+    session$setInputs(new = list(asked = list(kind = "boat")))
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "boat")
+  })
+})
+
+test_that("every movement can be undone and done again", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    speed <- function() tank$gear$plan$towing$speed
+    opened <- speed()
+    # one movement of a slider, then another
+    for (value in c(4.2, 4.6, 5)) ask(session, towing.speed = list(value = value, unit = "knot"))
+    ask(session, towing.speed = list(value = 6, unit = "knot"), gesture = 2)
+    step <- function(name) {
+      do.call(session$setInputs, stats::setNames(list(list(number = stats::runif(1))), name))
+    }
+    faster <- tank$measures
+    step("undo")
+    expect_identical(speed(), "5 knot")
+    step("undo")
+    expect_identical(speed(), opened)
+    step("undo")
+    expect_identical(speed(), opened)
+    step("redo")
+    step("redo")
+    expect_identical(speed(), "6 knot")
+    # to 1e-8 of the largest tension; the cable's sag turns that into a few times more
+    expect_equal(tank$measures, faster, tolerance = 1e-6)
+    step("undo")
+    ask(session, ropes.cable.length = list(value = 900, unit = "m"), gesture = 3)
+    expect_length(tank$history$future, 0L)
+  })
+})
+
+test_that("designs are kept beside each other, by name, and come back", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    ask(session, towing.speed = list(value = 5, unit = "knot"))
+    session$setInputs(keep = list(number = 1, name = "  Fast\n one "))
+    kept <- function(field) vapply(tank$kept, function(one) as.character(one[[field]]), "")
+    expect_identical(kept("name"), c("As opened", "Fast one"))
+    expect_match(session$output$designs$html, "Fast one", fixed = TRUE)
+    ids <- vapply(tank$kept, `[[`, 0L, "id")
+    act <- function(...) session$setInputs(kept = list(number = stats::runif(1), ...))
+    act(id = ids[1], act = "open")
+    expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
+    act(id = ids[2], act = "compare")
+    expect_identical(tank$pinned$gear$plan$towing$speed, "5 knot")
+    act(id = ids[2], act = "rename", name = "Faster")
+    expect_identical(kept("name"), c("Faster", "As opened"))
+    act(id = ids[2], act = "remove")
+    sent("flume_refused")
+    for (wrong in list(ids[2], "1", NULL, list(1), 1:2)) {
+      act(id = wrong, act = "open")
+      got <- sent("flume_refused")[[1]]$message
+      expect_match(got, "no such kept design")
+    }
+    act(id = ids[1], act = "remove")
+    got <- sent("flume_refused")[[1]]$message
+    expect_match(got, "One design stays")
+    for (k in 1:30) session$setInputs(keep = list(number = k))
+    expect_length(tank$kept, most_kept)
+    table <- utils::read.csv(session$output$save_designs, check.names = FALSE)
+    expect_identical(dim(table), c(length(tank$measures), 3L + most_kept))
+  })
+})
+
+test_that("an address carries the designs, and is checked as any message", {
+  words <- NULL
+  in_flume("towed_cable", function(session, sent, tank) {
+    ask(session, towing.speed = list(value = 5, unit = "knot"))
+    session$setInputs(keep = list(number = 1, name = "Fast"))
+    ask(session, ropes.cable.length = list(value = 800, unit = "m"))
+    session$setInputs(words_wanted = 1)
+    words <<- sent("flume_words")[[1]]$words
+    expect_identical(words$now, list(base = "towed_cable",
+      edits = list(ropes.cable.length = "800 m")))
+  })
+  # as a browser would send it back
+  words <- jsonlite::fromJSON(as.character(shiny:::toJSON(words)), simplifyVector = FALSE)
+  in_flume(NULL, function(session, sent, tank) {
+    session$setInputs(words = list(number = 9, asked = words))
+    expect_identical(tank$gear$plan,
+      update(read_gear("towed_cable"), ropes.cable.length = "800 m")$plan)
+    expect_identical(vapply(tank$kept, `[[`, "", "name"), c("As opened", "Fast"))
+    expect_identical(tank$kept[[2]]$gear$plan$towing$speed, "5 knot")
+    before <- tank$gear$plan
+    wrong <- list(
+      list(base = "../x"), list(base = list("towed_cable")), list(), "text",
+      list(plan = "codend: 1\nname: !expr stop('ran')\n"),
+      list(base = "towed_cable", edits = list(1)),
+      list(base = "towed_cable", edits = list(towing.sped = 3)),
+      list(base = "towed_cable", edits = list(towing.speed = "fast")),
+      list(base = "towed_cable", edits = list(towing.speed = 1:3))
+    )
+    for (now in wrong) {
+      sent("flume_refused")
+      session$setInputs(words = list(number = stats::runif(1), asked = list(now = now)))
+      expect_length(sent("flume_refused"), 1L)
+    }
+    session$setInputs(words = "nonsense")
+    expect_identical(tank$gear$plan, before)
   })
 })
 
 test_that("what is on screen is saved as it is", {
   in_flume("towed_cable", function(session, sent, tank) {
-    ask(session, control_1 = list(value = 5, unit = "knot"))
+    ask(session, towing.speed = list(value = 5, unit = "knot"))
     expect_identical(read_gear(session$output$save_plan)$plan, tank$gear$plan)
     table <- utils::read.csv(session$output$save_measures)
     expect_equal(table$now, unname(tank$measures), tolerance = 1e-12)
@@ -170,7 +296,7 @@ test_that("sessions do not share a gear", {
   # the mock warns that it has no page to send to
   suppressWarnings({
     shiny::testServer(server, {
-      ask(session, control_1 = list(value = 6, unit = "knot"))
+      ask(session, towing.speed = list(value = 6, unit = "knot"))
       expect_identical(tank$gear$plan$towing$speed, "6 knot")
     })
     shiny::testServer(server, expect_identical(tank$gear$plan, gear$plan))
@@ -185,11 +311,14 @@ test_that("flume() takes a gear and fields that it has", {
     class = "codend_error_argument")
   expect_error(flume("towed_cable", fields = 3), class = "codend_error_argument")
   expect_error(flume("towed_cabel"), class = "codend_error_plan")
+  expect_s3_class(flume(), "shiny.appobj")
+  expect_error(flume(fields = "ropes.cable.length"), "give `gear` too",
+    class = "codend_error_argument")
   expect_error(flume("towed_cable", nodes = 0), class = "codend_error_argument")
 })
 
 test_that("the page asks for nothing from elsewhere", {
   expect_false(grepl("https?://", as.character(flume_page())))
-  files <- list.files(system.file("app", package = "codend"), full.names = TRUE)
+  files <- list.files(system.file("app", package = "codend"), "[.](js|css)$", full.names = TRUE)
   expect_false(any(grepl("https?://|@import", unlist(lapply(files, readLines)))))
 })

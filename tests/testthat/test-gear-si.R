@@ -19,7 +19,7 @@ test_that("defaults are filled in and units resolved", {
   expect_equal(net$mesh_size, 0.1, tolerance = 1e-15)
   expect_identical(c(net$taper_left, net$taper_right), c(0.5, 0.5))
   expect_equal(net$knot_diameter, 0.004, tolerance = 1e-15)
-  expect_identical(net$bar_segments, 2)
+  expect_null(net$bar_segments)
   expect_identical(net$added_mass, c(normal = 1, tangential = 0))
   expect_identical(net$coefficients,
     list(law = "constant", normal = 1.1, tangential = 0, skin = 0.02))
@@ -212,6 +212,22 @@ test_that("coefficient sets by name and by number", {
     "Did you mean `hoerner`?")
 })
 
+test_that("each kind of gear has the law that its data support where its plan names none", {
+  law <- function(name) {
+    gear <- update(read_gear(name), netting_drag = NULL)
+    unique(vapply(gear_si(gear)$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE))
+  }
+  expect_identical(
+    vapply(c("midwater_trawl", "poly_noreastern_trawl", "pair_trawl", "beam_trawl", "stow_net",
+      "cage", "gillnet", "purse_seine"), law, ""),
+    c(midwater_trawl = "blended", poly_noreastern_trawl = "blended", pair_trawl = "blended",
+      beam_trawl = "blended", stow_net = "twines", cage = "loland", gillnet = "twines",
+      purse_seine = "twines")
+  )
+  # the shipped trawl of the paper keeps the paper's sum
+  expect_identical(gear_si(read_gear("midwater_trawl"))$panels[[1]]$netting_drag, "twines")
+})
+
 test_that("the paper's method is one word, whatever else the plan says", {
   explicit <- list(netting = "bars", netting_drag = "twines", coefficients = "hoerner",
     slack_twine = "straight", shielding = "none")
@@ -233,7 +249,7 @@ test_that("the paper's method is one word, whatever else the plan says", {
   panel <- read_gear("flat_panel")
   name <- names(panel$plan$panels)[1]
   panel <- do.call(update, c(list(panel),
-    stats::setNames(list(FALSE), paste0("panels.", name, ".knotted"))))
+    stats::setNames(list(FALSE, 2), paste0("panels.", name, c(".knotted", ".bar_segments")))))
   one <- settle(update(panel, method = "paper"), nodes = 150)
   each <- settle(do.call(update, c(list(panel), explicit)), nodes = 150)
   expect_equal(one$position, each$position, tolerance = 1e-7)

@@ -214,6 +214,16 @@ test_that("turned netting of plain twine settles as diamonds do", {
   expect_identical(settle(as_gear(plan))$position, settled("panel_in_current")$position)
 })
 
+test_that("hexagons are summed over their twines where the plan is blended", {
+  plan <- function(panel, whole = "blended") {
+    text <- spoil("twine: {", paste0("orientation: hexagonal", panel, "\n    twine: {"))
+    gear_si(update(read_text(text), netting_drag = whole))$panels$net$netting_drag
+  }
+  expect_identical(plan(""), "twines")
+  expect_identical(plan("", "loland"), "loland")
+  expect_error(plan("\n    netting_drag: blended"), "netting_drag", class = "codend_error_plan")
+})
+
 test_that("fields of hexagons are refused where they mean nothing", {
   expect_plan_error("twine: {", "straight_bar: 10 mm\n    twine: {", "panels.net.straight_bar",
     "`panels.net.orientation` is diamond")

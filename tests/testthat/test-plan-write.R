@@ -50,7 +50,7 @@ test_that("remarks and layout stay where a plan changes", {
   source <- readLines(gear$file, encoding = "UTF-8")
   expect_identical(strsplit(format(gear, remarks = TRUE), "\n", fixed = TRUE)[[1]], source)
   changed <- update(gear,
-    towing.speed = "3.5 knot", sections.codend.mesh_size = "40 mm", floats.number = 25,
+    towing.speed = "3.5 knot", sections.codend.mesh_size = "40 mm", belly_lines.hanging_ratio = 0.9,
     bridles.middle = NULL, otter_boards.drag_coefficient = 0.6,
     footrope_extensions = list(length = "5 m", diameter = 0.1, material = "steel_wire"),
     warps = list(length = "300 m", diameter = 0.02, material = "steel_wire"),
@@ -65,7 +65,7 @@ test_that("remarks and layout stay where a plan changes", {
   gone <- grepl("volume_per_length|mass_per_length: 7 kg", source)
   gone <- gone[grepl("#", source, fixed = TRUE)]
   expect_identical(marks(lines), marks(source)[!gone])
-  expect_true("  number: 25                            # [published]" %in% lines)
+  expect_true("  hanging_ratio: 0.9                    # [published]" %in% lines)
 })
 
 test_that("any change of any shipped plan reads back as it is", {

@@ -9,8 +9,8 @@ expect_written <- function(old, new, path, message) {
 test_that("what is wrong in a part is told of the field that became the part", {
   expect_written("{diameter: 4 mm, material: PE}", "{diameter: 4 mm, material: nylon}",
     "wings.upper.twine.material", "Did you mean `PA`?")
-  expect_written("belly: {twine: {diameter: 5 mm, material: PE}}",
-    "belly: {twine: {diameter: 5 mm, material: tergal}}",
+  expect_written("deep: 115}, twine: {diameter: 5 mm, material: PE}}",
+    "deep: 115}, twine: {diameter: 5 mm, material: tergal}}",
     "sections.body.belly.twine.material", "Did you mean `PES`?")
   expect_written("material: steel_chain", "material: chain", "footrope.material",
     "Did you mean `steel_chain`?")
@@ -24,7 +24,7 @@ test_that("what is wrong in a part is told of the field that became the part", {
 test_that("a mesh size without its unit, or of another power of ten, is named", {
   expect_written("mesh_size: 89 mm", "mesh_size: 89", "sections.intermediate.mesh_size",
     "is 89 without a unit, which is 89 m; is it 89 mm?")
-  expect_written("127 mm\n    meshes: {tip: 0, base: 84", "120\n    meshes: {tip: 0, base: 84",
+  expect_written("127 mm\n    meshes: {tip: 0, base: 80", "120\n    meshes: {tip: 0, base: 80",
     "wings.upper.mesh_size", "is 120 without a unit")
   expect_written("mesh_size: 89 mm", "mesh_size: 1200 mm", "sections.intermediate.mesh_size",
     "`sections.body.mesh_size`, 127 mm, and `sections.intermediate.mesh_size`, 1200 mm")

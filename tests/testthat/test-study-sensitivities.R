@@ -91,9 +91,9 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
   # Of both shares the central differences together are of fourth order: from small ones where the
   # measures bend, from larger ones where they change so little that rounding shows.
   shares <- list(
-    towing.speed = 1e-3, warps.length = 1e-3, otter_boards.area = 1e-3,
+    warps.length = 1e-3, otter_boards.area = 1e-3,
     # netting is all but slack: lines change within 0.1 %
-    hand_ropes.upper.length = 2e-4,
+    towing.speed = 2e-4, hand_ropes.upper.length = 2e-4,
     otter_boards.mass = 4e-3, floats.buoyancy = 4e-3, sections.section_5.twine.diameter = 4e-3
   )
   of <- c("door_spread_m", "net_mouth_height_m", "total_drag_kN", "warp_tension_port_kN",
@@ -124,7 +124,9 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
     scale <- pmax(abs(wanted), 0.01 * abs(work$values[of]))
     off <- abs(rows$slope * rows$value - wanted) / scale
     label <- paste(field$name, paste(signif(off, 2), collapse = " "))
-    expect_lt(max(off), if (share < 1e-3) 2e-5 else 1e-6, label = label)
+    # even so some change with the rope
+    least <- if (field$name == "hand_ropes.upper.length") 2e-5 else 1e-6
+    expect_lt(max(off), least, label = label)
   }
 })
 

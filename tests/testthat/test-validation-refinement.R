@@ -108,8 +108,75 @@ test_that("cells and bars approach each other on a tapered cone", {
   expect_lt(found["tension", 3], 5e-4)
 })
 
+test_that("bars end on slanted sides where their twines do", {
+  # Shape and twine of a panel by its plan, and how far bars are from lying along their twines with
+  # the twines' own lengths, in equivalent bars.
+  misfit <- function(upper, lower, deep, columns, orientation = "diamond") {
+    panel <- panel_table(list(net = list(
+      mesh_size = 0.1, upper = upper, lower = lower, deep = deep, taper_left = 0.5,
+      taper_right = 0.5, orientation = orientation, columns = columns, mass_per_length = 0.01,
+      volume_per_length = 1e-5, twine_diameter = 0.002, twine_count = 1, knot_diameter = 0,
+      knot_twine = 0, straight_bar = 0, shielding = "none", netting_drag = "twines"
+    )))
+    square <- is_square(panel)
+    grouping <- bar_grouping(c(panel, list(square = square, area = 1)), Inf)
+    found <- bar_elements(panel, grouping)
+    end <- matrix(found$bars$ends, 2L)
+    i <- found$points$i[end[2L, ]] - found$points$i[end[1L, ]]
+    j <- found$points$j[end[2L, ]] - found$points$j[end[1L, ]]
+    along <- if (square) abs(rbind(i, j)) else abs(rbind(i + j, j - i))
+    longest <- pmax(along[1L, ], along[2L, ])
+    pmax(longest - found$bars$rest / 0.05, pmin(along[1L, ], along[2L, ])) / grouping$lambda
+  }
+  # whole meshes, sides between meshes, steep sides
+  for (case in list(c(4, 4, 4, 4), c(40, 40, 30, 7), c(40, 10, 15, 9), c(60, 0, 30, 12))) {
+    expect_lt(max(misfit(case[1], case[2], case[3], case[4])), 1e-12)
+  }
+  expect_lt(max(misfit(40, 40, 30, 7, "square")), 1e-12)
+  # A twine nearly along its side ends at a knot that was moved onto it: few do.
+  slanted <- misfit(60, 15, 120, 23)
+  expect_lt(mean(slanted > 1e-12), 0.02)
+})
+
+# Four tapered panels of 2 mm twine behind a square frame, gathered at a drag of 1.5 m2.
+gathered_cone <- function() {
+  sides <- c("top", "right", "bottom", "left")
+  at <- list(c(0, -1.5, -8.5), c(0, 1.5, -8.5), c(0, 1.5, -11.5), c(0, -1.5, -11.5))
+  corners <- c("c0", "c1", "c2", "c3")
+  panel <- list(
+    mesh_size = 0.1, meshes = list(upper = 60, lower = 15, deep = 120), knotted = FALSE,
+    twine = list(diameter = 0.002, axial_stiffness = 3000, mass_per_length = 0.0036)
+  )
+  seams <- unlist(lapply(1:4, function(k) {
+    other <- k %% 4 + 1
+    setNames(list(
+      list(edges = list(paste0(sides[k], ".upper")), held_between = corners[c(k, other)]),
+      list(edges = list(paste0(sides[k], ".right"), paste0(sides[other], ".left")))
+    ), paste0(c("mouth_", "side_"), sides[k]))
+  }), recursive = FALSE)
+  as_gear(list(
+    codend = 1, name = "Cone", water = list(current = list(speed = 1.5, toward = 0)),
+    points = c(setNames(lapply(at, function(x) list(position = x, held = "fixed")), corners),
+      list(tail = list())),
+    panels = setNames(rep(list(panel), 4), sides),
+    seams = c(seams, list(end = list(
+      edges = as.list(paste0(sides, ".lower")), gathered_at = "tail"
+    ))),
+    pieces = list(catch = list(at = "tail", drag_area = 1.5)),
+    measures = list(drag = list(drag = as.list(sides)))
+  ))
+}
+
+test_that("grouped bars of stiff twine give a tapered cone the drag that it has mesh by mesh", {
+  # Computed once: 0.6768 kN by cells at 10,000 nodes and 0.6766 kN by bars mesh by mesh (35,849).
+  # Where knots near a side are moved onto it with the lengths of their twines unchanged, grouped bars are
+  # 1.3 % off at 1,000 nodes and 1.9 % at 10,000. The steps of the grouping leave 1 and 0.4 %.
+  drag <- function(nodes) measures(settle(gathered_cone(), nodes, "bars"))[["drag_kN"]]
+  expect_equal(drag(1000), 0.6768, tolerance = 0.01)
+  expect_equal(drag(10000), 0.6768, tolerance = 0.004)
+})
+
 test_that("cells and bars approach each other on a sheet that hangs partly slack", {
-  # Bars with a node in their middle would hang in bights of the group's size: one segment.
   found <- differences(sheet, c(8, 16, 32), c("upper.middle", "lower.middle"))
   expect_true(all(diff(found["drag", ]) < 0))
   expect_lt(found["drag", 3], 0.06)

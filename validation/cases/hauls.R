@@ -102,3 +102,26 @@ case_gov_argos_long <- function() gov_hauls("ARG", 110)
 case_gov_dana <- function() gov_hauls("DAN2", 60)
 case_gov_thalassa <- function() gov_hauls("THA2", 50)
 case_gov_tridens <- function() gov_hauls("TRI2", 50)
+
+# The drag that Lee and others (1987) print of their midwater trawl, t by speed in m/s, and the
+# spread of its boards (1986), m: the middle of what they print for each length of warp.
+case_small_midwater_trawl <- function() {
+  gear <- read_gear("small_midwater_trawl")
+  speeds <- c(1.1, 1.45, 1.8)
+  by_speed <- settled_along(gear, list(towing.speed = speeds),
+    c("total_drag_kN", "door_spread_m"))
+  warps <- c(100, 150, 200)
+  by_warp <- settled_along(gear, list(warps.length = warps), "door_spread_m")
+  drag <- by_speed[, 1] / 9.80665
+  printed <- 2.15 * speeds^1.12
+  spread <- c(44, 54, 56.5)
+  rbind(
+    # twine is tuned on the drag at the middle speed, boards on their spread with 150 m of warp
+    compared("drag", paste(speeds, "m/s"), printed, drag, speeds == 1.45),
+    compared("door_spread", paste(warps, "m of warp"), spread, drop(by_warp), warps == 150),
+    trend("drag", "speed", speeds, printed, drag),
+    trend("door_spread", "warp", warps, spread, drop(by_warp)),
+    # only that it grows with speed is printed
+    trend("door_spread", "speed", range(speeds), 1:2, by_speed[c(1, 3), 2])
+  )
+}

@@ -47,7 +47,8 @@ void PartBalance::find_scales() {
   }
   for (int e = 0; e < model.bends.count(); ++e) {
     const std::size_t k = static_cast<std::size_t>(e);
-    const double stiffness = model.bends.couple[k] / (model.bends.length[k] * model.bends.length[k]);
+    const double stiffness =
+        model.bends.couple[k] / (model.bends.length[k] * model.bends.length[k]);
     for (int i = 0; i < 3; ++i) {
       rounding_[static_cast<std::size_t>(model.bends.node[3 * k + i])] += rounding * stiffness;
     }
@@ -82,8 +83,8 @@ void PartBalance::find_scales() {
 void PartBalance::hold(int point, int part) {
   int& now = node_part_[static_cast<std::size_t>(point)];
   if (part < 0 || !(part_scale_[static_cast<std::size_t>(part)] > 0.0)) return;
-  if (now < 0 || part_scale_[static_cast<std::size_t>(part)] >
-                     part_scale_[static_cast<std::size_t>(now)]) {
+  if (now < 0 ||
+      part_scale_[static_cast<std::size_t>(part)] > part_scale_[static_cast<std::size_t>(now)]) {
     now = part;
   }
 }

@@ -33,8 +33,8 @@ class Settling {
       iteration_.measure();
       if (report_.iterations == 0) {
         take_start();
-      } else if (closing_in_ &&
-                 (steps_ == control_.attempts.settled_steps || !std::isfinite(report_.residual))) {
+      } else if (closing_in_ && (steps_ == control_.attempts.settled_steps || iteration_.lost() ||
+                                 !std::isfinite(report_.residual))) {
         go_back();
       }
       if (control_.watch && !control_.watch({report_.iterations, report_.residual})) return;
@@ -53,7 +53,7 @@ class Settling {
   }
 
   void take_start() {
-    if (control_.start == Start::near) iteration_.begin_near();
+    if (control_.start == Start::near) iteration_.begin_near(true);
     if (control_.start == Start::settled) iteration_.begin_settled();
   }
 
@@ -62,7 +62,7 @@ class Settling {
     std::copy(settled_.begin(), settled_.end(), x_);
     iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
-    if (report_.wake_renewals == 0) iteration_.begin_near();
+    if (report_.wake_renewals == 0) iteration_.begin_near(false);
     closing_in_ = false;
     steps_ = 0;
   }
@@ -85,8 +85,11 @@ class Settling {
 
   // Where the wake changes the shape is not yet found.
   void renew_wake() {
-    report_.wake_change = assembly_.renew_wake(report_.wake_renewals < control_.wake.searches,
-                                               control_.wake.tolerance);
+    const int searches = control_.start == Start::settled && !assembly_.model().wake.empty()
+                             ? control_.wake.settled_searches
+                             : control_.wake.searches;
+    report_.wake_change =
+        assembly_.renew_wake(report_.wake_renewals < searches, control_.wake.tolerance);
     ++report_.wake_renewals;
     if (report_.wake_change <= control_.wake.tolerance) return;
     report_.converged = false;

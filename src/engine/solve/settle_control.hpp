@@ -58,6 +58,9 @@ struct PathControl {
   double short_step = 1.0, short_step_factor = 0.85;
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
+  // There the first step, which is all tangent, turns lines by this much at most: of loads that would
+  // turn them by more a part comes at first, and as much with every further step that turns them by less.
+  double settled_turn = 0.25;
 };
 
 // Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
@@ -97,16 +100,21 @@ struct AttemptControl {
   // count as beginning from, at least, where only the wakes are others.
   double settled_step = 1e6;
   int settled_steps = 30;
+  // It has failed too where a step after the first turns lines by more than this, or where so many in a
+  // row have not halved the least rotation so far.
+  double settled_rotation = 1.0;
+  int idle_steps = 10;
   double settled_law = 1e-4;
   double settled_residual = 1e-3;
 };
 
 // Of wakes. They are renewed on every settled shape until no point's share of the free flow's speed
-// changes by more than `tolerance`; from the fifth time on the netting upstream of every point stays the
-// same, as crossings that come and go would change for ever.
+// changes by more than `tolerance`; after so many searches the netting upstream of every point stays the
+// same, as crossings that come and go would change for ever. From a settled state what comes and goes has
+// done so: one search is enough.
 struct WakeControl {
   double tolerance = wake_tolerance;
-  int renewals = 20, searches = 4;
+  int renewals = 20, searches = 4, settled_searches = 1;
 };
 
 // Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's

@@ -61,18 +61,19 @@ void SettleIteration::begin(double pseudo_step) {
   path_ = TensionPath(assembly_.model(), load_);
   pseudo_time_.begin(pseudo_step);
   on_law_ = begun_ = closing_in_ = false;
+  loaded_ = 1.0;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
 }
 
-void SettleIteration::begin_near() {
+void SettleIteration::begin_near(bool law) {
   follow(TensionPath::near_parameter);
-  // worth a try of the law at once
-  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
+  if (law && report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::begin_settled() {
   from_settled_ = closing_in_ = true;
+  least_rotation_ = control_.attempts.settled_rotation;
   follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.attempts.settled_step);
   if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
@@ -145,6 +146,12 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
   pseudo_time_.hold(pseudo_step, how.steps);
 }
 
+bool SettleIteration::lost() const {
+  return closing_in_ && settled_steps_ > 1 &&
+         (pseudo_time_.rotation() > control_.attempts.settled_rotation ||
+          idle_steps_ == control_.attempts.idle_steps);
+}
+
 void SettleIteration::step() {
   choose_law();
   if (!on_law_) {
@@ -152,6 +159,7 @@ void SettleIteration::step() {
     assembly_.strain(strain_);
     path_.prepare(strain_, reduction());
     assembly_.residual(force_.data(), &path_.predicted());
+    if (closing_in_) add_loads_by_parts();
   }
   {
     Stopwatch watch(report_.seconds_jacobian);
@@ -178,7 +186,7 @@ void SettleIteration::choose_law() {
                   report_.residual > law.excess * residual_before_law_ ||
                   (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
-  } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
+  } else if (!on_law_ && steps_to_law_ <= 0 && loaded_ == 1.0 && pseudo_time_.found() &&
              report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
     try_law();
   }
@@ -226,6 +234,24 @@ double SettleIteration::reduction() {
   return 1.0;
 }
 
+// Loads that have changed since the start was settled act by a part so far, which grows where the last
+// step turned lines little.
+void SettleIteration::add_loads_by_parts() {
+  if (settled_steps_ == 0) first_force_ = force_;
+  if (loaded_ == 1.0) return;
+  if (pseudo_time_.rotation() <= control_.path.settled_turn) {
+    loaded_ = std::min(1.0, loaded_ + loaded_step_);
+  }
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - loaded_) * first_force_[k];
+}
+
+// The share of the first step from a settled shape, which would turn lines by `rotation`: as the step is
+// linear in the loads, that is the whole step of that part of them.
+double SettleIteration::first_share(double rotation) {
+  loaded_ = loaded_step_ = std::min(1.0, control_.path.settled_turn / rotation);
+  return loaded_;
+}
+
 void SettleIteration::move() {
   double damped = 0.0, driven = 0.0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -235,10 +261,17 @@ void SettleIteration::move() {
     driven += dx.dot(at(force_.data(), free_[i]));
   }
   const LineChange& change = assembly_.line_change(dx_.data());
-  const double share = pseudo_time_.share(change.rotation);
+  const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
+  const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
   if (!on_law_) path_.advance(change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  pseudo_time_.advance(change.rotation, damped, driven);
+  pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
+  if (closing_in_) {
+    ++settled_steps_;
+    const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
+    idle_steps_ = closer ? 0 : idle_steps_ + 1;
+    if (closer) least_rotation_ = pseudo_time_.rotation();
+  }
 }
 
 // Net force (N) that a stiff line shows when its ends move by their rounding.

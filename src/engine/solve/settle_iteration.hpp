@@ -26,7 +26,8 @@ class SettleIteration {
   // Back to a crude start that the caller has put into x, with this pseudo time step (s).
   void begin(double pseudo_step);
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
-  void begin_near();
+  // law: whether the law may be tried at once.
+  void begin_near(bool law);
   // Takes the present positions, measured, as settled under other loads, likewise.
   void begin_settled();
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
@@ -37,6 +38,8 @@ class SettleIteration {
   bool balanced();
   // Tells of every part's balance, as measured.
   void judge_parts();
+  // Whether steps from a settled shape do not close in.
+  bool lost() const;
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -53,6 +56,8 @@ class SettleIteration {
   void leave_law();
   void try_law();
   double reduction();
+  void add_loads_by_parts();
+  double first_share(double rotation);
   void move();
   bool at_rounding() const;
   double rounding_force() const;
@@ -76,6 +81,13 @@ class SettleIteration {
   PartBalance parts_;
   bool begun_ = false;       // a step has been taken
   bool closing_in_ = false;  // from a settled state, by its tensions
+  // Of the loads that have changed since: the share that acts so far, by how much it grows, and the net
+  // forces that the rest would make at the start.
+  double loaded_ = 1.0, loaded_step_ = 1.0;
+  std::vector<double> first_force_;
+  // Of that state's steps.
+  double least_rotation_ = 1.0;
+  int idle_steps_ = 0, settled_steps_ = 0;
   // Of the trials of the law.
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;

@@ -1,0 +1,133 @@
+# The form of the flume tank: every field that a plan gives, in the order of a net drawing, and what
+# may be added to it. All of it is made from the schema.
+
+# The form's groups: their titles, and the fields of a plan's first level that each holds.
+form_rooms <- list(
+  Netting = c(
+    "panels", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
+    "length", "mouth", "selvedges", "seams", "grids", "catch"
+  ),
+  Ropes = c(
+    "head_line", "footrope", "footrope_extensions", "side_lines", "belly_lines", "cross_ropes",
+    "float_line", "lead_line", "collar", "frame", "bottom_rope", "side_ropes", "ropes",
+    "main_line", "branch_lines", "float_lines", "shortening_ratio", "baskets", "hooks"
+  ),
+  Floats = c("floats", "canvas", "kites", "pieces"),
+  `Ground gear and weights` = c(
+    "ground_gear", "ticklers", "weights", "sinkers", "hammers", "centre_weight", "anchors"
+  ),
+  `Boards and beams` = c(
+    "otter_boards", "backstrops", "towing_points", "beam", "shoes", "upper_beam", "lower_beam"
+  ),
+  Rig = c(
+    "warps", "warp", "sweeps", "bridles", "hand_ropes", "moorings", "end_lines", "end_ropes",
+    "lift_line", "anchor_line", "anchor_depth", "rings", "purse_wire", "davit_height", "points",
+    "vessel", "vessels"
+  ),
+  `Tow and water` = c("towing", "tow", "water", "seabed", "shooting", "pursing"),
+  `Name and method` = c(
+    "name", "materials", "method", "netting", "coefficients", "netting_drag", "slack_twine",
+    "shielding", "measures"
+  )
+)
+
+# Fields of a plan that the form leaves to the plan's text.
+form_leaves <- c("codend", "kind", "notes", "sources")
+
+# The form of a plan: a list of groups of list(title, parts), a part list(path, title, help, fields
+# (controls), open (whether the schema allows fields that it lacks), like (a part of it that another
+# may be made like, or NULL), required).
+plan_form <- function(plan) {
+  node <- plan_node(plan)
+  lapply(names(form_rooms), function(title) {
+    names <- intersect(names(plan), form_rooms[[title]])
+    single <- Filter(function(name) !is_part(plan[[name]]), names)
+    fields <- form_fields(plan[single], node, "", "")
+    own <- if (length(fields)) list(list(path = "", title = title, fields = fields))
+    parts <- lapply(setdiff(names, single), function(name) {
+      form_parts(plan[[name]], child_node(node, name), name, name %in% node$required)
+    })
+    absent <- setdiff(intersect(form_rooms[[title]], names(node$properties)), names(plan))
+    list(title = title, parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L)
+  })
+}
+
+# A map whose fields have paths; a name with a point in it would be two steps of one.
+is_part <- function(value) {
+  is_map(value) && length(value) > 0L && !any(grepl(".", names(value), fixed = TRUE))
+}
+
+# A map's part, and those of the maps in it that have parts or fields of their own.
+form_parts <- function(value, node, path, required) {
+  node <- meant_node(value, node)
+  if (is.null(node)) return(list())
+  named <- !is.null(node$additionalProperties)
+  steps <- length(path_steps(path))
+  inner <- Filter(is_part, value)
+  apart <- if (steps == 1L) names(inner) else character()
+  fields <- form_fields(value[setdiff(names(value), apart)], node, path, "")
+  part <- list(list(
+    path = path, title = path_words(path), help = first_of(node$description, ""), fields = fields,
+    open = length(setdiff(names(node$properties), names(value))) > 0L,
+    like = if (named && length(value)) join(path, names(value)[length(value)]),
+    required = required
+  ))
+  others <- lapply(apart, function(name) {
+    form_parts(value[[name]], child_node(node, name), join(path, name), name %in% node$required)
+  })
+  c(part, do.call(c, others))
+}
+
+# The controls of a map's fields; those of maps in it by both their names.
+form_fields <- function(value, node, path, ahead) {
+  found <- lapply(names(value), function(name) {
+    at <- join(path, name)
+    inner <- meant_node(value[[name]], child_node(node, name))
+    label <- paste0(ahead, gsub("_", " ", name))
+    if (is.null(inner)) return(NULL)
+    if (is_part(value[[name]])) {
+      return(form_fields(value[[name]], inner, at, paste0(label, ": ")))
+    }
+    field <- list(node = inner, value = value[[name]])
+    list(new_control(capital(label), at, field, name %in% node$required))
+  })
+  do.call(c, found)
+}
+
+capital <- function(text) paste0(toupper(substr(text, 1, 1)), substring(text, 2))
+
+# Controls of the fields that a part of a plan (of a group, where `path` is empty) could have and
+# has not; their values are what holds without them, where the schema says so.
+form_offers <- function(plan, path, title) {
+  node <- plan_node(plan)
+  given <- plan
+  if (nzchar(path)) {
+    field <- plan_field(plan, path)
+    if (is.null(field$node)) abort_argument("The plan has no {.val {path}}.")
+    node <- field$node
+    given <- field$value
+  }
+  absent <- setdiff(names(node$properties), names(given))
+  if (!nzchar(path)) absent <- intersect(form_rooms[[title]], absent)
+  lapply(setdiff(absent, form_leaves), function(name) {
+    inner <- node$properties[[name]]
+    # of several ways to write it a number is the one that is changed most
+    if (identical(inner$shape, "any")) {
+      number <- Filter(is_number_node, inner$choices)
+      if (length(number)) inner <- utils::modifyList(number[[1]], inner["description"])
+    }
+    plain <- is.atomic(inner$default) && length(inner$default) == 1L
+    new_control(
+      capital(gsub("_", " ", name)), join(path, name),
+      list(node = inner, value = if (plain) inner$default), FALSE
+    )
+  })
+}
+
+# What a page is sent to lay out its controls. turn: a number that its answers name.
+form_message <- function(plan, marked, turn) {
+  list(
+    turn = turn, kind = first_of(plan$kind, "assembly"), quick = plan_controls(plan, marked),
+    groups = plan_form(plan), units = offered_units()
+  )
+}

@@ -1,0 +1,54 @@
+# What can be saved of what is on screen. The clerk writes what takes long.
+
+flume_saves <- function(output, tank, clerk) {
+  save <- function(name, extension, write) {
+    shiny::downloadHandler(
+      filename = function() paste0(file_words(tank$gear$plan$name), name, ".", extension),
+      content = write
+    )
+  }
+  table <- function(make) function(file) write_csv(make(), file)
+  by_clerk <- function(format) {
+    function(file) {
+      promises::promise(function(resolve, reject) {
+        clerk$ask(
+          "save",
+          function() tank$request("save", list(format = format, file = file)),
+          function(answer) {
+            if (is.null(answer$problem)) resolve(file) else reject(answer$problem$message)
+          }
+        )
+      })
+    }
+  }
+  output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
+  output$save_all <- save("-designs", "json", function(file) {
+    write_text(c(as.character(jsonlite::toJSON(
+      c(list(codend_designs = 1), tank$words()), auto_unbox = TRUE, digits = NA, null = "null"
+    )), ""), file)
+  })
+  output$save_measures <- save("-measures", "csv", table(function() {
+    measure_changes(tank$measures, tank$pinned$measures)
+  }))
+  output$save_designs <- save("-designs", "csv", table(function() {
+    designs_frame(c(tank$kept, list(list(name = "On screen", measures = tank$measures))))
+  }))
+  lapply(formats_of("state"), function(format) {
+    output[[paste0("save_", format$name)]] <- save(
+      paste0("-", format$name), sub(".", "", format$extension, fixed = TRUE),
+      by_clerk(format$name)
+    )
+  })
+  output$save_drag <- save("-drag", "csv", table(function() {
+    as.data.frame(tank$state, what = "drag")
+  }))
+  output$save_code <- save("", "R", function(file) write_text(c(tank$code(), ""), file))
+  output$save_report <- save("", "html", by_clerk("report"))
+}
+
+# A gear's name as part of a file's.
+file_words <- function(name) {
+  words <- gsub("[^a-z0-9]+", "-", tolower(iconv(name, to = "ASCII//TRANSLIT", sub = "")))
+  words <- gsub("^-|-$", "", substr(words, 1, 60))
+  if (is.na(words) || !nzchar(words)) "gear" else words
+}

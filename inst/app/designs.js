@@ -1,0 +1,151 @@
+// What the flume tank's page keeps: designs beside each other, steps back and on, and the address,
+// which carries them all.
+//
+// codendDesigns.open(words) opens what an address or a file says; .show(kept) lists what R keeps;
+// .moved() tells that something changed; .words(words) takes what R says of the designs.
+window.codendDesigns = (function () {
+  'use strict';
+
+  var timer = null, mine = null, largest = 2 * 1024 * 1024;
+  function find(id) { return document.getElementById(id); }
+  function element(name, className, words, attributes) {
+    var out = document.createElement(name);
+    if (className) out.className = className;
+    if (words !== undefined) out.textContent = words;
+    Object.keys(attributes || {}).forEach(function (key) { out.setAttribute(key, attributes[key]); });
+    return out;
+  }
+
+  // ---- the address --------------------------------------------------------------------------------
+
+  function through(bytes, stream) {
+    var reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
+    var parts = [], size = 0;
+    function next() {
+      return reader.read().then(function (step) {
+        if (step.done) return new Blob(parts).arrayBuffer();
+        size += step.value.length;
+        // a few bytes may stand for very many
+        if (size > largest) { reader.cancel(); throw new RangeError('too long'); }
+        parts.push(step.value);
+        return next();
+      });
+    }
+    return next();
+  }
+
+  function pack(words) {
+    return through(new TextEncoder().encode(JSON.stringify(words)), new CompressionStream('deflate-raw'))
+      .then(function (bytes) {
+        var text = '';
+        new Uint8Array(bytes).forEach(function (byte) { text += String.fromCharCode(byte); });
+        return btoa(text).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
+      });
+  }
+
+  function unpack(text) {
+    var plain = atob(text.replace(/-/g, '+').replace(/_/g, '/'));
+    var bytes = Uint8Array.from(plain, function (one) { return one.charCodeAt(0); });
+    return through(bytes, new DecompressionStream('deflate-raw')).then(function (found) {
+      return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(found));
+    });
+  }
+
+  // Of the address that the page was opened with; whether it carries a design.
+  function read() {
+    var found = window.location.hash.match(/^#d=([A-Za-z0-9_-]+)$/);
+    if (!found || found[1] === mine) return false;
+    mine = found[1];
+    unpack(found[1]).then(function (words) { open(words, 'words'); }).catch(function () {
+      window.codendPage.gallery(true);
+      window.codendPage.tell('gallery_refused', 'This address carries no design that can be read.');
+    });
+    return true;
+  }
+  window.addEventListener('hashchange', read);
+
+  // words: {now, kept: [...], units}.
+  function open(words) {
+    if (words && words.units) window.codendPage.prefer(words.units);
+    window.codendTalk.ask('words', {
+      now: (words && words.now) || {}, kept: (words && Array.isArray(words.kept)) ? words.kept : []
+    });
+  }
+
+  // A moment after the last change.
+  function moved() {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(function () {
+      if (window.codendTalk.waits()) { moved(); return; }
+      window.codendTalk.tell('words_wanted', Date.now());
+    }, 600);
+  }
+
+  function words(said) {
+    said.units = window.codendPage.preferred();
+    pack(said).then(function (text) {
+      mine = text;
+      window.history.replaceState(null, '', '#d=' + text);
+    });
+  }
+
+  // ---- steps --------------------------------------------------------------------------------------
+
+  function step(name) {
+    if (!find(name).disabled) window.codendTalk.ask(name, 1);
+  }
+  document.addEventListener('click', function (event) {
+    var id = event.target.id;
+    if (id === 'undo' || id === 'redo') step(id);
+    else if (id === 'keep') window.codendTalk.tell('keep', { number: Date.now() });
+    else if (id === 'back') act(first, 'open');
+  });
+  document.addEventListener('keydown', function (event) {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    // a text that is being written has steps of its own
+    if (/^(text|search)$/.test(event.target.type) || event.target.tagName === 'TEXTAREA') return;
+    var key = event.key.toLowerCase();
+    var name = key === 'z' ? (event.shiftKey ? 'redo' : 'undo') : key === 'y' ? 'redo' : null;
+    if (!name) return;
+    event.preventDefault();
+    step(name);
+  });
+
+  // ---- kept designs -------------------------------------------------------------------------------
+
+  var first = null;
+  function act(id, what, name) {
+    if (id === null) return;
+    if (what === 'open') {
+      Shiny.setInputValue('kept', { number: window.codendTalk.next('settling'), id: id, act: what },
+        { priority: 'event' });
+    } else {
+      window.codendTalk.tell('kept', { number: Date.now(), id: id, act: what, name: name });
+    }
+  }
+
+  function show(kept) {
+    var place = find('kept_designs');
+    place.textContent = '';
+    first = kept.length ? kept[0].id : null;
+    kept.forEach(function (one, k) {
+      var row = element('div', 'kept-row'), name = element('input', 'form-control form-control-sm',
+        undefined, { type: 'text', 'aria-label': 'Name of a kept design', maxlength: 60 });
+      name.value = one.name;
+      name.addEventListener('change', function () { act(one.id, 'rename', name.value); });
+      row.appendChild(name);
+      [['open', 'Put on screen'], ['compare', k ? 'Compare with it' : 'Compared with'],
+        ['remove', 'Remove']].forEach(function (each) {
+        var button = element('button', 'btn btn-outline-secondary btn-sm', each[1],
+          { type: 'button', 'aria-label': each[1] + ': ' + one.name });
+        button.disabled = each[0] === 'compare' && k === 0 || each[0] === 'remove' && kept.length === 1;
+        button.addEventListener('click', function () { act(one.id, each[0]); });
+        row.appendChild(button);
+      });
+      place.appendChild(row);
+    });
+    moved();
+  }
+
+  return { open: open, read: read, moved: moved, words: words, show: show };
+}());

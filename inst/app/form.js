@@ -1,0 +1,559 @@
+// The flume tank's form: every field of the plan, laid out from what R/flume-form.R makes of the
+// schema. What is moved is sent as changes of the plan that the form was made of.
+//
+// codendForm.show(message) lays it out; .open(path) shows the fields of a part; .answered(number) and
+// .refused(message) take R's answers; .offers(message) what may be added.
+window.codendForm = (function () {
+  'use strict';
+
+  var form = null;       // R's message
+  var moved = {};        // changes by path, since the form was laid out
+  var sent = null;       // {number, edits} of the question that waits for its answer
+  var more = false;      // whether something moved since
+  var last = null;       // the control that was moved last
+  var gesture = 0;       // of one movement, which is undone as one
+  var opened = {};       // groups and parts that are open, by title and path
+  var made = 0;          // controls, for their ids
+  var preferred = {};
+  // Units that a preferred one takes the place of: meshes stay in millimetres.
+  var large = {
+    length: ['m', 'metre', 'metres', 'meter', 'meters', 'fathom', 'fathoms', 'ft', 'foot', 'feet'],
+    force: ['kN', 'tf', 'lbf', 'kgf'], speed: ['m/s', 'knot', 'knots', 'kn', 'kt', 'kts']
+  };
+
+  function find(id) { return document.getElementById(id); }
+  function element(name, className, words, attributes) {
+    var out = document.createElement(name);
+    if (className) out.className = className;
+    if (words !== undefined) out.textContent = words;
+    Object.keys(attributes || {}).forEach(function (key) {
+      if (attributes[key] !== undefined) out.setAttribute(key, attributes[key]);
+    });
+    return out;
+  }
+  function tidy(value) { return Number(value.toPrecision(6)); }
+
+  // ---- a control ----------------------------------------------------------------------------------
+
+  function units_of(field) {
+    var all = [[field.unit, field.factor]], known = form.units[field.dimension] || {};
+    Object.keys(known).forEach(function (unit) {
+      if (Math.abs(known[unit] / field.factor - 1) > 1e-12) all.push([unit, known[unit]]);
+    });
+    return all;
+  }
+
+  // In the unit that the user likes, where the field's is of that size.
+  function liked(field) {
+    var wanted = preferred[field.dimension], sizes = large[field.dimension];
+    if (!wanted || !sizes || sizes.indexOf(field.unit) < 0 || wanted === field.unit) return null;
+    var factor = (form.units[field.dimension] || {})[wanted];
+    return factor ? { unit: wanted, factor: factor } : null;
+  }
+
+  function number_row(field, id, box) {
+    var row = element('div', 'control-row'), known = typeof field.value === 'number';
+    var like = liked(field), share = like ? field.factor / like.factor : 1;
+    function shown(value) { return share === 1 ? value : tidy(value * share); }
+    if (known && field.low !== undefined) {
+      row.appendChild(element('input', 'form-range', undefined, {
+        type: 'range', min: shown(field.low), max: shown(field.high), step: shown(field.step),
+        'aria-label': field.label
+      }));
+      row.lastChild.value = shown(field.value);
+      row.lastChild.setAttribute('aria-valuetext', shown(field.value) + ' ' + field.unit);
+    }
+    var input = element('input', 'form-control form-control-sm', undefined, {
+      type: 'number', id: id, step: field.whole ? '1' : 'any', inputmode: 'decimal',
+      'aria-describedby': id + '_help ' + id + '_error'
+    });
+    if (known) input.value = shown(field.value);
+    row.appendChild(input);
+    if (field.dimension) {
+      var select = element('select', 'form-select form-select-sm unit', undefined,
+        { 'aria-label': 'Unit of ' + field.label });
+      units_of(field).forEach(function (one) {
+        select.appendChild(element('option', '', one[0], { value: one[0], 'data-factor': one[1] }));
+      });
+      select.value = like ? like.unit : field.unit;
+      select.dataset.factor = like ? like.factor : field.factor;
+      row.appendChild(select);
+    }
+    box.appendChild(row);
+    return row;
+  }
+
+  function text_row(field, id, box) {
+    var row = element('div', 'control-row'), input;
+    if (field.kind === 'yaml' && String(field.value).length > 40) {
+      input = element('textarea', 'form-control form-control-sm text', undefined, { rows: 2 });
+    } else {
+      input = element('input', 'form-control form-control-sm text', undefined, { type: 'text' });
+    }
+    input.id = id;
+    input.spellcheck = false;
+    input.setAttribute('autocomplete', 'off');
+    input.setAttribute('aria-describedby', id + '_help ' + id + '_error');
+    input.value = field.value;
+    if (field.kind === 'yaml') input.placeholder = 'as a plan writes it';
+    row.appendChild(input);
+    if (field.suggest && field.suggest.length) {
+      var list = element('datalist', '', undefined, { id: id + '_list' });
+      field.suggest.forEach(function (one) {
+        list.appendChild(element('option', '', undefined, { value: one }));
+      });
+      input.setAttribute('list', list.id);
+      row.appendChild(list);
+    }
+    box.appendChild(row);
+    return row;
+  }
+
+  // removable: whether the field may be taken out.
+  function control(field, removable) {
+    made += 1;
+    var id = 'control_' + made;
+    var box = element('div', 'control', undefined, {
+      'data-control': id, 'data-kind': field.kind, 'data-paths': field.paths.join(' ')
+    });
+    var label = element('label', '', field.label, { 'for': id }), row;
+    if (field.kind === 'truth') {
+      row = element('div', 'form-check');
+      var tick = element('input', 'form-check-input truth', undefined,
+        { type: 'checkbox', id: id, 'aria-describedby': id + '_help ' + id + '_error' });
+      tick.checked = field.value === true;
+      label.className = 'form-check-label';
+      row.appendChild(tick);
+      row.appendChild(label);
+      box.appendChild(row);
+    } else {
+      box.appendChild(label);
+      if (field.kind === 'number') row = number_row(field, id, box);
+      else if (field.kind === 'choice') {
+        row = element('div', 'control-row');
+        var select = element('select', 'form-select form-select-sm choice', undefined,
+          { id: id, 'aria-describedby': id + '_help ' + id + '_error' });
+        if (!field.value) select.appendChild(element('option', '', '', { value: '' }));
+        field.choices.forEach(function (one) {
+          select.appendChild(element('option', '', one.replace(/_/g, ' '), { value: one }));
+        });
+        select.value = field.value;
+        row.appendChild(select);
+        box.appendChild(row);
+      } else row = text_row(field, id, box);
+    }
+    if (removable) {
+      row.appendChild(element('button', 'take-out', '\u00d7', {
+        type: 'button', 'aria-label': 'Take out ' + field.label, title: 'Take it out of the plan'
+      }));
+    }
+    var help = [field.help, field.must && 'Must be ' + field.must + '.'].filter(Boolean).join(' ');
+    box.appendChild(element('p', 'help note', help, { id: id + '_help' }));
+    box.appendChild(element('p', 'field-error', '', { id: id + '_error', hidden: '' }));
+    return box;
+  }
+
+  // ---- groups and parts ---------------------------------------------------------------------------
+
+  function fold(kind, key, title, count, fill) {
+    var box = element('details', kind, undefined, { 'data-key': key });
+    var head = element('summary', '', title);
+    if (count) head.appendChild(element('span', 'count', count));
+    box.appendChild(head);
+    var filled = false;
+    function now() {
+      if (filled) return;
+      filled = true;
+      fill(box);
+    }
+    box.fill = now;
+    box.addEventListener('toggle', function () {
+      if (box.open) now();
+      opened[key] = box.open;
+    });
+    if (opened[key]) { now(); box.open = true; }
+    return box;
+  }
+
+  function part_tools(part, title, box) {
+    var tools = element('div', 'part-tools');
+    if (part.open) {
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', 'Add a field',
+        { type: 'button', 'data-path': part.path, 'data-title': title }));
+    }
+    if (part.like) {
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-like',
+        'Another like ' + part.like.split('.').pop().replace(/_/g, ' '),
+        { type: 'button', 'data-path': part.path, 'data-like': part.like }));
+    }
+    if (part.path && !part.required) {
+      tools.appendChild(element('button', 'btn btn-outline-danger btn-sm take-part', 'Take it out',
+        { type: 'button', 'data-path': part.path, 'aria-label': 'Take out ' + part.title }));
+    }
+    if (tools.childNodes.length) box.appendChild(tools);
+  }
+
+  function fill_part(part, title, box) {
+    if (part.help) box.appendChild(element('p', 'note', part.help));
+    (part.fields || []).forEach(function (field) { box.appendChild(control(field, !field.required)); });
+    part_tools(part, title, box);
+  }
+
+  function group(one) {
+    var parts = one.parts || [];
+    var count = parts.length > 1 ? parts.length + ' parts' : '';
+    return fold('group', one.title, one.title, count, function (box) {
+      parts.forEach(function (part) {
+        if (!part.path) { fill_part(part, one.title, box); return; }
+        box.appendChild(fold('part', part.path, part.title, '', function (inner) {
+          inner.dataset.path = part.path;
+          fill_part(part, one.title, inner);
+        }));
+      });
+      if (one.open) {
+        var tools = element('div', 'part-tools');
+        tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field',
+          'Add to ' + one.title.toLowerCase(), { type: 'button', 'data-path': '', 'data-title': one.title }));
+        box.appendChild(tools);
+      }
+    });
+  }
+
+  function lay_out() {
+    var at = document.activeElement && document.activeElement.closest('.control');
+    var focused = at && [at.dataset.paths, document.activeElement.type];
+    var quick = find('quick'), all = find('form'), kept = window.scrollY;
+    quick.textContent = '';
+    (form.quick || []).forEach(function (field) { quick.appendChild(control(field, false)); });
+    all.textContent = '';
+    form.groups.forEach(function (one) {
+      if ((one.parts && one.parts.length) || one.open) all.appendChild(group(one));
+    });
+    search();
+    window.scrollTo(0, kept);
+    if (focused) {
+      controls_of(focused[0].split(' ')[0]).some(function (box) {
+        var to = box.querySelector('[type="' + focused[1] + '"]') || box.querySelector('input, select');
+        if (to) to.focus({ preventScroll: true });
+        return !!to;
+      });
+    }
+  }
+
+  function controls_of(path) {
+    return [].slice.call(document.querySelectorAll('.control')).filter(function (box) {
+      return box.dataset.paths.split(' ').indexOf(path) >= 0;
+    });
+  }
+
+  // Opens the part that a path leads to, or the nearest one around it; whether there is one.
+  function open(path) {
+    if (!form) return false;
+    var steps = path.split('.'), found = null;
+    while (steps.length && !found) {
+      var near = steps.join('.');
+      form.groups.forEach(function (one) {
+        (one.parts || []).forEach(function (part) {
+          var own = part.path === near || (part.fields || []).some(function (field) {
+            return field.paths.indexOf(near) >= 0;
+          });
+          if (own && !found) found = [one.title, part.path, near];
+        });
+      });
+      steps.pop();
+    }
+    if (!found) return false;
+    find('find_field').value = '';
+    search();
+    var outer = [].slice.call(document.querySelectorAll('#form > .group')).filter(function (box) {
+      return box.dataset.key === found[0];
+    })[0];
+    outer.fill();
+    outer.open = true;
+    var inner = [].slice.call(outer.querySelectorAll('.part')).filter(function (box) {
+      return box.dataset.key === found[1];
+    })[0];
+    if (inner) { inner.fill(); inner.open = true; }
+    var box = controls_of(found[2]).filter(function (one) { return outer.contains(one); })[0];
+    var target = box || inner || outer;
+    document.querySelectorAll('.marked').forEach(function (one) { one.classList.remove('marked'); });
+    target.classList.add('marked');
+    target.scrollIntoView({ block: 'nearest' });
+    var field = target.querySelector('input[type=number], input[type=text], select, textarea, input');
+    if (field) field.focus({ preventScroll: true });
+    return true;
+  }
+
+  // ---- finding ------------------------------------------------------------------------------------
+
+  function search() {
+    var words = find('find_field').value.trim().toLowerCase().split(/\s+/).filter(Boolean);
+    var all = find('form'), place = find('found_fields');
+    if (!place) {
+      place = element('div', '', undefined, { id: 'found_fields' });
+      all.parentNode.insertBefore(place, all);
+    }
+    place.textContent = '';
+    all.hidden = words.length > 0;
+    if (!words.length || !form) return;
+    var found = [];
+    form.groups.forEach(function (one) {
+      (one.parts || []).forEach(function (part) {
+        (part.fields || []).forEach(function (field) {
+          var text = [one.title, part.title, field.label, field.paths.join(' ')].join(' ')
+            .replace(/_/g, ' ').toLowerCase();
+          if (words.every(function (word) { return text.indexOf(word) >= 0; })) {
+            found.push([part, field]);
+          }
+        });
+      });
+    });
+    found.slice(0, 30).forEach(function (one) {
+      var field = Object.assign({}, one[1], {
+        label: (one[0].path ? one[0].title + ': ' : '') + one[1].label.toLowerCase()
+      });
+      place.appendChild(control(field, !field.required));
+    });
+    if (found.length !== 1) {
+      place.appendChild(element('p', 'note', found.length > 30 ?
+        'And ' + (found.length - 30) + ' more; another word finds fewer.' :
+        found.length ? found.length + ' fields' : 'No field of this plan has these words.'));
+    }
+  }
+  document.addEventListener('input', function (event) {
+    if (event.target.id === 'find_field') search();
+  });
+
+  // ---- moving -------------------------------------------------------------------------------------
+
+  function send() {
+    if (sent) { more = true; return; }
+    more = false;
+    var number = window.codendTalk.next('settling');
+    sent = { number: number, edits: JSON.stringify(moved), by: last };
+    Shiny.setInputValue('design', { number: number, turn: form.turn, gesture: gesture, edits: moved },
+      { priority: 'event' });
+  }
+
+  function change(box, edit) {
+    if (last !== box) gesture += 1;
+    last = box;
+    box.dataset.paths.split(' ').forEach(function (path) { moved[path] = edit; });
+    clear_error(box);
+    send();
+  }
+
+  // The other controls of the same field show the same.
+  function mirror(box, edit) {
+    controls_of(box.dataset.paths.split(' ')[0]).forEach(function (other) {
+      if (other === box || other.dataset.kind !== box.dataset.kind) return;
+      if (other.dataset.kind === 'number') {
+        var unit = other.querySelector('.unit'), mine = box.querySelector('.unit'), value = edit.value;
+        if (unit && mine) value = tidy(value * mine.dataset.factor / unit.dataset.factor);
+        other.querySelector('[type=number]').value = value;
+        reach(other.querySelector('[type=range]'), value);
+      } else if (other.dataset.kind === 'truth') other.querySelector('.truth').checked = edit.value;
+      else other.querySelector('.choice, .text').value = edit.value;
+    });
+  }
+
+  // A slider goes as far as the number beside it.
+  function reach(slider, value) {
+    if (!slider) return;
+    if (value < Number(slider.min)) slider.min = value;
+    if (value > Number(slider.max)) slider.max = value;
+    slider.value = value;
+  }
+
+  function move(box, source) {
+    var kind = box.dataset.kind, edit;
+    if (kind === 'number') {
+      var slider = box.querySelector('[type=range]'), field = box.querySelector('[type=number]');
+      var unit = box.querySelector('.unit');
+      if (source === slider) field.value = slider.value;
+      if (field.value === '' || !isFinite(field.valueAsNumber)) {
+        show_error(box, 'A number is needed here.');
+        return;
+      }
+      if (source === field) reach(slider, field.valueAsNumber);
+      edit = { value: field.valueAsNumber, unit: unit ? unit.value : '' };
+      if (slider) slider.setAttribute('aria-valuetext', field.value + ' ' + edit.unit);
+    } else if (kind === 'truth') {
+      edit = { value: box.querySelector('.truth').checked };
+    } else {
+      edit = { value: box.querySelector('.choice, .text').value };
+      if (edit.value === '') return;
+    }
+    mirror(box, edit);
+    change(box, edit);
+  }
+
+  // Another unit says the same in other numbers.
+  function convert(box, unit) {
+    var option = unit.selectedOptions[0], before = Number(unit.dataset.factor);
+    var share = before / Number(option.dataset.factor);
+    unit.dataset.factor = option.dataset.factor;
+    var slider = box.querySelector('[type=range]'), field = box.querySelector('[type=number]');
+    if (field.value === '') return;
+    var value = tidy(field.valueAsNumber * share);
+    if (slider) {
+      var ends = [tidy(slider.min * share), tidy(slider.max * share)], step = tidy(slider.step * share);
+      slider.min = ends[0];
+      slider.max = ends[1];
+      slider.step = step;
+      slider.value = value;
+    }
+    field.value = value;
+    box.dataset.paths.split(' ').forEach(function (path) {
+      if (moved[path]) moved[path] = { value: value, unit: unit.value };
+    });
+  }
+
+  document.addEventListener('input', function (event) {
+    var box = event.target.closest('.control');
+    if (box && /^(range|number)$/.test(event.target.type)) move(box, event.target);
+  });
+  document.addEventListener('change', function (event) {
+    var box = event.target.closest('.control');
+    if (!box) return;
+    if (event.target.classList.contains('unit')) convert(box, event.target);
+    else if (event.target.matches('.choice, .truth, .text')) move(box, event.target);
+    gesture += 1;
+  });
+
+  document.addEventListener('click', function (event) {
+    var button = event.target.closest('button');
+    if (!button) return;
+    if (button.classList.contains('take-out')) {
+      var box = button.closest('.control');
+      change(box, { gone: true });
+    } else if (button.classList.contains('take-part')) {
+      edit_path(button.dataset.path, { gone: true }, button);
+    } else if (button.classList.contains('add-field')) {
+      Shiny.setInputValue('offers', { path: button.dataset.path, title: button.dataset.title },
+        { priority: 'event' });
+    } else if (button.classList.contains('add-like')) {
+      ask_name(button);
+    }
+  });
+
+  function edit_path(path, edit, by) {
+    gesture += 1;
+    last = by.closest('.part') || null;
+    moved[path] = edit;
+    send();
+  }
+
+  function ask_name(button) {
+    var steps = button.dataset.like.split('.').pop(), number = steps.match(/^(.*?)(\d+)$/);
+    var guess = number ? number[1] + (Number(number[2]) + 1) : steps + '_2';
+    var row = element('form', 'control-row name-row');
+    var input = element('input', 'form-control form-control-sm', undefined,
+      { type: 'text', 'aria-label': 'Name of the new one', autocomplete: 'off' });
+    input.value = guess;
+    row.appendChild(input);
+    row.appendChild(element('button', 'btn btn-primary btn-sm', 'Add', { type: 'submit' }));
+    row.addEventListener('submit', function (event) {
+      event.preventDefault();
+      var name = input.value.trim();
+      if (!name || name.indexOf('.') >= 0) return;
+      opened[button.dataset.path + '.' + name] = true;
+      edit_path(button.dataset.path + '.' + name, { like: button.dataset.like }, button);
+    });
+    button.replaceWith(row);
+    input.select();
+  }
+
+  // What may be added stands in a list, by words; the one that is chosen becomes a control.
+  function offers(message) {
+    var button = [].slice.call(document.querySelectorAll('.add-field')).filter(function (one) {
+      return one.dataset.path === message.path && one.dataset.title === message.title;
+    })[0];
+    if (!button) return;
+    var all = message.offers || [];
+    var select = element('select', 'form-select form-select-sm offered', undefined,
+      { 'aria-label': 'Field to add' });
+    select.appendChild(element('option', '', 'Which field?', { value: '' }));
+    all.forEach(function (field, k) {
+      select.appendChild(element('option', '', field.label, { value: k, title: field.help }));
+    });
+    select.addEventListener('change', function () {
+      if (select.value === '') return;
+      var field = all[Number(select.value)], tools = select.closest('.part-tools');
+      var box = control(field, false);
+      box.classList.add('marked');
+      tools.parentNode.insertBefore(box, tools);
+      opened[field.paths[0]] = true;
+      select.replaceWith(button);
+      var input = box.querySelector('input, select, textarea');
+      input.focus();
+    });
+    button.replaceWith(select);
+    select.focus();
+  }
+
+  // ---- what is wrong ------------------------------------------------------------------------------
+
+  function show_error(box, words) {
+    var place = box.querySelector('.field-error');
+    if (!place) return false;
+    place.textContent = words;
+    place.hidden = !words;
+    box.querySelectorAll('input, select, textarea').forEach(function (field) {
+      if (words) field.setAttribute('aria-invalid', 'true');
+      else field.removeAttribute('aria-invalid');
+    });
+    return true;
+  }
+  function clear_error(box) {
+    box.dataset.paths.split(' ').forEach(function (path) {
+      controls_of(path).forEach(function (one) { show_error(one, ''); });
+    });
+  }
+
+  function forget(paths) {
+    var before = sent ? JSON.parse(sent.edits) : {};
+    paths.forEach(function (path) {
+      // what was moved since stays
+      if (JSON.stringify(before[path]) === JSON.stringify(moved[path])) delete moved[path];
+    });
+  }
+
+  // A refused design: told beside its field, which no longer counts; whether that could be.
+  function refused(message) {
+    if (!sent || message.answers !== sent.number) return false;
+    var path = (message.path || '').replace(/\[(\d+)\]/g, '.$1');
+    var boxes = path ? controls_of(path).filter(function () { return moved[path]; }) : [];
+    if (!boxes.length && sent.by) boxes = sent.by.classList.contains('control') ? [sent.by] : [];
+    var paths = boxes.length ? boxes[0].dataset.paths.split(' ') : Object.keys(JSON.parse(sent.edits));
+    forget(paths);
+    if (!message.cancelled) boxes.forEach(function (box) { show_error(box, message.message); });
+    return boxes.length > 0 && !message.cancelled;
+  }
+
+  function answered(number) {
+    if (!sent || number !== sent.number) return;
+    sent = null;
+    if (more) send();
+  }
+
+  return {
+    show: function (message) {
+      form = message;
+      moved = {};
+      more = false;
+      last = null;
+      lay_out();
+    },
+    prefer: function (units) {
+      preferred = units;
+      if (form && !Object.keys(moved).length) lay_out();
+    },
+    open: open,
+    offers: offers,
+    answered: answered,
+    refused: refused,
+    // Whether everything that was moved has been answered.
+    still: function () { return !sent && !more; }
+  };
+}());

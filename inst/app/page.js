@@ -1,0 +1,162 @@
+// The flume tank's page: takes what R sends and gives it to whom it concerns.
+//
+// codendPage.tell(id, words) writes words into a place that is hidden without any; .gallery(yes) shows
+// the gallery or the design; .prefer(units) and .preferred() are the units that the user likes.
+window.codendPage = (function () {
+  'use strict';
+
+  var units = {}, speaking = null, wanted = null, opened = false;
+  function find(id) { return document.getElementById(id); }
+
+  function tell(id, words) {
+    var place = find(id);
+    if (!place) return;
+    place.textContent = words || '';
+    place.hidden = !words;
+  }
+
+  function gallery(yes) {
+    if (!yes && !opened) return;
+    find('gallery').hidden = !yes;
+    find('design').hidden = !!yes;
+    find('gears').setAttribute('aria-expanded', String(!!yes));
+    // so that Shiny makes what is seen, and no more
+    $(find('design')).trigger(yes ? 'hidden' : 'shown');
+    if (yes) window.scrollTo(0, 0);
+  }
+
+  // Only what stands still is said aloud.
+  function say(words) {
+    window.clearTimeout(speaking);
+    speaking = window.setTimeout(function () { find('said').textContent = words; }, 700);
+  }
+
+  // ---- units --------------------------------------------------------------------------------------
+
+  function prefer(chosen) {
+    units = {};
+    document.querySelectorAll('.preferred').forEach(function (select) {
+      var name = select.dataset.dimension, unit = chosen[name];
+      if (unit && select.querySelector('[value="' + CSS.escape(unit) + '"]')) select.value = unit;
+      units[name] = select.value;
+    });
+    Shiny.setInputValue('preferred', units, { priority: 'event' });
+    window.codendForm.prefer(chosen);
+  }
+  document.addEventListener('change', function (event) {
+    if (!event.target.classList.contains('preferred')) return;
+    units[event.target.dataset.dimension] = event.target.value;
+    prefer(units);
+    window.codendDesigns.moved();
+  });
+
+  // ---- texts that R makes once nothing moves ------------------------------------------------------
+
+  function want_texts() {
+    window.clearTimeout(wanted);
+    wanted = window.setTimeout(function () {
+      if (window.codendTalk.waits()) { want_texts(); return; }
+      var tab = document.querySelector('#shown .active');
+      if (tab && tab.dataset.value === 'Plan') window.codendTalk.tell('plan_wanted', Date.now());
+    }, 400);
+  }
+
+  // ---- answers ------------------------------------------------------------------------------------
+
+  function notes(all) {
+    var list = find('noted');
+    list.textContent = '';
+    (all || []).forEach(function (one) {
+      var item = document.createElement('li');
+      item.textContent = one;
+      list.appendChild(item);
+    });
+    find('worth').hidden = !list.childNodes.length;
+  }
+
+  function answer(number) {
+    window.codendTalk.answered(number);
+    window.codendForm.answered(number);
+  }
+
+  function listen() {
+    window.codendTank.listen();
+    Shiny.addCustomMessageHandler('flume_picture', function (message) {
+      opened = true;
+      tell('refused', '');
+      ['gallery_refused', 'plan_file_error', 'new_error', 'plan_text_error'].forEach(function (id) {
+        tell(id, '');
+      });
+      if (!find('gallery').hidden) gallery(false);
+      window.codendTank.picture(message);
+      find('gear_name').textContent = message.name;
+      find('gear_conditions').textContent = message.conditions;
+      find('undo').disabled = !message.undo;
+      find('redo').disabled = !message.redo;
+      notes(message.notes);
+      say(message.said);
+      answer(message.answers);
+      window.codendDesigns.moved();
+      want_texts();
+    });
+    Shiny.addCustomMessageHandler('flume_refused', function (message) {
+      var places = {
+        plan_file: 'plan_file_error', plan_text: 'plan_text_error', 'new': 'new_error',
+        shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
+      };
+      var stays = opened ? ' The gear on screen stays.' : '';
+      if (message.where === 'plan_text') {
+        tell('plan_text_error', message.message);
+        if (!message.cancelled) window.codendFiles.showLine(message.path);
+      } else if (places[message.where]) {
+        if (!opened || message.where !== 'shipped') gallery(true);
+        tell(places[message.where], message.message + stays);
+      } else {
+        var beside = message.where === 'design' && window.codendForm.refused(message);
+        tell('refused', message.cancelled ? 'Cancelled. The last shape that settled stays on screen.' :
+          (beside ? 'A field is refused: see below.' : message.message) +
+          ' The last shape that settled stays on screen.');
+      }
+      answer(message.answers);
+    });
+    Shiny.addCustomMessageHandler('flume_idle', function (message) { answer(message.answers); });
+    Shiny.addCustomMessageHandler('flume_form', window.codendForm.show);
+    Shiny.addCustomMessageHandler('flume_offers', window.codendForm.offers);
+    Shiny.addCustomMessageHandler('flume_kept', function (message) {
+      window.codendDesigns.show(message.kept || []);
+    });
+    Shiny.addCustomMessageHandler('flume_words', function (message) {
+      window.codendDesigns.words(message.words);
+    });
+    Shiny.addCustomMessageHandler('flume_clerk', function (message) {
+      if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.what);
+      else window.codendTalk.free('clerk ' + message.what);
+    });
+    Shiny.addCustomMessageHandler('flume_plan', function (message) {
+      find('plan_area').value = message.text;
+      tell('plan_text_error', '');
+    });
+  }
+
+  document.addEventListener('DOMContentLoaded', function () {
+    find('undo').disabled = find('redo').disabled = true;
+    var opens = find('flume').classList.contains('opens');
+    if (!opens && !/^#d=/.test(window.location.hash)) find('gallery').hidden = false;
+    document.addEventListener('shown.bs.tab', want_texts);
+    $(document).on('shown.bs.tab', want_texts);
+  });
+  $(document).on('shiny:connected', function () {
+    listen();
+    if (window.codendDesigns.read()) find('gear_name').textContent = 'Opening the design of this address';
+  });
+  $(document).on('shiny:disconnected', function () {
+    window.codendTalk.stop();
+    tell('refused', 'The R process that settles the gear has ended or cannot be reached. ' +
+      'This page\'s address carries the design: load it again to go on.');
+    tell('gallery_refused', 'The R process has ended or cannot be reached.');
+  });
+
+  return {
+    tell: tell, gallery: gallery, prefer: prefer, preferred: function () { return units; }
+  };
+}());

@@ -1,0 +1,72 @@
+// What the flume tank's page asks R for, and that it waits: one design at a time, always with the
+// latest values, and other questions as they come.
+//
+// codendTalk.ask(name, what, words) asks; .answered(number) ends the waiting of one; .busy(id, words)
+// and .free(id) tell of what runs beside; .waits() says whether something is waited for.
+window.codendTalk = (function () {
+  'use strict';
+
+  var number = 0, pending = {}, shown = null;
+  var told = 300;  // ms after which somebody who waits is told so
+
+  function find(id) { return document.getElementById(id); }
+
+  function oldest() {
+    return Object.keys(pending).map(function (key) { return pending[key]; })
+      .sort(function (a, b) { return a.since - b.since; })[0];
+  }
+
+  function look() {
+    var first = oldest();
+    if (!first) {
+      find('working').hidden = true;
+      window.clearInterval(shown);
+      shown = null;
+      return;
+    }
+    var passed = performance.now() - first.since;
+    find('working').hidden = passed < told;
+    find('working_words').textContent = first.words;
+    find('working_time').textContent = passed < 2000 ? '' : Math.floor(passed / 1000) + ' s';
+  }
+  function watch() {
+    if (!shown) shown = window.setInterval(look, 150);
+  }
+
+  function busy(id, words) {
+    pending[id] = { words: words, since: performance.now() };
+    watch();
+  }
+  function free(id) {
+    delete pending[id];
+    if (!oldest()) look();
+  }
+
+  function next(words) {
+    number += 1;
+    busy(number, words);
+    return number;
+  }
+
+  document.addEventListener('click', function (event) {
+    if (event.target.id !== 'cancel') return;
+    Shiny.setInputValue('cancel', Date.now(), { priority: 'event' });
+  });
+
+  return {
+    // The number under which an answer will come.
+    next: next,
+    ask: function (name, what, words) {
+      var mine = next(words || 'settling');
+      Shiny.setInputValue(name, { number: mine, asked: what }, { priority: 'event' });
+      return mine;
+    },
+    // Without an answer to wait for.
+    tell: function (name, what) { Shiny.setInputValue(name, what, { priority: 'event' }); },
+    answered: free,
+    busy: busy,
+    free: free,
+    stop: function () { pending = {}; look(); },
+    waits: function () { return !!oldest(); }
+  };
+}());

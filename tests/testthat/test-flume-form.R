@@ -1,0 +1,74 @@
+test_that("every field of every kind has a place in the form", {
+  known <- unique(unlist(lapply(plan_schema$kinds, function(kind) names(kind$properties))))
+  placed <- c(unlist(form_rooms, use.names = FALSE), form_leaves)
+  expect_setequal(placed, known)
+  expect_identical(anyDuplicated(placed), 0L)
+})
+
+form_controls <- function(form) {
+  unlist(lapply(form, function(group) {
+    unlist(lapply(group$parts, `[[`, "fields"), recursive = FALSE)
+  }), recursive = FALSE)
+}
+
+test_that("a form holds every value of a shipped plan, and its own values change nothing", {
+  for (name in gears()$name) {
+    gear <- read_gear(name)
+    controls <- form_controls(plan_form(gear$plan))
+    paths <- vapply(controls, function(control) control$paths[1], "")
+    expect_identical(anyDuplicated(paths), 0L)
+    # values in lists are parts of a field that the form writes on one line
+    inside <- vapply(given_paths(gear$plan), function(path) {
+      any(path == paths | startsWith(path, paste0(paths, ".")))
+    }, NA)
+    expect_true(all(inside))
+    values <- lapply(controls, function(control) list(value = control$value, unit = control$unit))
+    same <- apply_edits(gear, stats::setNames(values, paths))
+    expect_equal(gear_si(same), gear_si(gear), tolerance = 1e-14)
+  }
+})
+
+test_that("a form says what a field may be, and offers what a part could have", {
+  plan <- read_gear("midwater_trawl")$plan
+  warp <- Filter(function(control) control$paths[1] == "warps.length",
+    form_controls(plan_form(plan)))[[1]]
+  expect_match(warp$must, "a length greater than 0 m", fixed = TRUE)
+  offers <- form_offers(plan, "warps", "Rig")
+  labels <- vapply(offers, `[[`, "", "label")
+  expect_true("Strumming" %in% labels)
+  expect_false("Length" %in% labels)
+  of_group <- form_offers(plan, "", "Netting")
+  expect_true(all(vapply(of_group, function(one) one$paths[1], "") %in% form_rooms$Netting))
+  expect_error(form_offers(plan, "warps.lenght", "Rig"), class = "codend_error_argument")
+  for (name in gears()$name) {
+    plan <- read_gear(name)$plan
+    for (group in plan_form(plan)) {
+      for (part in group$parts) {
+        offered <- form_offers(plan, part$path, group$title)
+        if (nzchar(part$path)) expect_identical(length(offered) > 0L, part$open)
+      }
+    }
+  }
+})
+
+test_that("parts are added like another, fields are added and taken out", {
+  gear <- read_gear("midwater_trawl")
+  longer <- apply_edits(gear, list(
+    warps.strumming = list(value = 0.3),
+    canvas = list(gone = TRUE), floats.number = list(value = 40, unit = "")
+  ))
+  expect_identical(longer$plan$warps$strumming, 0.3)
+  expect_null(longer$plan$canvas)
+  expect_identical(longer$plan$floats$number, 40)
+  cable <- read_gear("towed_cable")
+  two <- apply_edits(cable, list(pieces.second = list(like = "pieces.sphere")))
+  expect_identical(two$plan$pieces$second, cable$plan$pieces$sphere)
+  listed <- apply_edits(gear, list(vessel.pull = list(
+    value = "[{speed: 0 knot, pull: 600 kN}, {speed: 15 knot, pull: 0 kN}]"
+  )))
+  expect_identical(listed$plan$vessel$pull[[1]], list(speed = "0 knot", pull = "600 kN"))
+  for (wrong in c("[1, ", "!expr stop('ran')", "*a", "")) {
+    expect_error(apply_edits(gear, list(vessel.pull = list(value = wrong))),
+      class = "codend_error_plan")
+  }
+})

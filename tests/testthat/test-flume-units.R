@@ -1,0 +1,16 @@
+test_that("measures are shown in the units that a user likes", {
+  expect_identical(preferred_of(list(length = "fathom", force = "kN", speed = "furlong", x = 1)),
+    list(m = "fathom"))
+  expect_identical(unname(preferred_of("nonsense")), list())
+  state <- settled("towed_cable", nodes = 300)
+  now <- measures(state)
+  table <- design_table(list(list(measures = now), list(measures = now)))
+  liked <- in_preferred(table, preferred_of(list(length = "fathom", force = "tf", speed = "knot")))
+  depth <- match("body depth", table$measure)
+  # a fathom is six feet of 0.3048 m; a tonne weighs 9.80665 kN
+  expect_equal(liked$values[[1]][depth], now[["body_depth_m"]] / (6 * 0.3048), ignore_attr = TRUE)
+  drag <- match("total drag", table$measure)
+  expect_equal(liked$values[[1]][drag], now[["total_drag_kN"]] / 9.80665, ignore_attr = TRUE)
+  expect_identical(liked$unit[c(depth, drag)], c("fathom", "tf"))
+  expect_match(measures_html(now, now, list(m = "ft")), "body depth (ft)", fixed = TRUE)
+})

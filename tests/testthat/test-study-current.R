@@ -1,0 +1,176 @@
+# Currents of a made-up file (tools/current-example.R) and of profilers, tracks that are drawn.
+
+example_currents <- function() {
+  skip_if_not_installed("RNetCDF")
+  system.file("extdata", "current_cf.nc", package = "codend")
+}
+
+# A copy of the example whose attributes are changed.
+changed_currents <- function(...) {
+  file <- tempfile(fileext = ".nc")
+  file.copy(example_currents(), file)
+  nc <- RNetCDF::open.nc(file, write = TRUE)
+  for (change in list(...)) do.call(RNetCDF::att.put.nc, c(list(nc), change))
+  RNetCDF::close.nc(nc)
+  file
+}
+
+test_that("a model's current is that of the nearest water, between two hours", {
+  found <- read_currents(example_currents(), 5.12, 60.3, "2026-05-03 14:30")
+  expect_equal(found$depth, c(0, 10, 25, 50))
+  # packed in steps of 1e-4 m/s, each rounded by half at most
+  expect_equal(found$eastward, 0.4 * exp(-found$depth / 50) + 0.015, tolerance = 1e-4 / 0.15)
+  expect_equal(found$northward, 0.1 - 0.001 * found$depth, tolerance = 1e-3)
+  # 5.25 deg is land: the cell at 5 deg, 60.25 deg; one degree is 111.195 km on the sphere
+  cell <- attr(found, "cell")
+  expect_equal(c(cell$longitude, cell$latitude), c(5, 60.25))
+  expect_equal(cell$distance, 111195 * sqrt((0.12 * cospi(60.275 / 180))^2 + 0.05^2),
+    tolerance = 1e-4)
+  # longitudes of the other kind, and a moment as R has them
+  other <- changed_currents()
+  nc <- RNetCDF::open.nc(other, write = TRUE)
+  RNetCDF::var.put.nc(nc, "lon", c(4.5, 4.75, 5, 5.25) + 360)
+  RNetCDF::close.nc(nc)
+  again <- read_currents(other, 5.12, 60.3, as.POSIXct("2026-05-03 14:30", tz = "UTC"))
+  expect_equal(again, found, ignore_attr = "cell")
+})
+
+test_that("units, depths upwards and times are read by their attributes", {
+  cm <- changed_currents(
+    list("uo", "units", "NC_CHAR", "cm s-1"), list("depth", "positive", "NC_CHAR", "up"),
+    list("time", "units", "NC_CHAR", "days since 2026-05-03")
+  )
+  found <- read_currents(cm, 5, 60.25, "2026-05-04")
+  expect_equal(found$depth, c(-50, -25, -10, 0))
+  expect_equal(found$eastward[4L], 0.0041, tolerance = 1e-3)
+})
+
+test_that("what a file does not have is one error that says so", {
+  file <- example_currents()
+  refused <- function(said, ...) {
+    expect_error(read_currents(...), said, class = "codend_error_file")
+  }
+  refused("runs from 2026-05-03 13:00 to 2026-05-03 15:00 UTC", file, 5, 60, "2026-05-04")
+  refused("no cell within 20 km", file, 9, 60, "2026-05-03 14:00")
+  refused("no water within 5 km", file, 5.25, 60, "2026-05-03 14:00", farthest = 5000)
+  refused("calendar \"360_day\"",
+    changed_currents(list("time", "calendar", "NC_CHAR", "360_day")), 5, 60, "2026-05-03 14:00")
+  refused("in \"furlong\"",
+    changed_currents(list("uo", "units", "NC_CHAR", "furlong")), 5, 60, "2026-05-03 14:00")
+  refused("turned grid",
+    changed_currents(list("uo", "standard_name", "NC_CHAR", "sea_water_x_velocity")), 5, 60,
+    "2026-05-03 14:00")
+  text <- tempfile(fileext = ".nc")
+  writeLines("no file of NetCDF", text)
+  refused("is no NetCDF file", text, 5, 60, "2026-05-03 14:00")
+  refused("does not exist", "nowhere.nc", 5, 60, "2026-05-03 14:00")
+  expect_error(read_currents(file, 5, 95, "2026-05-03"), "latitude",
+    class = "codend_error_argument")
+  expect_error(read_currents(file, 5, 60, "soon"), "one moment", class = "codend_error_argument")
+})
+
+test_that("a profile is turned into the gear's axes", {
+  # the vessel goes west and the water north-east: from astern to starboard
+  measured <- data.frame(depth = c(30, 0), eastward = c(0.3, 0.1), northward = c(0.4, 0))
+  found <- current_profile(measured, course = "270 deg")
+  expect_identical(found, list(
+    list(depth = "0 m", speed = "0.1 m/s", toward = "0 deg"),
+    list(depth = "30 m", speed = "0.5 m/s", toward = "53.13 deg")
+  ))
+  # by speed and bearing: the same
+  polar <- data.frame(depth = c(30, 0), speed = c(0.5, 0.1), toward = c(atan2(0.3, 0.4), pi / 2))
+  expect_identical(current_profile(polar, course = 1.5 * pi), found)
+  # heading into the water is a current towards 0 deg, whatever the bearing
+  for (bearing in c(0, 40, 135, 300)) {
+    toward <- (bearing + 180) * pi / 180
+    ahead <- data.frame(depth = 0, eastward = sin(toward), northward = cos(toward))
+    said <- current_profile(ahead, course = paste(bearing, "deg"))[[1L]]
+    expect_identical(said[c("speed", "toward")], list(speed = "1 m/s", toward = "0 deg"))
+  }
+})
+
+test_that("readings of a depth are averaged as vectors, and few of them do not count", {
+  log <- data.frame(depth = c(10, 10, 10, 20, 20, NA), eastward = c(0.2, 0.4, NA, 1, 1, 1),
+    northward = c(0.1, -0.1, 0, 0, 0, 0))
+  found <- current_profile(log, course = "180 deg", least = 2)
+  expect_identical(vapply(found, `[[`, "", "speed"), c("0.3 m/s", "1 m/s"))
+  expect_identical(vapply(found, `[[`, "", "toward"), c("-90 deg", "-90 deg"))
+  expect_error(current_profile(log, least = 3), "no depth with 3",
+    class = "codend_error_argument")
+  fast <- data.frame(depth = 10, eastward = 30, northward = 0)
+  expect_error(current_profile(fast), "in row 1 30.00 m/s",
+    class = "codend_error_argument")
+  expect_error(current_profile(log[c("depth", "eastward")]), "northward",
+    class = "codend_error_argument")
+  expect_error(current_profile(log, course = "3 knot"), "clockwise from north",
+    class = "codend_error_argument")
+})
+
+test_that("a gear feels the current of a file", {
+  profile <- current_profile(read_currents(example_currents(), 5, 60.25, "2026-05-03 13:00"),
+    course = "270 deg")
+  cage <- update(read_gear("cage"), water.current = profile)
+  expect_length(cage$plan$water$current, 4L)
+  expect_identical(cage$plan$water$current[[3L]]$depth, "25 m")
+})
+
+# A track on a circle of 2 km at 1.5 m/s, with positions off by some metres.
+circling <- function(error) {
+  time <- seq(0, 3600, 5)
+  angle <- 1.5 * time / 2000
+  east <- 2000 * sin(angle)
+  north <- 2000 * (1 - cos(angle))
+  # metres by seconds without order, the same each time
+  noise <- error * cbind(sin(time^2), cos(time^2))
+  latitude <- 1.05 + (north + noise[, 1L]) / 6371008.8
+  data.frame(
+    time = time, latitude = latitude,
+    longitude = pi - 1e-4 + (east + noise[, 2L]) / (6371008.8 * cos(1.05))
+  )
+}
+
+test_that("a track on a circle has its speed, turn and length", {
+  log <- circling(3)
+  # across the date line
+  log$longitude <- (log$longitude + pi) %% (2 * pi) - pi
+  found <- track_schedule(log, from = 300, to = 2100, every = 60)
+  expect_identical(names(found), c("speed", "course", "bearing", "until", "distance"))
+  expect_identical(found$speed$time, seq(0, 1800, 60))
+  # errors of 3 m at both ends of a chord of 120 s, 60 s at the ends of the tow
+  inner <- 2:30
+  expect_lt(max(abs(found$speed$value[inner] - 1.5)), 6 / 120 + 0.005)
+  expect_lt(max(abs(found$speed$value - 1.5)), 6 / 60 + 0.005)
+  # it turns to port by 1.5 / 2000 rad/s; the first chord is 30 s ahead of its middle
+  turn <- found$course$value - found$course$value[2L]
+  expect_lt(max(abs(turn[inner] + 1.5 / 2000 * (found$speed$time[inner] - 60))), 12 / 180)
+  expect_equal(found$distance, 2700, tolerance = 0.01)
+  expect_lt(abs(found$bearing - (pi / 2 - 1.5 * 330 / 2000)), 6 / 90)
+})
+
+test_that("the bed along a track is the plane of its depths", {
+  time <- seq(0, 1200, 10)
+  log <- data.frame(time = time, longitude = 0.08, latitude = 1.05 + 2 * time / 6371008.8,
+    depth = 100 + 2 * time * 0.01)
+  found <- track_schedule(log, 0, 1200)
+  expect_identical(found$seabed, list(depth = "100 m",
+    slope = list(angle = "0.573 deg", toward = "180 deg")))
+  expect_lt(found$bed_misfit, 1e-6)
+  log$depth <- rev(log$depth) + 5 * (time == 600)
+  found <- track_schedule(log, 0, 1200)
+  expect_identical(found$seabed$slope$toward, "0 deg")
+  expect_gt(found$bed_misfit, 4.9)
+  trawl <- update(read_gear("poly_noreastern_trawl"), seabed.depth = found$seabed$depth,
+    seabed.slope = found$seabed$slope)
+  expect_identical(trawl$plan$seabed$slope$toward, "0 deg")
+})
+
+test_that("a log without positions, or in degrees, is refused", {
+  log <- circling(0)
+  refused <- function(said, ...) {
+    expect_error(track_schedule(...), said, class = "codend_error_argument")
+  }
+  refused("longitude", log["time"], 0, 60)
+  refused("0 positions", log, 9000, 9600)
+  refused("beyond the globe", transform(log, latitude = 60), 0, 600)
+  refused("to", log, 600, 0)
+})
