@@ -1,6 +1,7 @@
 # make errors: whether the errors that are told of measures hold. 30 variations of five shipped
 # gears are settled, and again with 8 times the nodes; the difference is taken for the true error.
 # Argument: nodes (1500; `make errors NODES=1000`). Writes to bench/results/: errors.csv, a row per
+# measure; errors.md.
 library(codend)
 for (room in c("sizes", "results")) source(file.path("bench", paste0(room, ".R")))
 
