@@ -39,7 +39,11 @@ add_item <- function(sheet, ...) {
 
 # A line through points; dash: lengths of strokes and gaps, mm.
 sheet_line <- function(sheet, x, y, width = sheet_width[["thin"]], dash = NULL, ink = sheet_ink) {
-  add_item(sheet, kind = "line", x = x, y = y, width = width, dash = dash, ink = ink, fill = NA)
+  # as on a device, a place that is not known is not drawn: no SVG may say NA
+  known <- is.finite(x) & is.finite(y)
+  if (sum(known) < 2L) return(invisible())
+  add_item(sheet, kind = "line", x = x[known], y = y[known], width = width, dash = dash, ink = ink,
+    fill = NA)
 }
 
 # border NA: none.

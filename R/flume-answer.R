@@ -28,7 +28,10 @@ flume_answer <- function(request, memory) {
 }
 
 # What is made of the state on screen and leaves it as it is.
-made_of_state <- list(save = function(state, said) save_state(state, said))
+made_of_state <- list(
+  save = function(state, said) save_state(state, said),
+  drawing = function(state, said) drawing_text(state)
+)
 
 # list(gear, state, notes, drawing, measures) of what the page asks for.
 settled_design <- function(request, from) {
@@ -55,6 +58,7 @@ settled_start <- function(gear, nodes, from = NULL) {
 # said: list(format, file).
 save_state <- function(state, said) {
   if (said$format == "report") return(report(state, said$file))
+  if (said$format == "drawing") return(write_text(c(drawing_text(state), ""), said$file))
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }
 

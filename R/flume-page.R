@@ -32,7 +32,7 @@ flume_page <- function(opens = TRUE) {
 
 # The page's own scripts, in the order in which they are read.
 flume_scripts <- c(
-  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "gallery.js", "page.js"
+  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js", "page.js"
 )
 
 flume_header <- function() {
@@ -132,6 +132,9 @@ flume_tabs <- function() {
       id = "shown",
       tab("Planes", tags$div(class = "planes", plane("xy", "From above (XY)"),
         plane("xz", "From the port side (XZ)"), plane("yz", "From astern (YZ)"))),
+      tab("Drawing", tags$p(class = "note", "Click a panel, a rope or a figure: its fields open in
+        the form, and the net follows."),
+      tags$div(id = "drawing", role = "group", `aria-label` = "The net drawing")),
       tab("Tensions", shiny::uiOutput("tensions")),
       tab("Drag", shiny::uiOutput("drag")),
       tab("Designs", tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
@@ -167,6 +170,7 @@ flume_downloads <- function() {
     class = "downloads",
     save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
+    save("save_drawing", "Drawing (SVG)", "the net drawing, to print or to send on"),
     save("save_all", "All designs (JSON)", "that on screen and those kept; opens here again"),
     save("save_designs", "Designs (CSV)", "measures of all designs beside each other"),
     save("save_measures", "Measures (CSV)", "with the kept design's and the change"),

@@ -43,6 +43,7 @@ flume_saves <- function(output, tank, clerk) {
     as.data.frame(tank$state, what = "drag")
   }))
   output$save_code <- save("", "R", function(file) write_text(c(tank$code(), ""), file))
+  output$save_drawing <- save("-drawing", "svg", by_clerk("drawing"))
   output$save_report <- save("", "html", by_clerk("report"))
 }
 

@@ -119,6 +119,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
 
     flume_keeping(input, tank, clerk, show, trying, ask_worker, session)
     flume_shown(input, output, tank, said)
+    flume_draws(input, session, tank, clerk, said, refuse)
     flume_saves(output, tank, clerk)
   }
 }

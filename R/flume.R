@@ -22,6 +22,8 @@
 #' - the measures, each with its change from a kept design, and what is worth a look ([findings()]).
 #'   The gear is kept as it was opened; *Keep this design* keeps others, and a table has all beside
 #'   each other. Each can be put on screen again, or drawn over the other or beside it;
+#' - the net drawing ([plot.codend_gear()]): a click on a panel, a rope or a figure opens its fields
+#'   in the form;
 #' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag
 #'   by part, what differs from the kept design, the plan and the R code of what is on screen.
 #'

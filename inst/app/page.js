@@ -57,6 +57,7 @@ window.codendPage = (function () {
     wanted = window.setTimeout(function () {
       if (window.codendTalk.waits()) { want_texts(); return; }
       var tab = document.querySelector('#shown .active');
+      window.codendDrawing.want();
       if (tab && tab.dataset.value === 'Plan') window.codendTalk.tell('plan_wanted', Date.now());
     }, 400);
   }
@@ -97,6 +98,7 @@ window.codendPage = (function () {
       say(message.said);
       answer(message.answers);
       window.codendDesigns.moved();
+      window.codendDrawing.want(true);
       want_texts();
     });
     Shiny.addCustomMessageHandler('flume_refused', function (message) {
@@ -131,6 +133,9 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_clerk', function (message) {
       if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.what);
       else window.codendTalk.free('clerk ' + message.what);
+    });
+    Shiny.addCustomMessageHandler('flume_drawing', function (message) {
+      window.codendDrawing.show(message.svg);
     });
     Shiny.addCustomMessageHandler('flume_plan', function (message) {
       find('plan_area').value = message.text;

@@ -332,6 +332,25 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
   empty.stop();
 });
 
+test('the drawing opens the fields of what is clicked, and follows them', async () => {
+  const page = await open(browser, tank.url);
+  await tab(page, 'Drawing');
+  const panel = page.locator('#drawing [data-path="sections.section_1"]').first();
+  await panel.waitFor({ state: 'attached', ...patience });
+  await panel.dispatchEvent('click');
+  const size = page.locator('.part[data-path="sections.section_1"] ' +
+    '[data-paths="sections.section_1.mesh_size"] [type=number]');
+  await size.waitFor(patience);
+  const drag = (await measure(page, 'total drag'))[0];
+  const before = await page.locator('#drawing').textContent();
+  await size.fill('31');
+  await changed(page, 'total drag', drag);
+  await page.waitForFunction((before) => document.getElementById('drawing').textContent !== before,
+    before, patience);
+  clean(page);
+  await page.close();
+});
+
 test('every field is in the form: found, added, taken out', async () => {
   const page = await open(browser, tank.url);
   await page.click('.group > summary:has-text("Boards and beams")');

@@ -289,6 +289,26 @@ test_that("what is on screen is saved as it is", {
   })
 })
 
+test_that("the drawing names fields that the form has", {
+  in_flume("midwater_trawl", function(session, sent, tank) {
+    sent("flume_drawing")
+    session$setInputs(drawing_wanted = 1)
+    svg <- sent("flume_drawing")[[1]]$svg
+    named <- unlist(regmatches(svg, gregexpr("(?<=data-path=\")[^\"]+", svg, perl = TRUE)))
+    expect_gt(length(unique(named)), 20L)
+    # Chromium calls a point that is no number an error
+    expect_no_match(svg, "points=\"[^\"]*NA")
+    parts <- unlist(lapply(plan_form(tank$gear$plan), function(group) {
+      lapply(group$parts, function(part) {
+        c(part$path, unlist(lapply(part$fields, function(field) field$paths)))
+      })
+    }))
+    # a field of the form, or one around it
+    at <- sub("[.].*", "", unique(named))
+    expect_true(all(at %in% sub("[.].*", "", parts)))
+  }, nodes = 200)
+})
+
 test_that("sessions do not share a gear", {
   gear <- read_gear("towed_cable")
   start <- list(gear = gear, state = settle(gear, nodes = 300))
