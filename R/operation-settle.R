@@ -22,6 +22,11 @@
 #' in turn until no speed changes by more than 1e-5 of the free flow's (`wake_renewals` and
 #' `wake_change` in the report).
 #'
+#' On the sea bed a state is one of steady sliding: what moves over the ground rubs on it with the
+#' whole of its friction, against its way. What lies still over the ground has none, though it could
+#' hold: which of the balances that friction allows a gear comes to rest in depends on how it got
+#' there. [tow()] has friction that sticks.
+#'
 #' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
 #' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
 #' settled from there. What is hauled during its operation stays out. In still water nothing holds

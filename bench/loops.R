@@ -15,13 +15,14 @@ for (nodes in sizes) {
   for (version in names(libraries)) {
     found <- in_own_process("measure-loops.R", shQuote(libraries[[version]]), nodes)
     if (is.null(found$gear)) stop(version, ": ", found$outcome)
-    rows <- rbind(rows, cbind(version = version, found))
+    rows <- rbind(rows, cbind(version = version, asked = nodes, found))
   }
 }
 save_table(rows, "loops")
 
 now <- rows[rows$version == "now", ]
-key <- function(rows) paste(rows$gear, rows$nodes, rows$field, rows$percent)
+# versions may divide a gear otherwise
+key <- function(rows) paste(rows$gear, rows$asked, rows$field, rows$percent)
 columns <- lapply(names(libraries), function(version) {
   of <- rows[rows$version == version, ]
   of <- of[match(key(now), key(of)), ]

@@ -15,6 +15,7 @@ write_motion_page <- function(motion) {
     paste("Written by `make bench-tow`; [what is measured, against what and how](../README.md).",
       measured_with()), "",
     lines,
+    "The energy imbalance is what the run made or lost of energy over what was put through.",
     "Rows of other programs are those of [published-motion.csv](../published-motion.csv): measured",
     "once, not in this run; their errors are those of the steady state."
   ), "motion")
@@ -24,19 +25,22 @@ case_table <- function(of, public) {
   own <- data.frame(
     program = "codend", scheme = gsub("_", " ", of$scheme), setting = of$setting,
     cpu = of$cpu_per_second, largest = of$largest_error, mean = of$mean_error, steps = of$steps,
-    longest = of$longest_step
+    longest = of$longest_step, rejected = 100 * of$rejected, imbalance = 100 * of$imbalance,
+    remark = first_of(of$remark, NA_character_)
   )
   others <- data.frame(
     program = paste(public$program, public$version), scheme = public$settings,
     setting = public$basis, cpu = public$cpu_per_second, largest = public$error,
     mean = rep(NA_real_, nrow(public)), steps = rep(NA_real_, nrow(public)),
-    longest = rep(NA_real_, nrow(public))
+    longest = rep(NA_real_, nrow(public)), rejected = rep(NA_real_, nrow(public)),
+    imbalance = rep(NA_real_, nrow(public)), remark = rep(NA_character_, nrow(public))
   )
   table <- rbind(own, others[seq_len(nrow(public)), ])
   table$cpu <- 1000 * table$cpu
   table$longest <- 1000 * table$longest
   setNames(table, c(
     "program", "scheme", "setting", "CPU ms per simulated s", "largest error, m",
-    "root mean square error, m", "steps", "longest step, ms"
+    "root mean square error, m", "steps", "longest step, ms", "attempts rejected, %",
+    "energy imbalance, % of put through", "remark"
   ))
 }

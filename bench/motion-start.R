@@ -25,6 +25,13 @@ turning_trawl <- function(nodes) {
     course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
 }
 
+# The shipped purse seine, bunched at the surface as the vessel begins to shoot it.
+seine_from_vessel <- function(nodes, until) {
+  gear <- read_gear("purse_seine")
+  given <- list(control_every = 10)
+  codend:::shot_trajectory(gear, codend:::gear_si(gear), given, until, nodes, NULL)
+}
+
 # The warp of the public case, straight down and unstretched.
 warp_from_rest <- function() {
   gear <- test_plan("towed_warp")

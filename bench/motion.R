@@ -11,8 +11,9 @@ for (room in rooms) source(file.path("bench", paste0(room, ".R")))
 given <- commandArgs(TRUE)
 most <- if (length(given)) as.numeric(given[1]) else 1e4
 
-# Runs shorter than this (CPU s) are repeated, and their median counts.
+# Runs shorter than this (CPU s) are repeated, and their median counts; longer than that they end.
 short_run <- 0.3
+longest_run <- 60
 
 # How a scheme marches: with an accuracy (m), or with steps of one length (s; NULL: nine tenths of
 # the longest that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
@@ -22,35 +23,53 @@ how <- function(scheme, accuracy = NULL, step = NULL) {
   method
 }
 
-# One row: list(CPU s per simulated s, errors, counts, found = the trajectory). reference: a
-# trajectory, or NULL for the row of the reference itself.
+# One row: list(CPU s per simulated s, errors, energy made or lost over that put through, counts,
+# found = the trajectory). reference: a trajectory, or NULL for the row of the reference itself.
 measure_march <- function(begun, until, every, way, reference = NULL) {
   march <- function() codend:::march_trajectory(begun, until, every, way$method)
-  seconds <- cpu(found <- tryCatch(march(), codend_error_not_converged = identity))
+  seconds <- cpu(found <- tryCatch(within_time(march()), error = identity))
   row <- list(nodes = begun$lattice$engine$nodes, scheme = way$method$scheme, setting = way$label)
   if (inherits(found, "error")) return(c(row, remark = conditionMessage(found)))
   if (seconds < short_run) {
     seconds <- stats::median(c(seconds, vapply(1:4, function(k) cpu(march()), 0)))
   }
+  last <- found$conditions[nrow(found$conditions), ]
+  report <- found$report
+  rejected <- report$repeated + report$not_found + report$unbalanced
   row <- c(row, list(
-    cpu_per_second = seconds / until, simulated = until, steps = found$report$steps,
-    iterations = found$report$iterations, longest_step = found$report$longest_step
+    cpu_per_second = seconds / until, simulated = until, steps = report$steps,
+    rejected = rejected / (rejected + report$steps), iterations = report$iterations,
+    longest_step = report$longest_step,
+    imbalance = abs(last$energy_imbalance) / last$energy_put_through
   ))
   if (is.null(reference)) return(c(row, list(found = found)))
   off <- sqrt(apply((found$position - reference$position)^2, c(2, 3), sum))
   c(row, list(largest_error = max(off), mean_error = sqrt(mean(off^2))))
 }
 
+# A value, or an error where it takes more than the CPU seconds of a longest run.
+within_time <- function(value) {
+  on.exit(setTimeLimit())
+  setTimeLimit(cpu = longest_run, transient = TRUE)
+  value
+}
+
 # Rows of one case, a list, for many ways to march, then that of the reference. ways: list of
-# list(label, method).
+# list(label, method). reference: such a list, or NULL for rows without errors.
 measure_case <- function(case, begun, until, every, ways, reference) {
-  reference$label <- paste(reference$label, "(reference)")
-  fine <- measure_march(begun, until, every, reference)
-  rows <- lapply(ways, function(way) measure_march(begun, until, every, way, fine$found))
-  fine$found <- NULL
-  lapply(c(rows, list(fine)), function(row) {
-    message(sprintf("%s, %d nodes, %s, %s: %.3g CPU s/s, %.3g m", case, row$nodes, row$scheme,
-      row$setting, first_of(row$cpu_per_second), first_of(row$largest_error)))
+  if (is.null(reference)) {
+    rows <- lapply(ways, function(way) measure_march(begun, until, every, way))
+  } else {
+    reference$label <- paste(reference$label, "(reference)")
+    fine <- measure_march(begun, until, every, reference)
+    rows <- lapply(ways, function(way) measure_march(begun, until, every, way, fine$found))
+    rows <- c(rows, list(fine))
+  }
+  lapply(rows, function(row) {
+    row$found <- NULL
+    message(sprintf("%s, %d nodes, %s, %s: %.3g CPU s/s, %.3g m, energy %.2g", case, row$nodes,
+      row$scheme, row$setting, first_of(row$cpu_per_second), first_of(row$largest_error),
+      first_of(row$imbalance)))
     c(list(case = case), row)
   })
 }
@@ -75,7 +94,7 @@ for (nodes in c(1500, 1e4)[c(1500, 1e4) <= most]) {
   explicit <- lapply(c("symplectic_euler", "substitution"), longest_sure)
   rows <- c(rows, measure_case(
     "trawl that is sped up", sped_up_trawl(nodes), if (fine) 2 else 4, 1,
-    c(by_accuracy(implicit, c(0.1, 0.01, 1e-3)), if (!fine) explicit),
+    c(by_accuracy(if (fine) implicit[1:2] else implicit, c(0.1, 0.01, 1e-3)), if (!fine) explicit),
     if (fine) by_accuracy("generalised_alpha", 1e-4)[[1L]] else longest_sure("rk4")
   ))
   if (fine) {
@@ -93,11 +112,18 @@ rows <- c(rows, measure_case(
   by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)), by_accuracy("bdf2", 1e-4)[[1L]]
 ))
 # as long as other programs were run to rest
-for (n in c(20, 40, 80)) {
+for (n in c(20, 40, 80)[c(20, 40, 80)^2 <= most]) {
   rows <- c(rows, measure_case(
     sprintf("B: square net, n = %d", n), net_from_rest(n), c("20" = 69, "40" = 169, "80" = 365)[[
       as.character(n)]], 5,
     by_accuracy("bdf2", c(0.1, 0.01)), by_accuracy("bdf2", 1e-3)[[1L]]
+  ))
+}
+# the purse seine while its first 60 m are shot
+for (nodes in c(1300, 1e4)[c(1300, 1e4) <= most]) {
+  rows <- c(rows, measure_case(
+    "purse seine that is shot", seine_from_vessel(nodes, 20), 20, 5,
+    by_accuracy("bdf2", c(0.1, 0.01)), if (nodes < 5000) by_accuracy("bdf2", 1e-3)[[1L]]
   ))
 }
 motion <- bind_rows(rows)

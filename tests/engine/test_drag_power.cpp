@@ -242,3 +242,44 @@ TEST_CASE("drag does not jump where a line goes slack or loses its length") {
     CHECK(drag(0.0).cross(u).norm() < 1e-12 * size);
   }
 }
+
+TEST_CASE("added mass does not jump where a line goes slack, and has no direction without length") {
+  TwineMaterial material;
+  material.diameter = 0.02;
+  material.volume_per_length = 3e-4;
+  material.added_mass_normal = 1.0;
+  material.added_mass_tangential = 0.1;
+  Model model;
+  model.nodes = 2;
+  model.held = {0, 0};
+  model.load.assign(6, 0.0);
+  model.mass = {0.0, 0.0};
+  model.materials = {material};
+  model.bars.node = {0, 1};
+  model.bars.rest = {2.0};
+  model.bars.multiplicity = {1.0};
+  model.bars.material = {0};
+  model.prepare();
+  // Of one end: half of what the line displaces.
+  const double water = 0.5 * 2.0 * material.volume_per_length * model.water.density;
+  auto mass = [&](const Vector& along, double length) -> Block {
+    Assembly assembly(model);
+    std::vector<double> x(6, 0.0), v(6, 0.0), out(18);
+    at(x.data(), 1) = length * along;
+    assembly.move_to(x.data(), v.data());
+    assembly.mass(out.data());
+    return Eigen::Map<const Block>(out.data());
+  };
+  const Vector axis = Vector(1.0, 2.0, -0.5).normalized(),
+               other = Vector(0.0, 1.0, 3.0).normalized();
+  const Matrix straight = water * (Matrix::Identity() - 0.9 * axis * axis.transpose());
+  CHECK((mass(axis, 2.0) - straight).norm() < 1e-12 * water);
+  CHECK((mass(axis, 2.0 - 1e-9) - straight).norm() < 1e-8 * water);
+  // Pieces in all directions alike: the mean over the sphere of cos^2 is a third.
+  CHECK((mass(axis, 1e-9) - water * 0.7 * Matrix::Identity()).norm() < 1e-8 * water);
+  CHECK((mass(axis, 1e-9) - mass(other, 1e-9)).norm() < 1e-8 * water);
+  // What the line has of mass does not depend on how it lies.
+  for (const double length : {0.0, 0.5, 1.5, 2.0}) {
+    CHECK(mass(axis, length).trace() == doctest::Approx(2.1 * water).epsilon(1e-12));
+  }
+}

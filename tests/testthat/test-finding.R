@@ -67,6 +67,17 @@ seams:
   expect_equal(expect_finding(read_text(hung), "hanging ratio", "rope line")$value, 0.1)
 })
 
+test_that("cells finer than meshes show", {
+  # meshes of 32 m in the wings and the first section
+  state <- settle("midwater_trawl", nodes = 1500, netting = "cells")
+  found <- expect_finding(state, "cells finer than meshes", "panel back_wing_left")
+  # A wing that widens from 1 to 8 meshes, 3 deep, in cells of which half hold less than the mean.
+  counts <- matrix(state$lattice$division$count, 4L) - 1L
+  wing <- match("back_wing_left", names(state$si$panels))
+  mean <- (1 + 8) / 2 * 3 / (counts[1L, wing] * counts[3L, wing])
+  expect_equal(found$value, mean, tolerance = 0.25)
+})
+
 test_that("a bottom trawl that flies shows", {
   gear <- update(read_gear("poly_noreastern_trawl"), warps.length = "50 m", seabed.depth = "60 m")
   state <- quiet(gear)

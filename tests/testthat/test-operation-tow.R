@@ -21,7 +21,8 @@ short_cable <- function(...) {
 test_that("a settled gear stays as it is with every scheme", {
   state <- settle(short_cable())
   for (scheme in engine_schemes()$name) {
-    found <- tow(state, until = 2, every = 1, scheme = scheme)
+    found <- suppressWarnings(tow(state, until = 2, every = 1, scheme = scheme),
+      "codend_warning_accuracy")
     expect_identical(found$time, c(0, 1, 2))
     # settled to 1e-8 of the tension, 16 N/m or more at every node: far below 1e-6 m
     moved <- found$position[, , 3] - (state$position - c(2 * 2, 0, 0))
@@ -32,8 +33,9 @@ test_that("a settled gear stays as it is with every scheme", {
 
 test_that("a new speed leads to the gear that settles at it", {
   for (scheme in c("bdf2", "backward_euler")) {
-    found <- tow(short_cable(), until = 400, every = 400, scheme = scheme,
-      speed = data.frame(time = c(0, 5, 5), value = c(2, 2, 3)), accuracy = 1e-6)
+    found <- suppressWarnings(tow(short_cable(), until = 400, every = 400, scheme = scheme,
+      speed = data.frame(time = c(0, 5, 5), value = c(2, 2, 3)), accuracy = 1e-6),
+    "codend_warning_accuracy")
     expected <- settle(update(short_cable(), towing.speed = 3))
     # swings die out within some 20 s; accuracies of 1e-6 m leave what is left of them small
     expect_equal(measures(state_at(found, 400)), measures(expected), tolerance = 1e-6)
@@ -192,6 +194,25 @@ test_that("the shipped trawl is shot from the surface as its plan says", {
   expect_equal(measures(state_at(found, 0)), measures(start), tolerance = 1e-4)
   sinking <- vapply(found$time, function(t) measures(state_at(found, t))[["door_depth_m"]], 0)
   expect_gt(sinking[3], 2 * sinking[2])
+})
+
+test_that("few attempts at steps of a trawl that turns are rejected", {
+  trawl <- settle("midwater_trawl", nodes = 400)
+  found <- tow(trawl, until = 180, every = 20,
+    course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
+  report <- found$report
+  rejected <- report$repeated + report$not_found + report$unbalanced
+  # 12 % of attempts is what is asked of the whole of its plan's tow
+  expect_lt(rejected / (rejected + report$steps), 0.12)
+})
+
+test_that("a net that is shot goes on to the same bytes while parts of it wait on board", {
+  found <- function(until) tow("purse_seine", until = until, every = 4, nodes = 200)
+  whole <- found(8)
+  half <- tow(found(4), until = 8)
+  for (field in c("time", "position", "velocity", "memory")) {
+    expect_identical(half[[field]], whole[[field]])
+  }
 })
 
 test_that("a state goes on as it is, whatever schedule its plan has for the gear", {

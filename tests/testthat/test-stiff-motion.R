@@ -35,7 +35,8 @@ test_that("a plucked chain pulls with its weight, whatever the accuracy and the 
     expect_equal(max(found$bar_tension), 821.5, tolerance = 0.05)
   }
   for (scheme in c("backward_euler", "generalised_alpha")) {
-    expect_equal(max(tow(steel_chain(), scheme = scheme)$bar_tension), 821.5, tolerance = 0.05)
+    found <- suppressWarnings(tow(steel_chain(), scheme = scheme), "codend_warning_accuracy")
+    expect_equal(max(found$bar_tension), 821.5, tolerance = 0.05)
   }
   # in air the weight of ten metres of 10 kg/m but for half a segment at the top; the swing adds
   # little
@@ -44,7 +45,7 @@ test_that("a plucked chain pulls with its weight, whatever the accuracy and the 
 
 test_that("a plucked chain in air makes no energy", {
   for (scheme in c("bdf2", "generalised_alpha", "backward_euler")) {
-    found <- tow(chain_in_air(), scheme = scheme)
+    found <- suppressWarnings(tow(chain_in_air(), scheme = scheme), "codend_warning_accuracy")
     # damping schemes remove energy; what they make is the rounding of 1e4 J of potential
     expect_lt(max(found$conditions$energy_imbalance), 1e-6)
   }
@@ -60,11 +61,18 @@ test_that("net and vessel put in what the water takes out", {
 
 test_that("an accuracy may name position and tension", {
   gear <- chain_in_air()
-  loose <- tow(gear, until = 10, accuracy = list(position = 0.1))
-  strict <- tow(gear, until = 10, accuracy = list(position = "10 cm", tension = 0.01))
+  loose <- tow(gear, until = 3, accuracy = list(position = 0.1))
+  strict <- tow(gear, until = 3, accuracy = list(position = "10 cm", tension = 1e-4))
   expect_gt(strict$report$steps, 2 * loose$report$steps)
   expect_error(tow(gear, until = 1, accuracy = list(speed = 1)), "`accuracy` must be",
     class = "codend_error_argument")
+})
+
+test_that("a scheme that does not hold three times its accuracy says so", {
+  gear <- chain_in_air()
+  expect_warning(tow(gear, until = 1, scheme = "backward_euler"), class = "codend_warning_accuracy")
+  expect_no_warning(tow(gear, until = 1, scheme = "backward_euler", step = 0.5))
+  expect_no_warning(tow(gear, until = 1, scheme = "bdf2"))
 })
 
 test_that("looser accuracy costs no more", {

@@ -3,6 +3,7 @@
 // sqrt(|e|^2 + kappa |q|^2).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "../base/geometry.hpp"
@@ -70,12 +71,15 @@ struct Line {
   }
 };
 
-// Added mass of a line, of what is in the water, a point's share, kg.
+// Added mass of a line, of what is in the water, a point's share, kg. A slack line lies in curves: what
+// it has of its chord counts along the chord, the rest in all directions alike.
 inline Block added_mass(const LineArrays& lines, int line) {
   const Vector t =
       lines.inverse_span[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);
-  Block mass = (lines.added_tangential[line] - lines.added_normal[line]) * (t * t.transpose());
-  mass.diagonal().array() += lines.added_normal[line];
+  const double along = lines.added_tangential[line] - lines.added_normal[line];
+  const double straight = std::clamp(1.0 + lines.strain[line], 0.0, 1.0);
+  Block mass = straight * along * (t * t.transpose());
+  mass.diagonal().array() += lines.added_normal[line] + (1.0 - straight) / 3.0 * along;
   if (lines.wet) mass *= lines.wet[line];
   return mass;
 }

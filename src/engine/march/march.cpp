@@ -10,13 +10,16 @@ namespace {
 constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
 // BDF2 is stable while steps grow by less than 2.4 (Grigorieff 1983).
-constexpr double most_growth = 2.0;
+// Less than that, since errors grow faster than their order says where slack lines come taut.
+constexpr double most_growth = 1.5;
 constexpr double most_shrinking = 0.2;
 // Steps that could grow by less keep their length: a change costs accuracy of its own.
 constexpr double least_growth = 1.2;
-// Where Newton's method was slow, or did not end at all, steps do not grow for a while.
+// Where Newton's method was slow, or did not end at all, or a step was too long, steps do not grow for a
+// while.
 constexpr int many_iterations = 6;
 constexpr int steps_of_caution = 4;
+constexpr int steps_of_caution_after_error = 3;
 // A step that was too long is repeated at these shares of its length.
 constexpr double least_repeated = 0.1, most_repeated = 0.9;
 // Exponents of the error by the length of a step: assumed, and what a second try may find.
@@ -105,7 +108,9 @@ MarchReport::End March::to(double time) {
   Rejected rejected;
   int halvings = 0;
   begin_account();
-  since_limited_ = 0;  // a march that is taken up again at such a time then goes the same way
+  // A march that is taken up again at such a time then goes the same way.
+  since_limited_ = 0;
+  stepper_.forget();
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
     const double left = time - past_.now.time;
@@ -122,6 +127,7 @@ MarchReport::End March::to(double time) {
       report_.worst_node = outcome.worst_node;
       if (too_long) {
         step_ = h * rejected.shorter(h, outcome.error);
+        past_.caution = std::max(past_.caution, steps_of_caution_after_error);
       } else {
         step_ = 0.5 * h;
         past_.caution = steps_of_caution;

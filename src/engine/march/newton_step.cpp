@@ -12,16 +12,26 @@ constexpr int most_iterations = 12;
 constexpr double most_move = 50.0;
 // Net force that may be left on a node, over the sizes of all forces on it.
 constexpr double balance_share = 1e-3;
+// What solves of linear equations may leave, over what nodes allow: of steps of Newton's method, and of
+// the error of a step, where one per cent of the forces on a node moves it by next to nothing.
+constexpr KeptFactors::Tolerance newton_tolerance{1e-2, 0.0}, error_tolerance{0.0, 10.0};
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-// A step whose error after the first iteration is above what is allowed by this factor is not worth
-// a second one.
-constexpr double hopeless = 1.5;
 // Spectral radius of generalised alpha at infinite frequency, and its numbers.
 constexpr double radius = 0.6;
 constexpr double alpha_force = radius / (radius + 1.0);
 constexpr double alpha_mass = (2.0 * radius - 1.0) / (radius + 1.0);
 constexpr double gamma = 0.5 + alpha_force - alpha_mass;
 constexpr double beta = 0.25 * (1.0 + alpha_force - alpha_mass) * (1.0 + alpha_force - alpha_mass);
+
+// Of the unknowns.
+std::vector<double> places(const Assembly& assembly, const Values& nodes) {
+  const std::vector<int>& free = assembly.free_nodes();
+  std::vector<double> out(3 * free.size());
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    at(out.data(), static_cast<int>(i)) = at(nodes.data(), free[i]);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -30,13 +40,15 @@ NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccura
     : assembly_(assembly),
       scheme_(scheme),
       accuracy_(accuracy),
-      ordering_(ordering),
       tensions_(assembly),
+      factors_(assembly.pattern(), places(assembly, ordering)),
       force_(3 * static_cast<std::size_t>(assembly.model().nodes)),
       mass_(3 * force_.size()),
       inertia_(force_.size()),
       values_(9 * assembly.pattern().column.size()),
       right_(3 * static_cast<std::size_t>(assembly.unknowns())),
+      solved_(right_.size()),
+      tolerated_(static_cast<std::size_t>(assembly.unknowns())),
       allowed_(static_cast<std::size_t>(assembly.model().nodes)),
       dx_(force_.size(), 0.0),
       answer_(force_.size()) {
@@ -89,7 +101,9 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
   assembly_.balance(balance_share, allowed_.data());
   double most = 0.0;
   const double heaviest_body = assembly_.heaviest_body();
-  for (const int node : assembly_.free_nodes()) {
+  const std::vector<int>& free = assembly_.free_nodes();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const int node = free[i];
     const Eigen::Map<const Block> mass(&mass_[9 * static_cast<std::size_t>(node)]);
     const double heavy = mass.norm() + (assembly_.in_body(node) ? heaviest_body : 0.0);
     const Vector inertia = at(inertia_.data(), node);
@@ -97,8 +111,9 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
     // What rounding of places and velocities makes of accelerations.
     const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
                                        rule.p * at(next.v.data(), node).norm());
-    const double ratio = left / (allowed_[static_cast<std::size_t>(node)] +
-                                 balance_share * inertia.norm() + heavy * rounded);
+    tolerated_[i] =
+        allowed_[static_cast<std::size_t>(node)] + balance_share * inertia.norm() + heavy * rounded;
+    const double ratio = left / tolerated_[i];
     if (left > 0.0 && !(ratio <= most)) {
       most = ratio;
       worst = node;
@@ -109,7 +124,7 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
 
 // One step of Newton's method into dx_, and the share of it that turns lines no further than by
 // their own lengths; false where the matrix is singular.
-bool NewtonStep::correct(const Rule& rule, double& share) {
+bool NewtonStep::correct(const Rule& rule, bool first, double& share) {
   const std::vector<int>& free = assembly_.free_nodes();
   tensions_.prepare();
   assembly_.residual(force_.data(), &tensions_.right());
@@ -119,19 +134,10 @@ bool NewtonStep::correct(const Rule& rule, double& share) {
   }
   assembly_.jacobian({1.0, rule.p}, values_.data(), &tensions_.current());
   assembly_.add_mass(mass_.data(), rule.m, values_.data());
-  if (!analysed_) {
-    std::vector<double> places(right_.size());
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      at(places.data(), static_cast<int>(i)) = at(ordering_.data(), free[i]);
-    }
-    lu_.analyse(assembly_.pattern(), places.data());
-    analysed_ = true;
-  }
-  ++factorisations_;
-  if (!lu_.factorise(values_.data())) return false;
-  lu_.solve(right_.data(), right_.data());
+  factors_.set_matrix(values_, first);
+  if (!factors_.solve(right_, tolerated_, newton_tolerance, solved_)) return false;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    at(dx_.data(), free[i]) = at(right_.data(), static_cast<int>(i));
+    at(dx_.data(), free[i]) = at(solved_.data(), static_cast<int>(i));
   }
   const LineChange& change = assembly_.line_change(dx_.data());
   share = change.rotation > 1.0 ? 1.0 / change.rotation : 1.0;
@@ -148,8 +154,16 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
   next.time = now.time + h;
   conditions.to_time(next.time, Side::before, next);
   const Rule rule = set_rule(past, h);
+  left_out_.assign(free.size(), 0);
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    left_out_[i] = assembly_.held_back(free[i]) && !assembly_.in_body(free[i]);
+  }
+  factors_.leave_out(left_out_);
   for (const int node : free) {
     at(next.x.data(), node) = at(now.x.data(), node) + h * at(now.v.data(), node);
+    if (past.steps == 0) continue;
+    const Vector change = at(now.v.data(), node) - at(past.before.v.data(), node);
+    at(next.x.data(), node) += 0.5 * h * h / past.last_step() * change;
   }
   next.a.setZero(next.x.size());
   next.b.setZero(next.x.size());
@@ -172,19 +186,10 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
       out.found = true;
       return out;
     }
-    if (out.iterations == 1) {
-      int worst = -1;
-      out.error = error(rule, past, next, worst);
-      if (!(out.error <= hopeless)) {
-        out.worst_node = worst;
-        return out;
-      }
-      out.error = 0.0;
-    }
     if (out.iterations == most_iterations) return out;
     if (out.iterations == 0) tensions_.tighten();
     double share;
-    if (!correct(rule, share)) return out;
+    if (!correct(rule, out.iterations == 0, share)) return out;
     moved_before = moved;
     moved = 0.0;
     for (const int node : free) {
@@ -226,10 +231,10 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
     at(right_.data(), static_cast<int>(i)) =
         at(answer_.data(), free[i]) - at(force_.data(), free[i]);
   }
-  lu_.solve(right_.data(), right_.data());
+  factors_.solve(right_, tolerated_, error_tolerance, solved_);
   double most = 0.0;
   for (std::size_t i = 0; i < free.size(); ++i) {
-    at(dx_.data(), free[i]) += at(right_.data(), static_cast<int>(i));
+    at(dx_.data(), free[i]) += at(solved_.data(), static_cast<int>(i));
     const double size = at(dx_.data(), free[i]).norm() / accuracy_.position;
     if (!(size <= most)) {
       most = size;

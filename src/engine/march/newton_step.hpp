@@ -20,6 +20,10 @@
 // nodes, and of the water in F: no force from a line's turning while it moves. How waves change along x
 // and y is not in the matrix either, but for the surface where volumes leave it.
 //
+// The first guess is x0 + h v0 + h^2/2 (v0 - v-)/h-. Linear equations are solved within a hundredth of
+// their right side, each row over what its node may have left (solve/kept_factors.hpp); nodes that are
+// held back take no part in them.
+//
 // A step is found when the forces of the law balance on every node: what is left is a small share of
 // the pulls, drags and loads on that very node (balance_share), and Newton's method has next to nothing
 // left to move.
@@ -37,7 +41,7 @@
 
 #include <vector>
 
-#include "../solve/block_lu.hpp"
+#include "../solve/kept_factors.hpp"
 #include "line_tensions.hpp"
 #include "stepper.hpp"
 
@@ -54,7 +58,9 @@ class NewtonStep : public Stepper {
   StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) override;
   int order() const override { return scheme_ == NewtonScheme::backward_euler ? 1 : 2; }
 
-  long long factorisations() const { return factorisations_; }
+  void forget() override { factors_.forget(); }
+
+  long long factorisations() const { return factors_.factorisations(); }
 
  private:
   // v1 = p (x1 - x0) + v_rest, a1 = m (x1 - x0) + a_rest; b1 = b_by_a a1 + b_rest
@@ -67,19 +73,18 @@ class NewtonStep : public Stepper {
   void follow(const Rule& rule, const Motion& now, Motion& next) const;
   // Largest net force over what a node allows.
   double imbalance(const Rule& rule, const Motion& next, int& worst);
-  bool correct(const Rule& rule, double& share);
+  bool correct(const Rule& rule, bool first, double& share);
   double error(const Rule& rule, const Past& past, const Motion& next, int& worst);
 
   Assembly& assembly_;
   NewtonScheme scheme_;
   StepAccuracy accuracy_;
-  Values ordering_;
   LineTensions tensions_;
-  BlockLU lu_;
-  bool analysed_ = false;
-  long long factorisations_ = 0;
+  KeptFactors factors_;
   Values v_rest_, a_rest_, b_rest_;
-  std::vector<double> force_, mass_, inertia_, values_, right_, allowed_, dx_, answer_;
+  std::vector<double> force_, mass_, inertia_, values_, right_, solved_, tolerated_, allowed_, dx_,
+      answer_;
+  std::vector<char> left_out_;
   DualTension pull_;
 };
 

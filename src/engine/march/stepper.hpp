@@ -41,6 +41,10 @@ class Stepper {
     motion.b.setZero(motion.x.size());
   }
 
+  // Leaves nothing of the steps before but what `past` says of them: steps that follow are those of a
+  // march that is taken up here.
+  virtual void forget() {}
+
   // Order of accuracy, with which the error of a step is known to grow: h^(order + 1).
   virtual int order() const = 0;
   // The longest step (s) that is surely stable, or found, at such rates.

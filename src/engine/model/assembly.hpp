@@ -43,6 +43,10 @@ class Assembly {
   // them and they do not move in a step of Newton's method whose right side is zero for them. Empty:
   // none.
   void hold(const std::vector<char>& held) { held_back_ = held; }
+  // Whether a free node is held so.
+  bool held_back(int node) const {
+    return !held_back_.empty() && held_back_[static_cast<std::size_t>(node)];
+  }
 
   // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
   // what all the following share, which speak of them.

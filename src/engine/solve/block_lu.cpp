@@ -78,6 +78,11 @@ void BlockLU::analyse(const BlockPattern& pattern, const double* coordinates) {
   measure();
 }
 
+void BlockLU::leave_out(const std::vector<char>& nodes) {
+  factorised_ = false;
+  std::visit([&](const auto& factors) { factors->leave_out(nodes); }, factors_);
+}
+
 void BlockLU::measure() {
   figures_ = {};
   figures_.fronts = tree_.fronts();

@@ -45,6 +45,11 @@ class BlockLU {
   // Throws std::invalid_argument if the pattern is not sorted, symmetric and full on the diagonal.
   void analyse(const BlockPattern& pattern, const double* coordinates);
 
+  // Nodes to be left out, 1 each, or none: their rows must have no entries but on the diagonal block and
+  // right sides must be zero there; so is then the solution. Fronts that have no other nodes cost
+  // nothing. Drops the factors.
+  void leave_out(const std::vector<char>& nodes);
+
   // values: 9 doubles per block, row-major inside a block, in the order of the pattern's columns.
   // Returns false at a pivot that is not finite, or zero, or too small to have a reciprocal; there
   // are then no factors to solve with.

@@ -96,8 +96,25 @@ FrontFactors<Real>::FrontFactors(const BlockPattern& pattern, const AssemblyTree
 }
 
 template <class Real>
+void FrontFactors<Real>::leave_out(const std::vector<char>& nodes) {
+  std::fill(idle_.begin(), idle_.end(), 0);
+  if (nodes.empty()) return;
+  for (int f = 0; f < tree_.fronts(); ++f) {
+    bool idle = true;
+    for (int p = tree_.first_pivot[f]; p < tree_.first_pivot[f + 1]; ++p) {
+      idle = idle && nodes[tree_.order[p]];
+    }
+    for (int c = tree_.first_child[f]; c < tree_.first_child[f + 1]; ++c) {
+      idle = idle && idle_[tree_.child[c]];
+    }
+    idle_[f] = idle;
+  }
+}
+
+template <class Real>
 void FrontFactors<Real>::lay_out_factors() {
   layout_.assign(tree_.fronts(), {});
+  idle_.assign(tree_.fronts(), 0);
   int64_t size = 0;
   for (int f = 0; f < tree_.fronts(); ++f) {
     const int64_t k = 3 * tree_.pivots(f), rows = padded<Real>(3 * tree_.boundary_nodes(f));
@@ -191,13 +208,15 @@ void FrontFactors<Real>::map_entries(const BlockPattern& pattern) {
 template <class Real>
 int64_t FrontFactors<Real>::bytes() const {
   return bytes_of(layout_) + bytes_of(entry_) + bytes_of(exchange_) + bytes_of(reciprocal_) +
-         bytes_of(local_) + static_cast<int64_t>(sizeof(Real)) * (factor_.size + stack_.size) +
+         bytes_of(idle_) + bytes_of(local_) +
+         static_cast<int64_t>(sizeof(Real)) * (factor_.size + stack_.size) +
          bytes_of(shares_.above) + bytes_of(shares_.subtrees[0]) + bytes_of(shares_.subtrees[1]) +
          bytes_of(shares_.handed_over);
 }
 
 template <class Real>
 bool FrontFactors<Real>::factorise_front(int f, const double* values, const Sharing* sharing) {
+  if (idle_[f]) return true;
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   const Layout& at = layout_[f];
   const int k = 3 * tree_.pivots(f), b = 3 * tree_.boundary_nodes(f);
@@ -231,6 +250,7 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, const Shar
   }
   for (int c = tree_.first_child[f]; c < tree_.first_child[f + 1]; ++c) {
     const int child = tree_.child[c];
+    if (idle_[child]) continue;
     kernels.extend_add(stack_.data.get() + layout_[child].update, 3 * tree_.boundary_nodes(child),
                        tree_.run.data() + tree_.first_run[child],
                        tree_.run.data() + tree_.first_run[child + 1], front);
@@ -292,6 +312,7 @@ template <class Real>
 void FrontFactors<Real>::solve(Real* x) const {
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   for (int f = 0; f < tree_.fronts(); ++f) {
+    if (idle_[f]) continue;
     gather(x, f);
     kernels.forward(
         3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
@@ -299,6 +320,7 @@ void FrontFactors<Real>::solve(Real* x) const {
     scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {
+    if (idle_[f]) continue;
     const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
     kernels.backward(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
@@ -312,6 +334,7 @@ template <class Real>
 void FrontFactors<Real>::solve_transposed(Real* x) const {
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   for (int f = 0; f < tree_.fronts(); ++f) {
+    if (idle_[f]) continue;
     gather(x, f);
     kernels.forward_transposed(
         3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
@@ -320,6 +343,7 @@ void FrontFactors<Real>::solve_transposed(Real* x) const {
     scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {
+    if (idle_[f]) continue;
     const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
     kernels.backward_transposed(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),

@@ -30,6 +30,8 @@ class FrontFactors {
   // The tree must outlive the factors.
   FrontFactors(const BlockPattern& pattern, const AssemblyTree& tree, int threads);
 
+  // As BlockLU::leave_out().
+  void leave_out(const std::vector<char>& nodes);
   // As BlockLU::factorise(). second: null for one thread.
   bool factorise(const double* values, SecondThread* second, const std::function<void()>& pause);
   // Right side and solution in the order of elimination, 3 per node, in place.
@@ -80,6 +82,7 @@ class FrontFactors {
   std::vector<Layout> layout_;
   std::vector<Entry> entry_;
   std::vector<int> exchange_;
+  std::vector<char> idle_;  // per front: it and all below it have only nodes that are left out
   Store factor_, stack_;
   std::vector<Real> reciprocal_;
   mutable std::vector<Real> local_;  // work space of solve()
