@@ -1,5 +1,7 @@
 # make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
 #
+# make install  codend with its vignettes: vignette("measures", "codend"); computes them, in minutes
+#
 # make test    every test of the engine and of the package
 # make fast    the engine's tests and the quick ones of the package, in under two minutes
 # make lint    style, format, layers and generated files
@@ -28,11 +30,14 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
+.PHONY: trawl install test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
   bench-tow errors robust validate site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
+
+install:
+	@tools/setup --guides
 
 test:
 	@tools/setup --tests
@@ -90,7 +95,7 @@ bench-tow:
 
 errors:
 	@tools/setup --tests
-	@Rscript bench/errors.R
+	@Rscript bench/errors.R $(NODES)
 
 robust:
 	@tools/setup --tests

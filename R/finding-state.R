@@ -78,6 +78,31 @@ define_finding("weight on netting", "state",
   }
 )
 
+# Share of the volume of a cylinder as deep as it hangs, around which its rope would go, below which
+# a net that nothing holds open hangs as a bundle.
+least_open_share <- 0.01
+
+define_finding("bundle", "state",
+  "A net whose `enclosed_volume` is measured hangs as a bundle: it encloses less than 1 % of what it
+  could, a cylinder as deep whose circumference is the rope's length. Not during a tow.",
+  function(gear, state) {
+    if (!is.null(state$time)) return(list())
+    asked <- Filter(function(one) identical(one$kind, "enclosed_volume"), state$si$measures)
+    found <- lapply(asked, function(measure) {
+      volume <- measure_kinds$enclosed_volume$value(state, measure)
+      node <- state$lattice$ropes[[measure$rope]]$node
+      could <- state$si$ropes[[measure$rope]]$length^2 / (4 * pi) * -min(state$position[3, node])
+      if (!is.finite(volume) || volume >= least_open_share * could) return(NULL)
+      shown <- paste(figures(volume), "m3")
+      finding(paste("rope", measure$rope), volume, shown,
+        sprintf("it encloses %s of the %s m3 that it could: the net hangs as a bundle.", shown,
+          figures(could)),
+        "At rest its shape, volume and their errors mean nothing: look at its operation, by tow().")
+    })
+    unname(Filter(Negate(is.null), found))
+  }
+)
+
 # The place that a bridle starts at: of a free board's backstrops the board.
 bridle_start <- function(si, from) {
   on <- vapply(si$otter_boards, function(board) from %in% board$points, NA)

@@ -13,6 +13,9 @@ least_order <- 0.75
 greatest_order <- 1.5
 # Lattices whose nodes differ by less than this factor tell nothing.
 least_ratio <- 1.5
+# A lattice of fewer nodes tells only where there is no other: on it a trawl has a handful of meshes
+# across a panel, and its errors follow no power.
+fair_nodes <- 400
 # Of a measure itself.
 error_floor <- 2e-4
 
@@ -30,6 +33,8 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
   ratio <- vapply(levels, function(level) nodes / level$nodes, 0)
   levels <- levels[pmax(ratio, 1 / ratio) >= least_ratio]
   if (!length(levels)) return(error)
+  size <- vapply(levels, `[[`, 0, "nodes")
+  if (max(size) >= fair_nodes) levels <- levels[size >= fair_nodes]
   at <- function(level) unname(level$values[names(values)])
   last <- levels[[length(levels)]]
   off <- plain(values) - at(last)
@@ -102,5 +107,12 @@ main_error <- function(measures) {
   share <- share[is.finite(share)]
   if (length(share)) max(share) else NA_real_
 }
+
+# Most nodes that an accuracy is sought with.
+most_accurate_nodes <- 1e5
+
+# Nodes that would leave the error asked for, where so many leave this one: an error of first order
+# falls with their square root.
+nodes_for <- function(nodes, error, asked) nodes * (error / asked)^2
 
 percent_text <- function(share) paste(format(signif(100 * share, 2)), "%")

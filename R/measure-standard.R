@@ -116,10 +116,21 @@ standard_measures <- c(
     sensor = "A load cell, where it sits in that rope.",
     function(state, found) if (nrow(found$lines$ropes)) max(found$lines$ropes$tension)
   ),
+  standard_measure("largest_panel_twine_tension", "N",
+    "Of the panel whose twine is loaded most, the mean tension of one twine (of both when double)
+    over all of its length of twine. A panel is the plan's, so that this closes in on a value as the
+    netting is divided further; what pulls at a single mesh, such as at the tip of a wing, it does
+    not tell.",
+    function(state, found) {
+      twine <- found$lines$netting
+      if (nrow(twine)) max(mean_by_part(twine$tension, twine$lines * twine$rest, twine$part))
+    }
+  ),
   standard_measure("twine_tension_exceeded_by_1_percent", "N",
     "Tension of one twine (of both when double) that 1 % of the netting's length of twine exceeds.
-    The very largest, where a rope pulls at the tip of a wing, depends on how finely the netting is
-    divided.",
+    Tension runs along few twines from the tips of wings and corners: 1 % more length of twine there
+    has about 0.8 % less. Which elements carry it depends on how the netting is divided, so that
+    this differs by a tenth or two between lattices, with bars most.",
     function(state, found) {
       twine <- found$lines$netting
       if (nrow(twine)) exceeded_tension(twine$tension, twine$lines * twine$rest)

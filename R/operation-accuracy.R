@@ -1,9 +1,8 @@
 # How finely a gear has to be divided for its main measures to be as accurate as is asked.
 
-# From one lattice to the next at most so many times as many nodes, and at least; and most nodes.
+# From one lattice to the next at most so many times as many nodes, and at least.
 most_growth <- 7
 least_growth <- 2
-most_accurate_nodes <- 1e5
 
 # The lattices that a state's measures may be compared with. They are measured when their errors are
 # first asked for: a change of a gear that is looked at once needs neither.
@@ -89,8 +88,7 @@ settle_accurately <- function(state, accuracy, netting) {
     error <- main_error(measures(state))
     if (!is.finite(error) || error <= accuracy) return(state)
     nodes <- state$lattice$nodes
-    # An error of first order falls with the square root of the nodes.
-    growth <- min(max((error / accuracy)^2, least_growth), most_growth)
+    growth <- min(max(nodes_for(1, error, accuracy), least_growth), most_growth)
     finer <- if (nodes * growth <= most_accurate_nodes) {
       settled_state(state$gear, nodes * growth, netting, state, settle_iterations)
     }

@@ -35,10 +35,14 @@ coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
   found
 }
 
-# Nodes of the levels below `nodes`, rising.
+# Nodes of the levels below `nodes`, rising. Where the coarsest would be the only one and far off a
+# second stands between: from the coarsest alone errors are told two to ten times too large, or, of
+# what hardly changes by chance, too small.
 coarse_levels <- function(nodes) {
   between <- nodes / level_ratio^seq_len(ceiling(log(nodes, level_ratio)))
-  c(if (nodes > 2 * coarsest_nodes) coarsest_nodes, rev(between[between > 2 * coarsest_nodes]))
+  between <- between[between > 2 * coarsest_nodes]
+  if (!length(between) && nodes >= 4 * coarsest_nodes) between <- sqrt(nodes * coarsest_nodes)
+  c(if (nodes > 2 * coarsest_nodes) coarsest_nodes, rev(between))
 }
 
 # Most nodes that a gear has whose plan divides every panel and rope itself, about; Inf where it

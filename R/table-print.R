@@ -32,21 +32,34 @@ measure_text <- function(measures) {
 
 # How accurate the lattice makes the main measures, and what to do where that is little; NULL where
 # it is not known.
-accuracy_line <- function(measures) {
+accuracy_line <- function(measures, nodes) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
   paste0(
     "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
-    percent_text(error),
-    if (error > usual_accuracy) {
-      paste0("; settle(accuracy = \"", percent_text(usual_accuracy), "\")")
-    }
+    percent_text(error), aim_text(error, nodes)
   )
 }
 
 within_text <- function(measures) {
   error <- main_error(measures)
-  if (is.finite(error)) paste0("; main measures within about ", percent_text(error))
+  if (is.finite(error)) {
+    sprintf("; main measures within about %s (aim: %s)", percent_text(error),
+      percent_text(usual_accuracy))
+  }
+}
+
+# Where what is aimed at is missed, what gives it.
+aim_text <- function(error, nodes) {
+  if (!is.finite(error) || error <= usual_accuracy) return("")
+  aim <- percent_text(usual_accuracy)
+  wanted <- nodes_for(nodes, error, usual_accuracy)
+  enough <- if (wanted <= most_accurate_nodes) {
+    paste("about", format(signif(wanted, 1), big.mark = ",", scientific = FALSE), "nodes")
+  } else {
+    "more nodes than it tries"
+  }
+  sprintf("; for %s: settle(accuracy = \"%s\"), %s", aim, aim, enough)
 }
 
 #' @export
@@ -62,7 +75,8 @@ print.codend_state <- function(x, ...) {
     paste0("  ", conditions_text(x$si)),
     paste0("  ", size_text(x), within_text(found)),
     paste0("  ", measure_text(found[shown])),
-    "  More: summary(), as.data.frame(), plot(), view()",
+    paste0("  More: summary(), as.data.frame(), plot(), view()",
+      aim_text(main_error(found), x$lattice$nodes)),
     sep = "\n"
   ))
   cat("\n")

@@ -1,6 +1,7 @@
 # make errors: whether the errors that are told of measures hold. 30 variations of five shipped
 # gears are settled, and again with 8 times the nodes; the difference is taken for the true error.
-# Argument: nodes (1500). Writes to bench/results/: errors.csv, a row per measure; errors.md.
+# Argument: nodes (1500; `make errors NODES=1000`). Writes to bench/results/: errors.csv, a row per
+# measure; errors.md.
 library(codend)
 for (room in c("sizes", "results")) source(file.path("bench", paste0(room, ".R")))
 
@@ -61,8 +62,8 @@ names(table) <- c("gear", "measures", "within twice the error, %", "told error, 
   "true error, median %")
 save_page(c(
   "# Whether the errors of measures hold", "",
-  paste0("Written by `make errors`: ", nodes, " nodes against ", finer, " times as many. ",
-    measured_with()), "",
+  paste0("Written by `make errors NODES=", nodes, "`: ", nodes, " nodes against ", finer,
+    " times as many. ", measured_with()), "",
   markdown_table(table)
 ), "errors")
 cat(readLines(file.path(results_folder, "errors.md")), sep = "\n")

@@ -16,13 +16,13 @@ window.codendPage = (function () {
   }
 
   function gallery(yes) {
-    if (!yes && !opened) return;
+    if (!yes && !opened || yes !== find('gallery').hidden) return;
     find('gallery').hidden = !yes;
     find('design').hidden = !!yes;
     find('gears').setAttribute('aria-expanded', String(!!yes));
     // so that Shiny makes what is seen, and no more
     $(find('design')).trigger(yes ? 'hidden' : 'shown');
-    if (yes) window.scrollTo(0, 0);
+    window.scrollTo(0, 0);
   }
 
   // Only what stands still is said aloud.
