@@ -534,12 +534,10 @@ lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
 clear_end <- function(use, start, x, y) {
   x <- c(x, min(max(start[1], x[1]), x[length(x)]))
   x <- x[order(abs(x - start[1]))]
+  inner <- use$boxes + rep(c(0.3, 0.3, -0.3, -0.3), each = nrow(use$boxes))
   for (one in x) {
     line <- matrix(c(start, one, y), 1L)
-    crossed <- apply(use$boxes, 1L, function(box) {
-      lines_cross_box(line, box + c(0.3, 0.3, -0.3, -0.3))
-    })
-    if (!any(crossed)) return(c(one, y))
+    if (!any(lines_cross_box(line, inner))) return(c(one, y))
   }
   c(x[1], y)
 }
@@ -555,8 +553,9 @@ scale_series <- function(least) {
 }
 
 # The largest scale of the series at which the columns have room: mm of sheet in a metre, along and
-# deep; NULL where none of it is useful. true_size: the same along and deep.
-fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE) {
+# deep; NULL where none of it is useful. true_size: the same along and deep. least: what the product
+# of both must be above.
+fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE, least = 0) {
   deepest <- columns_height(columns)
   wall <- any(vapply(columns, `[[`, NA, "wall"))
   above <- heading_lines * look$line
@@ -567,8 +566,8 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
   }, 0))
   alone <- length(columns) == 1L && !nzchar(columns[[1]]$half)
   if (alone && !true_size && across > longest_wall * deepest) {
-    side <- columns_width(columns, figure, c(1e-6, 1e-6), look)
-    free <- room - (if (wall) 4 * look$gap else side) - 2 * look$gap
+    side <- if (wall) 4 * look$gap else columns_width(columns, figure, c(1e-6, 1e-6), look)
+    free <- room - side - 2 * look$gap
     if (free <= 0) return(NULL)
     long <- 1000 / scale_series(1000 * across / free)[1]
     deep <- 1000 / scale_series(1000 * deepest / min(height, 0.6 * room))[1]
@@ -578,6 +577,7 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
   # What fits at one scale need not at a smaller one, where counts no longer stand within panels.
   for (one in utils::head(tried, 14L)) {
     scale <- rep(1000 / one, 2L)
+    if (prod(scale) <= least) break
     if (columns_width(columns, figure, scale, look) <= room) return(scale)
   }
   NULL

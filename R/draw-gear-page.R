@@ -19,12 +19,11 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
     # Netting is told beside the panels unless it would be drawn much larger without.
     before <- best
     for (t in sheet_text_sizes[[page]]) {
-      found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size)
       # Larger letters are worth a little of the netting's size.
       much <- if (identical(best, before)) 3 else 1.5
-      if (!is.null(found) && (is.null(best) || found$worth > much * best$worth)) {
-        best <- c(found, list(columns = way))
-      }
+      least <- if (is.null(best)) 0 else much * best$worth
+      found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size, least)
+      if (!is.null(found)) best <- c(found, list(columns = way))
     }
     if (is.null(figure$layout)) break
   }
@@ -37,18 +36,19 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
 }
 
 # The best of the arrangements that have room: sheet on its side or upright, lists beside or below
-# the netting; NULL where none has. worth: the netting's scale, or how evenly the sheet is filled.
-best_draft <- function(figure, columns, size, look, true_size) {
+# the netting; NULL where none has. worth: the netting's scale, or how evenly the sheet is filled;
+# least: what it must be above.
+best_draft <- function(figure, columns, size, look, true_size, least = 0) {
   best <- NULL
   for (page in list(rev(size), size)) {
     frame <- c(sheet_margin[["left"]], sheet_margin[["other"]], page - sheet_margin[["other"]])
     foot <- foot_height(figure, frame, look)
     inner <- c(frame[1] + 2, frame[2] + foot + 2, frame[3] - 2, frame[4] - 2)
     blocks <- info_blocks(figure, columns, look)
-    for (found in arrangements(figure, columns, blocks, inner, look, true_size)) {
-      found <- c(found, list(page = page, frame = frame, inner = inner, look = look))
-      if (is.null(best) || found$worth > 1.02 * best$worth) best <- found
-    }
+    found <- best_arrangement(figure, columns, blocks, inner, look, true_size, least)
+    if (is.null(found)) next
+    best <- c(found, list(page = page, frame = frame, inner = inner, look = look))
+    least <- 1.02 * best$worth
   }
   best
 }
@@ -219,17 +219,23 @@ packed_blocks <- function(blocks, n, gap) {
   }
 }
 
-# All arrangements that have room: list(worth, scale, net (left, bottom, right, top), blocks, place
-# (of the blocks: left, bottom, right, top), packed, block_width).
-arrangements <- function(figure, columns, blocks, inner, look, true_size) {
+# The arrangement that is worth most, NULL where none that is worth more than `least` has room:
+# list(worth, scale, net (left, bottom, right, top), blocks, place (of the blocks: left, bottom,
+# right, top), packed).
+best_arrangement <- function(figure, columns, blocks, inner, look, true_size, least = 0) {
   gap <- 2 * look$line
   wide <- if (length(blocks)) max(vapply(blocks, `[[`, 0, "wide")) else 0
   room <- inner[3:4] - inner[1:2]
-  found <- list()
+  found <- NULL
   add <- function(worth, scale, net, place, pack) {
-    found[[length(found) + 1L]] <<- list(
+    if (worth <= least) return()
+    found <<- list(
       worth = worth, scale = scale, net = net, place = place, packed = pack, blocks = blocks
     )
+    least <<- 1.02 * worth
+  }
+  fitting <- function(wide, high) {
+    fitting_scale(columns, figure, wide, high, look, true_size, least)
   }
   if (is.null(columns)) {
     for (n in 1:4) {
@@ -243,7 +249,7 @@ arrangements <- function(figure, columns, blocks, inner, look, true_size) {
     return(found)
   }
   if (!length(blocks)) {
-    scale <- fitting_scale(columns, figure, room[1], room[2], look, true_size)
+    scale <- fitting(room[1], room[2])
     if (!is.null(scale)) add(prod(scale), scale, inner, NULL, NULL)
     return(found)
   }
@@ -253,7 +259,7 @@ arrangements <- function(figure, columns, blocks, inner, look, true_size) {
     pack <- packed_blocks(blocks, n, gap)
     if (is.null(pack) || max(pack$column) < n) next
     if (pack$high <= room[2]) {
-      scale <- fitting_scale(columns, figure, room[1] - whole - gap, room[2], look, true_size)
+      scale <- fitting(room[1] - whole - gap, room[2])
       if (!is.null(scale)) {
         split <- inner[3] - whole
         add(prod(scale), scale, c(inner[1:2], split - gap, inner[4]),
@@ -262,7 +268,7 @@ arrangements <- function(figure, columns, blocks, inner, look, true_size) {
     }
     high <- room[2] - pack$high - gap
     if (high > 0) {
-      scale <- fitting_scale(columns, figure, room[1], high, look, true_size)
+      scale <- fitting(room[1], high)
       if (!is.null(scale)) {
         split <- inner[2] + pack$high
         add(prod(scale), scale, c(inner[1], split + gap, inner[3:4]), c(inner[1:3], split), pack)

@@ -30,21 +30,30 @@ is_free <- function(use, box, lines = TRUE) {
 }
 
 # Which lines (x0, y0, x1, y1 in rows) have a point within a box: those whose part between the
-# box's sides also lies between its top and bottom.
-lines_cross_box <- function(lines, box) {
-  dx <- lines[, 3] - lines[, 1]
-  dy <- lines[, 4] - lines[, 2]
-  span <- function(from, d, low, high) {
-    a <- (low - from) / d
-    b <- (high - from) / d
-    still <- d == 0
-    inside <- from > low & from < high
-    cbind(ifelse(still, ifelse(inside, 0, 2), pmin(a, b)),
-      ifelse(still, ifelse(inside, 1, -1), pmax(a, b)))
+# box's sides also lies between its top and bottom. boxes: one box, or one for each line; one line
+# is told of many boxes (in rows) too.
+lines_cross_box <- function(lines, boxes) {
+  if (!is.matrix(boxes)) boxes <- matrix(boxes, 1L)
+  across <- crossed_span(lines[, 1], lines[, 3], boxes[, 1], boxes[, 3])
+  up <- crossed_span(lines[, 2], lines[, 4], boxes[, 2], boxes[, 4])
+  pmax(across$enter, up$enter, 0) < pmin(across$leave, up$leave, 1)
+}
+
+# The shares of ways at which they enter and leave what lies between low and high: enter is after
+# leave where they never do.
+crossed_span <- function(from, to, low, high) {
+  d <- to - from
+  a <- (low - from) / d
+  b <- (high - from) / d
+  enter <- pmin(a, b)
+  leave <- pmax(a, b)
+  still <- which(rep_len(d == 0, length(enter)))
+  if (length(still)) {
+    inside <- rep_len(from > low & from < high, length(enter))[still]
+    enter[still] <- 2 - 2 * inside
+    leave[still] <- 2 * inside - 1
   }
-  across <- span(lines[, 1], dx, box[1], box[3])
-  up <- span(lines[, 2], dy, box[2], box[4])
-  pmax(across[, 1], up[, 1], 0) < pmin(across[, 2], up[, 2], 1)
+  list(enter = enter, leave = leave)
 }
 
 # Places (n x 2) in order of liking: the first that a box of this size (width, height) around it

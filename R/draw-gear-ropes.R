@@ -90,7 +90,7 @@ find_led_room <- function(use, from, places, size) {
     if (!is_free(use, box)) next
     near <- from[which.min((from[, 1] - at[1])^2 + (from[, 2] - at[2])^2), ]
     line <- matrix(c(near, at), 1L)
-    if (any(apply(use$boxes, 1L, lines_cross_box, lines = line))) next
+    if (any(lines_cross_box(line, use$boxes))) next
     take_box(use, box)
     return(at)
   }

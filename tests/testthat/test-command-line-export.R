@@ -41,7 +41,8 @@ test_that("a wrong use ends with status 2 before anything is settled", {
 test_that("a plan is drawn in every format, on the sheet that is asked for", {
   folder <- test_folder()
   files <- file.path(folder, c("net.svg", "net.dxf"))
-  ran <- export("gillnet", files, "--page", "A3", "--set", "wall.mesh_size=140 mm", command = "draw")
+  ran <- export("gillnet", files, "--page", "A3", "--set", "wall.mesh_size=140 mm",
+    command = "draw")
   expect_identical(ran$status, 0L)
   expect_true(all(file.exists(files)))
   svg <- paste(readLines(files[1]), collapse = "")

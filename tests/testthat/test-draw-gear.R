@@ -129,6 +129,9 @@ test_that("lines through a box are told from those beside it", {
   lines <- rbind(c(-1, 0.5, 3, 0.5), c(1, -1, 1, 3), c(-1, 0, 3, 4), c(0.5, 0.5, 1, 0.6),
     c(-1, 2, 3, 2), c(2.5, -1, 2.5, 3), c(0, 1, 2, 1), c(-2, 0.5, -1, 0.5))
   expect_identical(lines_cross_box(lines, box), c(TRUE, TRUE, FALSE, TRUE, rep(FALSE, 4)))
+  # one line and many boxes
+  boxes <- rbind(box, box + 3, c(-0.9, 0.4, -0.1, 0.6))
+  expect_identical(lines_cross_box(lines[1, , drop = FALSE], boxes), c(TRUE, FALSE, TRUE))
 })
 
 test_that("nothing overlaps on any shipped gear, and the letters are those of ISO 3098", {
