@@ -106,9 +106,9 @@ join_cells <- function(groups) {
 }
 
 # Equivalent bars of panels. Knots lie lambda bars apart along the twines. Twines end where they
-# cross an edge, and what lies on an edge is tied to the edge's nodes; there are no knots within a
-# quarter of an equivalent mesh of an edge but where a twine runs nearly along it, and these are
-# moved onto it. Multiplicities are scaled to the panel's exact length of twine.
+# cross an edge, and what lies on an edge is tied to the edge's nodes; there are no knots within a quarter
+# of an equivalent mesh of an edge but where a twine runs nearly along it, and these are moved onto
+# it. Multiplicities are scaled to the panel's exact length of twine.
 #
 # Returns list(points, bars), see bar_points() and split_bars().
 bar_elements <- function(panels, grouping) {
@@ -122,10 +122,11 @@ bar_elements <- function(panels, grouping) {
   whole <- twines$from_kept & twines$to_kept & !cut$instead
   from <- twines$from[whole]
   to <- twines$to[whole]
-  # Of the rows on the upper and the lower edge of square netting half belongs to the neighbour.
+  # A twine on an edge, but for the upper and lower edge of diamond netting, belongs half to each
+  # neighbour.
   ends_row <- is_square(panels)[knots$panel] & (knots$row == 0L | knots$row == rows[knots$panel])
-  weight <- along_sides(knots, from, to, lambda) *
-    (1 - 0.5 * (ends_row[from] & knots$row[from] == knots$row[to]))
+  along_edge <- (knots$edge[from] == knots$edge[to] & knots$edge[from] > 0L) |
+    (ends_row[from] & knots$row[from] == knots$row[to])
 
   # Knots and cut ends of each panel follow each other.
   kept <- which(knots$kept)
@@ -146,7 +147,7 @@ bar_elements <- function(panels, grouping) {
 
   of_bars <- c(knots$panel[from], knots$panel[cut$inner])
   rest <- c(rep.int(1, length(from)), cut$share) * lambda[of_bars] * panels$mesh_size[of_bars] / 2
-  multiplicity <- lambda[of_bars] * c(weight, rep.int(1, length(cut$share)))
+  multiplicity <- lambda[of_bars] * c(1 - 0.5 * along_edge, rep.int(1, length(cut$share)))
   order <- order(of_bars)
   of_bars <- of_bars[order]
   rest <- rest[order]
@@ -160,29 +161,11 @@ bar_elements <- function(panels, grouping) {
   ))
 }
 
-# The share of an equivalent twine that bars between knots stand for. One that runs along a side has
-# the netting from the middle between it and the next one to the side, which may not lie on it; two
-# moved knots of a side that is not quite along the twine have a half.
-along_sides <- function(knots, from, to, lambda) {
-  size <- lambda[knots$panel[from]]
-  weight <- 1 - 0.5 * (knots$edge[from] == knots$edge[to] & knots$edge[from] > 0L)
-  beside <- function(gap) {
-    middle <- (gap[from] + gap[to]) / 2 / size
-    along <- abs(gap[from] - gap[to]) < 0.1 * size & middle < 0.75
-    list(along = along, lost = ifelse(along, 0.5 - middle, 0))
-  }
-  left <- beside(knots$at - knots$left)
-  right <- beside(knots$right - knots$at)
-  along <- left$along | right$along
-  weight[along] <- pmax(0.1, 1 - left$lost - right$lost)[along]
-  weight
-}
-
 # All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
 #
 # Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, at = i before
-# it was moved, j, left, right = i of the panel's sides there, edge = 3 or 4 where moved onto a
-# side, kept; width, first = of every panel, knots in a row and knots before its first).
+# it was moved, j, left, right = i of the panel's sides there, edge = 3 or 4 where moved onto a side,
+# kept; width, first = of every panel, knots in a row and knots before its first).
 knot_rows <- function(panels, lambda, rows) {
   # A knot at the left end of the upper edge, or midway where that fits the width better.
   meshes <- round(panels$upper / lambda)

@@ -13,6 +13,8 @@ namespace {
 constexpr double closing_in = 0.7;
 // Steps (m) that are only the rounding of positions, as a share of the largest of these.
 constexpr double rounding_share = 1e-14;
+// Beside a stiff line the net forces of the nearest numbers are larger by so much at most.
+constexpr double rounded_tolerance = 100.0;
 
 }  // namespace
 
@@ -82,7 +84,8 @@ ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, doubl
     const bool smallest = largest <= rounding_share * far;
     const bool closes_in = report.steps == 0 || largest <= closing_in * before;
     if (smallest || !closes_in || report.steps == steps) {
-      report.converged = report.residual <= tolerance && (smallest || !closes_in) &&
+      const double allowed = smallest ? rounded_tolerance * tolerance : tolerance;
+      report.converged = report.residual <= allowed && (smallest || !closes_in) &&
                          report.wake_change <= wake_tolerance;
       return report;
     }

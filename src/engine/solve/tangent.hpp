@@ -44,7 +44,8 @@ class Tangent {
 
   // Takes chord steps of an assembly of the same nodes and pattern, whose numbers may be others,
   // from x, 3 per node, at rest. They end when they no longer close in: converged where net forces
-  // are then within `tolerance` of the largest tension, and not after `steps`, or where steps grow.
+  // are then within `tolerance` of the largest tension, or a hundred times that where steps are down
+  // to the rounding of positions, and not after `steps`, or where steps grow.
   ChordReport balance(Assembly& other, double tolerance, int steps, double* x) const;
 
  private:
