@@ -106,9 +106,9 @@ join_cells <- function(groups) {
 }
 
 # Equivalent bars of panels. Knots lie lambda bars apart along the twines. Twines end where they
-# cross an edge, and what lies on an edge is tied to the edge's nodes; there are no knots within a quarter
-# of an equivalent mesh of an edge but where a twine runs nearly along it, and these are moved onto
-# it. Multiplicities are scaled to the panel's exact length of twine.
+# cross an edge, and what lies on an edge is tied to the edge's nodes; there are no knots within a
+# quarter of an equivalent mesh of an edge but where a twine runs nearly along it, and these are
+# moved onto it. Multiplicities are scaled to the panel's exact length of twine.
 #
 # Returns list(points, bars), see bar_points() and split_bars().
 bar_elements <- function(panels, grouping) {
@@ -164,8 +164,8 @@ bar_elements <- function(panels, grouping) {
 # All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
 #
 # Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, at = i before
-# it was moved, j, left, right = i of the panel's sides there, edge = 3 or 4 where moved onto a side,
-# kept; width, first = of every panel, knots in a row and knots before its first).
+# it was moved, j, left, right = i of the panel's sides there, edge = 3 or 4 where moved onto a
+# side, kept; width, first = of every panel, knots in a row and knots before its first).
 knot_rows <- function(panels, lambda, rows) {
   # A knot at the left end of the upper edge, or midway where that fits the width better.
   meshes <- round(panels$upper / lambda)

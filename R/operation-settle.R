@@ -33,8 +33,9 @@
 #' such a net open: it ends as a bundle below its floats.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param nodes About how many nodes the lattice should have. The default aims at an error of 1 % in the
-#'   main measures; the state prints the error that is told, and where it is more what would give 1 %.
+#' @param nodes About how many nodes the lattice should have. The default aims at an error of 1 % in
+#'   the main measures; the state prints the error that is told, and where it is more what would
+#'   give 1 %.
 #' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and

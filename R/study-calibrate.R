@@ -45,8 +45,8 @@
 #'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken.
 #'
 #'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,
-#'   `summary()` and `plot()` know it; see [calibration_methods], [posterior()] and [explain()]. Wrong arguments
-#'   are an error of class `codend_error_argument`, a wrong value of a field in the data one of
+#'   `summary()` and `plot()` know it; see [calibration_methods], [posterior()] and [explain()].
+#'   Wrong arguments are an error of class `codend_error_argument`, a wrong value of a field in the data one of
 #'   class `codend_error_plan`; rows that do not settle are left out with a warning of class
 #'   `codend_warning_hauls_left_out`.
 #' @export

@@ -83,7 +83,9 @@ if (lane == "ci") {
 total <- total + package()
 if (lane == "ci") {
   beside <- parallel::mccollect(beside)[[1L]]
-  if (!is.list(beside)) beside <- list(said = beside, count = c(passed = 0, failed = 1, skipped = 0))
+  if (!is.list(beside)) {
+    beside <- list(said = beside, count = c(passed = 0, failed = 1, skipped = 0))
+  }
   cat(beside$said, sep = "\n")
   total <- total + beside$count
 }

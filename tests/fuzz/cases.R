@@ -96,7 +96,9 @@ kinds <- list(
     evaluated <- judged(codend:::engine_evaluate(engine, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")
     quiet <- function(...) NULL
-    judged(codend:::engine_settle(engine, model$start, "crude", numeric(), integer(), 1e-8, 3L, quiet))
+    judged(codend:::engine_settle(
+      engine, model$start, "crude", numeric(), integer(), 1e-8, 3L, quiet
+    ))
     "taken"
   }),
   message = list(share = 2, run = function() try_messages())
@@ -164,27 +166,37 @@ try_messages <- function() {
     if (is.null(answer$problem)) shiny::isolate(tank$take(kind, answer$found))
     went_well(answer$problem)
   }
+  paths <- c(codend:::given_paths(tank$gear$plan), "towing.speed.speed", "", odd_texts)
+  edit <- function() {
+    switch(sample.int(4L, 1L),
+      any_value(),
+      list(gone = if (chance(0.8)) TRUE else any_value()),
+      list(like = if (chance(0.5)) one_of(paths) else any_value()),
+      list(
+        value = if (chance(0.5)) stats::runif(1L, 0, 20) else any_value(),
+        unit = one_of(c("m", "knot", "m2", "kg", odd_texts))
+      )
+    )
+  }
+  edits <- function() {
+    stats::setNames(lapply(1:2, function(k) edit()), vapply(1:2, function(k) one_of(paths), ""))
+  }
+  number <- function() if (chance(0.5)) sample.int(4L, 1L) else any_value()
   good <- vapply(1:3, function(k) {
-    switch(sample.int(5L, 1L),
-      {
-        ids <- c(names(tank$controls), "control_0", "", odd_texts)
-        values <- lapply(1:3, function(k) {
-          value <- if (chance(0.5)) stats::runif(1L, 0, 20) else any_value()
-          unit <- one_of(c("m", "knot", "m2", "kg", odd_texts))
-          if (chance(0.2)) any_value() else list(value = value, unit = unit)
-        })
-        ask("design", stats::setNames(values, vapply(1:3, function(k) one_of(ids), "")))
-      },
+    switch(sample.int(6L, 1L),
+      ask("design", edits()),
       ask("plan_text", typed_plan()),
       ask("plan_file", list(name = any_value(), text = typed_plan())),
-      {
-        fields <- codend:::markable_fields(tank$gear$plan)
-        path <- if (chance(0.5)) any_value() else one_of(fields)
-        went_well(shiny::isolate(codend:::flume_problem(tank$mark(path))))
-      },
-      went_well(shiny::isolate(codend:::flume_problem({
-        if (chance(0.5)) tank$pin() else tank$reset()
-      })))
+      ask("words", if (chance(0.3)) any_value() else list(
+        base = one_of(c("towed_cable", "flat_panel", odd_texts)), edits = edits()
+      )),
+      ask(one_of(c("shipped", "new")), any_value()),
+      went_well(shiny::isolate(codend:::flume_problem(
+        switch(sample.int(4L, 1L),
+          tank$keep(any_value()), tank$rename(number(), any_value()), tank$compare(number()),
+          tank$remove(number())
+        )
+      )))
     )
   }, NA)
   judged(as.character(codend:::measures_html(tank$measures, tank$pinned$measures)))

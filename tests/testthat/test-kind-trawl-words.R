@@ -58,7 +58,8 @@ test_that("a cover weighs as the same netting alone does, and shares what the co
 
 test_that("a chafer lies on the belly alone, and a half mesh is a mesh", {
   gear <- words_trawl(sections.codend.covers = list(chafer = list(
-    over = list("belly"), mesh_size = "120 mm", meshes = list(upper = 30.5, lower = 30.5, deep = 45),
+    over = list("belly"), mesh_size = "120 mm",
+    meshes = list(upper = 30.5, lower = 30.5, deep = 45),
     twine = list(diameter = "4 mm", material = "PE")
   )))
   panels <- assembly(gear)$plan$panels

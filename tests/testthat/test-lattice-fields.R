@@ -69,7 +69,8 @@ test_that("R's own errors pass through the engine as they are", {
   start <- as.double(build_lattice(gear_si(read_gear("beam_trawl")), nodes = 200)$start)
   stop_it <- function(...) rlang::abort("enough", class = "watched")
   expect_error(
-    engine_settle(engine, start, "crude", numeric(), integer(), 1e-8, 5L, stop_it), class = "watched"
+    engine_settle(engine, start, "crude", numeric(), integer(), 1e-8, 5L, stop_it),
+    class = "watched"
   )
 })
 
