@@ -46,9 +46,9 @@
 #'
 #'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,
 #'   `summary()` and `plot()` know it; see [calibration_methods], [posterior()] and [explain()].
-#'   Wrong arguments are an error of class `codend_error_argument`, a wrong value of a field in the data one of
-#'   class `codend_error_plan`; rows that do not settle are left out with a warning of class
-#'   `codend_warning_hauls_left_out`.
+#'   Wrong arguments are an error of class `codend_error_argument`, a wrong value of a field in the
+#'   data one of class `codend_error_plan`; rows that do not settle are left out with a warning of
+#'   class `codend_warning_hauls_left_out`.
 #' @export
 #' @examples
 #' # Two speeds and three tensions of a towed cable: how long is it really?

@@ -170,7 +170,8 @@ gathered_cone <- function() {
 test_that("grouped bars of stiff twine give a tapered cone the drag that it has mesh by mesh", {
   # Computed once: 0.6768 kN by cells at 10,000 nodes and 0.6766 kN by bars mesh by mesh (35,849).
   # Where knots near a side are moved onto it with the lengths of their twines unchanged, grouped
-  # bars are 1.3 % off at 1,000 nodes and 1.9 % at 10,000. The steps of the grouping leave 1 and 0.4 %.
+  # bars are 1.3 % off at 1,000 nodes and 1.9 % at 10,000. The steps of the grouping leave 1 and
+  # 0.4 %.
   drag <- function(nodes) measures(settle(gathered_cone(), nodes, "bars"))[["drag_kN"]]
   expect_equal(drag(1000), 0.6768, tolerance = 0.01)
   expect_equal(drag(10000), 0.6768, tolerance = 0.004)
