@@ -20,8 +20,8 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
     drawn <- paste(vapply(items, svg_item, "", high = high), collapse = "")
     if (!nzchar(about$component)) return(drawn)
     paste0(
-      "<g", if (nzchar(path)) paste0(" data-path=\"", svg_text(path), "\""),
-      " data-component=\"", svg_text(about$component), "\">", drawn, "</g>"
+      "<g", if (nzchar(path)) paste0(" data-path=\"", escape_markup(path), "\""),
+      " data-component=\"", escape_markup(about$component), "\">", drawn, "</g>"
     )
   }, "")
   size <- svg_number(sheet$page)
@@ -32,7 +32,7 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
       "viewBox=\"0 0 %s %s\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" ",
       "fill=\"none\">"
     ), size[1], size[2], size[1], size[2]),
-    paste0("<title>", svg_text(title), "</title>"),
+    paste0("<title>", escape_markup(title), "</title>"),
     sprintf("<rect width=\"%s\" height=\"%s\" fill=\"white\"/>", size[1], size[2]),
     groups, "</svg>", ""
   )
@@ -40,13 +40,6 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
 
 svg_number <- function(x) {
   format(round(x, 3), trim = TRUE, scientific = FALSE, drop0trailing = TRUE)
-}
-
-svg_text <- function(text) {
-  for (pair in list(c("&", "&amp;"), c("<", "&lt;"), c(">", "&gt;"), c("\"", "&quot;"))) {
-    text <- gsub(pair[1], pair[2], text, fixed = TRUE)
-  }
-  text
 }
 
 svg_item <- function(item, high) {
@@ -65,7 +58,7 @@ svg_item <- function(item, high) {
       },
       if (item$bold) " font-weight=\"bold\"", if (item$italic) " font-style=\"italic\"",
       if (item$up) sprintf(" transform=\"rotate(-90 %s %s)\"", n(at[1]), n(at[2])),
-      ">", svg_text(item$text), "</text>"
+      ">", escape_markup(item$text), "</text>"
     ))
   }
   paint <- paste0(

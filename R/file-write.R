@@ -66,6 +66,11 @@ abort_unwritten <- function(file, why, trajectory = NULL) {
     why = sub("[.[:space:]]+$", "", why), trajectory = trajectory)
 }
 
+check_file_exists <- function(file) {
+  if (is_text(file) && file.exists(file) && !dir.exists(file)) return(invisible())
+  abort_file(as.character(file)[1L], "does not exist.")
+}
+
 # what: the rest of the sentence, for cli with the values in `...`, which the condition has as
 # fields.
 abort_file <- function(file, what, ...) {

@@ -40,7 +40,7 @@ path_words <- function(path) {
   words <- gsub("_", " ", strsplit(path, ".", fixed = TRUE)[[1]])
   last <- length(words)
   text <- if (last == 1L) words else paste0(paste(words[-last], collapse = " "), ": ", words[last])
-  paste0(toupper(substr(text, 1, 1)), substring(text, 2))
+  capital(text)
 }
 
 # A control of a field that is a number, a choice or a truth value, or NULL.

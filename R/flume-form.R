@@ -94,8 +94,6 @@ form_fields <- function(value, node, path, ahead) {
   do.call(c, found)
 }
 
-capital <- function(text) paste0(toupper(substr(text, 1, 1)), substring(text, 2))
-
 # Controls of the fields that a part of a plan (of a group, where `path` is empty) could have and
 # has not; their values are what holds without them, where the schema says so.
 form_offers <- function(plan, path, title) {

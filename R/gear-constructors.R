@@ -38,7 +38,7 @@ constructor_params <- function() {
     })
     parts <- split(gsub("_", " ", names(text)), factor(unlist(text), unique(unlist(text))))
     whose <- vapply(parts, paste, "", collapse = " or ")
-    words <- paste0(toupper(substr(whose, 1L, 1L)), substring(whose, 2L), ": ", names(parts))
+    words <- paste0(capital(whose), ": ", names(parts))
     paste("@param", field, paste(words, collapse = " "))
   }, "", USE.NAMES = FALSE)
 }

@@ -32,9 +32,7 @@ read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
   check_between("latitude", latitude, -90, 90)
   check_between("farthest", farthest, 0, 2.1e7)
   time <- moment(time)
-  if (!is_text(file) || !file.exists(file) || dir.exists(file)) {
-    abort_file(as.character(file)[1L], "does not exist.")
-  }
+  check_file_exists(file)
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
     abort_file(file, "is no NetCDF file: {why}", why = conditionMessage(e))
   })
@@ -50,10 +48,10 @@ read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
   }
   for (k in seq_len(nrow(cells))) {
     part <- function(name) {
-      drop(near$share %*% rbind(
-        cf_profile(nc, variables[[name]], names, cells[k, ], near$index[1L], file),
-        cf_profile(nc, variables[[name]], names, cells[k, ], near$index[2L], file)
-      ))
+      at <- lapply(near$index, function(time) {
+        cf_profile(nc, variables[[name]], names, cells[k, ], time, file)
+      })
+      drop(near$share %*% do.call(rbind, at))
     }
     profile <- data.frame(
       depth = axes$depth, eastward = part(names$eastward), northward = part(names$northward)
@@ -120,8 +118,8 @@ cf_names <- function(variables, file) {
   )
 }
 
-# Longitudes and latitudes (deg), depths (m), and a function that gives two indices of time with
-# their shares.
+# Longitudes and latitudes (deg), depths (m), and a function that gives one or two indices of time
+# with their shares.
 cf_axes <- function(nc, names, variables, file) {
   values <- function(name) {
     if (length(variables[[name]]$dimensions) > 1L) {
@@ -166,7 +164,8 @@ cf_moments <- function(values, variable, time, file) {
   }
   before <- which.max(ifelse(clock <= asked, clock, -Inf))
   after <- which.min(ifelse(clock >= asked, clock, Inf))
-  later <- if (before == after) 0 else (asked - clock[before]) / (clock[after] - clock[before])
+  if (before == after) return(list(index = before, share = 1))
+  later <- (asked - clock[before]) / (clock[after] - clock[before])
   list(index = c(before, after), share = c(1 - later, later))
 }
 
@@ -198,7 +197,9 @@ cf_profile <- function(nc, variable, names, cell, time, file) {
 
 # Cells within reach, the nearest first: a data frame of i, j and distance (m).
 cells_by_distance <- function(longitude, latitude, east, north, farthest) {
-  cells <- expand.grid(i = seq_along(longitude), j = seq_along(latitude))
+  # of a file of the globe, the parallels within reach
+  within <- earth_radius * from_unit(abs(latitude - north), "deg") <= farthest
+  cells <- expand.grid(i = seq_along(longitude), j = which(within))
   cells$distance <- great_circle(
     from_unit(c(longitude[cells$i] - east), "deg"), from_unit(latitude[cells$j], "deg"),
     from_unit(north, "deg")

@@ -124,7 +124,7 @@ check_whole_argument <- function(value, name, least) {
 
 # A table from a CSV file; what is empty stays as in the plan.
 read_designs <- function(file) {
-  if (!file.exists(file) || dir.exists(file)) abort_file(file, "does not exist.")
+  check_file_exists(file)
   table <- tryCatch(
     utils::read.csv(file, check.names = FALSE, na.strings = c("NA", ""), strip.white = TRUE,
       stringsAsFactors = FALSE, encoding = "UTF-8"),

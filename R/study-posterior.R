@@ -37,9 +37,7 @@ posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   check_count("draws", draws)
   check_count("begin", begin)
   check_count("seed", seed)
-  if (!requireNamespace("mcmc", quietly = TRUE)) {
-    abort_package("Draws from a posterior take the package {.pkg mcmc}, which is not installed.")
-  }
+  check_package("mcmc", "draw from a posterior")
   task <- calibration$task
   width <- task$points$width
   # the fit's own memory stays as it is

@@ -98,9 +98,7 @@ log_columns <- function(columns) {
 }
 
 read_log_table <- function(file) {
-  if (!is_text(file) || !file.exists(file) || dir.exists(file)) {
-    abort_file(as.character(file)[1L], "does not exist.")
-  }
+  check_file_exists(file)
   first <- readLines(file, n = 1L, warn = FALSE, encoding = "UTF-8")
   count <- function(mark) lengths(regmatches(first, gregexpr(mark, first, fixed = TRUE)))
   mark <- if (length(first) && count(";") > count(",")) ";" else ","

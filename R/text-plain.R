@@ -13,6 +13,8 @@ plain_message <- function(condition) {
 # Text as it may stand in HTML and XML, between tags and as the value of an attribute.
 escape_markup <- function(text) htmltools::htmlEscape(text, attribute = TRUE)
 
+capital <- function(text) paste0(toupper(substr(text, 1, 1)), substring(text, 2))
+
 # The value of an expression in which numbers become text as they do without options(OutDec,
 # scipen): with a decimal point, and in names such as "wall_2" with plain digits.
 with_plain_numbers <- function(expression) {
