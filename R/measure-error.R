@@ -18,8 +18,8 @@ least_ratio <- 1.5
 fair_nodes <- 400
 # Of a measure itself.
 error_floor <- 2e-4
-# Of slack netting, on 1,500 nodes: a third of it and more vanishes as trawls are divided further, by
-# steps that two lattices may miss (`make errors`). It falls with the length of elements.
+# Of slack netting, on 1,500 nodes: a third of it and more vanishes as trawls are divided further,
+# by steps that two lattices may miss (`make errors`). It falls with the length of elements.
 slack_floor <- 0.2
 slack_floor_nodes <- 1500
 
