@@ -104,9 +104,10 @@ test_that("a motion that loses energy however short its steps stops, with what w
   expect_lt(late, 1)
 })
 
-test_that("a net in a current that starts is where it must be, taut as it must be, or its tow says so", {
-  # reference/net-in-starting-current.csv: explicit steps of under a millisecond, which share nothing with
-  # the implicit schemes. Asked are three times the accuracy and 5 % of the largest tension.
+test_that("a net in a starting current is where it must be and as taut, or its tow says so", {
+  # reference/net-in-starting-current.csv: explicit steps of under a millisecond, which share
+  # nothing with the implicit schemes. Asked are three times the accuracy and 5 % of the largest
+  # tension.
   reference <- utils::read.csv(test_path("reference", "net-in-starting-current.csv"))
   off <- function(n, scheme) {
     found <- tow(started_net(n, test_path("plans")), scheme = scheme, nodes = 1e4)
