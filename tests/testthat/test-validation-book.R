@@ -96,6 +96,6 @@ test_that("every picture of the page is one picture, not the last of several", {
     # with a picture for each case that has values by warp
     hauls <- names(Filter(function(case) case$group == "hauls", manifest))
     by_warp <- rows$case[grepl(" m of (warp|wire)$", rows$at) & rows$kind == "quantity"]
-    expect_setequal(hauls, unique(by_warp))
+    expect_true(all(hauls %in% by_warp))
   })
 })
