@@ -171,7 +171,8 @@ bar_rows <- function(panels, numbers, lattice) {
     on <- which(edge %in% (4L * (numbers - 1L) + side))
     c(
       list(
-        panel = (edge[on] - 1L) %/% 4L + 1L, s = division$fraction[on], t = rep(side - 1, length(on))
+        panel = (edge[on] - 1L) %/% 4L + 1L, s = division$fraction[on],
+        t = rep(side - 1, length(on))
       ),
       on_nodes(division$edge_node[on])
     )
