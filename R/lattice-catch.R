@@ -6,8 +6,8 @@
 
 # Adds to a lattice `catch`: list(cell = of every triangle that it may lie against (NA: of a sheet),
 # node = 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each
-# that is real, with the circle's share: negative where its normal points inward), or nothing; and to its
-# engine the pressure, behind the front that the plan gives or a first guess.
+# that is real, with the circle's share: negative where its normal points inward), or nothing; and
+# to its engine the pressure, behind the front that the plan gives or a first guess.
 add_catch <- function(si, lattice) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
