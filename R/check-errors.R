@@ -19,6 +19,13 @@ abort_not_converged <- function(message, ...) {
 # A package is not installed.
 abort_package <- function(message) abort_as("package", message, envir = parent.frame())
 
+# what: what needs the package, as the beginning of a sentence, in the singular.
+check_package <- function(package, what) {
+  if (requireNamespace(package, quietly = TRUE)) return(invisible())
+  abort_package("{what} needs the package {.pkg {package}}, which is not installed:
+    {.code install.packages(\"{package}\")}.")
+}
+
 # A command of the command line is used wrongly; `...`: pieces of the message, as they are.
 abort_usage <- function(...) stop(errorCondition(paste0(...), class = error_class("usage")))
 

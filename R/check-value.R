@@ -57,3 +57,11 @@ abort_unknown_word <- function(argument, value, known, must) {
     "{.arg {argument}} is {.val {said}}; it must be ", must, " {.or {.val {known}}}.", hint
   ))
 }
+
+check_count <- function(name, value, least = 1) {
+  good <- is.numeric(value) && length(value) == 1L && is.finite(value) && value == round(value) &&
+    value >= least && value < 2^31
+  if (good) return(invisible())
+  said <- if (is.null(value) || is.atomic(value)) value else class(value)
+  abort_argument("{.arg {name}} is {.val {said}}; it must be a whole number, {least} or more.")
+}

@@ -1,9 +1,6 @@
 # NetCDF files, which take the package RNetCDF.
 
-check_netcdf <- function() {
-  if (requireNamespace("RNetCDF", quietly = TRUE)) return(invisible())
-  abort_package("NetCDF files take the package {.pkg RNetCDF}, which is not installed.")
-}
+check_netcdf <- function() check_package("RNetCDF", "A NetCDF file")
 
 # A file in the classic format with 64-bit offsets; fill: a function(nc) that defines and puts all.
 write_netcdf <- function(file, fill) write_file(file, function(path) fill_netcdf(path, fill))

@@ -5,7 +5,8 @@
 #'
 #' Variables are found by their `standard_name`: `eastward_sea_water_velocity` and
 #' `northward_sea_water_velocity`, `longitude`, `latitude`, `depth` (or none: then it is the
-#' surface) and `time`. Velocities along the axes of a turned grid
+#' surface) and `time`; calendars other than the common one (`noleap`, `360_day`, `julian` and so
+#' on) take the package CFtime. Velocities along the axes of a turned grid
 #' (`sea_water_x_velocity`) have no direction of their own and are refused. Between two times it is
 #' linear; the place is the centre of the nearest cell that has water, as interpolation would mix
 #' in land.
@@ -18,8 +19,8 @@
 #' @param farthest How far the nearest cell may be, m.
 #' @return A data frame for [current_profile()]: `depth` (m), `eastward`, `northward` (m/s), with
 #'   the attribute `cell`: its `longitude`, `latitude` (deg) and `distance` (m). A file without such
-#'   variables, in unknown units, in another calendar than the common one, or that does not reach
-#'   that place and time, is an error of class `codend_error_file`.
+#'   variables, in unknown units or an unknown calendar, or that does not reach that place and time,
+#'   is an error of class `codend_error_file`.
 #' @references Eaton and others: NetCDF Climate and Forecast (CF) Metadata Conventions, version 1.11
 #'   (2023), sections 4 and 3.3.
 #' @export
@@ -143,31 +144,58 @@ cf_axes <- function(nc, names, variables, file) {
   )
 }
 
-# RNetCDF, by UDUNITS, knows the common calendar.
+# One or two indices of time with their shares, linear between them.
 cf_moments <- function(values, variable, time, file) {
-  if (!tolower(variable$calendar) %in% c("", "standard", "gregorian", "proleptic_gregorian")) {
-    abort_file(file, "counts time by the calendar \"{calendar}\"; it must be the common one.",
-      calendar = variable$calendar)
-  }
-  clock <- tryCatch(
-    as.double(RNetCDF::utcal.nc(variable$units, values, type = "c")),
-    error = function(e) {
-      abort_file(file, "counts time in \"{unit}\": {why}", unit = variable$units,
-        why = conditionMessage(e))
-    }
-  )
-  asked <- as.double(time)
-  if (asked < min(clock) || asked > max(clock)) {
-    shown <- function(s) format(as.POSIXct(s, origin = "1970-01-01", tz = "UTC"), "%Y-%m-%d %H:%M")
+  clock <- cf_clock(values, variable, time, file)
+  times <- clock$times
+  if (clock$asked < min(times) || clock$asked > max(times)) {
     abort_file(file, "runs from {first} to {last} UTC, and has nothing at {wanted}.",
-      first = shown(min(clock)), last = shown(max(clock)), wanted = shown(asked))
+      first = clock$shown(which.min(times)), last = clock$shown(which.max(times)),
+      wanted = shown_moment(time))
   }
-  before <- which.max(ifelse(clock <= asked, clock, -Inf))
-  after <- which.min(ifelse(clock >= asked, clock, Inf))
+  before <- which.max(ifelse(times <= clock$asked, times, -Inf))
+  after <- which.min(ifelse(times >= clock$asked, times, Inf))
   if (before == after) return(list(index = before, share = 1))
-  later <- (asked - clock[before]) / (clock[after] - clock[before])
+  later <- (clock$asked - times[before]) / (times[after] - times[before])
   list(index = c(before, after), share = c(1 - later, later))
 }
+
+# A file's times and the one that is asked for, in one unit: list(times, asked, shown = a function
+# of a time's index). RNetCDF, by UDUNITS, knows the common calendar, CFtime the others.
+cf_clock <- function(values, variable, time, file) {
+  unread <- function(e) {
+    abort_file(file, "counts time in \"{unit}\" by the calendar \"{calendar}\": {why}",
+      unit = variable$units, why = conditionMessage(e),
+      calendar = if (nzchar(variable$calendar)) variable$calendar else "standard")
+  }
+  if (tolower(variable$calendar) %in% c("", "standard", "gregorian", "proleptic_gregorian")) {
+    times <- tryCatch(
+      as.double(RNetCDF::utcal.nc(variable$units, values, type = "c")), error = unread
+    )
+    shown <- function(k) shown_moment(as.POSIXct(times[k], origin = "1970-01-01", tz = "UTC"))
+    return(list(times = times, asked = as.double(time), shown = shown))
+  }
+  check_package("CFtime", sprintf("The calendar \"%s\"", variable$calendar))
+  own <- tryCatch(CFtime::CFtime(variable$units, variable$calendar, values), error = unread)
+  # a day that the calendar has not is a warning and an error there
+  asked <- tryCatch(
+    suppressWarnings(
+      CFtime::parse_timestamps(own, format(time, "%Y-%m-%dT%H:%M:%S", tz = "UTC"))$offset
+    ),
+    error = function(e) NA
+  )
+  if (is.na(asked)) {
+    abort_file(file, "counts time by the calendar \"{calendar}\", which has no {wanted}.",
+      calendar = variable$calendar, wanted = shown_moment(time))
+  }
+  shown <- function(k) {
+    stamp <- CFtime::CFtime(variable$units, variable$calendar, values[k])
+    sub("T", " ", substr(CFtime::as_timestamp(stamp, "timestamp"), 1L, 16L), fixed = TRUE)
+  }
+  list(times = values, asked = asked, shown = shown)
+}
+
+shown_moment <- function(time) format(time, "%Y-%m-%d %H:%M", tz = "UTC")
 
 # One cell's values (m/s) at one time, for all depths.
 cf_profile <- function(nc, variable, names, cell, time, file) {

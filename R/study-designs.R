@@ -63,7 +63,7 @@ designs <- function(..., how = NULL, number = NULL, seed = 1) {
   if (is.null(how)) {
     how <- if (any(drawn)) "sobol" else if (alone && is.data.frame(given[[1L]])) "table" else "grid"
   }
-  check_whole_argument(seed, "seed", -2^31 + 1)
+  check_count("seed", seed, -2^31 + 1)
   number <- designs_number(how, number, any(drawn))
   if (how == "table" && !(alone && is.data.frame(given[[1L]]))) {
     abort_argument("{.arg how} is {.val table}, which takes one data frame or CSV file.")
@@ -106,20 +106,12 @@ designs_number <- function(how, number, drawn) {
   if (how %in% c("grid", "one_at_a_time")) {
     if (!drawn) return(NULL)
     number <- first_of(number, 5)
-    check_whole_argument(number, "number", 2)
+    check_count("number", number, 2)
   } else {
     if (is.null(number)) abort_argument("{.arg number} must say how many designs are drawn.")
-    check_whole_argument(number, "number", 1)
+    check_count("number", number, 1)
   }
   number
-}
-
-check_whole_argument <- function(value, name, least) {
-  good <- is.numeric(value) && length(value) == 1L && is.finite(value) && value == round(value) &&
-    value >= least && value < 2^31
-  if (!good) {
-    abort_argument("{.arg {name}} is {.val {value}}; it must be a whole number, {least} or more.")
-  }
 }
 
 # A table from a CSV file; what is empty stays as in the plan.
@@ -249,7 +241,7 @@ design_points <- function(how, number, width, seed) {
   switch(how,
     random = with_seed(seed, matrix(stats::runif(number * width), number)),
     latin = {
-      need_package("lhs", "Latin hypercubes")
+      check_package("lhs", "A Latin hypercube")
       with_seed(seed, lhs::randomLHS(number, width))
     },
     sobol = sobol_points(number, width, seed)
@@ -257,7 +249,7 @@ design_points <- function(how, number, width, seed) {
 }
 
 sobol_points <- function(number, width, seed) {
-  need_package("spacefillr", "Sobol' sequences")
+  check_package("spacefillr", "A Sobol' sequence")
   points <- spacefillr::generate_sobol_owen_set(number, width, seed = seed)
   pmin(pmax(points, 0), 1 - 2^-24)
 }
@@ -273,12 +265,6 @@ pick_freeze <- function(points) {
     one
   })
   do.call(rbind, c(list(first, second), mixed))
-}
-
-need_package <- function(package, what) {
-  if (!requireNamespace(package, quietly = TRUE)) {
-    abort_package("{what} need the package {.pkg {package}}, which is not installed.")
-  }
 }
 
 # The value of an expression whose random numbers come from `seed`, whatever generator the session

@@ -28,10 +28,11 @@
 #' @param seed Of these draws; the session's own random numbers stay as they are.
 #' @return A data frame. `main_effects()`, which [plots][plot.codend_effects()]: `measure`, `unit`,
 #'   `field`, `value` (mean of the group's values, or their text), `mean`, `designs` and `spread`.
-#'   `pair_effects()`: `measure`, `unit`, `field`, `other` and `spread`, largest first.
-#'   `sobol_indices()`: `measure`, `field`, `first` and `total`, each with `_low` and `_high`, and
-#'   `designs`, the base samples used. Wrong arguments are an error of class
-#'   `codend_error_argument`.
+#'   `pair_effects()`, which [plots][plot.codend_pair_effects()]: `measure`, `unit`, `field`,
+#'   `other` and `spread`, largest first; the means of its pairs of groups are its attribute
+#'   `means`. `sobol_indices()`, which [plots][plot.codend_sobol_indices()]: `measure`, `field`,
+#'   `first` and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
+#'   arguments are an error of class `codend_error_argument`.
 #' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
 #'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
 #'   Communications 117:35.
@@ -42,7 +43,9 @@
 #'   ropes.cable.length = c("400 m", "700 m"))
 #' main_effects(found, "total_drag_kN")
 #' plot(main_effects(found, "total_drag_kN"))
-#' pair_effects(found, "total_drag_kN")
+#' pairs <- pair_effects(found, "total_drag_kN")
+#' pairs
+#' plot(pairs)
 NULL
 
 #' @rdname study_effects
@@ -53,15 +56,10 @@ main_effects <- function(x, measures = NULL, groups = 5) {
     do.call(rbind, lapply(study$fields, function(field) {
       group <- study$group[[field]]
       mean <- as.vector(tapply(study$x[[name]], group, mean))
-      values <- split(study$x[[field]], group)
       data.frame(
         measure = name, unit = variations_unit(x, name), field = field,
-        value = if (is.numeric(study$x[[field]])) {
-          vapply(values, base::mean, 0)
-        } else {
-          vapply(values, `[[`, "", 1L)
-        },
-        mean = mean, designs = lengths(values), spread = diff(range(mean)), row.names = NULL
+        value = group_values(study, field), mean = mean, designs = as.vector(table(group)),
+        spread = diff(range(mean)), row.names = NULL
       )
     }))
   })
@@ -94,7 +92,35 @@ pair_effects <- function(x, measures = NULL, groups = 5) {
   })
   found <- do.call(rbind, rows)
   rownames(found) <- NULL
-  found
+  means <- do.call(rbind, lapply(study$measures, function(name) {
+    do.call(rbind, lapply(pairs, pair_means, study = study, name = name))
+  }))
+  structure(found, class = c("codend_pair_effects", "data.frame"), means = means,
+    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
+}
+
+# Means of a measure by the groups of two fields: measure, field, other, value and other_value (as
+# texts), mean.
+pair_means <- function(study, name, pair) {
+  one <- study$group[[pair[1L]]]
+  two <- study$group[[pair[2L]]]
+  mean <- tapply(study$x[[name]], list(one, two), mean)
+  place <- which(!is.na(mean), arr.ind = TRUE)
+  data.frame(
+    measure = name, field = pair[1L], other = pair[2L],
+    value = as.character(group_values(study, pair[1L]))[place[, 1L]],
+    other_value = as.character(group_values(study, pair[2L]))[place[, 2L]],
+    mean = mean[place], row.names = NULL
+  )
+}
+
+# What stands for each group of a field: the mean of its values, or their text.
+group_values <- function(study, field) {
+  values <- split(study$x[[field]], study$group[[field]])
+  if (is.numeric(study$x[[field]])) {
+    return(vapply(values, mean, 0, USE.NAMES = FALSE))
+  }
+  vapply(values, `[[`, "", 1L, USE.NAMES = FALSE)
 }
 
 #' @rdname study_effects
@@ -108,7 +134,7 @@ sobol_indices <- function(x, measures = NULL, confidence = 0.9, resamples = 1000
   if (!isTRUE(good)) {
     abort_argument("{.arg confidence} is {.val {confidence}}; it must be between 0 and 1.")
   }
-  check_whole_argument(resamples, "resamples", 10)
+  check_count("resamples", resamples, 10)
   measures <- changing_measures(x, measures)
   tell_unsettled(x)
   base <- study$number
@@ -133,7 +159,9 @@ sobol_indices <- function(x, measures = NULL, confidence = 0.9, resamples = 1000
       designs = nrow(value), row.names = NULL
     )
   })
-  do.call(rbind, rows)
+  structure(do.call(rbind, rows), class = c("codend_sobol_indices", "data.frame"),
+    gear_name = attr(x, "gear_name"), confidence = confidence,
+    measure_unit = vapply(setNames(nm = measures), variations_unit, "", x = x))
 }
 
 # First-order and total indices, a row per field. value: a row per base sample; columns A, B and A
@@ -155,7 +183,7 @@ index_estimates <- function(value) {
 
 # What effects are taken of: list(x = settled rows, fields that change, measures, group = by field).
 effects_study <- function(x, measures, groups) {
-  check_whole_argument(groups, "groups", 2)
+  check_count("groups", groups, 2)
   measures <- changing_measures(x, measures)
   tell_unsettled(x)
   whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))

@@ -83,7 +83,7 @@ optimise <- function(gear, minimise, keep = NULL, change, nodes = 1500, netting 
 new_task <- function(gear, minimise, keep, change, nodes, netting) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
-  check_package("nloptr", "optimise a gear")
+  check_package("nloptr", "An optimum")
   fields <- free_fields(gear, change)
   points <- new_points(gear, fields, nodes, netting)
   base <- settled_state(gear, nodes, netting, NULL, settle_iterations)
@@ -119,19 +119,6 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
     if (limit > 0) limit else max(abs(sides), .Machine$double.xmin)
   }, 0)
   task
-}
-
-check_count <- function(name, value) {
-  whole <- is.numeric(value) && length(value) == 1L && is.finite(value) && value >= 1 &&
-    value == round(value)
-  if (!whole) abort_argument("{.arg {name}} is {.val {value}}; it must be a whole number above 0.")
-}
-
-check_package <- function(name, purpose) {
-  if (!requireNamespace(name, quietly = TRUE)) {
-    abort_package("To {purpose} needs the package {.pkg {name}}:
-      {.code install.packages(\"{name}\")}.")
-  }
 }
 
 # Aim and conditions at a point, scaled: list(aim, worst, gap (at most 0 where kept; of equal

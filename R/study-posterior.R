@@ -37,7 +37,7 @@ posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   check_count("draws", draws)
   check_count("begin", begin)
   check_count("seed", seed)
-  check_package("mcmc", "draw from a posterior")
+  check_package("mcmc", "A posterior")
   task <- calibration$task
   width <- task$points$width
   # the fit's own memory stays as it is

@@ -49,8 +49,8 @@ write_study <- function(gear, designs, store, nodes = 1500, netting = NULL) {
 #' @rdname studies
 #' @export
 run_study <- function(store, task = 1, of = 1) {
-  check_whole_argument(of, "of", 1)
-  check_whole_argument(task, "task", 1)
+  check_count("of", of, 1)
+  check_count("task", task, 1)
   if (task > of) abort_argument("{.arg task} is {task}, of {of} task{?s}.")
   read_store_text(store)
   all <- seq_len(nrow(open_store(store)$study$designs))

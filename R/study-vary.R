@@ -66,7 +66,7 @@
 #' plot(found)
 vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = NULL) {
   study <- new_study(gear, list(...), nodes, netting)
-  if (!is.null(tasks)) check_whole_argument(tasks, "tasks", 1)
+  if (!is.null(tasks)) check_count("tasks", tasks, 1)
   if (!is.null(store)) {
     open_or_create(study, store)
     vary_stored(store, tasks)

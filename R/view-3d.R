@@ -67,9 +67,7 @@ check_device <- function(device, file, moves) {
   if (device == "html") return(invisible())
   if (moves) abort_argument("A trajectory is viewed on {.arg device} {.val html} alone.")
   if (!is.null(file)) abort_argument("{.arg file} goes with {.arg device} {.val html} alone.")
-  if (!requireNamespace("rgl", quietly = TRUE)) {
-    abort_package("{.arg device} {.val rgl} takes the package {.pkg rgl}, which is not installed.")
-  }
+  check_package("rgl", "{.arg device} {.val rgl}")
 }
 
 # The scene of a state or a trajectory.

@@ -7,7 +7,9 @@
 #' Of a state: one plane. Ropes are coloured by tension; netting by twine tension, on the scale of
 #' `fill`; slack or pushing lines are grey. Of a trajectory: measures against time. Of variations
 #' ([vary()]): measures against the field that changes first, with a line for each combination of
-#' the others; what did not settle is left out. Of [tensions_along()]: a facet for every role.
+#' the others, or response curves as in [`plot()`][plot.codend_variations()]; what did not settle is
+#' left out. Of [main_effects()], [pair_effects()] and [sobol_indices()] what `plot()` shows. Of
+#' [tensions_along()]: a facet for every role.
 #' Facets have free scales; unlike in `plot()`, depths in facets grow upwards.
 #'
 #' @param object What `plot()` takes.
@@ -95,6 +97,7 @@ autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_variations <- function(object, measures = NULL, ...) {
+  if (has_response_curves(object)) return(gg_responses(object, measures))
   study <- variations_study(object, measures)
   n <- length(study$group_labels)
   at <- if (is.null(study$ticks)) study$at else factor(study$ticks[study$at], study$ticks)
@@ -150,6 +153,108 @@ autoplot.codend_rope_tensions <- function(object, ...) {
       subtitle = paste(c(attr(object, "gear_name"), attr(object, "conditions")), collapse = ", ")
     ) +
     gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+}
+
+gg_responses <- function(object, measures) {
+  found <- response_points(object, measures)
+  data <- found$points[!is.na(found$points$value), ]
+  each <- split(data, data[c("measure", "field")], drop = TRUE)
+  smooth <- do.call(rbind, lapply(each, function(rows) {
+    lines <- response_lines(rows, found$single, is.null(found$ticks[[rows$field[1L]]]))
+    line <- Filter(function(line) line$joined, lines)
+    if (!length(line)) return(NULL)
+    data.frame(measure = rows$measure[1L], field = rows$field[1L], at = line[[1L]]$x,
+      value = line[[1L]]$y)
+  }))
+  gg_by_field(object, list(
+    ggplot2::geom_point(gg_at(), gg_facets(object, data), colour = water_colour, alpha = 0.35),
+    if (!is.null(smooth)) {
+      ggplot2::geom_line(gg_at(), gg_facets(object, smooth), colour = water_colour)
+    }
+  ), variations_title(object))
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_effects <- function(object, measures = NULL, ...) {
+  rows <- object$measure %in% chosen_measures(measures, unique(object$measure))
+  data <- data.frame(measure = object$measure, field = object$field, at = object$value,
+    value = object$mean)[rows, ]
+  number <- suppressWarnings(as.double(data$at))
+  if (!anyNA(number)) data$at <- number
+  data <- gg_facets(object, data)
+  gg_by_field(object, list(
+    ggplot2::geom_line(gg_at(), data, colour = water_colour),
+    ggplot2::geom_point(gg_at(), data, colour = water_colour)
+  ), effects_title(object, "Main effects"))
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_pair_effects <- function(object, measures = NULL, ...) {
+  figures <- lapply(chosen_pairs(object, measures, 6), function(row) {
+    figure <- pair_figure(object, row)
+    do.call(rbind, lapply(figure$lines, function(line) {
+      data.frame(
+        figure = paste0(words_and_unit(figure$words, figure$unit), "\nby ", figure$across),
+        at = line$x, value = line$y, group = sub(".*: ", "", figure$groups[line$group]),
+        other = sub(": .*", "", figure$groups[1L])
+      )
+    }))
+  })
+  data <- do.call(rbind, figures)
+  data$line <- paste(data$other, data$group, sep = " = ")
+  data$line <- factor(data$line, unique(data$line))
+  data$figure <- factor(data$figure, unique(data$figure))
+  mapping <- ggplot2::aes(.data[["at"]], .data[["value"]], colour = .data[["line"]])
+  ggplot2::ggplot(data, mapping) + ggplot2::geom_line() + ggplot2::geom_point() +
+    ggplot2::facet_wrap("figure", scales = "free") +
+    ggplot2::scale_colour_manual(values = series_colours(nlevels(data$line))) +
+    ggplot2::labs(title = effects_title(object, "Effects of pairs"), x = NULL, y = NULL,
+      colour = NULL) + gg_theme()
+}
+
+#' @rdname codend_autoplot
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
+  rows <- object$measure %in% chosen_measures(measures, unique(object$measure))
+  unit <- attr(object, "measure_unit")
+  part <- function(kind) {
+    data.frame(
+      measure = words_of(object$measure, unit[object$measure]), field = plain_field(object$field),
+      index = kind, value = object[[kind]], low = object[[paste0(kind, "_low")]],
+      high = object[[paste0(kind, "_high")]]
+    )[rows, ]
+  }
+  data <- rbind(part("first"), part("total"))
+  data$measure <- factor(data$measure, unique(data$measure))
+  mapping <- ggplot2::aes(.data[["value"]], .data[["field"]], xmin = .data[["low"]],
+    xmax = .data[["high"]], shape = .data[["index"]])
+  ggplot2::ggplot(data, mapping) +
+    ggplot2::geom_pointrange(colour = water_colour, fill = "white",
+      position = ggplot2::position_dodge(width = 0.5)) +
+    ggplot2::scale_shape_manual(values = c(first = 16, total = 21)) +
+    ggplot2::facet_wrap("measure") +
+    ggplot2::labs(title = effects_title(object, "Sobol' indices"), x = "share of the variance",
+      y = NULL, shape = NULL) + gg_theme()
+}
+
+gg_at <- function() ggplot2::aes(.data[["at"]], .data[["value"]])
+
+# Data of measure and field with the words that facets say.
+gg_facets <- function(object, data) {
+  units <- vapply(data$measure, variations_unit, "", x = object)
+  measure <- words_and_unit(words_of(data$measure, units), units)
+  field <- vapply(data$field, field_words, "", x = object)
+  data$measure <- factor(measure, unique(measure))
+  data$field <- factor(field, unique(field))
+  data
+}
+
+gg_by_field <- function(object, layers, title) {
+  ggplot2::ggplot() + unlist_layers(layers) +
+    ggplot2::facet_grid(measure ~ field, scales = "free") +
+    ggplot2::labs(title = title, x = NULL, y = NULL) + gg_theme()
 }
 
 # ---- what they share ----------------------------------------------------------------------------

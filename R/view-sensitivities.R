@@ -24,19 +24,16 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
   if (!is.null(height)) check_inches("height", height)
   if (!is.null(file)) check_file_path(file, picture_types)
   title <- paste0("What changes ", attr(x, "gear_name"), ", ", attr(x, "conditions"))
-  bars <- length(unique(x$field))
   # parts that change together stand for one another
   x$field <- sub(" [+] .*", " ...", x$field)
-  draw <- function(page) draw_tornados(x, measures, title, page)
+  said <- paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
+    "slopes to 1 % less and 1 % more.")
+  draw <- function(page) draw_tornados(x, measures, title, said, page, draw_tornado)
   if (is.null(file)) {
     draw(grDevices::dev.size())
   } else {
-    columns <- tornado_columns(length(measures), width)
-    if (is.null(height)) {
-      rows <- ceiling(length(measures) / columns)
-      height <- min(100, series_title + key_row + rows * (0.75 + bar_height * bars))
-    }
-    write_picture(file, c(width, max(3, height)), title, draw)
+    if (is.null(height)) height <- tornado_height(x, measures, width)
+    write_picture(file, c(width, height), title, draw)
   }
   invisible(x)
 }
@@ -47,7 +44,15 @@ least_tornado <- 4.5
 
 tornado_columns <- function(n, width) min(n, max(1L, floor(width / least_tornado)))
 
-draw_tornados <- function(x, measures, title, page) {
+# Inches of a page of `bars` a figure.
+tornado_height <- function(x, measures, width) {
+  rows <- ceiling(length(measures) / tornado_columns(length(measures), width))
+  bars <- length(unique(x$field))
+  max(3, min(100, series_title + key_row + rows * (0.75 + bar_height * bars)))
+}
+
+# said: the line under the title; draw: a function(rows, name) of one figure.
+draw_tornados <- function(x, measures, title, said, page, draw) {
   columns <- tornado_columns(length(measures), page[1L])
   rows <- ceiling(length(measures) / columns)
   above <- series_title + key_row
@@ -64,16 +69,28 @@ draw_tornados <- function(x, measures, title, page) {
     mfrow = c(rows, columns), omi = c(0, 0, above, 0), mai = c(0.42, left, 0.28, 0.12),
     cex = 0.75, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
   )
-  for (name in measures) draw_tornado(x[x$measure == name, ], name, attr(x, "measure_unit")[[name]])
+  unit <- attr(x, "measure_unit")
+  for (name in measures) draw(structure(x[x$measure == name, ], measure_unit = unit), name)
   draw_head(title, list(missing = NULL), page)
-  graphics::text(
-    0.12, page[2L] - series_title - 0.05, adj = c(0, 0.5), cex = 0.95,
-    paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
-      "slopes to 1 % less and 1 % more.")
-  )
+  graphics::text(0.12, page[2L] - series_title - 0.05, said, adj = c(0, 0.5), cex = 0.95)
 }
 
-draw_tornado <- function(rows, name, unit) {
+# An empty figure of bars with a field's name beside each.
+plot_bars_frame <- function(across, fields) {
+  n <- length(fields)
+  graphics::plot.new()
+  graphics::plot.window(across, c(0.4, n + 0.6), yaxs = "i")
+  usr <- graphics::par("usr")
+  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
+  graphics::grid(ny = NA, col = "#DDE3E8", lty = 1, lwd = 0.6)
+  graphics::abline(v = 0, col = "grey40")
+  graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
+  graphics::axis(2, at = seq_len(n), labels = fields, lwd = 0, cex.axis = 0.85)
+  graphics::box(col = "grey40")
+}
+
+draw_tornado <- function(rows, name) {
+  unit <- attr(rows, "measure_unit")[[name]]
   rows <- rows[order(abs(rows$elasticity)), ]
   per <- rows$elasticity / rows$slope
   ends <- cbind(rows$secant_below * per, rows$secant_above * per)
@@ -81,21 +98,12 @@ draw_tornado <- function(rows, name, unit) {
   # secants over a jump would leave no room for the rest
   most <- 1.5 * max(abs(rows$elasticity), na.rm = TRUE)
   ends[] <- pmin(pmax(ends, -most), most)
-  n <- nrow(rows)
-  graphics::plot.new()
-  graphics::plot.window(range(0, rows$elasticity, ends, na.rm = TRUE), c(0.4, n + 0.6), yaxs = "i")
-  usr <- graphics::par("usr")
-  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
-  graphics::grid(ny = NA, col = "#DDE3E8", lty = 1, lwd = 0.6)
-  at <- seq_len(n)
+  at <- seq_len(nrow(rows))
+  plot_bars_frame(range(0, rows$elasticity, ends, na.rm = TRUE), rows$field)
   graphics::rect(pmin(0, rows$elasticity), at - 0.36, pmax(0, rows$elasticity), at + 0.36,
     col = ifelse(rows$smooth, water_colour, NA), border = water_colour, lwd = 1.2)
   for (side in 1:2) {
     graphics::segments(ends[, side], at - 0.36, ends[, side], at + 0.36, col = "#202428", lwd = 1.6)
   }
-  graphics::abline(v = 0, col = "grey40")
-  graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
-  graphics::axis(2, at = at, labels = rows$field, lwd = 0, cex.axis = 0.85)
-  graphics::box(col = "grey40")
   graphics::mtext(words_of(name, unit), side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
 }

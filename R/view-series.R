@@ -5,7 +5,8 @@
 # group, dashed, symbols), groups (labels of its own groups, or NULL: they are those of the page's
 # key), colours (of its groups, or NULL: from dark to light), missing (places along the axis where
 # there is nothing to show), ticks (labels of the places 1, 2, ... or NULL), beside (values of
-# figures beside it that its axis reaches too, or NULL)).
+# figures beside it that its axis reaches too, or NULL)). A line that is not `joined` is its symbols
+# alone.
 
 # Inches of the page: of one figure, of the title above them and of a row of the key.
 least_series <- c(2.4, 1.3)
@@ -121,10 +122,14 @@ draw_one_series <- function(figure, groups, zoom) {
   dashed <- vapply(figure$lines, `[[`, NA, "dashed")
   for (line in figure$lines[order(dashed)]) {
     style <- group_style(line$group, groups, figure$unit, figure$colours)
-    graphics::lines(line$x, line$y, col = style$colour, lwd = 1.6 * zoom,
-      lty = if (line$dashed) "33" else style$dash)
+    joined <- !isFALSE(line$joined)
+    if (joined) {
+      graphics::lines(line$x, line$y, col = style$colour, lwd = 1.6 * zoom,
+        lty = if (line$dashed) "33" else style$dash)
+    }
     if (line$symbols) {
-      graphics::points(line$x, line$y, col = style$colour, pch = style$symbol, cex = 0.8)
+      colour <- if (joined) style$colour else grDevices::adjustcolor(style$colour, 0.35)
+      graphics::points(line$x, line$y, col = colour, pch = style$symbol, cex = 0.8)
     }
   }
   if (length(figure$missing)) {

@@ -5,6 +5,11 @@
 #' and the key above. A cross at the foot of a figure stands where a gear did not settle. Depths
 #' grow downwards.
 #'
+#' Of designs that are drawn (`random`, `latin`, `sobol`, `indices`) or change `one_at_a_time` there
+#' is a response curve instead, of every measure against every field: of drawn designs all points
+#' with a smooth curve through them (Cleveland's lowess), of single fields the line of the designs
+#' in which the others are as in the plan.
+#'
 #' @param x Variations, from [vary()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
@@ -19,6 +24,12 @@
 #' plot(found, measures = c("total_drag_kN", "greatest_depth_m"))
 plot.codend_variations <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
+  if (has_response_curves(x)) {
+    figures <- response_figures(x, measures)
+    key <- if (!all(x$settled)) list(missing = "did not settle")
+    plot_series(figures, variations_title(x), key, file, width, height)
+    return(invisible(x))
+  }
   study <- variations_study(x, measures)
   figures <- lapply(study$measures, function(name) variations_figure(x, study, name))
   key <- list(
@@ -97,5 +108,79 @@ variations_figure <- function(x, study, name) {
     across = field_words(x, study$field),
     lines = Filter(function(line) length(line$x), lines),
     missing = unique(study$at[!x$settled]), ticks = study$ticks
+  )
+}
+
+# ---- response curves -----------------------------------------------------------------------------
+
+drawn_ways <- c("random", "latin", "sobol", "indices")
+
+variations_fields <- function(x) names(x)[seq_len(match("settled", names(x)) - 1L)]
+
+has_response_curves <- function(x) {
+  isTRUE(attr(x, "study")$how %in% c(drawn_ways, "one_at_a_time")) &&
+    length(variations_fields(x)) > 1L
+}
+
+# Every measure against every field: a data frame of measure, field, at (places along the axis),
+# value and settled; a field's texts are the list `ticks`.
+response_points <- function(x, wanted) {
+  fields <- variations_fields(x)
+  known <- names(x)[-seq_len(match("warning", names(x)))]
+  measures <- chosen_measures(wanted, known)
+  ticks <- lapply(x[fields], function(values) if (!is.numeric(values)) unique(values))
+  single <- attr(x, "study")$how == "one_at_a_time"
+  rows <- lapply(setNames(nm = fields), function(field) {
+    if (!single) return(seq_len(nrow(x)))
+    others <- setdiff(fields, field)
+    own <- which(attr(x, "study")$design == 1L)
+    if (!length(own)) return(seq_len(nrow(x)))
+    same <- lapply(others, function(other) x[[other]] %in% x[[other]][own])
+    which(Reduce(`&`, same))
+  })
+  points <- do.call(rbind, lapply(measures, function(name) {
+    do.call(rbind, lapply(fields, function(field) {
+      at <- if (is.null(ticks[[field]])) x[[field]] else match(x[[field]], ticks[[field]])
+      row <- rows[[field]][order(at[rows[[field]]])]
+      data.frame(measure = name, field = field, at = at[row], value = x[[name]][row],
+        settled = x$settled[row])
+    }))
+  }))
+  list(points = points, ticks = ticks, single = single)
+}
+
+response_figures <- function(x, measures) {
+  found <- response_points(x, measures)
+  points <- found$points
+  pairs <- unique(points[c("measure", "field")])
+  lapply(seq_len(nrow(pairs)), function(k) {
+    rows <- points[points$measure == pairs$measure[k] & points$field == pairs$field[k], ]
+    name <- rows$measure[1L]
+    field <- rows$field[1L]
+    unit <- variations_unit(x, name)
+    ticks <- found$ticks[[field]]
+    seen <- rows[!is.na(rows$value), ]
+    list(
+      words = words_of(name, unit), unit = unit, across = field_words(x, field),
+      lines = response_lines(seen, found$single, is.null(ticks)),
+      missing = unique(rows$at[!rows$settled]), ticks = ticks,
+      beside = points$value[points$measure == name & !is.na(points$value)]
+    )
+  })
+}
+
+# Fewer points than these have no smooth curve.
+least_smooth <- 8L
+
+response_lines <- function(seen, single, numbers) {
+  if (!nrow(seen)) return(list())
+  line <- function(x, y, symbols, joined) {
+    list(x = x, y = y, group = 1L, dashed = FALSE, symbols = symbols, joined = joined)
+  }
+  if (single) return(list(line(seen$at, seen$value, TRUE, TRUE)))
+  curve <- if (numbers && nrow(seen) >= least_smooth) stats::lowess(seen$at, seen$value)
+  c(
+    list(line(seen$at, seen$value, TRUE, FALSE)),
+    if (!is.null(curve)) list(line(curve$x, curve$y, FALSE, TRUE))
   )
 }

@@ -52,13 +52,14 @@ struct ModelText {
     if (hexagonal) {
       cells.straight[0] = 1.0;
       int point = 0;
-      while (std::find(cells.node.begin(), cells.node.begin() + 4, point) != cells.node.begin() + 4) {
+      while (std::find(cells.node.begin(), cells.node.begin() + 4, point) !=
+             cells.node.begin() + 4) {
         ++point;
       }
       cells.inner[0] = point;
     }
     Model copy = specimen.model;
-    TextWriter writer(cells, {"ground"});
+    TextWriter writer(cells, {"ground", "waves"});
     copy.fields(writer);
     text = writer.text;
   }
@@ -70,10 +71,10 @@ struct ModelText {
 
 inline const std::vector<std::string>& odd_words() {
   static const std::vector<std::string> words = {
-      "0",    "1",     "-1",  "2",       "-0",         "1e308",       "-1e308",      "1e-320",
-      "100",  "1e-12", "0.5", "1000000", "2147483647", "-2147483648", "99999999999", "1e400",
-      "nan",  "inf",   "-",   "0x10",    "1,5",        "whole",       "list",        "#",
-      "ropes"};
+      "0",           "1",     "-1",    "2",    "-0",      "1e308",      "-1e308",
+      "1e-320",      "100",   "1e-12", "0.5",  "1000000", "2147483647", "-2147483648",
+      "99999999999", "1e400", "nan",   "inf",  "-",       "0x10",       "1,5",
+      "whole",       "list",  "#",     "ropes"};
   return words;
 }
 constexpr std::size_t odd_numbers = 12;  // the first of them
@@ -92,17 +93,30 @@ inline std::string damaged(std::string text, Random& random) {
     const std::size_t line = text.find_last_of('\n', at) + 1;
     const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
     switch (random.below(14)) {
-      case 0: text[at] = static_cast<char>(random.below(256)); break;
-      case 1: text.erase(from, length); break;
-      case 2: text.insert(from, odd_words()[below(odd_words().size())] + " "); break;
-      case 3: text.erase(line, end > line ? end - line : 0); break;
-      case 4: text.insert(line, text.substr(line, end > line ? end - line : 0)); break;
+      case 0:
+        text[at] = static_cast<char>(random.below(256));
+        break;
+      case 1:
+        text.erase(from, length);
+        break;
+      case 2:
+        text.insert(from, odd_words()[below(odd_words().size())] + " ");
+        break;
+      case 3:
+        text.erase(line, end > line ? end - line : 0);
+        break;
+      case 4:
+        text.insert(line, text.substr(line, end > line ? end - line : 0));
+        break;
       case 5:
         if (random.below(8) == 0) text.resize(at);
         break;
-      case 6: text.replace(from, length, odd_words()[below(odd_words().size())]); break;
+      case 6:
+        text.replace(from, length, odd_words()[below(odd_words().size())]);
+        break;
       // most often a number becomes another, so that it is read
-      default: text.replace(from, length, odd_words()[below(odd_numbers)]);
+      default:
+        text.replace(from, length, odd_words()[below(odd_numbers)]);
     }
   }
   return text;

@@ -45,6 +45,37 @@ test_that("units, depths upwards and times are read by their attributes", {
   expect_equal(found$eastward[4L], 0.0041, tolerance = 1e-3)
 })
 
+test_that("other calendars have their own days", {
+  skip_if_not_installed("CFtime")
+  # hours 13, 14 and 15 of a day; 2026-05-03 by calendars that begin on 2026-02-27: the file counts
+  # hours, and February has 28 days in one calendar, 30 in the other
+  counted <- function(calendar, hours) {
+    file <- changed_currents(list("time", "calendar", "NC_CHAR", calendar),
+      list("time", "units", "NC_CHAR", "hours since 2026-02-27"))
+    nc <- RNetCDF::open.nc(file, write = TRUE)
+    RNetCDF::var.put.nc(nc, "time", hours + 13:15)
+    RNetCDF::close.nc(nc)
+    file
+  }
+  common <- read_currents(example_currents(), 5.12, 60.3, "2026-05-03 14:30")
+  read <- function(calendar, days) {
+    read_currents(counted(calendar, 24 * days), 5.12, 60.3, "2026-05-03 14:30")
+  }
+  # 27 and 28 February, March, April, two days of May
+  expect_equal(read("noleap", 2 + 31 + 30 + 2), common)
+  # 27 to 30 February, March and April of 30 days
+  expect_equal(read("360_day", 4 + 30 + 30 + 2), common)
+  expect_equal(read("all_leap", 3 + 31 + 30 + 2), common)
+  refused <- function(said, ...) {
+    expect_error(read_currents(...), said, class = "codend_error_file")
+  }
+  refused("runs from 2026-05-03 13:00 to 2026-05-03 15:00 UTC, and has nothing at 2026-05-04 00:00",
+    counted("360_day", 24 * 66), 5, 60, "2026-05-04")
+  refused("calendar \"360_day\", which has no 2026-05-31 00:00", counted("360_day", 24 * 66), 5, 60,
+    "2026-05-31")
+  refused("calendar \"lunar\"", counted("lunar", 0), 5, 60, "2026-05-03 14:00")
+})
+
 test_that("what a file does not have is one error that says so", {
   file <- example_currents()
   refused <- function(said, ...) {
@@ -53,8 +84,6 @@ test_that("what a file does not have is one error that says so", {
   refused("runs from 2026-05-03 13:00 to 2026-05-03 15:00 UTC", file, 5, 60, "2026-05-04")
   refused("no cell within 20 km", file, 9, 60, "2026-05-03 14:00")
   refused("no water within 5 km", file, 5.25, 60, "2026-05-03 14:00", farthest = 5000)
-  refused("calendar \"360_day\"",
-    changed_currents(list("time", "calendar", "NC_CHAR", "360_day")), 5, 60, "2026-05-03 14:00")
   refused("in \"furlong\"",
     changed_currents(list("uo", "units", "NC_CHAR", "furlong")), 5, 60, "2026-05-03 14:00")
   refused("turned grid",

@@ -115,3 +115,84 @@ test_that("main effects are drawn, each field by itself", {
   expect_setequal(figure$beside, effects$mean[mine])
   expect_gt(file.size(file), 1000)
 })
+
+test_that("effects of pairs are drawn as lines that fan out", {
+  grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), x.3 = 1:2, how = "grid")
+  # x.1 and x.2 work together, x.3 adds to both
+  found <- pair_effects(study_of(grid, function(x) x[1] * x[2] + x[3]))
+  expect_identical(c(found$field[1], found$other[1]), c("x.1", "x.2"))
+  expect_equal(found$spread[-1], c(0, 0))
+  figure <- pair_figure(found, 1)
+  expect_equal(figure$lines[[1]]$x, c(1, 2, 4))
+  expect_equal(figure$lines[[1]]$y, c(1.5, 1.5, 1.5))
+  expect_equal(figure$lines[[2]]$y, c(4.5, 7.5, 13.5))
+  expect_identical(figure$groups, c("x 2: 0", "3"))
+  # one scale for all: that of every mean of the measure
+  expect_equal(range(figure$beside), range(attr(found, "means")$mean))
+  file <- file.path(test_folder(), "pairs.png")
+  expect_identical(plot(found, file = file), found)
+  expect_gt(file.size(file), 1000)
+  expect_length(chosen_pairs(found, NULL, 2), 2)
+  wrong <- function(...) expect_error(..., class = "codend_error_argument")
+  wrong(plot(found, "depth", file = file))
+  wrong(plot(found, most = 0, file = file))
+  expect_length(chosen_pairs(found[1:2, ], NULL, 6), 2)
+  attr(found, "means") <- NULL
+  wrong(plot(found, file = file))
+})
+
+test_that("Sobol' indices are drawn with their intervals", {
+  skip_if_not_installed("spacefillr")
+  found <- sobol_indices(study_of(three("indices", 64), ishigami), resamples = 20)
+  file <- file.path(test_folder(), "indices.png")
+  expect_identical(plot(found, file = file), found)
+  expect_gt(file.size(file), 1000)
+  expect_error(plot(found, "depth", file = file), class = "codend_error_argument")
+})
+
+test_that("drawn designs have response curves, single fields the others as in the plan", {
+  skip_if_not_installed("lhs")
+  side <- between(0, 1)
+  sample <- study_of(designs(x.1 = side, x.2 = side, how = "latin", number = 30, seed = 3),
+    function(x) 3 * x[1], failed = 4)
+  figures <- response_figures(sample, "drag_kN")
+  expect_length(figures, 2)
+  expect_identical(vapply(figures, `[[`, "", "across"), c("x 1", "x 2"))
+  points <- figures[[1]]$lines[[1]]
+  expect_false(points$joined)
+  expect_length(points$x, 29)
+  # a smooth curve through points of a straight line is that line
+  curve <- figures[[1]]$lines[[2]]
+  expect_equal(curve$y, 3 * curve$x)
+  expect_identical(figures[[1]]$missing, sample$x.1[4])
+  single <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), how = "one_at_a_time"), sum)
+  # as in the plan: 9 and 7
+  single$x.1[is.na(single$x.1)] <- 9
+  single$x.2[is.na(single$x.2)] <- 7
+  single$drag_kN <- single$x.1 + single$x.2
+  figures <- response_figures(single, "drag_kN")
+  expect_equal(figures[[1]]$lines[[1]]$x, c(1, 2, 4, 9))
+  expect_equal(figures[[1]]$lines[[1]]$y, c(1, 2, 4, 9) + 7)
+  expect_equal(figures[[2]]$lines[[1]]$y, c(0, 3, 7) + 9)
+  # a sample has no figure for each combination
+  expect_true(has_response_curves(sample))
+  expect_false(has_response_curves(study_of(designs(x.1 = 1:3, x.2 = 1:2), sum)))
+  file <- file.path(test_folder(), "responses.png")
+  expect_identical(plot(sample, "drag_kN", file = file), sample)
+  expect_gt(file.size(file), 1000)
+})
+
+test_that("pictures of effects are ggplots too", {
+  skip_if_not_installed("ggplot2")
+  skip_if_not_installed("spacefillr")
+  sample <- study_of(three("indices", 16), ishigami)
+  effects <- main_effects(sample)
+  pairs <- pair_effects(sample)
+  indices <- sobol_indices(sample, resamples = 20)
+  built <- function(x) ggplot2::ggplot_build(ggplot2::autoplot(x, measures = "drag_kN"))$data
+  # points, and the smooth curve of each of three fields
+  expect_identical(nrow(built(sample)[[1]]), 3L * nrow(sample))
+  expect_setequal(built(effects)[[1]]$y, effects$mean)
+  expect_identical(nrow(built(pairs)[[2]]), nrow(attr(pairs, "means")))
+  expect_setequal(built(indices)[[1]]$x, c(indices$first, indices$total))
+})

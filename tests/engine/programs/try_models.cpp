@@ -21,7 +21,8 @@ int main(int count, char** arguments) {
       all.taken += one.taken;
       all.refused += one.refused;
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "model %llu: %s\n", static_cast<unsigned long long>(number), error.what());
+      std::fprintf(stderr, "model %llu: %s\n", static_cast<unsigned long long>(number),
+                   error.what());
       return 1;
     }
   }
