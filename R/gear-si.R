@@ -207,9 +207,9 @@ si_added_mass <- function(added_mass) {
 usual_knot <- 2
 
 # Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot
-# (sheet bend). The weight of knotted netting over that of knotless is 1 + 16 d / mesh size throughout
-# the table of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, as it is recalled: an
-# assumption until it is checked there. A mesh of size m, 2 m of twine, has two knots.
+# (sheet bend). The weight of knotted netting over that of knotless is 1 + 16 d / mesh size in the
+# table of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, as it is recalled: an
+# assumption until it is checked there. A mesh has one knot.
 usual_knot_twine <- 16
 
 si_panel <- function(panel, path, fields, law) {

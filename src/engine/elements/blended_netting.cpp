@@ -68,8 +68,8 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
     by_area =
         screens * lies_slope * (sign / (area * speed) * u.transpose() - cosine / area * normal) -
         lies * by_solidity * solidity / area * normal;
-    by_velocity = screens * lies_slope *
-                  (sign / speed * normal - cosine / (speed * speed) * u.transpose());
+    by_velocity =
+        screens * lies_slope * (sign / speed * normal - cosine / (speed * speed) * u.transpose());
   }
   const Vector sum = drag[0].value + drag[1].value, change = out.force.value - sum;
   out.force.value = (1.0 - w) * sum + w * out.force.value;
