@@ -69,7 +69,8 @@
 #' down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
 #' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
 #' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
-#' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended: where the plan's law is
+#' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:
+#' where the plan's law is
 #' that, it has the sum over its twines. `settle()` warns where a screen's law is used outside the
 #' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
