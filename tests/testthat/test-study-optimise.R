@@ -166,6 +166,17 @@ test_that("optima are printed and drawn", {
   expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
 })
 
+test_that("an aim in which nothing changes is an error, and NaN is told once", {
+  skip_if_not_installed("nloptr")
+  change <- list(ropes.cable.length = c("600 m", "1200 m"))
+  wrong <- function(aim, said) {
+    expect_no_warning(expect_error(optimise("towed_cable", aim, change = change, nodes = 50), said,
+      class = "codend_error_argument"))
+  }
+  wrong(~1, "nothing that changes")
+  wrong(~ log(-total_drag_kN), "NaN")
+})
+
 test_that("a wrong aim, condition or range is one error that names it", {
   gear <- towed_sphere()
   speed <- list(towing.speed = c("1 m/s", "3 m/s"))
