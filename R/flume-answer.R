@@ -30,7 +30,10 @@ flume_answer <- function(request, memory) {
 # What is made of the state on screen and leaves it as it is.
 made_of_state <- list(
   save = function(state, said) save_state(state, said),
-  drawing = function(state, said) drawing_text(state)
+  drawing = function(state, said) drawing_text(state),
+  slopes = function(state, said) slopes_asked(state, said),
+  tow = function(state, said) tow_asked(state, said),
+  save_tow = function(state, said) save_tow(said)
 )
 
 # list(gear, state, notes, drawing, measures) of what the page asks for.
@@ -58,7 +61,7 @@ settled_start <- function(gear, nodes, from = NULL) {
 # said: list(format, file).
 save_state <- function(state, said) {
   if (said$format == "report") return(report(state, said$file))
-  if (said$format == "drawing") return(write_text(c(drawing_text(state), ""), said$file))
+  if (said$format == "drawing") return(plot(state$gear, file = said$file, page = drawing_page))
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }
 

@@ -12,9 +12,7 @@ flume_page <- function(opens = TRUE) {
       tags$link(rel = "icon", href = "data:,"),
       tags$link(rel = "stylesheet", href = of_viewer("viewer.css")),
       tags$link(rel = "stylesheet", href = asset("flume.css")),
-      lapply(c("three.js", "materials.js", "gear.js", "motion.js", "viewer.js"), function(name) {
-        tags$script(src = of_viewer(name))
-      }),
+      lapply(viewer_scripts, function(name) tags$script(src = of_viewer(name))),
       lapply(flume_scripts, function(name) tags$script(src = asset(name)))
     ),
     tags$a(class = "skip-link", href = "#controls", "Skip to the controls"),
@@ -30,9 +28,14 @@ flume_page <- function(opens = TRUE) {
   )
 }
 
-# The page's own scripts, in the order in which they are read.
+# The page's scripts, in the order in which they are read: the viewer's, as
+# inst/htmlwidgets/codend.yaml has them, then its own.
+viewer_scripts <- c(
+  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "viewer.js"
+)
 flume_scripts <- c(
-  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js", "page.js"
+  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
+  "slopes.js", "tow.js", "page.js"
 )
 
 flume_header <- function() {
@@ -113,7 +116,28 @@ flume_measures <- function() {
     class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures"),
     shiny::tags$div(
       id = "worth", hidden = NA, shiny::tags$h2("Worth a look"), shiny::tags$ul(id = "noted")
-    )
+    ),
+    flume_more_of()
+  )
+}
+
+# What a little more of a field would do, beside the measures.
+flume_more_of <- function() {
+  tags <- shiny::tags
+  tags$details(
+    id = "more_of", tags$summary("What a little more would do"),
+    tags$div(
+      class = "control-row",
+      tags$input(id = "more_amount", type = "number", step = "any",
+        class = "form-control form-control-sm", `aria-label` = "How much more"),
+      tags$span(id = "more_unit"), tags$span("more of"),
+      tags$select(id = "more_field", class = "form-select form-select-sm",
+        `aria-label` = "Of which field")
+    ),
+    tags$p(id = "slopes_error", class = "field-error", role = "alert", hidden = NA),
+    tags$div(id = "more_does", `aria-live` = "polite"),
+    tags$button(type = "button", id = "slopes_all", class = "btn btn-outline-secondary btn-sm",
+      "All fields that people change first")
   )
 }
 
@@ -137,6 +161,8 @@ flume_tabs <- function() {
       tags$div(id = "drawing", role = "group", `aria-label` = "The net drawing")),
       tab("Tensions", shiny::uiOutput("tensions")),
       tab("Drag", shiny::uiOutput("drag")),
+      tab("Slopes", flume_slopes_tab()),
+      tab("Tow", flume_tow_tab()),
       tab("Designs", tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
       tab("Changes", shiny::uiOutput("differences")),
       tab("Plan", flume_plan_editor()),
@@ -146,6 +172,70 @@ flume_tabs <- function() {
         shiny::downloadButton("save_code", "Save as R file", class = "btn-sm")),
       tab("Save", flume_downloads())
     )
+  )
+}
+
+flume_slopes_tab <- function() {
+  tags <- shiny::tags
+  tags$div(
+    tags$p(class = "note", "How every measure changes with the fields that people change first, and
+      those that were asked for beside the measures, at the design on screen."),
+    tags$button(type = "button", id = "slopes_table", class = "btn btn-primary btn-sm",
+      "Find the slopes"),
+    shiny::uiOutput("slopes")
+  )
+}
+
+# A tow from the design on screen, its picture and its graphs.
+flume_tow_tab <- function() {
+  tags <- shiny::tags
+  text <- function(id, label, value, about = NULL) {
+    tags$label(label, tags$input(type = "text", id = id, class = "form-control form-control-sm",
+      value = value, autocomplete = "off", placeholder = about))
+  }
+  change <- function(name, label, about, from, over) {
+    tags$div(
+      class = "tow-change", text(paste0("tow_", name), label, "", about),
+      text(paste0("tow_", name, "_from"), "from", from),
+      text(paste0("tow_", name, "_over"), "over", over)
+    )
+  }
+  tags$div(
+    tags$p(class = "note", "From the design on screen, at rest in its tow. What is left empty stays
+      as it is."),
+    tags$div(
+      id = "tow_asks", text("tow_until", "Tow for", "60 s"),
+      change("speed", "Speed becomes", "such as 5 knot", "10 s", "20 s"),
+      change("course", "Turn to starboard by", "such as 90 deg", "10 s", "60 s"),
+      change("warp_out", "Warp paid out", "such as 50 m, or -50 m", "10 s", "60 s")
+    ),
+    tags$div(
+      class = "button-row",
+      tags$button(type = "button", id = "tow_start", class = "btn btn-primary btn-sm", "Tow"),
+      tags$button(type = "button", id = "tow_planned", class = "btn btn-outline-secondary btn-sm",
+        hidden = NA, "Tow as the plan's section tow says")
+    ),
+    tags$p(id = "tow_error", class = "field-error", role = "alert", hidden = NA),
+    tags$div(
+      id = "towed", hidden = NA, tags$p(id = "tow_stale", class = "note", hidden = NA),
+      tags$div(id = "tow_place"), tags$div(id = "tow_graphs"),
+      tags$label("Another graph", tags$select(id = "tow_more",
+        class = "form-select form-select-sm")),
+      tags$ul(
+        class = "downloads",
+        unname(Map(function(name, one) {
+          save_line(paste0("save_tow_", name), sprintf("%s (.%s)", one$title, one$extension),
+            one$about)
+        }, names(tow_saves_here()), tow_saves_here()))
+      )
+    )
+  )
+}
+
+# A thing that can be saved.
+save_line <- function(id, text, about) {
+  shiny::tags$li(
+    shiny::downloadButton(id, text, class = "btn-sm"), shiny::tags$span(class = "note", about)
   )
 }
 
@@ -163,14 +253,20 @@ flume_plan_editor <- function() {
 
 flume_downloads <- function() {
   tags <- shiny::tags
-  save <- function(id, text, about) {
-    tags$li(shiny::downloadButton(id, text, class = "btn-sm"), tags$span(class = "note", about))
-  }
+  save <- save_line
   tags$ul(
     class = "downloads",
     save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
-    save("save_drawing", "Drawing (SVG)", "the net drawing, to print or to send on"),
+    tags$li(
+      tags$button(type = "button", id = "save_picture", class = "btn btn-outline-secondary btn-sm",
+        "Picture (PNG)"),
+      tags$span(class = "note", "the gear in three dimensions, as it is looked at now")
+    ),
+    save("save_drawing_svg", "Drawing (SVG)", "the net drawing, to print or to send on"),
+    save("save_drawing_pdf", "Drawing (PDF)", "to print"),
+    save("save_drawing_dxf", "Drawing (DXF)", "for CAD and cutting"),
+    save("save_slopes", "Slopes (CSV)", "what more of each field does to each measure"),
     save("save_all", "All designs (JSON)", "that on screen and those kept; opens here again"),
     save("save_designs", "Designs (CSV)", "measures of all designs beside each other"),
     save("save_measures", "Measures (CSV)", "with the kept design's and the change"),

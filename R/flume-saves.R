@@ -8,16 +8,10 @@ flume_saves <- function(output, tank, clerk) {
     )
   }
   table <- function(make) function(file) write_csv(make(), file)
-  by_clerk <- function(format) {
+  of_state <- function(format) {
     function(file) {
-      promises::promise(function(resolve, reject) {
-        clerk$ask(
-          "save",
-          function() tank$request("save", list(format = format, file = file)),
-          function(answer) {
-            if (is.null(answer$problem)) resolve(file) else reject(answer$problem$message)
-          }
-        )
+      by_clerk(clerk, "save", file, function() {
+        tank$request("save", list(format = format, file = file))
       })
     }
   }
@@ -36,15 +30,44 @@ flume_saves <- function(output, tank, clerk) {
   lapply(formats_of("state"), function(format) {
     output[[paste0("save_", format$name)]] <- save(
       paste0("-", format$name), sub(".", "", format$extension, fixed = TRUE),
-      by_clerk(format$name)
+      of_state(format$name)
     )
   })
   output$save_drag <- save("-drag", "csv", table(function() {
     as.data.frame(tank$state, what = "drag")
   }))
   output$save_code <- save("", "R", function(file) write_text(c(tank$code(), ""), file))
-  output$save_drawing <- save("-drawing", "svg", by_clerk("drawing"))
-  output$save_report <- save("", "html", by_clerk("report"))
+  for (extension in drawing_formats) {
+    local({
+      extension <- extension
+      output[[paste0("save_drawing_", extension)]] <- save("-drawing", extension,
+        of_state("drawing"))
+    })
+  }
+  output$save_report <- save("", "html", of_state("report"))
+  output$save_slopes <- save("-slopes", "csv", function(file) {
+    write <- function(slopes) write_csv(as.data.frame(unclass(slopes)), file)
+    if (!is.null(tank$slopes)) return(write(tank$slopes))
+    found <- promised(clerk, "slopes", function() tank$request("slopes", NULL))
+    promises::then(found, write)
+  })
+}
+
+drawing_formats <- c("svg", "pdf", "dxf")
+
+# The promise of what the clerk answers to a request.
+promised <- function(clerk, kind, make) {
+  promises::promise(function(resolve, reject) {
+    clerk$ask(kind, make, function(answer) {
+      if (is.null(answer)) return(reject("Another question took the place of this one."))
+      if (is.null(answer$problem)) resolve(answer$found) else reject(answer$problem$message)
+    })
+  })
+}
+
+# ... of a file that it writes.
+by_clerk <- function(clerk, kind, file, make) {
+  promises::then(promised(clerk, kind, make), function(found) file)
 }
 
 # A gear's name as part of a file's.

@@ -32,7 +32,8 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       message <- tank$picture()
       session$sendCustomMessage("flume_picture", c(list(
         answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes)),
-        undo = length(tank$history$past), redo = length(tank$history$future)
+        undo = length(tank$history$past), redo = length(tank$history$future),
+        towed = !is.null(tank$gear$plan$tow)
       ), message))
       tank$count_picture()
     }
@@ -70,6 +71,22 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
           show(answers)
           if (anew) lay_out()
           if (!is.null(then)) then()
+        }
+      )
+    }
+
+    # Asks the clerk for something of the state on screen; then(what it found). A later question of
+    # the kind takes the place of one that waits.
+    ask_clerk <- function(kind, words, asked, then) {
+      force(asked)
+      said("flume_clerk", busy = TRUE, what = kind, words = words)
+      clerk$ask(
+        kind, function() tank$request(kind, asked),
+        function(answer) {
+          if (session$isClosed() || is.null(answer)) return()
+          said("flume_clerk", busy = FALSE, what = kind)
+          if (!is.null(answer$problem)) return(refuse(answer$problem, kind))
+          then(answer$found)
         }
       )
     }
@@ -119,7 +136,9 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
 
     flume_keeping(input, tank, clerk, show, trying, ask_worker, session)
     flume_shown(input, output, tank, said)
-    flume_draws(input, session, tank, clerk, said, refuse)
+    flume_draws(input, tank, ask_clerk, said)
+    flume_slopes(input, output, session, tank, ask_clerk, said)
+    flume_tows(input, output, tank, clerk, ask_clerk, said)
     flume_saves(output, tank, clerk)
   }
 }

@@ -22,6 +22,9 @@
 #' - the measures, each with its change from a kept design, and what is worth a look ([findings()]).
 #'   The gear is kept as it was opened; *Keep this design* keeps others, and a table has all beside
 #'   each other. Each can be put on screen again, or drawn over the other or beside it;
+#' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
+#' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out, or
+#'   what the plan's section `tow` says, to play with its graphs;
 #' - the net drawing ([plot.codend_gear()]): a click on a panel, a rope or a figure opens its fields
 #'   in the form;
 #' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag
@@ -38,7 +41,8 @@
 #'
 #' A settle that takes long says so and can be cancelled. What is on screen can be saved: a report
 #' ([report()]), the plan with its remarks ([write_gear()]), all designs as a file that opens here
-#' again, the tables as CSV, and R code that settles both designs again. `codend flume PLAN --port
+#' again, the drawing, the picture, the tow, the tables as CSV, and R code that settles both designs
+#' again. `codend flume PLAN --port
 #' 3838` opens the same page from a shell.
 #'
 #' The page asks nothing of the network but the R process that serves it. Each browser has a gear of

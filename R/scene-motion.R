@@ -40,14 +40,21 @@ evenly <- function(n, most) unique(round(seq(1, n, length.out = min(n, most))))
 # Bytes of the text in a scene.
 scene_size <- function(scene) sum(nchar(unlist(scene), "bytes"))
 
-# Every measure at every kept time.
+# Every measure at every kept time, and the energy that is made or lost.
 motion_graph <- function(trajectory) {
   table <- as.data.frame(trajectory, what = "measures")
-  lapply(unique(table$measure), function(name) {
+  of_measures <- lapply(unique(table$measure), function(name) {
     of <- table[table$measure == name, ]
     list(words = paste0(words_of(name, of$unit[1L]), " (", of$unit[1L], ")"),
       values = I(signif(of$value, 5)))
   })
+  energy <- trajectory$conditions$energy_imbalance
+  put <- trajectory$conditions$energy_put_through
+  if (is.null(energy) || !any(put > 0)) return(of_measures)
+  c(of_measures, list(list(
+    words = "energy imbalance (% of work)",
+    values = I(signif(ifelse(put > 0, 100 * energy / pmax(put, 1e-300), 0), 5))
+  )))
 }
 
 motion_words <- function(trajectory) {

@@ -72,8 +72,8 @@ page_lines <- function(judged, manifest) {
     "![Misfit by quantity](figures/misfit-by-quantity.png)", "",
     "## Hauls by warp", "",
     paste("A GOV 36/47 from published particulars ([plan](plans/gov_36_47.yaml)) with what",
-      "each ship reports of boards, warps, floats and sweeps, and the survey trawl of the Gulf of",
-      "Alaska: means of hauls (points) and codend (lines)."), "",
+      "each ship reports of boards, warps, floats and sweeps, the survey trawl of the Gulf of",
+      "Alaska and a small midwater trawl: means of hauls (points) and codend (lines)."), "",
     "![Hauls by warp](figures/hauls-by-warp.png)", "",
     "## The flume of 2025", "",
     "![Flume tests](figures/flume.png)", "",
@@ -143,16 +143,17 @@ draw_misfits <- function(judged, manifest) {
     horiz = TRUE, bty = "n", inset = c(0, -0.035), xpd = NA)
 }
 
-abbreviate_title <- function(title) sub("sweeps of ", "", title)
+abbreviate_title <- function(title) sub("sweeps of |of the training ship ", "", title)
 
 # Every value of trawls, by quantity.
 draw_quantities <- function(rows, manifest) {
   group <- vapply(manifest[rows$case], function(case) case$group, "")
+  names <- c("bridle_tension", "opening", "door_spread", "wing_spread", "lower_wing_spread",
+    "middle_wing_spread", "wing_height", "bridle_angle", "drag")
   of <- rows[rows$kind == "quantity" & group %in% c("flume", "hauls") & !rows$tuned, ]
+  stopifnot(of$quantity %in% names)
   group <- vapply(manifest[of$case], function(case) case$group, "")
   of$misfit <- 100 * (of$computed / of$measured - 1)
-  names <- c("bridle_tension", "opening", "door_spread", "wing_spread", "lower_wing_spread",
-    "middle_wing_spread", "wing_height", "bridle_angle")
   old <- graphics::par(mar = c(4, 10, 1, 1), las = 1, cex = 0.8)
   on.exit(graphics::par(old))
   at <- match(of$quantity, names) + ifelse(group == "flume", -0.17, 0.17)
@@ -162,7 +163,8 @@ draw_quantities <- function(rows, manifest) {
   graphics::abline(v = 0, col = "grey40")
   graphics::abline(v = c(-10, 10), col = "grey80", lty = 2)
   for (key in unique(at)) {
-    graphics::segments(mean(of$misfit[at == key]), key - 0.15, y1 = key + 0.15, lwd = 4)
+    mean <- mean(of$misfit[at == key])
+    graphics::segments(mean, key - 0.15, mean, key + 0.15, lwd = 3, col = "black")
   }
   graphics::axis(2, seq_along(names), in_words(names), tick = FALSE)
   graphics::legend("topleft", c("flume", "hauls"), pch = c(1, 4), col = c("#0072B2", "#D55E00"),
@@ -170,14 +172,19 @@ draw_quantities <- function(rows, manifest) {
 }
 
 draw_hauls <- function(rows, manifest) {
-  hauls <- names(Filter(function(case) case$group == "hauls", manifest))
-  hauls <- intersect(hauls, rows$case)
-  old <- graphics::par(mfrow = c(3, 3), mar = c(3.6, 3.2, 2, 0.8), mgp = c(2, 0.6, 0), las = 1)
-  on.exit(graphics::par(old))
   colours <- c(door_spread = "#0072B2", wing_spread = "#009E73", opening = "#D55E00")
+  hauls <- names(Filter(function(case) case$group == "hauls", manifest))
+  rows <- rows[rows$case %in% hauls & rows$kind == "quantity" & rows$quantity %in% names(colours) &
+    grepl(" m of (warp|wire)$", rows$at), ]
+  hauls <- intersect(hauls, rows$case)
+  # the last one of the pictures is the legend
+  old <- graphics::par(mfrow = c(ceiling((length(hauls) + 1) / 4), 4),
+    mar = c(3.6, 3.2, 2, 0.8), mgp = c(2, 0.6, 0), las = 1)
+  on.exit(graphics::par(old))
   for (id in hauls) {
-    of <- rows[rows$case == id & rows$kind == "quantity", ]
+    of <- rows[rows$case == id, ]
     of$warp <- as.numeric(sub(" m.*", "", of$at))
+    of <- of[order(of$warp), ]
     plot(NULL, xlim = range(of$warp), ylim = c(2.5, 170), log = "y", xlab = "warp, m", ylab = "m",
       main = abbreviate_title(manifest[[id]]$title), cex.main = 0.9, yaxt = "n")
     graphics::axis(2, c(3, 5, 10, 20, 50, 100, 150))

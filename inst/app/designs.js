@@ -6,15 +6,9 @@
 window.codendDesigns = (function () {
   'use strict';
 
+  var element = window.codendView.element;
   var timer = null, mine = null, largest = 2 * 1024 * 1024;
   function find(id) { return document.getElementById(id); }
-  function element(name, className, words, attributes) {
-    var out = document.createElement(name);
-    if (className) out.className = className;
-    if (words !== undefined) out.textContent = words;
-    Object.keys(attributes || {}).forEach(function (key) { out.setAttribute(key, attributes[key]); });
-    return out;
-  }
 
   // ---- the address --------------------------------------------------------------------------------
 

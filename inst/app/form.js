@@ -6,6 +6,7 @@
 window.codendForm = (function () {
   'use strict';
 
+  var element = window.codendView.element;
   var form = null;       // R's message
   var moved = {};        // changes by path, since the form was laid out
   var sent = null;       // {number, edits} of the question that waits for its answer
@@ -22,15 +23,6 @@ window.codendForm = (function () {
   };
 
   function find(id) { return document.getElementById(id); }
-  function element(name, className, words, attributes) {
-    var out = document.createElement(name);
-    if (className) out.className = className;
-    if (words !== undefined) out.textContent = words;
-    Object.keys(attributes || {}).forEach(function (key) {
-      if (attributes[key] !== undefined) out.setAttribute(key, attributes[key]);
-    });
-    return out;
-  }
   function tidy(value) { return Number(value.toPrecision(6)); }
 
   // ---- a control ----------------------------------------------------------------------------------
@@ -550,6 +542,27 @@ window.codendForm = (function () {
       if (form && !Object.keys(moved).length) lay_out();
     },
     open: open,
+    // Every control of a number, those that people change first before the others:
+    // [{label, paths, usual}].
+    numbers: function () {
+      var found = [], seen = {};
+      function take(field, label, usual) {
+        var key = field.paths.join(' ');
+        if (field.kind !== 'number' || !field.value || seen[key]) return;
+        seen[key] = true;
+        found.push({ label: label, paths: field.paths, usual: usual });
+      }
+      if (!form) return found;
+      (form.quick || []).forEach(function (field) { take(field, field.label, true); });
+      form.groups.forEach(function (one) {
+        (one.parts || []).forEach(function (part) {
+          (part.fields || []).forEach(function (field) {
+            take(field, (part.path ? part.title + ': ' : '') + field.label.toLowerCase(), false);
+          });
+        });
+      });
+      return found;
+    },
     offers: offers,
     answered: answered,
     refused: refused,

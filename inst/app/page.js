@@ -98,6 +98,8 @@ window.codendPage = (function () {
       say(message.said);
       answer(message.answers);
       window.codendDesigns.moved();
+      window.codendSlopes.stale();
+      window.codendTow.design(message.towed);
       window.codendDrawing.want(true);
       want_texts();
     });
@@ -106,8 +108,11 @@ window.codendPage = (function () {
         plan_file: 'plan_file_error', plan_text: 'plan_text_error', 'new': 'new_error',
         shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
       };
+      var own = { tow: 'tow_error', slopes: 'slopes_error' }[message.where];
       var stays = opened ? ' The gear on screen stays.' : '';
-      if (message.where === 'plan_text') {
+      if (own) {
+        tell(own, message.message);
+      } else if (message.where === 'plan_text') {
         tell('plan_text_error', message.message);
         if (!message.cancelled) window.codendFiles.showLine(message.path);
       } else if (places[message.where]) {
@@ -122,7 +127,16 @@ window.codendPage = (function () {
       answer(message.answers);
     });
     Shiny.addCustomMessageHandler('flume_idle', function (message) { answer(message.answers); });
-    Shiny.addCustomMessageHandler('flume_form', window.codendForm.show);
+    Shiny.addCustomMessageHandler('flume_form', function (message) {
+      window.codendForm.show(message);
+      window.codendSlopes.form();
+    });
+    Shiny.addCustomMessageHandler('flume_slopes', function (message) {
+      window.codendSlopes.show(message.fields);
+    });
+    Shiny.addCustomMessageHandler('flume_tow', function (message) {
+      window.codendTow.show(message.scene);
+    });
     Shiny.addCustomMessageHandler('flume_offers', window.codendForm.offers);
     Shiny.addCustomMessageHandler('flume_kept', function (message) {
       window.codendDesigns.show(message.kept || []);
@@ -131,7 +145,7 @@ window.codendPage = (function () {
       window.codendDesigns.words(message.words);
     });
     Shiny.addCustomMessageHandler('flume_clerk', function (message) {
-      if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.what);
+      if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.words);
       else window.codendTalk.free('clerk ' + message.what);
     });
     Shiny.addCustomMessageHandler('flume_drawing', function (message) {
@@ -142,6 +156,16 @@ window.codendPage = (function () {
       tell('plan_text_error', '');
     });
   }
+
+  // What WebGL has painted is taken at once, as an address of its own.
+  document.addEventListener('click', function (event) {
+    if (event.target.id !== 'save_picture') return;
+    var link = document.createElement('a');
+    link.href = window.codendTank.viewer().picture();
+    link.download = find('gear_name').textContent.toLowerCase().replace(/[^a-z0-9]+/g, '-')
+      .replace(/^-|-$/g, '') + '.png';
+    link.click();
+  });
 
   document.addEventListener('DOMContentLoaded', function () {
     find('undo').disabled = find('redo').disabled = true;

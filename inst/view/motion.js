@@ -1,21 +1,17 @@
 // Time in the viewer: a slider with a button that plays, keys (space plays and stops, comma and full
 // stop step between kept times, Home and End go to the ends) and a graph of a measure.
 window.codendView = window.codendView || {};
-window.codendView.motion = function (host, viewer, told) {
+// options: graph (whether it has one), moved(time), which is called at every moment that is shown.
+// .seek(time) stops at a moment; .end() takes all away.
+window.codendView.motion = function (host, viewer, told, options) {
   'use strict';
-  var times = told.times, last = times.length - 1;
+  var element = window.codendView.element, times = told.times, last = times.length - 1;
   var longest = 20;  // seconds in which a whole tow plays, unless it is shorter
 
-  function element(name, className, attributes) {
-    var made = document.createElement(name);
-    made.className = className;
-    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
-    return made;
-  }
   host.classList.add('moves');
   var bar = element('div', 'view-time');
-  var button = element('button', 'view-button', { type: 'button' });
-  var slider = element('input', '', {
+  var button = element('button', 'view-button', undefined, { type: 'button' });
+  var slider = element('input', '', undefined, {
     type: 'range', min: times[0], max: times[last], step: 'any', 'aria-label': 'Time'
   });
   var label = element('div', 'label');
@@ -39,6 +35,7 @@ window.codendView.motion = function (host, viewer, told) {
     slider.value = now;
     slider.setAttribute('aria-valuetext', words);
     mark();
+    if (options.moved) options.moved(now);
   }
 
   function stop() {
@@ -76,7 +73,7 @@ window.codendView.motion = function (host, viewer, told) {
 
   button.addEventListener('click', toggle);
   slider.addEventListener('input', function () { stop(); show(Number(slider.value)); });
-  host.addEventListener('keydown', function (event) {
+  function press(event) {
     if (event.ctrlKey || event.altKey || event.metaKey || /^(SELECT|TEXTAREA)$/.test(event.target.tagName)) {
       return;
     }
@@ -88,83 +85,46 @@ window.codendView.motion = function (host, viewer, told) {
     if (!act || event.key === ' ' && event.target.tagName === 'BUTTON') return;
     event.preventDefault();
     act();
-  });
-  var keys = host.querySelector('.view-keys');
+  }
+  host.addEventListener('keydown', press);
+  var keys = host.querySelector('.view-keys'), added = [];
   [['space', 'play, pause'], [', .', 'a kept time back, on'], ['Home, End', 'start, end']].forEach(function (one) {
     ['kbd', 'span'].forEach(function (name, k) {
-      var made = element(name, '');
-      made.textContent = one[k];
-      keys.appendChild(made);
+      added.push(element(name, '', one[k]));
+      keys.appendChild(added[added.length - 1]);
     });
   });
 
   // ---- graph ------------------------------------------------------------------------------------
 
-  var cursor = null, wide = 300, tall = 92, left = 40, right = 8, top = 8, foot = 16;
-  function across(time) {
-    return left + (wide - left - right) * (time - times[0]) / (times[last] - times[0]);
-  }
-  function mark() {
-    if (!cursor) return;
-    cursor.setAttribute('x1', across(now));
-    cursor.setAttribute('x2', across(now));
-  }
-  var graph = told.graph || [];
+  var curve = null, graph = options.graph === false ? [] : told.graph || [], box = null;
+  function mark() { if (curve) curve.mark(now); }
   if (graph.length) {
-    var box = element('div', 'view-graph');
-    var select = element('select', '', { 'aria-label': 'Measure to plot' });
+    box = element('div', 'view-graph');
+    var select = element('select', '', undefined, { 'aria-label': 'Measure to plot' });
     graph.forEach(function (one, k) {
-      var option = element('option', '', { value: k });
-      option.textContent = one.words;
-      select.appendChild(option);
+      select.appendChild(element('option', '', one.words, { value: k }));
     });
-    var space = 'http://www.w3.org/2000/svg', svg = document.createElementNS(space, 'svg');
-    svg.setAttribute('viewBox', '0 0 ' + wide + ' ' + tall);
-    svg.setAttribute('preserveAspectRatio', 'none');
-    svg.setAttribute('role', 'img');
     box.appendChild(select);
-    box.appendChild(svg);
     host.appendChild(box);
-    var draw = function () {
-      var one = graph[Number(select.value)], at = told.graph_times, known = one.values.filter(isFinite);
-      var low = Math.min.apply(null, known), high = Math.max.apply(null, known);
-      if (high - low < 1e-9 * Math.max(Math.abs(high), 1e-9)) { low -= 0.5; high += 0.5; }
-      function up(value) { return top + (tall - top - foot) * (high - value) / (high - low); }
-      function add(name, attributes, words) {
-        var made = document.createElementNS(space, name);
-        Object.keys(attributes).forEach(function (key) { made.setAttribute(key, attributes[key]); });
-        if (words !== undefined) made.textContent = words;
-        svg.appendChild(made);
-        return made;
-      }
-      function words(x) { return String(Number(x.toPrecision(3))); }
-      svg.textContent = '';
-      svg.setAttribute('aria-label', one.words + ' from ' + words(low) + ' to ' + words(high));
-      add('path', { d: 'M' + left + ',' + top + 'V' + (tall - foot) + 'H' + (wide - right), fill: 'none', stroke: '#78838c' });
-      add('text', { x: left - 4, y: top + 6, 'text-anchor': 'end' }, words(high));
-      add('text', { x: left - 4, y: tall - foot, 'text-anchor': 'end' }, words(low));
-      add('text', { x: left, y: tall - 4 }, told.ends[0]);
-      add('text', { x: wide - right, y: tall - 4, 'text-anchor': 'end' }, told.ends[1]);
-      var path = one.values.map(function (value, k) {
-        return (k && isFinite(one.values[k - 1]) ? 'L' : 'M') + across(at[k]).toFixed(1) + ',' +
-          (isFinite(value) ? up(value).toFixed(1) : top);
-      }).join('');
-      add('path', { d: path, fill: 'none', stroke: '#0b6e99', 'stroke-width': 1.8, 'vector-effect': 'non-scaling-stroke' });
-      cursor = add('line', { y1: top, y2: tall - foot, stroke: '#b3005c', 'stroke-width': 1.5, 'vector-effect': 'non-scaling-stroke' });
-      mark();
-    };
+    curve = window.codendView.graph(box, {
+      times: told.graph_times, ends: told.ends, range: [times[0], times[last]],
+      seek: function (time) { stop(); show(time); }
+    });
+    var draw = function () { curve.draw(graph[Number(select.value)]); };
     select.addEventListener('change', draw);
-    var to = function (event) {
-      var at = svg.getBoundingClientRect(), x = (event.clientX - at.left) / at.width * wide;
-      stop();
-      show(times[0] + (times[last] - times[0]) * (x - left) / (wide - left - right));
-    };
-    svg.addEventListener('pointerdown', function (event) { svg.setPointerCapture(event.pointerId); to(event); });
-    svg.addEventListener('pointermove', function (event) { if (event.buttons) to(event); });
     draw();
+  }
+
+  // Takes it all away, for another motion.
+  function end() {
+    stop();
+    host.removeEventListener('keydown', press);
+    added.concat(bar, box || []).forEach(function (one) { one.remove(); });
+    host.classList.remove('moves');
   }
 
   stop();
   show(now);
-  return { show: show };
+  return { show: show, seek: function (time) { stop(); show(time); }, end: end };
 };

@@ -7,23 +7,17 @@
 //   show(now, pinned)     takes scenes, or what of them has changed
 //   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
 //                         over, beside)
-//   time(s)               shows a moment
+//   seek(s)               shows a moment of what moves
 //   picture()             the picture as the address of its own PNG, on white
 //   flat(...)             draws the gear flat on a part of another canvas
-// options.changed is called after a choice; options.still says whether a still for paper is kept.
+// options.changed is called after a choice; options.still says whether a still for paper is kept;
+// options.graph and options.moved are those of motion.js.
 window.codendView = window.codendView || {};
 window.codendView.viewer = function (host, options) {
   'use strict';
-  var T = window.THREE, view = window.codendView;
+  var T = window.THREE, view = window.codendView, element = view.element;
   options = options || {};
 
-  function element(name, className, words, attributes) {
-    var made = document.createElement(name);
-    if (className) made.className = className;
-    if (words !== undefined) made.textContent = words;
-    Object.keys(attributes || {}).forEach(function (key) { made.setAttribute(key, attributes[key]); });
-    return made;
-  }
   host.classList.add('codend-view');
   var canvas = element('canvas', 'view-canvas', undefined, { tabindex: '0', role: 'img' });
   host.appendChild(canvas);
@@ -944,7 +938,8 @@ window.codendView.viewer = function (host, options) {
         }
       }
       write_legend();
-      if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told);
+      if (moment && now.times) { moment.end(); moment = null; }
+      if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told, options);
       repaint();
       if (options.still !== false) later();
     },
@@ -954,6 +949,7 @@ window.codendView.viewer = function (host, options) {
       gears.now.colour(choice.colour);
       repaint();
     },
+    seek: function (time) { if (moment) moment.seek(time); },
     picture: picture,
     redraw: paint_now,
     flat: flat,

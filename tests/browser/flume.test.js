@@ -372,6 +372,72 @@ test('every field is in the form: found, added, taken out', async () => {
   await page.close();
 });
 
+test('beside the measures stands what more of a field would do', async () => {
+  const page = await open(browser, tank.url);
+  await page.click('#more_of > summary');
+  await page.waitForSelector('#more_does td', patience);
+  assert.equal(await page.inputValue('#more_field'), 'floats.number');
+  assert.equal(await page.inputValue('#more_amount'), '10');
+  const told = async (name) => number(await page.locator('#more_does tr', {
+    has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) }) }).locator('td').textContent());
+  const ten = await told('net mouth height');
+  // more floats lift the head line, twice as many twice as far
+  assert.ok(ten > 0);
+  await page.fill('#more_amount', '20');
+  assert.ok(Math.abs(await told('net mouth height') - 2 * ten) < 0.011);
+  // a design that moves has slopes of its own
+  await control(page, 'towing.speed').locator('[type=number]').fill('5');
+  await page.waitForFunction(() => !document.querySelector('#more_does td'), null, patience);
+  await page.waitForSelector('#more_does td', patience);
+  await page.selectOption('#more_field', 'towing.speed');
+  await page.waitForFunction(() => document.getElementById('more_unit').textContent === 'knot', null,
+    patience);
+  assert.ok(await told('net mouth height') < 0);
+  await page.click('#slopes_all');
+  await page.waitForFunction(() => document.querySelectorAll('#slopes thead th').length > 5, null,
+    patience);
+  clean(page);
+  await page.close();
+});
+
+test('the design on screen is towed, played and saved, and a wrong tow is told', async () => {
+  const page = await open(browser, tank.url);
+  await tab(page, 'Tow');
+  await page.fill('#tow_speed', 'fast');
+  await page.click('#tow_start');
+  await page.waitForSelector('#tow_error', { state: 'visible', ...patience });
+  assert.match(await page.textContent('#tow_error'), /speed.*is "fast"/);
+  await page.fill('#tow_speed', '5 knot');
+  await page.click('#tow_start');
+  await page.waitForSelector('.tow-graph svg', patience);
+  const graphs = await page.locator('.tow-graph figcaption').allTextContents();
+  for (const kind of [/spread/, /height/, /tension/, /depth/, /energy/]) {
+    assert.ok(graphs.some((words) => kind.test(words)), `${kind} of ${graphs}`);
+  }
+  const shown = () => page.evaluate(() => window.codendTow.viewer().picture());
+  const start = await shown();
+  // the slider of time plays it, and the graphs follow
+  const spread = await page.textContent('.tow-graph .now');
+  await page.locator('.tow-view [aria-label="Time"]').focus();
+  await page.keyboard.press('End');
+  await page.waitForFunction((before) => document.querySelector('.tow-graph .now').textContent !==
+    before, spread, patience);
+  assert.notEqual(await shown(), start);
+  await page.waitForSelector('#save_tow_measures[href*="download"]', { state: 'visible' });
+  const [download] = await Promise.all([
+    page.waitForEvent('download', { timeout: 120000 }), page.click('#save_tow_measures')
+  ]);
+  assert.match(fs.readFileSync(await download.path(), 'utf8'), /^"time_s","measure","value","unit"/);
+  // another one takes its place
+  await page.fill('#tow_until', '30 s');
+  await page.click('#tow_start');
+  await page.waitForFunction(() => document.querySelector('.tow-view [aria-label="Time"]').max === '30',
+    null, patience);
+  assert.equal(await page.locator('.tow-view .view-time').count(), 1);
+  clean(page);
+  await page.close();
+});
+
 test('at phone width nothing is wider than the screen, and every field has a name', async () => {
   const page = await open(browser, tank.url, { width: 390, height: 844 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);

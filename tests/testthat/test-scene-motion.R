@@ -37,11 +37,16 @@ test_that("the scene of a trajectory moves every line to where the state has it"
   expect_match(scene$labels[4], "25.0 s, 4.5 knot, course 30\u00b0", fixed = TRUE)
 })
 
-test_that("its graph has every measure at every kept time", {
+test_that("its graph has every measure at every kept time, and the imbalance of energy", {
   trajectory <- turning_trawl()
   graph <- motion_graph(trajectory)
   table <- as.data.frame(trajectory, what = "measures")
-  expect_length(graph, length(unique(table$measure)))
+  expect_length(graph, length(unique(table$measure)) + 1L)
+  last <- graph[[length(graph)]]
+  expect_match(last$words, "energy imbalance")
+  now <- trajectory$conditions[length(trajectory$time), ]
+  expect_equal(utils::tail(as.double(last$values), 1L),
+    100 * now$energy_imbalance / now$energy_put_through, tolerance = 1e-4)
   first <- table[table$measure == table$measure[1], ]
   expect_equal(as.double(graph[[1]]$values), first$value, tolerance = 1e-4)
 })
@@ -76,8 +81,7 @@ test_that("a long tow makes a page of less than 2 MB", {
   moved <- scene_moved(lapply(trajectory$time, function(t) {
     scene_shape(state_at(trajectory, t), meshes = FALSE)
   }))
-  rest <- sum(file.size(system.file("view", c("three.js", "materials.js", "gear.js", "motion.js",
-    "viewer.js", "viewer.css"), package = "codend")))
+  rest <- sum(file.size(system.file("view", c(viewer_scripts, "viewer.css"), package = "codend")))
   # what joins the points of the largest lattice that is drawn takes some 100 kB
   expect_lt(scene_bytes + rest + 1.5e5, 2e6)
   # two of four times where the numbers of all would be too many

@@ -103,3 +103,33 @@ test_that("a motion that loses energy however short its steps stops, with what w
   expect_gt(late, 0.25)
   expect_lt(late, 1)
 })
+
+test_that("a net in a starting current is where it must be and as taut, or its tow says so", {
+  # reference/net-in-starting-current.csv: explicit steps of under a millisecond, which share
+  # nothing with the implicit schemes. Asked are three times the accuracy and 5 % of the largest
+  # tension.
+  reference <- utils::read.csv(test_path("reference", "net-in-starting-current.csv"))
+  off <- function(n, scheme) {
+    found <- tow(started_net(n, test_path("plans")), scheme = scheme, nodes = 1e4)
+    exact <- reference[reference$n == n, ]
+    rows <- started_net_rows(n, found)
+    expect_equal(rows[1:4], exact[1:4], ignore_attr = TRUE)
+    place <- exact$kind %in% c("x", "y", "z")
+    largest <- exact$value[exact$kind == "largest_tension"]
+    names(largest) <- exact$time[exact$kind == "largest_tension"]
+    scale <- largest[as.character(exact$time)]
+    c(
+      position = max(abs(rows$value - exact$value)[place]),
+      tension = max((abs(rows$value - exact$value) / scale)[!place])
+    )
+  }
+  for (n in c(8, 20, 40)) {
+    for (scheme in c("bdf2", "generalised_alpha")) {
+      expect_no_warning(wrong <- off(n, scheme))
+      expect_lt(wrong[["position"]], 3 * default_accuracy)
+      expect_lt(wrong[["tension"]], 0.05)
+    }
+    expect_warning(wrong <- off(n, "backward_euler"), class = "codend_warning_accuracy")
+    expect_lt(wrong[["tension"]], 0.05)
+  }
+})

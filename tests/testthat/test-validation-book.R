@@ -83,3 +83,19 @@ test_that("bands, tuned values and signs are judged as told", {
     expect_equal(room$trawl_misfit(judged)[["mean"]], 5.25)
   })
 })
+
+test_that("every picture of the page is one picture, not the last of several", {
+  book(function(room, manifest) {
+    rows <- utils::read.csv("validation/misfits.csv")
+    folder <- tempfile()
+    dir.create(folder)
+    grDevices::png(file.path(folder, "hauls-%d.png"), 900, 800)
+    room$draw_hauls(rows, manifest)
+    grDevices::dev.off()
+    expect_identical(list.files(folder), "hauls-1.png")
+    # with a picture for each case that has values by warp
+    hauls <- names(Filter(function(case) case$group == "hauls", manifest))
+    by_warp <- rows$case[grepl(" m of (warp|wire)$", rows$at) & rows$kind == "quantity"]
+    expect_true(all(hauls %in% by_warp))
+  })
+})

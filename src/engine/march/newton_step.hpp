@@ -10,7 +10,7 @@
 // and F(x1, v1) = M(x1) a1 on every free node. BDF2 damps what is too fast for its steps. Generalised
 // alpha (Chung and Hulbert, J. Appl. Mech. 60, 1993; for forces at x1 alone Arnold and Bruels,
 // Multibody Syst. Dyn. 18, 2007) damps what is slower than its steps less and, in every step, all that
-// is much faster by its spectral radius r = 0.6: C = r/(r + 1), A = (2 r - 1)/(r + 1), G = 1/2 + C - A,
+// is much faster by its spectral radius r = 0.4: C = r/(r + 1), A = (2 r - 1)/(r + 1), G = 1/2 + C - A,
 // B = (1 + C - A)^2/4. (r = 1 is the trapezoid, which keeps what is left of stiff swings for ever.)
 // The first step, and the first after an event, is backward Euler's.
 //

@@ -1,0 +1,99 @@
+# What a little more of a field would do to the measures of the design on screen: the clerk finds
+# the slopes, a field at a time or those that people change first.
+
+# The slopes of a state by the fields of one control, which change together; said: their paths, or
+# NULL for those that people change first.
+slopes_asked <- function(state, said) {
+  said <- unlist(said)
+  if (is.null(said)) return(sensitivities(state))
+  if (!is.character(said) || length(said) > most_edits || any(nchar(said) > most_characters)) {
+    abort_argument("A field is asked for by its path.")
+  }
+  sensitivities(state, to = list(unname(said)))
+}
+
+# Slopes found later, joined to those that there are; a field counts once.
+with_slopes <- function(known, found) {
+  if (is.null(known)) return(found)
+  rbind(known[!known$field %in% found$field, ], found)
+}
+
+# The words of a field of sensitivities().
+slope_words <- function(field) {
+  vapply(strsplit(field, " + ", fixed = TRUE), function(paths) path_words(paths[1L]), "",
+    USE.NAMES = FALSE)
+}
+
+# What the page is told: of every field its paths, value, unit, how much more of it to begin with,
+# and of every measure how much one unit more of the field adds to it, in preferred units.
+slopes_message <- function(slopes, preferred) {
+  lapply(unique(slopes$field), function(field) {
+    rows <- slopes[slopes$field == field & is.finite(slopes$slope), ]
+    unit <- slope_measure_units(rows)
+    told <- lapply(unit, function(one) preferred_number(1, one, preferred))
+    factor <- vapply(told, `[[`, 0, "value")
+    value <- rows$value[1L]
+    whole <- grepl("[.]number$", field)
+    list(
+      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), words = slope_words(field),
+      value = value, unit = rows$unit[1L],
+      more = if (whole) max(1, round_step(abs(value) / 4)) else round_step(abs(value) / 20),
+      measures = I(words_of(rows$measure, unit)), units = I(vapply(told, `[[`, "", "unit")),
+      slope = I(rows$slope * factor), below = I(rows$secant_below * factor),
+      above = I(rows$secant_above * factor), smooth = I(rows$smooth)
+    )
+  })
+}
+
+# The units of the measures of rows of sensitivities().
+slope_measure_units <- function(rows) sub(" per [^ ]*$", "", rows$slope_unit)
+
+# All slopes beside each other: percent of a measure for a tenth more of a field.
+slopes_html <- function(slopes) {
+  if (is.null(slopes)) return(NULL)
+  fields <- unique(slopes$field)
+  measures <- unique(slopes$measure)
+  at <- function(field) slopes[slopes$field == field, ][match(measures, slopes$measure[
+    slopes$field == field]), ]
+  columns <- lapply(fields, function(field) {
+    rows <- at(field)
+    small <- !is.na(rows$elasticity) & abs(rows$elasticity) < 0.1
+    text <- signed(10 * rows$elasticity, ifelse(small, 2L, 1L))
+    paste0(text, ifelse(nzchar(text) & text != "0" & !rows$smooth, " *", ""))
+  })
+  unit <- slope_measure_units(at(fields[1L]))
+  table <- do.call(data.frame, c(list(words_of(measures, unit)), columns, stringsAsFactors = FALSE))
+  # what no field moves is left out
+  told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))
+  shiny::tagList(
+    html_table("Change of each measure (%) for a tenth more of each field",
+      c("Measure", slope_words(fields)), text_rows(table[told, ])),
+    shiny::tags$p(class = "note", "By the slope at the design on screen. A star: the slope does not
+      hold for 1 % to both sides, as where netting goes slack or a rope comes to lie on the bed.")
+  )
+}
+
+# Answers a page that asks for slopes: input$slopes_wanted = list(paths) of one control, or without
+# any for those that people change first.
+flume_slopes <- function(input, output, session, tank, ask_clerk, said) {
+  show <- function() {
+    said("flume_slopes", fields = slopes_message(tank$slopes, tank$preferred))
+    tank$count_slopes()
+  }
+  shiny::observeEvent(input$slopes_wanted, {
+    if (is.null(tank$gear)) return()
+    serial <- tank$serial
+    paths <- as.list(input$slopes_wanted)$paths
+    ask_clerk("slopes", "finding slopes", paths, function(found) {
+      if (tank$serial != serial) return()
+      tank$slopes <- with_slopes(tank$slopes, found)
+      show()
+    })
+  })
+  shiny::observeEvent(input$preferred, if (!is.null(tank$slopes)) show())
+  output$slopes <- shiny::renderUI({
+    tank$slopes_changed()
+    tank$changed()
+    slopes_html(tank$slopes)
+  })
+}

@@ -1,0 +1,158 @@
+# A tow of the design on screen: the clerk marches it, the page plays it. What changes on the way is
+# told in a few texts; a plan's own section `tow` has all the rest.
+
+# s; and kept times of a tow, of which the page shows each.
+longest_tow <- 3600
+tow_frames <- 100L
+
+# said: list(until = "60 s", planned = TRUE or changes = list(speed = , course = , warp_out = )),
+# each change list(to or by, from, over), texts with units. Returns list(trajectory, scene).
+tow_asked <- function(state, said) {
+  said <- as.list(said)
+  until <- said_time(said$until, "until", 1, longest_tow)
+  given <- if (isTRUE(said$planned)) planned_tow(state) else said_tow(state, as.list(said$changes))
+  trajectory <- do.call(tow, c(
+    list(state, until = until, every = until / tow_frames), given
+  ))
+  list(trajectory = serialize(trajectory, NULL), scene = viewed_scene(trajectory))
+}
+
+# What the plan's section `tow` says of the way.
+planned_tow <- function(state) {
+  section <- tow_section(state$gear)
+  if (!length(section)) abort_argument("The plan on screen has no section `tow`.")
+  section[setdiff(names(section), c("until", "every"))]
+}
+
+# ... and what the page says.
+said_tow <- function(state, changes) {
+  given <- list(
+    speed = said_change(changes$speed, state$si$towing$speed, "speed", "speed"),
+    course = said_change(changes$course, 0, "angle", "course")
+  )
+  if (!is.null(changes$warp_out)) {
+    ropes <- Filter(function(rope) isTRUE(rope$role %in% c("warp", "purse_wire")), state$si$ropes)
+    if (!length(ropes)) abort_argument("The gear on screen has no warp to pay out.")
+    given$warp_out <- lapply(ropes, function(rope) {
+      said_change(changes$warp_out, rope$length, "length", "warp_out")
+    })
+  }
+  Filter(Negate(is.null), given)
+}
+
+# A schedule of what stays as it is until `from`, then goes `over` some seconds to a value, or by so
+# much; NULL where the page asks for no change.
+said_change <- function(asked, now, dimension, name) {
+  asked <- as.list(asked)
+  if (!length(asked)) return(NULL)
+  from <- said_time(asked$from, paste0(name, ", from"), 0, longest_tow)
+  over <- said_time(asked$over, paste0(name, ", over"), 0, longest_tow)
+  to <- if (is.null(asked$by)) said_number(asked$to, name, dimension) else {
+    now + said_number(asked$by, name, dimension)
+  }
+  # one that begins at once has no row before it; one that takes no time is a jump
+  time <- c(0, if (from > 0) from, from + over)
+  data.frame(time = time, value = c(rep(now, length(time) - 1L), to))
+}
+
+said_time <- function(said, name, low, high) {
+  time <- said_number(said, name, "time")
+  if (time < low || time > high) {
+    abort_argument("{.arg {name}} is {.val {said}}; it must be from {low} to {high} s.")
+  }
+  time
+}
+
+# In SI, of a text with a unit.
+said_number <- function(said, name, dimension) {
+  good <- is_text(said) && nchar(said) <= most_name
+  number <- if (good) tryCatch(quantity_si(trimws(said), dimension), error = function(e) NA_real_)
+  if (!isTRUE(is.finite(number))) {
+    shown <- if (good) said else "something else"
+    abort_argument(
+      "{.arg {name}} is {.val {shown}}; it must be a number with a unit (units:
+      {unit_examples(dimension)})."
+    )
+  }
+  number
+}
+
+# What of a tow can be saved: by name its file's extension, title, what for, and writer of a
+# trajectory.
+tow_saves <- list(
+  measures = list(
+    extension = "csv", title = "Measures by time", about = "for spreadsheets",
+    write = function(x, file) write_csv(as.data.frame(x, what = "measures"), file)
+  ),
+  conditions = list(
+    extension = "csv", title = "Conditions by time", about = "speed, course, warps and energy",
+    write = function(x, file) write_csv(as.data.frame(x, what = "conditions"), file)
+  ),
+  tensions = list(
+    extension = "csv", title = "Tensions by time", about = "of every part",
+    write = function(x, file) write_csv(as.data.frame(x, what = "tensions"), file)
+  ),
+  motion = list(
+    extension = "html", title = "Page that plays", about = "one file, to send on",
+    write = function(x, file) view(x, file)
+  ),
+  trajectory = list(
+    extension = "nc", title = "Trajectory", about = "for codend and readers of NetCDF",
+    package = "RNetCDF", write = function(x, file) write_trajectory(x, file)
+  ),
+  grids = list(
+    extension = "tar.gz", title = "Grids by time", about = "for ParaView",
+    write = function(x, file) write_grids(x, file)
+  )
+)
+
+# The grids of a trajectory and what lists them, as one file.
+write_grids <- function(trajectory, file) {
+  folder <- tempfile("grids")
+  dir.create(folder)
+  on.exit(unlink(folder, recursive = TRUE))
+  write_vtk(trajectory, file.path(folder, "tow.pvd"))
+  write_file(file, function(path) {
+    back <- setwd(folder)
+    on.exit(setwd(back))
+    utils::tar(path, list.files(), compression = "gzip", tar = "internal")
+  })
+}
+
+# said: list(name of tow_saves, trajectory as it was serialised, file).
+save_tow <- function(said) {
+  tow_saves[[said$name]]$write(unserialize(said$trajectory), said$file)
+}
+
+# Those that can be written here.
+tow_saves_here <- function() {
+  Filter(function(one) {
+    is.null(one$package) || requireNamespace(one$package, quietly = TRUE)
+  }, tow_saves)
+}
+
+# Answers a page that tows: input$tow_wanted = list(until, planned, changes).
+flume_tows <- function(input, output, tank, clerk, ask_clerk, said) {
+  shiny::observeEvent(input$tow_wanted, {
+    if (is.null(tank$gear)) return()
+    ask_clerk("tow", "towing", as.list(input$tow_wanted), function(found) {
+      tank$trajectory <- found$trajectory
+      said("flume_tow", scene = found$scene)
+    })
+  })
+  for (name in names(tow_saves_here())) {
+    local({
+      name <- name
+      output[[paste0("save_tow_", name)]] <- shiny::downloadHandler(
+        filename = function() {
+          paste0(file_words(tank$gear$plan$name), "-tow-", name, ".", tow_saves[[name]]$extension)
+        },
+        content = function(file) {
+          by_clerk(clerk, "save_tow", file, function() {
+            tank$request("save_tow", list(name = name, file = file, trajectory = tank$trajectory))
+          })
+        }
+      )
+    })
+  }
+}

@@ -1,0 +1,133 @@
+// What a little more of a field would do, beside the measures: how much more of which field is chosen
+// here, R finds the slopes.
+//
+// codendSlopes.show(fields) takes what R found, with what it has found already; .stale() tells that the
+// design has changed.
+window.codendSlopes = (function () {
+  'use strict';
+
+  var element = window.codendView.element;
+  var found = {}, timer = null, amounts = {};
+  function find(id) { return document.getElementById(id); }
+  function key() { return find('more_field').value; }
+
+  function ask(paths) {
+    window.codendPage.tell('slopes_error', '');
+    window.codendTalk.tell('slopes_wanted', { paths: paths, number: Date.now() });
+  }
+
+  // The fields of the form, with the one that was chosen.
+  function fill() {
+    var select = find('more_field'), before = select.value, all = window.codendForm.numbers();
+    var names = all.map(function (one) { return one.paths.join(' '); });
+    if (select.dataset.names === names.join('|')) return;
+    select.dataset.names = names.join('|');
+    select.textContent = '';
+    var groups = [element('optgroup', '', undefined, { label: 'Changed first' }),
+      element('optgroup', '', undefined, { label: 'All others' })];
+    all.forEach(function (one, k) {
+      groups[one.usual ? 0 : 1].appendChild(element('option', '', one.label, { value: names[k] }));
+    });
+    groups.forEach(function (group) { if (group.childNodes.length) select.appendChild(group); });
+    var floats = names.filter(function (name) { return /^floats\.number/.test(name); })[0];
+    select.value = names.indexOf(before) >= 0 ? before : floats || names[0];
+  }
+
+  // Asks for the chosen field, where it is looked at and not known, once nothing moves.
+  function want() {
+    window.clearTimeout(timer);
+    if (!find('more_of').open) return;
+    fill();
+    var one = found[key()];
+    write();
+    if (one || !key()) return;
+    timer = window.setTimeout(function () {
+      if (window.codendTalk.waits()) { want(); return; }
+      ask(key().split(' '));
+    }, 300);
+  }
+
+  function figures(x, like) {
+    if (x === null) return '';
+    var size = Math.abs(like), decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
+    var text = Math.abs(x).toFixed(decimals);
+    if (!/[1-9]/.test(text)) {
+      if (!x) return '0';
+      text = Math.abs(x).toPrecision(2);
+    }
+    return (x < 0 ? '\u2212' : '+') + text;
+  }
+
+  function write() {
+    var place = find('more_does'), one = found[key()];
+    place.textContent = '';
+    find('more_amount').disabled = !one;
+    if (!one) {
+      find('more_unit').textContent = '';
+      return;
+    }
+    find('more_unit').textContent = one.unit;
+    var input = find('more_amount');
+    if (document.activeElement !== input) {
+      input.value = amounts[key()] === undefined ? one.more : amounts[key()];
+    }
+    var more = input.valueAsNumber;
+    if (!isFinite(more)) return;
+    var scroll = element('div', 'table-scroll', undefined, { tabindex: 0, role: 'region',
+      'aria-label': 'What it would do' });
+    var table = element('table', 'table table-sm flume-table'), body = element('tbody'), kinks = false;
+    one.measures.forEach(function (words, k) {
+      var change = one.slope[k] * more;
+      // what nothing moves is left out
+      if (Math.abs(change) < 1e-9) return;
+      var row = element('tr');
+      row.appendChild(element('th', '', words + ' (' + one.units[k] + ')', { scope: 'row' }));
+      var cell = element('td', 'number', figures(change, change));
+      if (!one.smooth[k]) {
+        kinks = true;
+        cell.appendChild(element('abbr', 'kink', ' kink', { title: 'The slope does not hold for 1 % ' +
+          'to both sides: ' + figures(-one.below[k] * more, change) + ' for as much less, ' +
+          figures(one.above[k] * more, change) + ' for as much more.' }));
+      }
+      row.appendChild(cell);
+      body.appendChild(row);
+    });
+    table.appendChild(body);
+    scroll.appendChild(table);
+    place.appendChild(scroll);
+    place.appendChild(element('p', 'note', 'Straight on from the slope at ' +
+      (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim() + (kinks ? '. A kink: netting goes slack or ' +
+      'a rope meets the bed nearby, so that more and less are not alike.' : '.')));
+  }
+
+  function show(fields) {
+    (fields || []).forEach(function (one) { found[one.paths.join(' ')] = one; });
+    write();
+  }
+
+  document.addEventListener('toggle', function (event) {
+    if (event.target.id === 'more_of') want();
+  }, true);
+  document.addEventListener('change', function (event) {
+    if (event.target.id === 'more_field') want();
+  });
+  document.addEventListener('input', function (event) {
+    if (event.target.id !== 'more_amount') return;
+    amounts[key()] = event.target.valueAsNumber;
+    write();
+  });
+  document.addEventListener('click', function (event) {
+    if (event.target.id === 'slopes_table') ask(null);
+    if (event.target.id !== 'slopes_all') return;
+    ask(null);
+    var tab = document.querySelector('#shown [data-value="Slopes"]');
+    tab.click();
+    tab.scrollIntoView({ block: 'start' });
+  });
+
+  return {
+    show: show,
+    stale: function () { found = {}; want(); },
+    form: want
+  };
+}());

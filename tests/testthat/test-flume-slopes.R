@@ -1,0 +1,63 @@
+skip_if_not_installed("shiny")
+skip_if_not_installed("bslib")
+
+test_that("a page is told what more of a field does, in the units that it likes", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(slopes_wanted = list(paths = list("ropes.cable.length"), number = 1))
+    told <- sent("flume_slopes")[[1]]$fields
+    expect_length(told, 1L)
+    expect_identical(unclass(told[[1]]$paths), "ropes.cable.length")
+    expect_identical(told[[1]]$unit, "m")
+    found <- sensitivities(tank$state, to = "ropes.cable.length")
+    expect_identical(unclass(told[[1]]$slope), found$slope)
+    # to a design settled with that much more: the slope is within 0.5 % of 1 % to both sides where
+    # it is called smooth
+    depth <- match("body depth", told[[1]]$measures)
+    expect_true(told[[1]]$smooth[depth])
+    ask(session, ropes.cable.length = list(value = 1010, unit = "m"))
+    more <- tank$measures[["body_depth_m"]] - tank$pinned$measures[["body_depth_m"]]
+    expect_equal(more / 10, unclass(told[[1]]$slope)[depth], tolerance = 0.02)
+    # those of another design count no more
+    expect_null(tank$slopes)
+
+    session$setInputs(preferred = list(length = "fathom"))
+    session$setInputs(slopes_wanted = list(number = 2))
+    told <- sent("flume_slopes")[[1]]$fields
+    expect_gt(length(told), 1L)
+    depth <- match("body depth", told[[1]]$measures)
+    expect_identical(unclass(told[[1]]$units)[depth], "fathom")
+    found <- sensitivities(tank$state)
+    expect_equal(unclass(told[[1]]$slope)[depth], found$slope[depth] / 1.8288, tolerance = 1e-12)
+    # percent for a tenth more, to the figures that are shown
+    speed <- found$elasticity[found$measure == "body_depth_m" & found$field == "towing.speed"]
+    expect_match(session$output$slopes$html, signed(10 * speed, 1L), fixed = TRUE)
+    table <- utils::read.csv(session$output$save_slopes)
+    expect_equal(table$slope, found$slope, tolerance = 1e-12)
+  })
+})
+
+test_that("slopes of what is no field are refused", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    wrong <- list(list("ropes.cable.lenght"), list(3), list(list("a")), list(strrep("a", 5000)),
+      list("towing.speed", "ropes.cable.length"))
+    for (paths in wrong) {
+      sent("flume_refused")
+      session$setInputs(slopes_wanted = list(paths = paths, number = stats::runif(1)))
+      refused <- sent("flume_refused")
+      expect_length(refused, 1L)
+      expect_identical(refused[[1]]$where, "slopes")
+    }
+    expect_null(tank$slopes)
+  })
+})
+
+test_that("a star marks slopes that do not hold", {
+  state <- settled("towed_cable", nodes = 300)
+  slopes <- sensitivities(state, to = c("towing.speed", "ropes.cable.length"))
+  slopes$smooth[slopes$field == "towing.speed"] <- FALSE
+  html <- as.character(slopes_html(slopes))
+  row <- regmatches(html, regexpr("<tr><th scope='row'>body depth</th>.*?</tr>", html, perl = TRUE))
+  cells <- regmatches(row, gregexpr("(?<='number'>)[^<]*", row, perl = TRUE))[[1]]
+  expect_match(cells[1], " \\*$")
+  expect_no_match(cells[2], "*", fixed = TRUE)
+})

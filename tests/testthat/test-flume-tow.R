@@ -1,0 +1,81 @@
+skip_if_not_installed("shiny")
+skip_if_not_installed("bslib")
+
+faster <- function(...) {
+  list(until = "40 s", changes = list(speed = list(to = "5 knot", from = "5 s", over = "10 s")), ...)
+}
+
+test_that("the design on screen is towed, and the page plays what tow() finds", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(tow_wanted = faster())
+    scene <- sent("flume_tow")[[1]]$scene
+    expect_equal(range(scene$times), c(0, 40))
+    here <- tow(tank$state, until = 40, every = 0.4, speed = data.frame(time = c(0, 5, 15),
+      value = c(tank$state$si$towing$speed, tank$state$si$towing$speed, 5 * 1852 / 3600)))
+    trajectory <- unserialize(tank$trajectory)
+    expect_equal(trajectory$position, here$position, tolerance = 1e-12)
+    expect_identical(scene, viewed_scene(trajectory))
+    words <- vapply(scene$graph, `[[`, "", "words")
+    expect_true("body depth (m)" %in% words)
+    # of a march in balance within 2 % of what is put through
+    energy <- scene$graph[[grep("energy imbalance", words)]]$values
+    expect_length(energy, length(trajectory$time))
+    expect_lt(max(abs(energy)), 2)
+
+    # what is saved is what is played
+    table <- utils::read.csv(session$output$save_tow_measures)
+    expect_equal(table$value, as.data.frame(trajectory, what = "measures")$value, tolerance = 1e-12)
+    listed <- utils::untar(session$output$save_tow_grids, list = TRUE, tar = "internal")
+    expect_gt(length(listed), 100L)
+    expect_true("tow.pvd" %in% basename(listed))
+    expect_match(readLines(session$output$save_tow_motion, warn = FALSE)[1], "DOCTYPE", fixed = TRUE)
+  })
+})
+
+test_that("warps are paid out from what they are, and a jump takes no time", {
+  state <- settled("midwater_trawl", nodes = 500)
+  given <- said_tow(state, list(warp_out = list(by = "-50 m", from = "0 s", over = "20 s"),
+    course = list(by = "90 deg", from = "10 s", over = "0 s")))
+  expect_identical(names(given), c("course", "warp_out"))
+  warps <- Filter(function(rope) identical(rope$role, "warp"), state$si$ropes)
+  expect_identical(names(given$warp_out), names(warps))
+  for (name in names(warps)) {
+    expect_identical(given$warp_out[[name]],
+      data.frame(time = c(0, 20), value = warps[[name]]$length - c(0, 50)))
+  }
+  expect_equal(given$course, data.frame(time = c(0, 10, 10), value = c(0, 0, pi / 2)))
+})
+
+test_that("a tow that cannot be is refused in words, and the last one stays", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    wrong <- list(
+      list(), list(until = "2 days"), list(until = "-3 s"), list(until = 1:3),
+      list(until = "10 s", planned = TRUE),
+      list(until = "10 s", changes = list(speed = list(to = "fast", from = "0 s", over = "0 s"))),
+      list(until = "10 s", changes = list(speed = list(to = "5 knot"))),
+      list(until = "10 s", changes = list(speed = "5 knot")),
+      list(until = "10 s", changes = list(speed = list(to = "5 m", from = "0 s", over = "5 s")))
+    )
+    for (asked in wrong) {
+      sent("flume_refused")
+      session$setInputs(tow_wanted = c(asked, number = stats::runif(1)))
+      refused <- sent("flume_refused")
+      expect_length(refused, 1L)
+      expect_identical(refused[[1]]$where, "tow")
+      expect_no_match(refused[[1]]$message, "failed", fixed = TRUE)
+    }
+    expect_null(tank$trajectory)
+  })
+})
+
+test_that("the plan's own tow is towed", {
+  gear <- update(read_gear("towed_cable"), tow = list(until = "5 min", speed = list(
+    list(time = "0 s", value = "4 knot"), list(time = "10 s", value = "5 knot"))))
+  in_flume(gear, function(session, sent, tank) {
+    session$setInputs(tow_wanted = list(until = "20 s", planned = TRUE))
+    trajectory <- unserialize(tank$trajectory)
+    # to the time that the page asks for
+    expect_identical(max(trajectory$time), 20)
+    expect_equal(utils::tail(trajectory$conditions$speed, 1L), 5 * 1852 / 3600, tolerance = 1e-12)
+  })
+})
