@@ -17,6 +17,7 @@
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
+# make netting  what netting's lattice leaves: against known answers, between lattices, and cost
 # make errors  whether the errors that measures tell hold, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
@@ -31,7 +32,7 @@
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl install test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
-  bench-tow errors robust validate site schema schema-check
+  bench-tow netting errors robust validate site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -92,6 +93,11 @@ bench-loops:
 bench-tow:
 	@tools/setup --tests
 	@Rscript bench/motion.R
+
+SECTIONS ?=
+netting:
+	@tools/setup --tests
+	@Rscript bench/netting.R $(SECTIONS)
 
 errors:
 	@tools/setup --tests
