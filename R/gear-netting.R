@@ -75,7 +75,8 @@
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
 #' twines from `angle`, its angle at rest (D. Priour, 2013, as above); of turned meshes the
 #' angle is measured across the panel. It matters in codends of thick twine. Values are to be
-#' measured: none is assumed.
+#' measured: none is assumed. In netting of bars the couples act on the sheets between the rows of
+#' its knots.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -97,8 +98,8 @@ NULL
 #' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that
 #' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind
 #' it encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is
-#' given, an assumption). [settle()] finds that front. The catch has no weight in water. Its netting
-#' must be of cells.
+#' given, an assumption). [settle()] finds that front. The catch has no weight in water. In netting
+#' of bars it lies against the sheets between the rows of their knots.
 #'
 #' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
 #' deep the catch is.

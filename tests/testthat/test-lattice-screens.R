@@ -200,9 +200,20 @@ test_that("the force of stiff meshes is what their energy says", {
   }
 })
 
-test_that("netting that must be of cells is not made of bars", {
+test_that("stiff knots of bars have their couples on sheets that hold all of them", {
   si <- flat_net(opening_stiffness = list(couple = 1, angle = 1))
-  expect_error(build_lattice(si, netting = "bars"), "cells", class = "codend_error_plan")
+  lattice <- build_lattice(si, netting = "bars")
+  cells <- build_lattice(si, netting = "cells")
+  # area of the triangles in twine coordinates (m) times their multiplicity: knots, as in cells
+  knots <- function(lattice) {
+    openings <- lattice$engine$openings
+    at <- cell_twine_places(list(twine = openings$twine), seq_along(openings$couple))
+    sum(cell_area(at$u, at$v) * openings$multiplicity)
+  }
+  expect_equal(knots(lattice), knots(cells), tolerance = 1e-9)
+})
+
+test_that("netting of hexagons is not made of bars", {
   si <- flat_net(orientation = "hexagonal")
   expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "cells")
   expect_equal(si$panels$net$straight_bar, 0.03)
