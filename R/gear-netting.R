@@ -21,8 +21,9 @@
 #' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
 #' twice the twine's where not given, which drags by its Reynolds number, and has the mass and the
 #' volume of the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a
-#' single knot takes (J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990: knotted netting
-#' weighs 1 + 16 d / mesh size times as much as knotless). Knotless netting has none of this.
+#' single knot takes: knotted netting weighs 1 + 16 d / mesh size times as much as knotless
+#' (recalled of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, which was not at hand:
+#' an assumption until it is checked there). Knotless netting has none of this.
 #' [netting_table()] lists the twine that the panels of a gear take.
 #'
 #' @section Drag of twines and ropes:
@@ -64,10 +65,12 @@
 #' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural
 #' Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
-#' 1) back to the sum. These bounds are a choice made here. With coefficients whose part along the
-#' twine is small, such as `hoerner`, the screen may be the larger of the two. A mesh that closes up
-#' loses its area, and as a screen its drag. In netting of bars the screens are sheets between the
-#' rows of its knots. Hexagonal netting can be a screen, but not blended: where the plan's law is
+#' 1) back to the sum. Netting so open that its twines stand alone is none: from a solidity of 0.05
+#' down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
+#' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
+#' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
+#' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:
+#' where the plan's law is
 #' that, it has the sum over its twines. `settle()` warns where a screen's law is used outside the
 #' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
