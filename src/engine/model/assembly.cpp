@@ -20,17 +20,6 @@ Assembly::Assembly(const Model& model)
       scale_(static_cast<std::size_t>(model.points())) {
   if (!model.wake.empty()) wake_.set_share(model.wake);
   if (model.water.waves.present()) waves_.resize(static_cast<std::size_t>(model.points()));
-  std::vector<ElementPoints> elements{{2, model.bars.node},
-                                      {4, model.cells.node},
-                                      {4, model.hexagons.node},
-                                      {1, model.contacts.node}};
-  for (const ElementKind* kind : kinds_) {
-    elements.push_back({kind->nodes_per_element(), kind->nodes()});
-  }
-  pattern_ = pattern_of(free_, elements);
-  for (const ElementPoints& kind : elements) places_.emplace_back(free_, pattern_, kind);
-  diagonal_.reserve(free_nodes().size());
-  for (int i = 0; i < unknowns(); ++i) diagonal_.push_back(find_block(pattern_, i, i));
   change_.strain.resize(static_cast<std::size_t>(model.constraints()));
   in_body_.assign(static_cast<std::size_t>(model.nodes), 0);
   for (const ElementKind* kind : kinds_) {
@@ -43,6 +32,20 @@ Assembly::Assembly(const Model& model)
         in_body_[static_cast<std::size_t>(free_nodes()[shares[s].unknown])] = 1;
     }
   }
+}
+
+const BlockLayout& Assembly::blocks() const {
+  if (!blocks_) {
+    std::vector<ElementPoints> elements{{2, model_.bars.node},
+                                        {4, model_.cells.node},
+                                        {4, model_.hexagons.node},
+                                        {1, model_.contacts.node}};
+    for (const ElementKind* kind : kinds_) {
+      elements.push_back({kind->nodes_per_element(), kind->nodes()});
+    }
+    blocks_.emplace(free_, elements);
+  }
+  return *blocks_;
 }
 
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
@@ -140,9 +143,18 @@ void Assembly::renew_wake_over(double time) {
 
 void Assembly::residual(double* force, const DualTension* dual) {
   std::copy(load_.begin(), load_.end(), force_.begin());
-  lines_.add_force(dual ? dual->tension.data() : lines().tension, force_.data());
-  model_.contacts.add_force(field(), dual ? dual->tension.data() + lines_.count() : nullptr,
-                            force_.data());
+  add_pull(dual ? dual->tension.data() : lines().tension,
+           dual ? dual->tension.data() + lines_.count() : nullptr, force);
+}
+
+void Assembly::pull_of(const DualTension& dual, double* force) {
+  std::fill(force_.begin(), force_.end(), 0.0);
+  add_pull(dual.tension.data(), dual.tension.data() + lines_.count(), force);
+}
+
+void Assembly::add_pull(const double* tension, const double* normal_force, double* force) {
+  lines_.add_force(tension, force_.data());
+  model_.contacts.add_force(field(), normal_force, force_.data());
   hand_on(force_.data(), 3);
   std::copy(force_.begin(), force_.begin() + 3 * static_cast<std::ptrdiff_t>(model_.nodes), force);
   for (std::size_t n = 0; n < held_back_.size(); ++n) {
@@ -181,20 +193,22 @@ void Assembly::balance(double share, double* allowed) {
 
 void Assembly::jacobian(const JacobianRequest& request, double* values,
                         const DualTension* dual) const {
-  std::fill(values, values + 9 * pattern_.column.size(), 0.0);
+  const BlockPattern& pattern = blocks().pattern;
+  const std::vector<BlockPlaces>& places = blocks().places;
+  std::fill(values, values + 9 * pattern.column.size(), 0.0);
   lines_.add_jacobian(request, dual ? dual->tension.data() : lines().tension,
-                      dual ? dual->modulus.data() : nullptr, places_[0].into(values),
-                      places_[1].into(values), places_[2].into(values));
+                      dual ? dual->modulus.data() : nullptr, places[0].into(values),
+                      places[1].into(values), places[2].into(values));
   model_.contacts.add_jacobian(
       field(), request, dual ? dual->tension.data() + lines_.count() : nullptr,
-      dual ? dual->modulus.data() + lines_.count() : nullptr, places_[3].into(values));
+      dual ? dual->modulus.data() + lines_.count() : nullptr, places[3].into(values));
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
-    kinds_[k]->add_jacobian(field(), request, places_[k + 4].into(values));
+    kinds_[k]->add_jacobian(field(), request, places[k + 4].into(values));
   }
   if (held_back_.empty()) return;
   for (int i = 0; i < unknowns(); ++i) {
     if (!held_back_[free_nodes()[i]]) continue;
-    std::fill(values + 9 * pattern_.row_start[i], values + 9 * pattern_.row_start[i + 1], 0.0);
+    std::fill(values + 9 * pattern.row_start[i], values + 9 * pattern.row_start[i + 1], 0.0);
   }
 }
 
@@ -209,8 +223,9 @@ double Assembly::bar_pull(int bar) const {
 }
 
 void Assembly::add_diagonal(const double* numbers, double* values) const {
+  const std::vector<std::int64_t>& diagonal = blocks().diagonal;
   for (int i = 0; i < unknowns(); ++i) {
-    double* block = values + 9 * diagonal_[i];
+    double* block = values + 9 * diagonal[i];
     for (int k = 0; k < 3; ++k) block[4 * k] += numbers[i];
   }
 }
@@ -218,12 +233,12 @@ void Assembly::add_diagonal(const double* numbers, double* values) const {
 void Assembly::add_mass(const double* mass, double factor, double* values) const {
   for (int i = 0; i < unknowns(); ++i) {
     const double* from = mass + 9 * static_cast<std::ptrdiff_t>(free_nodes()[i]);
-    double* block = values + 9 * diagonal_[i];
+    double* block = values + 9 * blocks().diagonal[i];
     for (int k = 0; k < 9; ++k) block[k] += factor * from[k];
   }
   for (std::size_t k = 0; k < kinds_.size(); ++k) {
     if (kinds_[k]->has_bodies()) {
-      kinds_[k]->add_body_mass(field(), factor, places_[k + 4].into(values));
+      kinds_[k]->add_body_mass(field(), factor, blocks().places[k + 4].into(values));
     }
   }
 }

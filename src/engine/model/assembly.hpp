@@ -1,6 +1,7 @@
 // Residual and Jacobian of a model in its free nodes: what a solver sees.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "../elements/lines.hpp"
@@ -33,7 +34,7 @@ class Assembly {
   // Free nodes, in the order of the unknowns.
   const std::vector<int>& free_nodes() const { return free_.nodes(); }
   int unknowns() const { return static_cast<int>(free_nodes().size()); }
-  const BlockPattern& pattern() const { return pattern_; }
+  const BlockPattern& pattern() const { return blocks().pattern; }
 
   void update() { flow_known_ = false; }
   // rest_rate: dL0/dt over L0, 1/s.
@@ -66,6 +67,9 @@ class Assembly {
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // dual: tensions that are unknowns of a solver, instead of the law's.
   void residual(double* force, const DualTension* dual = nullptr);
+
+  // The pull (N) of tensions alone on every node; 3 per node.
+  void pull_of(const DualTension& dual, double* force);
 
   // Net force (N) that may be left on every node of a motion: `share` of the sizes of the pulls, drags
   // and loads on it, and of a little of the gear's largest tension, and no less than what rounding of
@@ -126,6 +130,9 @@ class Assembly {
   void gather_added_mass();
   // Adds what water that accelerates does to added mass to the loads.
   void add_push_of_water();
+  const BlockLayout& blocks() const;
+  // Adds the pull of tensions to what force_ has, and gives the sum, N.
+  void add_pull(const double* tension, const double* normal_force, double* force);
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
   const Model& model_;
@@ -133,10 +140,9 @@ class Assembly {
   const FreePoints free_;
   Lines lines_;
   Wake wake_;
-  BlockPattern pattern_;
-  std::vector<std::int64_t> diagonal_;  // place of every diagonal block in the pattern
-  // Of bars, of cells, of hexagonal triangles, of contacts, then one per kind.
-  std::vector<BlockPlaces> places_;
+  // Of bars, of cells, of hexagonal triangles, of contacts, then one per kind. Made when a matrix is
+  // first asked for: who only reads forces needs none.
+  mutable std::optional<BlockLayout> blocks_;
   bool flow_known_ = false;
   std::vector<char> held_back_;
   LineChange change_;

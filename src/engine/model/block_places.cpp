@@ -12,21 +12,6 @@ FreePoints::FreePoints(const Model& model) : model_(model), unknown_(model.nodes
   }
 }
 
-int FreePoints::shares(int point, Share out[2]) const {
-  int n = 0;
-  auto add = [&](int node, double weight) {
-    if (unknown_[node] >= 0) out[n++] = {unknown_[node], weight};
-  };
-  if (point < model_.nodes) {
-    add(point, 1.0);
-  } else {
-    const Tie& tie = model_.ties[point - model_.nodes];
-    add(tie.first, 1.0 - tie.share);
-    add(tie.second, tie.share);
-  }
-  return n;
-}
-
 BlockPattern pattern_of(const FreePoints& free, const std::vector<ElementPoints>& kinds) {
   auto each_pair = [&](auto visit) {
     FreePoints::Share rows[2], columns[2];
@@ -106,6 +91,14 @@ BlockPlaces::BlockPlaces(const FreePoints& free, const BlockPattern& pattern,
       }
     }
   }
+}
+
+BlockLayout::BlockLayout(const FreePoints& free, const std::vector<ElementPoints>& kinds)
+    : pattern(pattern_of(free, kinds)) {
+  places.reserve(kinds.size());
+  for (const ElementPoints& kind : kinds) places.emplace_back(free, pattern, kind);
+  diagonal.reserve(static_cast<std::size_t>(pattern.n));
+  for (int i = 0; i < pattern.n; ++i) diagonal.push_back(find_block(pattern, i, i));
 }
 
 }  // namespace codend

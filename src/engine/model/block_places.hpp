@@ -21,7 +21,21 @@ class FreePoints {
     double weight;
   };
   // Fills out[0 .. n) and returns n.
-  int shares(int point, Share out[2]) const;
+  int shares(int point, Share out[2]) const {
+    int n = 0;
+    auto add = [&](int node, double weight) {
+      const int unknown = unknown_[static_cast<std::size_t>(node)];
+      if (unknown >= 0) out[n++] = {unknown, weight};
+    };
+    if (point < model_.nodes) {
+      add(point, 1.0);
+    } else {
+      const Tie& tie = model_.ties[static_cast<std::size_t>(point - model_.nodes)];
+      add(tie.first, 1.0 - tie.share);
+      add(tie.second, tie.share);
+    }
+    return n;
+  }
 
   const std::vector<int>& nodes() const { return free_; }  // unknown -> node
 
@@ -55,6 +69,15 @@ class BlockPlaces {
   int width_;
   std::vector<std::int64_t> slot_, list_start_, list_block_;  // see BlockSink
   std::vector<double> list_weight_;
+};
+
+// Where the blocks of all elements of a matrix over the free nodes lie.
+struct BlockLayout {
+  BlockLayout(const FreePoints& free, const std::vector<ElementPoints>& kinds);
+
+  BlockPattern pattern;
+  std::vector<std::int64_t> diagonal;  // place of every diagonal block in the pattern
+  std::vector<BlockPlaces> places;     // one per kind
 };
 
 }  // namespace codend

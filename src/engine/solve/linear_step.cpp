@@ -60,4 +60,9 @@ bool LinearStep::solve(const std::vector<double>& values, const std::vector<doub
   return true;
 }
 
+void LinearStep::solve_again(const std::vector<double>& right, std::vector<double>& step) {
+  Stopwatch watch(report_.seconds_linear);
+  lu_->solve(right.data(), step.data());
+}
+
 }  // namespace codend

@@ -22,6 +22,8 @@ class LinearStep {
   // values * step = right, 3 per free node; false where the matrix is singular.
   bool solve(const std::vector<double>& values, const std::vector<double>& right,
              std::vector<double>& step);
+  // Another right side with the factors of the last solve() that returned true.
+  void solve_again(const std::vector<double>& right, std::vector<double>& step);
   // For others who factorise with the same pattern.
   BlockLU& factors();
 

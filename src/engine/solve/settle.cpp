@@ -54,12 +54,23 @@ class Settling {
 
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near(true);
-    if (control_.start == Start::settled) iteration_.begin_settled();
+    if (control_.start == Start::settled) begin_settled();
   }
 
-  // To the last settled shape, from which the law did not close in.
+  void begin_settled() {
+    iteration_.begin_settled(control_.attempts.settled_parameter[settled_attempt_++]);
+  }
+
+  // To the last settled shape, from which steps did not close in.
   void go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
+    const bool more = settled_attempt_ < control_.attempts.settled_parameter.size();
+    if (report_.wake_renewals == 0 && control_.start == Start::settled && more) {
+      iteration_.measure();
+      begin_settled();
+      steps_ = 0;
+      return;
+    }
     iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
     if (report_.wake_renewals == 0) iteration_.begin_near(false);
@@ -117,7 +128,7 @@ class Settling {
   SettleReport& report_;
   double* x_;
   const std::vector<double> start_;
-  std::size_t attempt_ = 0;
+  std::size_t attempt_ = 0, settled_attempt_ = 0;
   int steps_ = 0;  // of this attempt
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;

@@ -71,10 +71,13 @@ void SettleIteration::begin_near(bool law) {
   if (law && report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
-void SettleIteration::begin_settled() {
+void SettleIteration::begin_settled(double parameter) {
   from_settled_ = closing_in_ = true;
+  on_law_ = begun_ = false;
+  loaded_ = loaded_step_ = 1.0;
+  settled_steps_ = idle_steps_ = 0;
   least_rotation_ = control_.attempts.settled_rotation;
-  follow(TensionPath::settled_parameter);
+  follow(parameter);
   pseudo_time_.set_step(control_.attempts.settled_step);
   if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
 }
@@ -87,7 +90,7 @@ void SettleIteration::resume() {
   left_x_.assign(x_, x_ + force_.size());
   assembly_.strain(strain_);
   left_path_ = TensionPath(assembly_.model(), load_);
-  left_path_.follow(strain_, TensionPath::settled_parameter);
+  left_path_.follow(strain_, control_.attempts.settled_parameter[0]);
   left_pseudo_step_ = control_.attempts.settled_step;
   pseudo_time_.begin(pseudo_time_.step(), control_.pseudo_time.found_rotation);
 }
@@ -168,11 +171,10 @@ void SettleIteration::step() {
     for (double& d : damping_) d /= pseudo_time_.step();
     assembly_.add_diagonal(damping_.data(), values_.data());
   }
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    at(right_.data(), static_cast<int>(i)) = at(force_.data(), free_[i]);
-  }
+  take_right_side();
   if (linear_.solve(values_, right_, step_)) {
     move();
+    if (closing_in_ && !on_law_) correct();
   } else {
     pseudo_time_.shorten();
   }
@@ -224,6 +226,7 @@ double SettleIteration::reduction() {
   }
   const PathControl& path = control_.path;
   const double rotation = pseudo_time_.rotation();
+  if (closing_in_ && loaded_ < 1.0) return 1.0;
   if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
   if (rotation < path.reductions.back().rotation && pseudo_time_.step() < path.short_step) {
     return path.short_step_factor;
@@ -239,7 +242,7 @@ double SettleIteration::reduction() {
 void SettleIteration::add_loads_by_parts() {
   if (settled_steps_ == 0) first_force_ = force_;
   if (loaded_ == 1.0) return;
-  if (pseudo_time_.rotation() <= control_.path.settled_turn) {
+  if (pseudo_time_.rotation() <= control_.path.settled_excess * control_.path.settled_turn) {
     loaded_ = std::min(1.0, loaded_ + loaded_step_);
   }
   for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - loaded_) * first_force_[k];
@@ -263,6 +266,9 @@ void SettleIteration::move() {
   const LineChange& change = assembly_.line_change(dx_.data());
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
   const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
+  share_ = share;
+  turned_ = change.rotation;
+  from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
   pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
@@ -271,6 +277,45 @@ void SettleIteration::move() {
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
     idle_steps_ = closer ? 0 : idle_steps_ + 1;
     if (closer) least_rotation_ = pseudo_time_.rotation();
+  }
+}
+
+// Where the last step has left the path, brought nearer by another one with its factors: what a step of its
+// own costs is mostly these. Tensions and places are both unknowns of it, and lines keep the directions
+// that the matrix has: along their new ones, the stretch that a step's turn makes of second order would push
+// a stiff line's nodes aside. It is not taken where it turns lines by more than the step did.
+void SettleIteration::correct() {
+  {
+    Stopwatch watch(report_.seconds_forces);
+    assembly_.move_to(x_, v_);
+    assembly_.strain(strain_);
+    path_.correct(strain_);
+    assembly_.residual(force_.data(), &path_.current());
+    assembly_.move_to(from_x_.data(), v_);
+    pull_.resize(force_.size());
+    assembly_.pull_of(path_.correction(), pull_.data());
+    for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
+    if (loaded_ < 1.0) {
+      for (std::size_t k = 0; k < force_.size(); ++k) {
+        force_[k] -= (1.0 - loaded_) * first_force_[k];
+      }
+    }
+  }
+  take_right_side();
+  linear_.solve_again(right_, step_);
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
+  }
+  const LineChange& change = assembly_.line_change(dx_.data());
+  if (!(change.rotation < share_ * turned_)) return;
+  path_.advance(change.strain, 1.0);
+  for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
+  pseudo_time_.assume_rotation(change.rotation);
+}
+
+void SettleIteration::take_right_side() {
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(right_.data(), static_cast<int>(i)) = at(force_.data(), free_[i]);
   }
 }
 

@@ -28,8 +28,8 @@ class SettleIteration {
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   // law: whether the law may be tried at once.
   void begin_near(bool law);
-  // Takes the present positions, measured, as settled under other loads, likewise.
-  void begin_settled();
+  // Takes the present positions, measured, as settled under other loads, likewise; parameter: mu.
+  void begin_settled(double parameter);
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
   // not close in the path from that shape's tensions.
   void resume();
@@ -59,6 +59,8 @@ class SettleIteration {
   void add_loads_by_parts();
   double first_share(double rotation);
   void move();
+  void correct();
+  void take_right_side();
   bool at_rounding() const;
   double rounding_force() const;
   double total_load();
@@ -85,6 +87,9 @@ class SettleIteration {
   // forces that the rest would make at the start.
   double loaded_ = 1.0, loaded_step_ = 1.0;
   std::vector<double> first_force_;
+  // Of the last step: the share of it that was taken, how much all of it turned lines; where it began.
+  double share_ = 1.0, turned_ = 1.0;
+  std::vector<double> from_x_, pull_;
   // Of that state's steps.
   double least_rotation_ = 1.0;
   int idle_steps_ = 0, settled_steps_ = 0;

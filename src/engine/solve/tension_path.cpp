@@ -31,6 +31,7 @@ TensionPath::TensionPath(const Model& model, double load)
   strut_.assign(lines, 0);
   table_.assign(lines, nullptr);
   slack_.assign(lines, first_parameter / first_tension);
+  ratio_.resize(lines);
   centring_.resize(lines);
   mismatch_.resize(lines);
   model.each_line([&](const auto& line) {
@@ -100,15 +101,35 @@ void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
     }
     if (!begun_ && k >= lines_) rest_contact(k, strain[k]);
     const double t = current_.tension[k];
-    const double s = slack_[k];
     double stretched, slope;
     stretch(k, t, stretched, slope);
-    current_.modulus[k] = 1.0 / (slope + s / t);
-    centring_[k] = parameter_ * scale_[k] / t - s;
-    mismatch_[k] = strain[k] - stretched + s + centring_[k];
+    ratio_[k] = slack_[k] / t;
+    current_.modulus[k] = 1.0 / (slope + ratio_[k]);
+    mismatch(k, strain[k], stretched);
     predicted_.tension[k] = t + current_.modulus[k] * mismatch_[k];
   }
   begun_ = true;
+}
+
+void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
+  const double s = slack_[k];
+  centring_[k] = parameter_ * scale_[k] / current_.tension[k] - s;
+  mismatch_[k] = strain - stretched + s + centring_[k];
+}
+
+void TensionPath::correct(const std::vector<double>& strain) {
+  for (std::size_t k = 0; k < scale_.size(); ++k) {
+    predicted_.tension[k] = 0.0;
+    if (stiffness_[k] == 0.0) continue;
+    if (strut_[k]) {
+      mismatch_[k] = strain[k] - current_.tension[k] / stiffness_[k];
+    } else {
+      double stretched, slope;
+      stretch(k, current_.tension[k], stretched, slope);
+      mismatch(k, strain[k], stretched);
+    }
+    predicted_.tension[k] = current_.modulus[k] * mismatch_[k];
+  }
 }
 
 void TensionPath::advance(const std::vector<double>& strain_change, double share) {
@@ -121,7 +142,7 @@ void TensionPath::advance(const std::vector<double>& strain_change, double share
       t += share * t_change;
       continue;
     }
-    const double s_change = centring_[k] - s / t * t_change;
+    const double s_change = centring_[k] - ratio_[k] * t_change;
     t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
     s = std::clamp(std::max(s + share * s_change, least_share * s), least_slack, most_slack);
     s = std::max(s, least_product * parameter_ * scale_[k] / t);

@@ -25,9 +25,9 @@ class TensionPath {
   TensionPath(const Model& model, double load);
 
   // Starts from tensions and slack variables that agree with these strains at this mu, for positions that
-  // are nearly settled (near_parameter) or were under other loads (settled_parameter), instead of
+  // are nearly settled (near_parameter) or were under other loads (far smaller ones), instead of
   // pulling every line taut.
-  static constexpr double near_parameter = 1e-3, settled_parameter = 1e-9;
+  static constexpr double near_parameter = 1e-3;
   void follow(const std::vector<double>& strain, double parameter);
 
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
@@ -36,13 +36,21 @@ class TensionPath {
   const DualTension& current() const { return current_; }
   const DualTension& predicted() const { return predicted_; }
 
+  // The same at the strains that a step with this matrix has led to, for another one with it and the same
+  // mu: correction() holds the tensions that answer to what strains miss, current() the others.
+  void correct(const std::vector<double>& strain);
+  const DualTension& correction() const { return predicted_; }
+
   // After the step: tensions and slack variables follow the strains' first-order changes, taken `share`
   // of the way, and stay positive.
   void advance(const std::vector<double>& strain_change, double share);
 
  private:
-  std::vector<double> stiffness_, scale_, slack_, centring_, mismatch_;
+  // ratio_: of slack to tension, in the step's matrix.
+  std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_;
   void rest_contact(std::size_t k, double penetration);
+  // What a line's strain misses of that of its tension and slack variable, on the way to mu.
+  void mismatch(std::size_t k, double strain, double stretched);
   // Strain that a tension makes, and its derivative.
   void stretch(std::size_t k, double tension, double& strain, double& slope) const;
 
