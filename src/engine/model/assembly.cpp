@@ -148,8 +148,14 @@ void Assembly::residual(double* force, const DualTension* dual) {
 }
 
 void Assembly::pull_of(const DualTension& dual, double* force) {
+  // Lines add their drag with their pull: it is taken off again.
+  const std::vector<double> none(dual.tension.size(), 0.0);
+  std::vector<double> drag(3 * static_cast<std::size_t>(model_.nodes));
+  std::fill(force_.begin(), force_.end(), 0.0);
+  add_pull(none.data(), none.data() + lines_.count(), drag.data());
   std::fill(force_.begin(), force_.end(), 0.0);
   add_pull(dual.tension.data(), dual.tension.data() + lines_.count(), force);
+  for (std::size_t k = 0; k < drag.size(); ++k) force[k] -= drag[k];
 }
 
 void Assembly::add_pull(const double* tension, const double* normal_force, double* force) {
