@@ -6,7 +6,7 @@ command_export <- function() {
       ". A PLAN that ends in .nc ",
       "is a state that was kept so, or a tow, to be written as ", formats_text("trajectory"), "."
     ),
-    options = list(set_option(), nodes_option(), netting_option()),
+    options = list(set_option(), aimed_nodes_option(), netting_option()),
     run = function(plan, options) run_export(plan[1], plan[-1], options)
   )
 }

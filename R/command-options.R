@@ -8,8 +8,16 @@ set_option <- function() {
   ))
 }
 
-nodes_option <- function() {
-  optparse::make_option("--nodes", metavar = "N", help = "about how many nodes [1500]")
+# usual: how many are taken without.
+nodes_option <- function(usual = "1500") {
+  optparse::make_option("--nodes", metavar = "N", help = sprintf(
+    "about how many nodes [%s]", usual
+  ))
+}
+
+# Of what is settled once.
+aimed_nodes_option <- function() {
+  nodes_option("1500, or up to 4000 where main measures would err by over 1 %")
 }
 
 netting_option <- function() {

@@ -5,7 +5,7 @@ command_report <- function() {
       optparse::make_option("--out", metavar = "FILE", help = paste(
         "the page to write, ending in .html [the plan's name, here]"
       )),
-      set_option(), nodes_option(), netting_option()
+      set_option(), aimed_nodes_option(), netting_option()
     ),
     run = run_report
   )

@@ -2,7 +2,7 @@ command_settle <- function() {
   list(
     takes = "PLAN", does = "Find the steady shape of a gear and print its measures and forces.",
     options = list(
-      set_option(), nodes_option(), netting_option(),
+      set_option(), aimed_nodes_option(), netting_option(),
       optparse::make_option("--json", metavar = "FILE", help = paste(
         "write the measures as JSON; - is standard output, which then holds nothing else"
       )),

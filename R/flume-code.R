@@ -3,7 +3,7 @@
 # loaded, pinned, design: gears, `loaded` as it was opened; nodes: of the lattice, about.
 flume_code <- function(loaded, pinned, design, nodes) {
   settle_call <- function(gear) {
-    paste0("settle(", gear, if (nodes != 1500) paste0(", nodes = ", shortest_decimal(nodes)), ")")
+    paste0("settle(", gear, ", nodes = ", shortest_decimal(nodes), ")")
   }
   differ <- !identical(pinned$plan, design$plan)
   lines <- c(

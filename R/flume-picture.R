@@ -20,7 +20,9 @@ picture_message <- function(state, now, pinned, known) {
   about <- scene_about(state, list(now, pinned))
   part <- function(drawing, before) {
     c(
-      list(times = I(0), labels = I("")), about, drawing$moved,
+      list(times = I(0), labels = I("")), about,
+      # the kept design seldom moves
+      if (!identical(drawing$moved, before$moved)) drawing$moved,
       if (!identical(drawing$fixed, before$fixed)) drawing$fixed
     )
   }

@@ -127,7 +127,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       return(replace_process("The process that settles ended at this; a new one takes its place."))
     }
     idle <<- TRUE
-    finish(if (is.null(said$error)) said$result else {
+    finish(if (is.null(said$error)) unpacked_answer(said$result) else {
       list(problem = list(message = paste0("codend failed at this: ", plain_message(said$error))))
     })
   }
@@ -169,7 +169,26 @@ prepare_worker <- function(bytes) {
   NULL
 }
 
-worker_answer <- function(request) flume_answer(request, worker_memory)
+worker_answer <- function(request) packed_answer(flume_answer(request, worker_memory))
+
+# ---- between the two -----------------------------------------------------------------------------
+
+# A state has its gear, which an answer has beside it: it is sent once.
+packed_answer <- function(answer) {
+  if (has_state(answer$found)) answer$found$state$gear <- NULL
+  answer
+}
+
+unpacked_answer <- function(answer) {
+  if (!has_state(answer$found)) return(answer)
+  without <- answer$found$state
+  answer$found$state <- structure(
+    c(list(gear = answer$found$gear), unclass(without)), class = class(without)
+  )
+  answer
+}
+
+has_state <- function(found) is.list(found) && all(c("gear", "state") %in% names(found))
 
 # ---- what a page may send ------------------------------------------------------------------------
 

@@ -18,6 +18,10 @@ least_ratio <- 1.5
 fair_nodes <- 400
 # Of a measure itself.
 error_floor <- 2e-4
+# Of slack netting, on 1,500 nodes: a third of it and more vanishes as trawls are divided further,
+# by steps that two lattices may miss (`make errors`). It falls with the length of elements.
+slack_floor <- 0.2
+slack_floor_nodes <- 1500
 
 # What is told where it is missed, a share of the main measures.
 usual_accuracy <- 0.01
@@ -27,8 +31,9 @@ main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_
 
 # Errors of measures (named numbers, as shown) of a state on a lattice of so many nodes; NA where
 # no other lattice tells. levels: list of list(nodes, values), coarse to fine; forces: which of the
-# measures are forces; drag: which is the whole drag.
-estimate_errors <- function(values, nodes, levels, forces = integer(), drag = integer()) {
+# measures are forces; drag: which is the whole drag; slack: which is the share of slack netting.
+estimate_errors <- function(values, nodes, levels, forces = integer(), drag = integer(),
+                            slack = integer()) {
   error <- setNames(rep(NA_real_, length(values)), names(values))
   ratio <- vapply(levels, function(level) nodes / level$nodes, 0)
   levels <- levels[pmax(ratio, 1 / ratio) >= least_ratio]
@@ -56,6 +61,7 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
   share <- share[is.finite(share) & share > 0]
   usual <- if (length(share)) stats::median(share) else 0
   error <- pmax(error, usual * size, error_floor * size)
+  error[slack] <- pmax(error[slack], slack_floor * sqrt(slack_floor_nodes / nodes) * size[slack])
   if (length(drag)) error[forces] <- pmax(error[forces], (error / size)[drag[1L]] * size[forces])
   error
 }

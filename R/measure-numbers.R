@@ -8,7 +8,8 @@ new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
   error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
-    forces = which(units %in% names(plan_units$force)), drag = which(kind == "total_drag"))
+    forces = which(units %in% names(plan_units$force)), drag = which(kind == "total_drag"),
+    slack = which(kind == "slack_netting"))
   structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
     error = error, class = c("codend_measures", "numeric"))
 }

@@ -46,22 +46,28 @@ part_drag_over_size <- function(state) {
 scene_fixed <- function(shape) {
   fixed <- shape$fixed
   state <- fixed$state
-  point <- function(number) match(number, fixed$drawn) - 1L
-  ends <- fixed$ropes$ends
-  list(
-    ropes = list(
-      ends = packed_integers(point(ends)), part = packed_integers(fixed$ropes$part - 1L)
-    ),
-    netting = lapply(fixed$netting$panels, function(panel) {
-      list(
-        part = panel$part - 1L, columns = panel$columns, rows = panel$rows,
-        point = packed_integers(point(panel$point)), mesh = packed_floats(panel$mesh)
-      )
-    }),
-    parts = scene_parts(state), marks = scene_marks(fixed$marks),
-    vessels = lapply(scene_vessels(state, fixed$marks), I)
+  c(
+    scene_joints(fixed$ropes[c("ends", "part")], fixed$netting$panels, fixed$drawn),
+    list(
+      parts = scene_parts(state), marks = scene_marks(fixed$marks),
+      vessels = lapply(scene_vessels(state, fixed$marks), I)
+    )
   )
 }
+
+# What joins the points that are drawn, of ropes and of panels.
+scene_joints <- remembered(function(ropes, panels, drawn) {
+  point <- function(number) packed_integers(match(number, drawn) - 1L)
+  list(
+    ropes = list(ends = point(ropes$ends), part = packed_integers(ropes$part - 1L)),
+    netting = lapply(panels, function(panel) {
+      list(
+        part = panel$part - 1L, columns = panel$columns, rows = panel$rows,
+        point = point(panel$point), mesh = packed_floats(panel$mesh)
+      )
+    })
+  )
+})
 
 # Of every part its words and, where it has such, its thickness (m), length of a bar and of a mesh
 # (m) and strength (N).

@@ -229,18 +229,23 @@ marks_of_piece <- 24L
 
 piece_marks <- function(state, points) {
   lattice <- state$lattice
-  pieces <- length(state$si$ropes) + length(state$si$panels) + seq_along(state$si$pieces)
-  do.call(rbind, lapply(pieces, function(part) {
-    piece <- state$si$pieces[[lattice$parts$name[part]]]
+  parts <- length(state$si$ropes) + length(state$si$panels) + seq_along(state$si$pieces)
+  if (!length(parts)) return(NULL)
+  pieces <- unname(state$si$pieces[lattice$parts$name[parts]])
+  nodes <- lapply(parts, function(part) {
     node <- unique(lattice$engine$spheres$node[lattice$sphere_part == part])
     n <- min(length(node), max(marks_of_piece, 1L))
-    node <- node[unique(round(seq(1, length(node), length.out = n)))]
-    data.frame(
-      x = points[1L, node], y = points[2L, node], z = points[3L, node],
-      role = if (is.na(piece$role)) "other" else piece$role, part = lattice$parts$name[part],
-      size = sqrt(piece$area), direction = piece$lift_direction
-    )
-  }))
+    node[unique(round(seq(1, length(node), length.out = n)))]
+  })
+  node <- unlist(nodes)
+  each <- function(values) rep(values, lengths(nodes))
+  role <- vapply(pieces, function(piece) as.character(piece$role), "")
+  data.frame(
+    x = points[1L, node], y = points[2L, node], z = points[3L, node],
+    role = each(ifelse(is.na(role), "other", role)), part = each(lattice$parts$name[parts]),
+    size = each(sqrt(vapply(pieces, function(piece) as.double(piece$area), 0))),
+    direction = each(vapply(pieces, function(piece) as.character(piece$lift_direction), ""))
+  )
 }
 
 # Free otter boards, in the middle of their points.

@@ -14,9 +14,10 @@ netting_surfaces <- function(state, limit = drawn_lines) {
   of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
   block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
   places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
+  clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
   made <- lapply(seq_along(drawn), function(p) {
     if (of_bars[p]) {
-      cloud_surface(state, p, part[p], places)
+      cloud_surface(state, clouds[[p]])
     } else {
       grid_surface(state, p, part[p], block, places)
     }
@@ -48,33 +49,51 @@ grid_surface <- function(state, p, part, block, places) {
   )
 }
 
-# The knots and middles of bars of a panel, with the nodes on its edges.
-cloud_surface <- function(state, p, part, places) {
-  name <- names(state$lattice$panels)[p]
-  drawn <- state$lattice$panels[[p]]
-  panel <- state$si$panels[[name]]
+# What of a state tells how its clouds are joined, and no more: the tank settles the same lattice
+# again and again.
+what_clouds_are_of <- function(state) {
+  lattice <- state$lattice
+  list(
+    si = list(panels = state$si$panels),
+    lattice = list(
+      panels = lattice$panels, bar_part = lattice$bar_part,
+      engine = list(nodes = lattice$engine$nodes, bars = lattice$engine$bars["node"])
+    )
+  )
+}
+
+# The clouds of the panels of bars of what what_clouds_are_of() gives, by panel.
+netting_clouds <- remembered(function(of, part, places) {
+  lapply(seq_along(of$lattice$panels), function(p) {
+    if (of$lattice$panels[[p]]$netting == "bars") cloud_frame(of, p, part[p], places)
+  })
+})
+
+# The knots and middles of bars of a panel, with the nodes on its edges: what a surface has that
+# does not move, and for u and v the bars that end at its points, list(bar, at = at which).
+cloud_frame <- function(of, p, part, places) {
+  name <- names(of$lattice$panels)[p]
+  drawn <- of$lattice$panels[[p]]
+  panel <- of$si$panels[[name]]
   on_edges <- which(places$panel == p)
-  node <- point_number(drawn$node, state$lattice$engine$nodes)
+  node <- point_number(drawn$node, of$lattice$engine$nodes)
   left <- panel_left(panel, drawn$j)
   s <- (drawn$i - left) / pmax(panel_right(panel, drawn$j) - left, 1e-9)
-  point <- c(node, point_number(places$node[on_edges], state$lattice$engine$nodes))
+  point <- c(node, point_number(places$node[on_edges], of$lattice$engine$nodes))
   s <- c(pmin(pmax(s, 0), 1), places$s[on_edges])
   t <- c(drawn$j / panel$deep, places$t[on_edges])
   kept <- which(!duplicated(round(s * 1e6) + 1e7 * round(t * 1e6)))
   point <- point[kept]
-  bars <- bars_of_part(state, part)
-  ends <- bar_ends(state, bars)
-  family <- bar_twines(state, name, ends)$family
+  bars <- bars_of_part(of, part)
+  ends <- bar_ends(of, bars)
+  family <- bar_twines(of, name, ends)$family
   # u twines run along u
-  mean_at <- function(which) {
+  ending <- function(which) {
     on <- which(family == which)
-    tension <- rep(state$bar_tension[bars[on]], each = 2L)
     at <- match(as.vector(ends[, on]), point)
     good <- !is.na(at)
-    weighted_means(tension[good], rep(1, sum(good)), at[good], length(point))
+    list(bar = rep(bars[on], each = 2L)[good], at = at[good])
   }
-  u <- mean_at(1L)
-  v <- mean_at(2L)
   mesh <- twine_coordinates(panel, s[kept], t[kept])
   list(
     part = part, columns = 0L, rows = 0L, point = point,
@@ -82,9 +101,18 @@ cloud_surface <- function(state, p, part, places) {
       on_drawn_twines(mesh[1L, ], match(ends[, family == 2L], point), drawn$lambda),
       on_drawn_twines(mesh[2L, ], match(ends[, family == 1L], point), drawn$lambda)
     ),
-    u = ifelse(is.nan(u), NA, u), v = ifelse(is.nan(v), NA, v),
-    at = matrix(rep(point, each = 4L), 4L)
+    u = ending(1L), v = ending(2L), at = matrix(rep(point, each = 4L), 4L)
   )
+}
+
+# ... with the tensions of now.
+cloud_surface <- function(state, frame) {
+  frame[c("u", "v")] <- lapply(frame[c("u", "v")], function(on) {
+    n <- length(frame$point)
+    mean <- weighted_means(state$bar_tension[on$bar], rep(1, length(on$bar)), on$at, n)
+    ifelse(is.nan(mean), NA, mean)
+  })
+  frame
 }
 
 # A twine coordinate of the points of a cloud turned so that equivalent twines (on: points on those

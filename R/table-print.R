@@ -31,22 +31,25 @@ measure_text <- function(measures) {
 }
 
 # How accurate the lattice makes the main measures, and what to do where that is little; NULL where
-# it is not known.
-accuracy_line <- function(measures, nodes) {
+# it is not known. report: a summary's.
+accuracy_line <- function(measures, report) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
+  aimed <- report$accuracy_aimed_at
   paste0(
     "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
-    percent_text(error), aim_text(error, nodes)
+    percent_text(error), if (!is.null(aimed)) sprintf(" (aimed at %s)", percent_text(aimed)),
+    aim_text(error, report$nodes)
   )
 }
 
-within_text <- function(measures) {
+# aimed: the share that settle() aimed at, or NULL.
+within_text <- function(measures, aimed = NULL) {
   error <- main_error(measures)
-  if (is.finite(error)) {
-    sprintf("; main measures within about %s (aim: %s)", percent_text(error),
-      percent_text(usual_accuracy))
-  }
+  if (!is.finite(error)) return(NULL)
+  reached <- percent_text(error)
+  if (is.null(aimed)) return(sprintf("; main measures within about %s", reached))
+  sprintf("; main measures: aimed at %s, reached %s", percent_text(aimed), reached)
 }
 
 # Where what is aimed at is missed, what gives it.
@@ -73,7 +76,7 @@ print.codend_state <- function(x, ...) {
       sprintf("Gear \"%s\" at %s s of a tow", x$si$name, format(signif(x$time, 6)))
     },
     paste0("  ", conditions_text(x$si)),
-    paste0("  ", size_text(x), within_text(found)),
+    paste0("  ", size_text(x), within_text(found, x$report$accuracy_aimed_at)),
     paste0("  ", measure_text(found[shown])),
     paste0("  More: summary(), as.data.frame(), plot(), view()",
       aim_text(main_error(found), x$lattice$nodes)),

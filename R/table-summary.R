@@ -63,7 +63,7 @@ summary_lines <- function(x) {
   section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
   c(
     cli::style_bold(x$name), x$conditions,
-    section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report$nodes))),
+    section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
     section("Worth a look", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",

@@ -27,6 +27,8 @@ test_that("a control moves the gear to what settle() finds from the start", {
     expect_identical(picture[[1]]$answers, 7)
     # what joins the points is not sent again
     expect_null(picture[[1]]$now$ropes)
+    # nor the kept design, which has not moved
+    expect_null(picture[[1]]$pinned$points)
     expect_type(picture[[1]]$now$points$floats, "character")
     anew <- settle(update(read_gear("towed_cable"), towing.speed = "5 knot"), nodes = 300)
     # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more

@@ -205,7 +205,7 @@ test_that("the survey trawl closes and pulls with speed as its flume model does"
     towing_points = list(spread = "54.2 m", height = "1.6 m"), water.viscosity = 1.15e-6 * 8^1.5)
   state <- NULL
   found <- vapply(tests$speed_knot, function(v) {
-    state <<- settle(update(rig, towing.speed = paste(v, "knot")), from = state)
+    state <<- settle(update(rig, towing.speed = paste(v, "knot")), nodes = 1500, from = state)
     pull <- summary(state)$reactions
     m <- measures(state)
     c(

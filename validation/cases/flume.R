@@ -24,7 +24,8 @@ survey_rig <- function(rigging, height) {
 set_spread <- function(rig, wing) {
   tried <- wing + 2 * 54.9 * sin(18 * pi / 180) + c(-2, 2)
   found <- vapply(tried, function(spread) {
-    measures(settle(update(rig, towing_points.spread = spread)))[["upper_wing_spread_m"]]
+    state <- settle(update(rig, towing_points.spread = spread), nodes = 1500)
+    measures(state)[["upper_wing_spread_m"]]
   }, 0)
   tried[1] + (wing - found[1]) * diff(tried) / diff(found)
 }
@@ -40,7 +41,7 @@ in_flume_rig <- function(tests) {
     for (k in set) {
       rig <- survey_rig(rigging, paste(tests$pulling_point_mm[k] * 8 / 1000, "m"))
       state <- settle(update(rig, towing_points.spread = spread,
-        towing.speed = paste(tests$speed_knot[k], "knot")), from = state)
+        towing.speed = paste(tests$speed_knot[k], "knot")), nodes = 1500, from = state)
       pull <- summary(state)$reactions
       m <- measures(state)
       found[k, ] <- c(sum(sqrt(pull$x_kN^2 + pull$y_kN^2 + pull$z_kN^2)) / 9.81,

@@ -5,7 +5,8 @@
 settled_along <- function(gear, at, measures) {
   state <- NULL
   t(vapply(seq_along(at[[1]]), function(k) {
-    state <<- settle(do.call(update, c(list(gear), lapply(at, `[[`, k))), from = state)
+    state <<- settle(do.call(update, c(list(gear), lapply(at, `[[`, k))), nodes = 1500,
+      from = state)
     vapply(measures, function(name) measures(state)[[name]], 0)
   }, stats::setNames(numeric(length(measures)), measures)))
 }
