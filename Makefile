@@ -8,7 +8,8 @@
 # make fuzz    plans, files, models and messages that nobody would write; SECONDS=... and SEED=...
 # make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
 # make sanitize-threads  the engine's tests under the thread sanitizer
-# make check   R CMD check of the package as it would be published; any note is a failure
+# make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
+# make check   R CMD check --as-cran of the package as it would be published; any note is a failure
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
@@ -17,6 +18,7 @@
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
 # make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
+# make netting  what netting's lattice leaves: against known answers, between lattices, and cost
 # make errors  whether the errors that measures tell hold, to bench/results/
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
@@ -30,8 +32,8 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz sanitize sanitize-threads check ci browser-test soak bench bench-loops \
-  bench-tow errors robust validate site schema schema-check
+.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads check ci browser-test soak bench \
+  bench-loops bench-tow netting errors robust validate site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -61,6 +63,11 @@ SEED ?= 1000000
 fuzz:
 	@tools/setup --tests
 	@ulimit -v 6000000; exec Rscript tests/fuzz/run.R $(SECONDS) $(SEED)
+
+COUNT ?= 100000
+fuzz-engine:
+	@tools/setup --tests
+	@$(MAKE) -C tests/engine $@ COUNT=$(COUNT) SEED=$(SEED)
 
 sanitize sanitize-threads:
 	@tools/setup --tests
@@ -92,6 +99,11 @@ bench-loops:
 bench-tow:
 	@tools/setup --tests
 	@Rscript bench/motion.R
+
+SECTIONS ?=
+netting:
+	@tools/setup --tests
+	@Rscript bench/netting.R $(SECTIONS)
 
 errors:
 	@tools/setup --tests

@@ -184,7 +184,7 @@ draw_straight <- function(sheet, rope, figure, x, top, wide, look) {
 
 straight_words <- function(rope) {
   item <- rope$item
-  make <- trimws(paste0(item$material, " Ø", short_number(in_unit(item$diameter, "mm"))))
+  make <- trimws(paste0(item$material, " \u00d8", short_number(in_unit(item$diameter, "mm"))))
   paste0(item$name, "  ", short_number(round(item$length, 2), 6), " m  ", make,
     if (!is.na(item$hanging)) sprintf("  E %.2f", item$hanging))
 }

@@ -1,6 +1,9 @@
 # Mesh counts, cutting rates and twines as drawings have them: what a plan leaves out because the
 # rest of the drawing gives it.
 
+# The groups of a plan that its counts are found from.
+count_groups <- c("panels", "wings", "square", "sections", "materials")
+
 # A plan with its counts and twines complete. fields: checked, in SI; plan: as given; twines:
 # whether it may have some by weight, as what a short form stands for has not.
 # Returns list(fields, plan, derived), both trees with the same numbers put in; derived: these by

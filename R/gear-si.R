@@ -6,10 +6,10 @@
 # last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
 # what is the same as in that plan is taken over from it, unchecked.
 #
-# Returns list(plan, fields, derived, expanded, tree, assembly, si): the plan; its checked fields in
-# SI; the counts that its cutting rates and take-up ratios give, by path; the
-# assembly that it stands for as expanded and in plain form (NULL where it is one); that assembly's
-# checked fields; and the SI numbers of si_of().
+# Returns list(plan, fields, derived, counted, expanded, tree, assembly, si): the plan; its checked
+# fields in SI; the counts that its cutting rates and take-up ratios give, by path, and all that
+# complete_counts() returned; the assembly that it stands for as expanded and in plain form (NULL
+# where it is one); that assembly's checked fields; and the SI numbers of si_of().
 check_whole <- function(plan, last = NULL) {
   fields <- check_plan(plan, last$plan, last$fields)
   tryCatch(
@@ -20,22 +20,57 @@ check_whole <- function(plan, last = NULL) {
 
 # What check_whole() does once every field is as the schema has it.
 check_parts <- function(plan, fields, last) {
-  whole <- complete_counts(fields, plan)
-  now <- list(plan = plan, fields = fields, derived = whole$derived)
+  whole <- counts_again(fields, plan, last)
+  now <- list(plan = plan, fields = fields, derived = whole$derived, counted = whole)
   if (now$fields$kind == "assembly") {
     now$assembly <- whole$fields
   } else {
-    now$expanded <- with_plain_numbers(
-      gear_expanders[[now$fields$kind]](whole$fields, whole$plan)
-    )
+    now$expanded <- expanded_again(plan, fields, last)
+    if (is.null(now$expanded)) {
+      now$expanded <- with_plain_numbers(
+        gear_expanders[[now$fields$kind]](whole$fields, whole$plan)
+      )
+    }
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
-    now$assembly <- complete_counts(
-      check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly), now$tree,
-      twines = FALSE
-    )$fields
+    now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
+    # what is taken over from the last gear is complete
+    if (is.null(last$tree) || !identical(now$tree[count_groups], last$tree[count_groups])) {
+      now$assembly <- complete_counts(now$assembly, now$tree, twines = FALSE)$fields
+    }
   }
   now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
   now
+}
+
+# As complete_counts(), of a plan without twines by weight from that of the last gear where nothing
+# has changed that counts are found from.
+counts_again <- function(fields, plan, last) {
+  same <- !is.null(last) && identical(plan[count_groups], last$plan[count_groups]) &&
+    identical(fields[count_groups], last$fields[count_groups]) && !has_field(fields, "rtex")
+  if (!same) return(complete_counts(fields, plan))
+  for (group in intersect(count_groups, names(fields))) {
+    fields[group] <- last$counted$fields[group]
+    if (group %in% names(plan)) plan[group] <- last$counted$plan[group]
+  }
+  list(fields = fields, plan = plan, derived = last$derived)
+}
+
+# Groups that every assembly has as its short form does, and that nothing else of it is made from.
+handed_on <- c("name", "towing", "vessel")
+
+# The assembly that the last gear stood for with the groups that are only handed on of this plan, or
+# NULL where others have changed.
+expanded_again <- function(plan, fields, last) {
+  rest <- setdiff(names(plan), handed_on)
+  same <- !is.null(last$expanded) && identical(names(plan), names(last$plan)) &&
+    identical(plan[rest], last$plan[rest]) &&
+    identical(fields[setdiff(names(fields), handed_on)],
+      last$fields[setdiff(names(last$fields), handed_on)])
+  changed <- intersect(handed_on, names(plan))
+  if (!same || !all(changed %in% names(last$expanded))) return(NULL)
+  expanded <- last$expanded
+  expanded[changed] <- plan[changed]
+  expanded
 }
 
 # The fields of an assembly with the terms of its `method`, where it has one, in place of its own.

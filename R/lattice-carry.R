@@ -113,53 +113,68 @@ bar_places <- function(panels, numbers, drawn) {
 # Returns list(panel, t = of every row, row, s = of every place, x = 3 x places), rows and places in
 # order.
 panel_rows <- function(panels, from, position) {
-  bars <- which(vapply(from$panels, function(panel) panel$netting == "bars", NA))
-  grid <- grid_places(from$division)
+  rows <- row_places(panels, from[c("nodes", "division", "panels")])
+  c(rows[c("panel", "t", "row", "s")], list(x = between_places(position, rows)))
+}
+
+# The same without the shape: x is told by `from`, `to` and `share`, see between_places().
+# lattice: list(nodes, division, panels).
+row_places <- function(panels, lattice) {
+  bars <- which(vapply(lattice$panels, function(panel) panel$netting == "bars", NA))
+  grid <- grid_places(lattice$division)
   parts <- c(
-    list(c(grid[c("panel", "s", "t")], list(x = position[, grid$node, drop = FALSE]))),
-    if (length(bars)) bar_rows(panels, bars, from, position)
+    list(c(grid[c("panel", "s", "t")], on_nodes(grid$node))),
+    if (length(bars)) bar_rows(panels, bars, lattice)
   )
-  all <- lapply(c(panel = "panel", s = "s", t = "t"), function(f) unlist(lapply(parts, `[[`, f)))
+  fields <- c("panel", "s", "t", "from", "to", "share")
+  all <- lapply(setNames(nm = fields), function(field) unlist(lapply(parts, `[[`, field)))
   order <- order(all$panel, all$t, all$s)
   row <- cumsum(c(TRUE, diff((2 * all$panel + all$t)[order]) > 1e-9))
   first <- !duplicated(row)
   list(
     panel = all$panel[order][first], t = all$t[order][first], row = row, s = all$s[order],
-    x = do.call(cbind, lapply(parts, `[[`, "x"))[, order, drop = FALSE]
+    from = all$from[order], to = all$to[order], share = all$share[order]
   )
 }
 
+# Places on nodes themselves, as between_places() takes them.
+on_nodes <- function(node) list(from = node, to = node, share = numeric(length(node)))
+
 # Places on the rows of panels of bars, in no order: knots between the edges, then the ends of their
 # rows on the left and the right edge, then all of the upper and the lower edge.
-bar_rows <- function(panels, numbers, from, position) {
-  division <- from$division
-  lambda <- vapply(from$panels[numbers], `[[`, 0, "lambda", USE.NAMES = FALSE)
+bar_rows <- function(panels, numbers, lattice) {
+  division <- lattice$division
+  lambda <- vapply(lattice$panels[numbers], `[[`, 0, "lambda", USE.NAMES = FALSE)
   own <- pick_panels(panels, numbers)
   rows <- at_least_one(round((2 - is_square(own)) * own$deep / lambda))
 
-  knots <- bar_places(panels, numbers, from$panels)
+  knots <- bar_places(panels, numbers, lattice$panels)
   of_knots <- rows[match(knots$panel, numbers)]
   row <- round(knots$t * of_knots)
   inner <- abs(knots$t * of_knots - row) < 1e-6 & row > 0 & row < of_knots
-  node <- point_number(knots$node[inner], from$nodes)
-  between <- list(
-    panel = knots$panel[inner], s = knots$s[inner], t = (row / of_knots)[inner],
-    x = position[, node, drop = FALSE]
+  between <- c(
+    list(panel = knots$panel[inner], s = knots$s[inner], t = (row / of_knots)[inner]),
+    on_nodes(point_number(knots$node[inner], lattice$nodes))
   )
 
   edges <- c(list(node = division$edge_node), division[c("fraction", "count", "before")])
   panel <- rep.int(numbers, rows - 1L)
   t <- sequence(rows - 1L) / rep.int(rows, rows - 1L)
   sides <- lapply(3:4, function(side) {
-    on <- along_runs(t, 4L * (panel - 1L) + side, edges)
-    list(panel = panel, s = rep(side - 3, length(t)), t = t, x = between_places(position, on))
+    c(
+      list(panel = panel, s = rep(side - 3, length(t)), t = t),
+      along_runs(t, 4L * (panel - 1L) + side, edges)
+    )
   })
   edge <- rep.int(seq_along(division$count), division$count)
   ends <- lapply(1:2, function(side) {
     on <- which(edge %in% (4L * (numbers - 1L) + side))
-    list(
-      panel = (edge[on] - 1L) %/% 4L + 1L, s = division$fraction[on],
-      t = rep(side - 1, length(on)), x = position[, division$edge_node[on], drop = FALSE]
+    c(
+      list(
+        panel = (edge[on] - 1L) %/% 4L + 1L, s = division$fraction[on],
+        t = rep(side - 1, length(on))
+      ),
+      on_nodes(division$edge_node[on])
     )
   })
   c(list(between), sides, ends)
@@ -167,15 +182,25 @@ bar_rows <- function(panels, numbers, from, position) {
 
 # Values at places of panels: straight along rows, then between rows. rows: see panel_rows(), its
 # panels being whatever `places` names so; beyond the outermost rows and places their values hold.
-on_rows <- function(places, rows) {
+on_rows <- function(places, rows) values_on_rows(rows$x, rows_at(places, rows))
+
+# Where these places lie among rows: along the row before and the one after them the places on both
+# sides with the share of the way (before, after), and the share of the way between the rows.
+rows_at <- function(places, rows) {
   row <- between_values(places$panel, places$t, rows$panel, rows$t)
-  along <- function(row) {
-    on <- between_values(row, places$s, rows$row, rows$s)
-    from <- rows$x[, on$low, drop = FALSE]
-    from + (rows$x[, on$high, drop = FALSE] - from) * rep(on$share, each = nrow(rows$x))
+  along <- function(row) between_values(row, places$s, rows$row, rows$s)
+  list(before = along(row$low), after = along(row$high), share = row$share)
+}
+
+# x: values at the places of rows, a column each; at: see rows_at().
+values_on_rows <- function(x, at) {
+  each <- nrow(x)
+  along <- function(on) {
+    low <- x[, on$low, drop = FALSE]
+    low + (x[, on$high, drop = FALSE] - low) * rep(on$share, each = each)
   }
-  first <- along(row$low)
-  first + (along(row$high) - first) * rep(row$share, each = nrow(first))
+  first <- along(at$before)
+  first + (along(at$after) - first) * rep(at$share, each = each)
 }
 
 # The values (0 to 1) of a group next to x in it: list(low, high = their numbers, share of the way).

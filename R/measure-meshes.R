@@ -13,76 +13,95 @@
 # across and from `fore` to `aft` down the panel, in meshes from the place), and for each family of
 # bars its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
 mesh_places <- function(state, names = base::names(state$si$panels)) {
-  panels <- panel_table(state$si$panels)
-  all <- panel_rows(panels, state$lattice, state_points(state))
-  numbers <- match(names, base::names(state$si$panels))
-  kept <- all$panel[all$row] %in% numbers
-  rows <- list(
-    panel = all$panel, t = all$t, row = all$row[kept], s = all$s[kept],
-    x = all$x[, kept, drop = FALSE]
+  lattice <- state$lattice
+  frame <- if (lattice$nodes > most_remembered_nodes) mesh_frame else mesh_frame_again
+  at <- frame(
+    panel_table(state$si$panels), match(names, base::names(state$si$panels)),
+    lattice[c("nodes", "division", "panels")]
   )
-  row <- rows$row
+  all <- between_places(state_points(state), at$rows)
+  x <- all[, at$kept, drop = FALSE]
+  step <- function(from, to) x[, to, drop = FALSE] - x[, from, drop = FALSE]
+  long <- function(x) sqrt(x[1L, ]^2 + x[2L, ]^2 + x[3L, ]^2)
+  each <- function(x) rep(x, each = 3L)
+
+  # Along a row: to the neighbours on both sides.
+  opening <- (long(step(at$before, at$place)) + long(step(at$place, at$after))) * at$per_mesh
+  x_i <- step(at$before, at$after) * each(at$per_mesh)
+  # Where the row bends the bars follow it.
+  straight <- long(x_i)
+  bent <- opening / pmax(straight, 1e-300)
+  bent[straight == 0] <- 1
+  x_i <- x_i * each(bent)
+
+  # Between rows: from the one above to the one below, at the same share of the width. Down a column
+  # i changes with j where the panel tapers.
+  x_t <- (values_on_rows(all, at$below) - values_on_rows(all, at$above)) * each(at$per_row)
+  x_j <- x_t - x_i * each(at$slant)
+
+  u <- (x_j * each(!at$square) + x_i) * each(at$half)
+  v <- (x_j - x_i * each(!at$square)) * each(at$half)
+  # Of diamonds u leans one way and v the other; of squares they are across and down.
+  cosine <- (u[1L, ] * v[1L, ] + u[2L, ] * v[2L, ] + u[3L, ] * v[3L, ]) / (long(u) * long(v))
+  angle <- acos(pmin(pmax(cosine, -1), 1))
+  angle[at$turned] <- pi - angle[at$turned]
+  angle[!is.finite(cosine)] <- NA
+  list2DF(c(
+    at[c("panel", "row", "s", "t")], list(opening = opening, depth = long(x_j), angle = angle),
+    at[c("meshes", "port", "starboard", "fore", "aft")],
+    list(
+      u_x = u[1, ], u_y = u[2, ], u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
+      x = x[1, ], y = x[2, ], z = x[3, ]
+    )
+  ))
+}
+
+# What mesh_places() needs of a lattice (list(nodes, division, panels)) whatever its shape. panels:
+# the table of all; numbers: of those asked for.
+mesh_frame <- function(panels, numbers, lattice) {
+  rows <- row_places(panels, lattice)
+  kept <- which(rows$panel[rows$row] %in% numbers)
+  row <- rows$row[kept]
+  s <- rows$s[kept]
   panel <- rows$panel[row]
   own <- pick_panels(panels, panel)
   t <- rows$t[row]
   across <- own$upper + (own$lower - own$upper) * t
 
-  # Along a row: to the neighbours on both sides.
-  n <- length(row)
-  place <- seq_len(n)
+  place <- seq_along(row)
   before <- pmax(place - 1L, 1L)
   before[row[before] != row] <- place[row[before] != row]
-  after <- pmin(place + 1L, n)
+  after <- pmin(place + 1L, length(row))
   after[row[after] != row] <- place[row[after] != row]
-  lost <- rows$s[after] - rows$s[before]
-  step <- function(from, to) rows$x[, to, drop = FALSE] - rows$x[, from, drop = FALSE]
-  chord <- sqrt(colSums(step(before, place)^2)) + sqrt(colSums(step(place, after)^2))
-  per_mesh <- 1 / pmax(lost * across, 1e-12)
-  x_i <- step(before, after) * rep(per_mesh, each = 3L)
-  # Where the row bends the bars follow it.
-  straight <- sqrt(colSums(x_i^2))
-  opening <- chord * per_mesh
-  x_i <- x_i * rep(ifelse(straight > 0, opening / pmax(straight, 1e-300), 1), each = 3L)
+  lost <- s[after] - s[before]
 
-  # Between rows: from the one above to the one below, at the same share of the width.
   count <- length(rows$panel)
   number <- seq_len(count)
   above <- pmax(number - 1L, 1L)
   above[rows$panel[above] != rows$panel] <- number[rows$panel[above] != rows$panel]
   below <- pmin(number + 1L, count)
   below[rows$panel[below] != rows$panel] <- number[rows$panel[below] != rows$panel]
-  at <- function(other) {
-    on_rows(list(panel = panel, s = rows$s, t = rows$t[other][row]), all)
-  }
+  at <- function(other) rows_at(list(panel = panel, s = s, t = rows$t[other][row]), rows)
   deep <- (rows$t[below] - rows$t[above])[row] * own$deep
-  x_t <- (at(below) - at(above)) / rep(pmax(deep, 1e-12), each = 3L)
-  # Down a column i changes with j where the panel tapers.
-  slant <- panel_left(own, 1) + rows$s * (panel_right(own, 1) - panel_left(own, 1) -
-    (panel_right(own, 0) - panel_left(own, 0)))
-  x_j <- x_t - x_i * rep(slant, each = 3L)
-
-  square <- is_square(own)
-  half <- rep(ifelse(square, 1, 0.5), each = 3L)
-  u <- (x_j * rep(!square, each = 3L) + x_i) * half
-  v <- (x_j - x_i * rep(!square, each = 3L)) * half
-  # Of diamonds u leans one way and v the other; of squares they are across and down.
-  cosine <- colSums(u * v) / sqrt(colSums(u^2) * colSums(v^2))
-  angle <- acos(pmin(pmax(cosine, -1), 1))
-  angle[own$orientation == "turned"] <- pi - angle[own$orientation == "turned"]
-  angle[!is.finite(cosine)] <- NA
   # Each place stands for half the way to its neighbours.
   fore <- ((rows$t[above] - rows$t) / 2)[row] * own$deep
   aft <- ((rows$t[below] - rows$t) / 2)[row] * own$deep
-  list2DF(list(
-    panel = panel, row = row, s = rows$s, t = t, opening = opening, depth = sqrt(colSums(x_j^2)),
-    angle = angle, meshes = lost / 2 * across * (aft - fore),
-    port = (rows$s[before] - rows$s) / 2 * across,
-    starboard = (rows$s[after] - rows$s) / 2 * across,
-    fore = fore, aft = aft, u_x = u[1, ], u_y = u[2, ],
-    u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
-    x = rows$x[1, ], y = rows$x[2, ], z = rows$x[3, ]
-  ))
+  square <- is_square(own)
+  list(
+    rows = rows[c("from", "to", "share")], kept = kept,
+    panel = panel, row = row, s = s, t = t, place = place, before = before, after = after,
+    per_mesh = 1 / pmax(lost * across, 1e-12), above = at(above), below = at(below),
+    per_row = 1 / pmax(deep, 1e-12),
+    slant = panel_left(own, 1) + s * (panel_right(own, 1) - panel_left(own, 1) -
+      (panel_right(own, 0) - panel_left(own, 0))),
+    square = square, half = ifelse(square, 1, 0.5), turned = own$orientation == "turned",
+    meshes = lost / 2 * across * (aft - fore), port = (s[before] - s) / 2 * across,
+    starboard = (s[after] - s) / 2 * across, fore = fore, aft = aft
+  )
 }
+
+# Settled shapes of one lattice have it in common.
+mesh_frame_again <- remembered(mesh_frame)
 
 # Mean over the meshes of panels, SI.
 mean_of_meshes <- function(state, panels, field) {

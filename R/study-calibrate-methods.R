@@ -2,7 +2,7 @@
 #'
 #' Values, intervals, residuals and predictions of what [calibrate()] found.
 #'
-#' @param object,x A calibration, from [calibrate()].
+#' @param object A calibration, from [calibrate()].
 #' @param parm Fields, by their names or numbers; all when missing.
 #' @param level Share of the intervals.
 #' @param method `"profile"`: where the likelihood, the other fields found again, falls by what the

@@ -28,7 +28,7 @@
 #' fit <- calibrate("towed_cable", runs, nodes = 20,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
 #' \donttest{
-#' posterior(fit, draws = 200)
+#' posterior(fit, draws = 60, begin = 30)
 #' }
 posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   if (!inherits(calibration, "codend_calibration")) {

@@ -196,6 +196,7 @@ class Specimen {
         model.bars.node.push_back(chain[static_cast<std::size_t>(k)]);
         model.bars.node.push_back(chain[static_cast<std::size_t>(k) + 1]);
         model.bars.rest.push_back(1.0);
+        model.bars.height.push_back(1.5);
         model.bars.multiplicity.push_back(1.0);
         model.bars.material.push_back(2);
       }

@@ -28,6 +28,28 @@ test_that("the constructors take every field of the schema", {
   }
 })
 
+test_that("a gear that was changed is checked to what its plan gives anew", {
+  changes <- list(
+    list(towing.speed = "1.1 knot"), list(name = "Another name"),
+    list(water.density = 1010), list(warps.length = "123 m"), list(head_line.length = NULL),
+    list(sections.intermediate.meshes.deep = 20), list(towing = NULL)
+  )
+  for (name in names(shipped_plans())) {
+    gear <- read_gear(name)
+    for (change in changes) {
+      # some gears have no such field
+      changed <- tryCatch(do.call(update, c(list(gear), change)), codend_error = function(e) NULL)
+      if (is.null(changed)) next
+      expect_identical(changed$checked, as_gear(changed$plan)$checked,
+        label = paste(name, names(change)))
+      # and where only what is handed on has changed since
+      again <- tryCatch(update(changed, towing.speed = 1), codend_error = function(e) NULL)
+      if (is.null(again)) next
+      expect_identical(again$checked, as_gear(again$plan)$checked, label = paste(name, "again"))
+    }
+  }
+})
+
 test_that("two components of one name are an error", {
   expect_error(
     gear("x", a = point(position = c(0, 0, 0), held = "fixed"), a = point()),

@@ -67,7 +67,10 @@ test_that("positions of another lattice are refused", {
 test_that("R's own errors pass through the engine as they are", {
   engine <- engine_of("beam_trawl")
   start <- as.double(build_lattice(gear_si(read_gear("beam_trawl")), nodes = 200)$start)
-  stop_it <- function(...) rlang::abort("enough", class = "watched")
+  stop_it <- function(...) {
+    classes <- c("watched", "error", "condition")
+    stop(structure(list(message = "enough", call = NULL), class = classes))
+  }
   expect_error(
     engine_settle(engine, start, "crude", numeric(), integer(), 1e-8, 5L, stop_it),
     class = "watched"

@@ -82,7 +82,7 @@ test_that("a codend's meshes and their pictures", {
   # twine is taut or slack, so that a mesh is at most as wide as it is long, stretched a little
   expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
   expect_gt(max(found$mesh_opening_mm), 0)
-  file <- withr::local_tempfile(fileext = ".png")
+  file <- file.path(test_folder(), "made.png")
   plot(found, file = file)
   expect_gt(file.size(file), 1000)
   lines <- coloured_drawing(state, "mesh_opening")

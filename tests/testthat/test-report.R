@@ -140,7 +140,7 @@ test_that("a report tells what more of a field would do, where slopes are given"
   expect_identical(columns$` more`, c("+0.4000 knot", "+100.0 m", "+113.5 kg"))
   drag <- slopes$slope[slopes$measure == "total_drag_kN"] * c(0.4, 100, 113.5)
   expect_identical(columns$`total drag kN`, figures(drag))
-  file <- withr::local_tempfile(fileext = ".html")
+  file <- file.path(test_folder(), "made.html")
   report(state, file, slopes)
   expect_match(paste(readLines(file, warn = FALSE), collapse = "\n"), "What more would do")
   expect_error(report(state, file, slopes = 1), class = "codend_error_argument")

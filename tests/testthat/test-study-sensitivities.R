@@ -179,7 +179,7 @@ test_that("a field of whole numbers changes by one", {
 
 test_that("a tornado is drawn, to a file whole or not at all", {
   found <- sensitivities(settle(as_gear(towed_sphere)), secants = FALSE)
-  file <- withr::local_tempfile(fileext = ".png")
+  file <- file.path(test_folder(), "made.png")
   expect_identical(plot(found, file = file), found)
   expect_gt(file.size(file), 5000)
   expect_error(plot(found, measures = "none"), class = "codend_error_argument")

@@ -131,7 +131,7 @@ test_that("a tow in waves that goes on gives the same bytes", {
   expect_identical(on$position, whole$position)
   expect_identical(on$velocity, whole$velocity)
   skip_if_not_installed("RNetCDF")
-  file <- withr::local_tempfile(fileext = ".nc")
+  file <- file.path(test_folder(), "made.nc")
   write_trajectory(half, file)
   expect_identical(tow(read_trajectory(file), until = 12)$position, whole$position)
 })
