@@ -68,13 +68,13 @@ measure_case <- function(case, begun, until, every, ways, reference) {
   lapply(rows, function(row) {
     row$found <- NULL
     message(sprintf("%s, %d nodes, %s, %s: %.3g CPU s/s, %.3g m, energy %.2g", case, row$nodes,
-      row$scheme, row$setting, first_of(row$cpu_per_second), first_of(row$largest_error),
-      first_of(row$imbalance)))
+      row$scheme, row$setting, shown_of(row$cpu_per_second), shown_of(row$largest_error),
+      shown_of(row$imbalance)))
     c(list(case = case), row)
   })
 }
 
-first_of <- function(x) if (is.null(x)) NA_real_ else x
+shown_of <- function(x) if (is.null(x)) NA_real_ else x
 
 by_accuracy <- function(schemes, accuracies) {
   unlist(lapply(schemes, function(scheme) lapply(accuracies, function(accuracy) {
