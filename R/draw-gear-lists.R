@@ -11,8 +11,15 @@ short_number <- function(x, digits = 4) {
   vapply(x, function(one) format(signif(one, digits), trim = TRUE, drop0trailing = TRUE), "")
 }
 
-# Meshes, to tenths: a plan may divide a round net into parts of a mesh.
-mesh_number <- function(meshes) short_number(round(meshes, 1), 7)
+# Meshes: quarters by their signs, other parts of a mesh to tenths: a plan may divide a round net
+# into them.
+mesh_number <- function(meshes) {
+  whole <- floor(meshes + 1e-6)
+  quarters <- round(4 * (meshes - whole))
+  part <- c("", "\u00bc", "\u00bd", "\u00be")[quarters + 1]
+  counted <- paste0(ifelse(whole == 0 & quarters > 0, "", short_number(whole, 7)), part)
+  ifelse(abs(whole + quarters / 4 - meshes) < 1e-6, counted, short_number(round(meshes, 1), 7))
+}
 
 # "2 x 4 PE", the twine of a panel by its diameter in millimetres and its material.
 twine_words <- function(panel, unit = "") {

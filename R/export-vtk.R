@@ -179,8 +179,11 @@ vtk_cells <- function(state, points) {
   data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
     flow_force(state, "plates"))
   if (!is.null(state$si$catch)) {
+    on <- !is.na(lattice$catch$cell)
     data$catch_force_N <- cbind(
-      zero(count[1L]), sum_by_part(flow_force(state, "pressure"), lattice$catch$cell, cells),
+      zero(count[1L]), sum_by_part(
+        flow_force(state, "pressure")[, on, drop = FALSE], lattice$catch$cell[on], cells
+      ),
       zero(sum(count[3:4]))
     )
   }

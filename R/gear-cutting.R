@@ -83,8 +83,9 @@ panel_rates <- function(panel) {
 
 # The rate that an edge is cut by in whole simple steps: the shortest cycle of a dozen cuts at most
 # that ends within half a mesh of the counts; otherwise a cycle that ends within a mesh of them,
-# where that is less than a twentieth of what the edge loses, as net makers round; two cycles in
-# turn where no cycle does.
+# where that is less than a twentieth of what the edge loses, as net makers round. All bars but for
+# a few points or meshes, which a loft puts where the join has room for them, is "AB+2N"; else where
+# no cycle does it is two cycles in turn.
 simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   exact <- cutting_rate(lost, deep, orientation)
   if (!grepl("[(~]", exact)) return(exact)
@@ -105,5 +106,9 @@ simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   off <- abs(slope * deep - lost)
   close <- which(off <= rounded_meshes / 2 & cycles$n + cycles$b <= 12)
   fits <- c(close, which(off <= near + 1e-9))[1]
-  if (is.na(fits)) exact else paste0(cycles$n[fits], letter, cycles$b[fits], "B")
+  if (!is.na(fits)) return(paste0(cycles$n[fits], letter, cycles$b[fits], "B"))
+  if (abs(lost - deep) <= few_steps) paste0("AB+", round(abs(lost - deep)), letter) else exact
 }
+
+# Points, or meshes across, that an edge of bars may have apart from its cycle.
+few_steps <- 4

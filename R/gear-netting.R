@@ -21,8 +21,9 @@
 #' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
 #' twice the twine's where not given, which drags by its Reynolds number, and has the mass and the
 #' volume of the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a
-#' single knot takes (J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990: knotted netting
-#' weighs 1 + 16 d / mesh size times as much as knotless). Knotless netting has none of this.
+#' single knot takes: knotted netting weighs 1 + 16 d / mesh size times as much as knotless
+#' (recalled of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, which was not at hand:
+#' an assumption until it is checked there). Knotless netting has none of this.
 #' [netting_table()] lists the twine that the panels of a gear take.
 #'
 #' @section Drag of twines and ropes:
@@ -64,10 +65,12 @@
 #' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural
 #' Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
-#' 1) back to the sum. These bounds are a choice made here. With coefficients whose part along the
-#' twine is small, such as `hoerner`, the screen may be the larger of the two. A mesh that closes up
-#' loses its area, and as a screen its drag. In netting of bars the screens are sheets between the
-#' rows of its knots. Hexagonal netting can be a screen, but not blended: where the plan's law is
+#' 1) back to the sum. Netting so open that its twines stand alone is none: from a solidity of 0.05
+#' down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
+#' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
+#' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
+#' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:
+#' where the plan's law is
 #' that, it has the sum over its twines. `settle()` warns where a screen's law is used outside the
 #' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
@@ -75,7 +78,8 @@
 #' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
 #' twines from `angle`, its angle at rest (D. Priour, 2013, as above); of turned meshes the
 #' angle is measured across the panel. It matters in codends of thick twine. Values are to be
-#' measured: none is assumed.
+#' measured: none is assumed. In netting of bars the couples act on the sheets between the rows of
+#' its knots.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -97,8 +101,8 @@ NULL
 #' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that
 #' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind
 #' it encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is
-#' given, an assumption). [settle()] finds that front. The catch has no weight in water. Its netting
-#' must be of cells.
+#' given, an assumption). [settle()] finds that front. The catch has no weight in water. In netting
+#' of bars it lies against the sheets between the rows of their knots.
 #'
 #' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
 #' deep the catch is.

@@ -242,8 +242,9 @@ si_added_mass <- function(added_mass) {
 usual_knot <- 2
 
 # Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot
-# (sheet bend). The weight of knotted netting over that of knotless in J. Prado and P. Y. Dremiere,
-# Fisherman's Workbook, FAO 1990, is 1 + 16 d / mesh size throughout its table; a mesh has one knot.
+# (sheet bend). The weight of knotted netting over that of knotless is 1 + 16 d / mesh size in the
+# table of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, as it is recalled: an
+# assumption until it is checked there. A mesh has one knot.
 usual_knot_twine <- 16
 
 si_panel <- function(panel, path, fields, law) {

@@ -10,9 +10,8 @@
 #' @section Fields:
 #' - `power`: full power of the engine, on its brake.
 #' - `pull`: a list of `speed` and `pull`: what is left for the gear at full power, as a trial or
-#' the
-#'   yard gives it, from the bollard pull at speed 0 on. It is straight between rows. Two rows, the
-#'   bollard pull and no pull at the free speed, are a first guess.
+#'   the yard gives it, from the bollard pull at speed 0 on. It is straight between rows. Two rows,
+#'   the bollard pull and no pull at the free speed, are a first guess.
 #' - `fuel`: fuel over energy, such as `"210 g/kWh"`, or a list of `load` (share of full power) and
 #'   `consumption`, straight between rows and constant beyond them.
 #' - `fuel_density` (840 kg/m3, of marine gas oil; an assumption) and `catch_per_hour`.

@@ -148,8 +148,8 @@ disc_group <- function(fields, given, line, path) {
   spaced_group(piece, fields, given, line, path, "the ground gear")
 }
 
-# kg/m3, where a plan says nothing: the middle of 1000 to 1500 (Prado and Dremiere, Fisherman's
-# Workbook, FAO 1990), from memory of its table of densities.
+# kg/m3, where a plan says nothing. An assumption: natural rubber is 920 raw and vulcanised with
+# fillers 1100 to 1500 by what is in it, of which makers of discs print nothing.
 rubber_density <- 1250
 
 # Groups along a line, one or a list of them, as pieces: `name`, or `name_1`, `name_2`...

@@ -1,13 +1,13 @@
 # The catch: which part of the netting around it lies behind its front, as pressure on triangles of
-# its cells, and the volume that it encloses.
+# its cells, or of the sheets between its bars, and the volume that it encloses.
 #
 # A ring of n straight cells encloses less than the circle of its girth: its area is less by
 # n tan(pi / n) / pi. Pressure and volume count with the circle's.
 
-# Adds to a lattice `catch`: list(cell = of every triangle that it may lie against, node = 3 x
-# these, depth = 3 x these, meshes from the lower edge, weight = signed share of each that is
-# real, with the circle's share: negative where its normal points inward), or nothing; and to its
-# engine the pressure, behind the front that the plan gives or a first guess.
+# Adds to a lattice `catch`: list(cell = of every triangle that it may lie against (NA: of a sheet),
+# node = 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each
+# that is real, with the circle's share: negative where its normal points inward), or nothing; and
+# to its engine the pressure, behind the front that the plan gives or a first guess.
 add_catch <- function(si, lattice) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
@@ -15,12 +15,15 @@ add_catch <- function(si, lattice) {
   )
   if (is.null(si$catch)) return(lattice)
   cells <- lattice$engine$cells
+  sheets <- lattice$sheets
   part <- length(si$ropes) + match(si$catch$panels, names(si$panels))
   some <- which(lattice$cell_part %in% part)
-  panel <- lattice$cell_part[some]
+  other <- which(sheets$part %in% part)
+  panel <- c(lattice$cell_part[some], sheets$part[other])
   orientation <- vapply(si$panels, `[[`, "", "orientation")[panel - length(si$ropes)]
-  at <- cell_twine_places(cells, some)
-  corner <- cell_corners(lattice, some)
+  at <- Map(cbind, cell_twine_places(cells, some), cell_twine_places(sheets, other))
+  corner <- cbind(cell_corners(lattice, some), matrix(sheets$node, 4L)[, other, drop = FALSE])
+  multiplicity <- c(cells$multiplicity[some], rep(1, length(other)))
   v <- at$v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 4L)
   square <- matrix(rep(orientation == "square", each = 4L), 4L)
   depth <- si$catch$deep - ifelse(square, v, (at$u + v) / 2)
@@ -31,8 +34,9 @@ add_catch <- function(si, lattice) {
   place <- triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)
   panel <- panel[triangles$cell]
   lattice$catch <- list(
-    cell = some[triangles$cell], node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
-    weight = (cells$multiplicity[some] * round)[triangles$cell] * triangles$weight
+    cell = c(some, rep(NA, length(other)))[triangles$cell],
+    node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
+    weight = (multiplicity * round)[triangles$cell] * triangles$weight
   )
   # Panels are laid out round the catch from the start, whichever way round.
   outward <- panel_volumes(lattice, lattice$start, panel)
@@ -66,7 +70,8 @@ round_start <- function(si, lattice) {
   start <- lattice$start
   free <- !lattice$engine$held
   node <- as.vector(lattice$catch$node)
-  first <- !duplicated(node)
+  # points tied between nodes follow them
+  first <- !duplicated(node) & node <= ncol(start)
   depth <- round(as.vector(lattice$catch$depth)[first], 6)
   node <- node[first]
   around <- sum(vapply(si$panels[si$catch$panels], function(p) p$upper * mesh_unit(p), 0))
@@ -89,6 +94,7 @@ round_start <- function(si, lattice) {
 
 # The volume (m3) between each triangle's whole panel and the middle of all, by triangle.
 panel_volumes <- function(lattice, position, panel) {
+  position <- lattice_points(lattice, position)
   middle <- rowMeans(position[, as.vector(lattice$catch$node), drop = FALSE])
   corner <- function(k) position[, lattice$catch$node[k, ], drop = FALSE] - middle
   volume <- triple_product(corner(1L), corner(2L), corner(3L)) / 6 * lattice$catch$weight
@@ -168,6 +174,7 @@ covered_pieces <- function(inside) {
 # edge's middle.
 catch_volume <- function(lattice, position) {
   held <- lattice$catch
+  position <- lattice_points(lattice, position)
   pieces <- covered_pieces(behind_front(held$depth, held$blocked))
   node <- held$node[, pieces$triangle, drop = FALSE]
   place <- function(corner) {

@@ -19,7 +19,11 @@ panel_table <- remembered(function(panels) {
     }),
     lapply(c(
       orientation = "orientation", shielding = "shielding", netting_drag = "netting_drag"
-    ), function(field) vapply(panels, `[[`, "", field, USE.NAMES = FALSE))
+    ), function(field) vapply(panels, `[[`, "", field, USE.NAMES = FALSE)),
+    # whether bars need sheets between them
+    list(sheets = vapply(panels, function(p) {
+      p$netting_drag != "twines" || !is.null(p$opening_stiffness)
+    }, NA, USE.NAMES = FALSE))
   )
 })
 

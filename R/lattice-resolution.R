@@ -77,7 +77,8 @@ bar_grouping <- function(of, h) {
   # A slack bar of many meshes would hang in a bight of its own length, which no mesh does.
   segments <- of$bar_segments
   segments[is.na(segments)] <- 1
-  single <- !by_columns & !by_rows & lambda <= 1 + 1e-9
+  # The drag of whole sheets acts on knots: nothing would hold the points between them in place.
+  single <- !by_columns & !by_rows & lambda <= 1 + 1e-9 & of$netting_drag == "twines"
   if (is.finite(h)) {
     wanted <- pmin(greatest_bar_segments, ceiling(lambda * of$mesh_size / 2 / (1.5 * h)))
     segments[single] <- pmax(segments, wanted)[single]

@@ -1,25 +1,7 @@
-# What netting of cells carries besides its twines: drag as a screen, and stiffness of its
-# meshes.
+# What netting carries besides its twines: drag as a screen, and stiffness of its meshes.
 
 # The laws of netting whose drag is a screen's.
 screen_laws <- function() c("loland", "aarsnes", "kristiansen_faltinsen")
-
-# Netting that must be of cells: with an opening stiffness, or around a catch.
-# bars: which panels are of bars.
-check_cells_needed <- function(si, bars) {
-  of_bars <- names(si$panels)[bars]
-  needed <- function(names, why) {
-    wrong <- intersect(names, of_bars)
-    if (!length(wrong)) return(invisible())
-    abort_plan(
-      paste0("Panel `", wrong[1], "` is of bars; ", why, " needs cells as its `netting`."),
-      paste0("panels.", wrong[1], ".netting"), "bars"
-    )
-  }
-  stiff <- vapply(si$panels, function(p) !is.null(p$opening_stiffness), NA)
-  needed(names(si$panels)[stiff], "its `opening_stiffness`")
-  needed(si$catch$panels, "the catch")
-}
 
 # The panel of every cell, by its number in si$panels.
 cell_panel <- function(si, lattice) lattice$cell_part - length(si$ropes)
@@ -91,25 +73,33 @@ blended_elements <- function(si, lattice) {
 # list(node, twine, couple, angle, multiplicity), as MeshOpenings: twine coordinates in m.
 opening_elements <- function(si, lattice) {
   cells <- lattice$engine$cells
-  panel <- cell_panel(si, lattice)
+  sheets <- lattice$sheets
   stiffness <- lapply(si$panels, `[[`, "opening_stiffness")
   stiff <- !vapply(stiffness, is.null, NA)
-  some <- which(stiff[panel])
+  some <- which(stiff[cell_panel(si, lattice)])
+  # netting of bars has the couples of its knots on the sheets between them
+  other <- which(stiff[sheets$part - length(si$ropes)])
+  panel <- c(lattice$cell_part[some], sheets$part[other]) - length(si$ropes)
   number <- function(field) {
     of <- numeric(length(stiff))
     of[stiff] <- vapply(stiffness[stiff], `[[`, 0, field, USE.NAMES = FALSE)
-    of[panel[some]]
+    of[panel]
   }
-  turned <- vapply(si$panels, `[[`, "", "orientation")[panel[some]] == "turned"
+  turned <- vapply(si$panels, `[[`, "", "orientation")[panel] == "turned"
   angle <- number("angle")
   angle[turned] <- pi - angle[turned]
+  rest <- c(cells$rest[some], bar_lengths(si)[panel[length(some) + seq_along(other)]])
   list(
-    node = cells$node[corners_of(some)],
-    twine = cells$twine[twine_of(some)] *
-      rep(cells$rest[some], each = 8L),
+    node = c(cells$node[corners_of(some)], sheets$node[corners_of(other)]),
+    twine = c(cells$twine[twine_of(some)], sheets$twine[twine_of(other)]) * rep(rest, each = 8L),
     couple = number("couple"), angle = angle,
-    multiplicity = cells$multiplicity[some] / cells$rest[some]^2
+    multiplicity = c(cells$multiplicity[some], rep(1, length(other))) / rest^2
   )
+}
+
+# Of every panel, from knot to knot but for straight bars.
+bar_lengths <- function(si) {
+  vapply(si$panels, function(p) p$mesh_size / 2 - p$straight_bar, 0, USE.NAMES = FALSE)
 }
 
 # Places of cells' numbers in arrays of four corners and of eight twine coordinates each.

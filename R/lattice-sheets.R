@@ -1,8 +1,8 @@
-# Sheets between equivalent bars, on which netting of bars has the drag that cells have as a whole:
-# as a screen or blended.
+# Sheets between equivalent bars, on which netting of bars has what cells have as a whole: drag as a
+# screen or blended, a catch's pressure, the couples of stiff knots.
 
-# Adds sheets to those panels of bars that have their drag as a whole: triangles between the rows of
-# their knots, which end on the panel's sides.
+# Adds sheets to those panels of bars that need them: triangles between the rows of their knots,
+# which end on the panel's sides.
 #
 # panels: the table of panels of bars; numbers, parts: which panels and parts of the gear they are;
 # points: as bar_points(), id: their numbers; lambda: of every panel.
@@ -10,7 +10,7 @@ add_bar_sheets <- function(build, panels, numbers, parts, division, points, id, 
   rows <- at_least_one(round((2 - is_square(panels)) * panels$deep / lambda))
   row <- points$j * (rows / panels$deep)[points$panel]
   some <- which(
-    (panels$netting_drag != "twines")[points$panel] & abs(row - round(row)) < 1e-6
+    panels$sheets[points$panel] & abs(row - round(row)) < 1e-6
   )
   if (!length(some)) return(invisible())
   known <- list(panel = points$panel[some], row = as.integer(round(row[some])),

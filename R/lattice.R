@@ -22,8 +22,8 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   filled <- fill_lattice(si, nodes, netting, from)
   if (!is.null(filled)) return(filled)
   bars <- panels_of_bars(si, netting)
-  check_cells_needed(si, bars)
   panels <- panel_table(si$panels)
+  panels$sheets <- panels$sheets | names(si$panels) %in% si$catch$panels
   # what a shape of the same division needs not
   delayedAssign("chains", gear_chains(si))
   delayedAssign("frame", division_frame(chains, linked = !bars))

@@ -155,12 +155,14 @@ draw_own_key <- function(figure, zoom) {
   usr <- graphics::par("usr")
   inch <- zoom * c(usr[2L] - usr[1L], usr[4L] - usr[3L]) / graphics::par("pin")
   n <- length(figure$groups)
+  # a group may have several lines, such as the panels of one side of a net
+  first <- match(seq_len(n), vapply(figure$lines, `[[`, 0, "group"))
   for (group in seq_len(n)) {
     style <- group_style(group, n, colours = figure$colours)
     y <- usr[4L] - own_key_row * (group - 0.3) * inch[2L]
     graphics::segments(usr[1L] + 0.08 * inch[1L], y, usr[1L] + 0.42 * inch[1L], y,
       col = style$colour, lwd = 1.6 * zoom,
-      lty = if (figure$lines[[group]]$dashed) "33" else style$dash)
+      lty = if (figure$lines[[first[group]]]$dashed) "33" else style$dash)
     graphics::text(usr[1L] + 0.48 * inch[1L], y, figure$groups[group], adj = c(0, 0.5), cex = 0.85)
   }
 }

@@ -66,7 +66,8 @@ sheet_case <- function(stiffness, netting, columns = NULL) {
   )
   net$columns <- columns
   as_gear(list(
-    codend = 1, name = "Sagging sheet", water = list(current = list(speed = 0.4, toward = "90 deg")),
+    codend = 1, name = "Sagging sheet",
+    water = list(current = list(speed = 0.4, toward = "90 deg")),
     points = list(
       a = held_at(0, 0, -5), b = held_at(6, 0, -5), c = held_at(0, 5, -5), d = held_at(6, 5, -5)
     ),

@@ -307,6 +307,13 @@ TEST_CASE("derivatives of blended netting") {
       }
     }
   }
+  // Twine so thin that it is hardly a screen.
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Ingredients wanted;
+    wanted.blended = 8;
+    wanted.diameter = 0.0003;
+    check_derivatives(random, wanted, 1.7e-7);
+  }
 }
 
 TEST_CASE("derivatives in a wake") {

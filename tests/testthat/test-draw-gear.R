@@ -178,6 +178,11 @@ test_that("halves meet at one centre line, the upper panel left and the lower ri
   expect_gte(min(columns[[2]]$panels$ul), -1e-9)
 })
 
+test_that("parts of a mesh are told as they are", {
+  expect_identical(mesh_number(c(78.75, 62.5, 120, 0.25, 65.44)),
+    c("78\u00be", "62\u00bd", "120", "\u00bc", "65.4"))
+})
+
 test_that("rates are the plan's own, or the simplest that end within a mesh of the counts", {
   expect_identical(simple_cutting_rate(21, 25), "1N10B")
   expect_identical(simple_cutting_rate(50, 100), "1N2B")
@@ -186,11 +191,18 @@ test_that("rates are the plan's own, or the simplest that end within a mesh of t
   for (lost in c(3, 7.5, 31, 72, 107)) {
     for (deep in c(40, 75, 110)) {
       rate <- simple_cutting_rate(lost, deep)
-      # what it takes off, read by the rule of plans
-      expect_lte(abs(cutting_slope(rate, "cutting") * deep - lost), 1 + 1e-9, label = rate)
+      # what it takes off, read by the rule of plans; of all bars the points apart
+      off <- if (startsWith(rate, "AB+")) deep - as.double(gsub("[^0-9]", "", rate)) else {
+        cutting_slope(rate, "cutting") * deep
+      }
+      expect_lte(abs(off - lost), 1 + 1e-9, label = rate)
       expect_lte(nchar(rate), nchar(cutting_rate(lost, deep)), label = rate)
     }
   }
+  # all bars but for four points, where 1N58B and 1N59B in turn end at the counts
+  expect_identical(cutting_rate(117, 121), "1(1N58B)+1(1N59B)")
+  expect_identical(simple_cutting_rate(117, 121), "AB+4N")
+  expect_identical(simple_cutting_rate(121, 117), "AB+4T")
   gear <- read_gear("pair_trawl")
   panel <- gear_si(gear)$panels$back_body
   expect_identical(drawn_rates(panel, list(cutting = "2N3B"))[["right"]], "2N3B")

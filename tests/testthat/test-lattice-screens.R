@@ -149,8 +149,8 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
 })
 
 test_that("blended netting passes from its twines to the screen and back", {
-  force <- function(law, ratio, theta) {
-    si <- flat_net(netting_drag = law)
+  force <- function(law, ratio, theta, diameter = 0.002) {
+    si <- flat_net(netting_drag = law, twine = list(diameter = diameter))
     flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
     rowSums(matrix(unlist(flat$forces[c("cell_drag", "screen_force", "blended_force")]), 3L))
   }
@@ -172,6 +172,12 @@ test_that("blended netting passes from its twines to the screen and back", {
     force("kristiansen_faltinsen", 0.4, 70 * degrees)[1])
   expect_gt(between, min(ends))
   expect_lt(between, max(ends))
+  # Netting of a solidity of 0.025, d / (a h sqrt(1 - h^2)) with bars a and hanging ratio h, is half
+  # a screen: halfway up a rise that is the same seen from either end.
+  thin <- 0.025 * 0.06 * 0.4 * sqrt(1 - 0.4^2)
+  expect_equal(force("blended", 0.4, 85 * degrees, thin),
+    (force("twines", 0.4, 85 * degrees, thin) +
+      force("kristiansen_faltinsen", 0.4, 85 * degrees, thin)) / 2, tolerance = 1e-11)
 })
 
 test_that("the force of stiff meshes is what their energy says", {
@@ -200,9 +206,20 @@ test_that("the force of stiff meshes is what their energy says", {
   }
 })
 
-test_that("netting that must be of cells is not made of bars", {
+test_that("stiff knots of bars have their couples on sheets that hold all of them", {
   si <- flat_net(opening_stiffness = list(couple = 1, angle = 1))
-  expect_error(build_lattice(si, netting = "bars"), "cells", class = "codend_error_plan")
+  lattice <- build_lattice(si, netting = "bars")
+  cells <- build_lattice(si, netting = "cells")
+  # area of the triangles in twine coordinates (m) times their multiplicity: knots, as in cells
+  knots <- function(lattice) {
+    openings <- lattice$engine$openings
+    at <- cell_twine_places(list(twine = openings$twine), seq_along(openings$couple))
+    sum(cell_area(at$u, at$v) * openings$multiplicity)
+  }
+  expect_equal(knots(lattice), knots(cells), tolerance = 1e-9)
+})
+
+test_that("netting of hexagons is not made of bars", {
   si <- flat_net(orientation = "hexagonal")
   expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "cells")
   expect_equal(si$panels$net$straight_bar, 0.03)

@@ -142,3 +142,17 @@ test_that("the volume of a catch is that of the solid behind its front", {
   expect_equal(catch_volume(lattice, x), 0.373^3 * base * 3 / 3, tolerance = 1e-12)
   expect_equal(catch_volume(set_catch_front(lattice, 100), x), base * 3 / 3, tolerance = 1e-12)
 })
+
+test_that("a codend of stiff meshes with its catch is the same of bars and of cells", {
+  # the shipped one, divided as is wanted
+  gear <- read_gear("t90_codend")
+  for (panel in names(gear$plan$panels)) gear$plan$panels[[panel]][c("columns", "rows")] <- NULL
+  gear <- as_gear(unclass(gear$plan))
+  found <- lapply(c(bars = "bars", cells = "cells"), function(netting) {
+    measures(settle(gear, nodes = 4000, netting = netting))
+  })
+  # 1 % is asked of the two nettings
+  for (name in c("length_m", "catch_volume_m3", "total_drag_kN")) {
+    expect_lt(abs(found$bars[[name]] / found$cells[[name]] - 1), 0.01, label = name)
+  }
+})

@@ -8,7 +8,7 @@ namespace {
 
 // Of 60 and 80 degrees.
 constexpr double first_cosine = 0.5, last_cosine = 0.17364817766693034;
-constexpr double open_solidity = 0.35, closed_solidity = 1.0;
+constexpr double screen_solidity = 0.05, open_solidity = 0.35, closed_solidity = 1.0;
 
 // 0 up to `first`, 1 from `last`, smooth between, with its slope.
 void rise(double x, double first, double last, double& value, double& slope) {
@@ -57,16 +57,19 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
     const double along = out.flow.area.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
     const double cosine = std::abs(along) / (area * speed);
     const double solidity = 2.0 * metres * m.diameter / (multiplicity[i] * area);
-    double lies, lies_slope, closes, closes_slope;
+    double lies, lies_slope, shields, shields_slope, closes, closes_slope;
     rise(cosine, first_cosine, last_cosine, lies, lies_slope);
+    rise(solidity, 0.0, screen_solidity, shields, shields_slope);
     rise(solidity, open_solidity, closed_solidity, closes, closes_slope);
-    w = lies * (1.0 - closes);
+    const double screens = shields * (1.0 - closes);
+    const double by_solidity = shields_slope * (1.0 - closes) - shields * closes_slope;
+    w = lies * screens;
     const Eigen::RowVector3d normal = out.flow.area.transpose() / area;
-    by_area = (1.0 - closes) * lies_slope *
-                  (sign / (area * speed) * u.transpose() - cosine / area * normal) +
-              lies * closes_slope * solidity / area * normal;
-    by_velocity = (1.0 - closes) * lies_slope *
-                  (sign / speed * normal - cosine / (speed * speed) * u.transpose());
+    by_area =
+        screens * lies_slope * (sign / (area * speed) * u.transpose() - cosine / area * normal) -
+        lies * by_solidity * solidity / area * normal;
+    by_velocity =
+        screens * lies_slope * (sign / speed * normal - cosine / (speed * speed) * u.transpose());
   }
   const Vector sum = drag[0].value + drag[1].value, change = out.force.value - sum;
   out.force.value = (1.0 - w) * sum + w * out.force.value;
