@@ -111,11 +111,26 @@ print.codend_trajectory <- function(x, ...) {
       format(signif(first_of(x$report$shortest_step, 0), 3)),
       format(signif(first_of(x$report$longest_step, 0), 3)),
       first_of(x$report$repeated, 0) + first_of(x$report$not_found, 0)),
+    paste0("  ", judged_text(x$method)),
     "  More: summary(), as.data.frame(), state_at(), measures(state_at())",
     sep = "\n"
   ))
   cat("\n")
   invisible(x)
+}
+
+# What the steps of a tow were held to.
+judged_text <- function(method) {
+  scheme <- gsub("_", " ", method$scheme)
+  if (is.null(method$accuracy) || method$accuracy == 0) {
+    return(sprintf("%s, steps of one length, whose error is not judged", scheme))
+  }
+  tension <- if (is.finite(method$tension_accuracy)) {
+    sprintf(" and %s of the largest tension", percent_text(method$tension_accuracy))
+  } else {
+    "; tensions are not judged"
+  }
+  sprintf("%s, each step to %s m of position%s", scheme, format(method$accuracy), tension)
 }
 
 #' Summary of a trajectory

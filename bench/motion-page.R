@@ -26,7 +26,7 @@ case_table <- function(of, public) {
     program = "codend", scheme = gsub("_", " ", of$scheme), setting = of$setting,
     cpu = of$cpu_per_second, largest = of$largest_error, mean = of$mean_error, steps = of$steps,
     longest = of$longest_step, rejected = 100 * of$rejected, imbalance = 100 * of$imbalance,
-    remark = first_of(of$remark, NA_character_)
+    remark = if (is.null(of$remark)) NA_character_ else of$remark
   )
   others <- data.frame(
     program = paste(public$program, public$version), scheme = public$settings,

@@ -12,16 +12,28 @@ from_rest <- function(gear, lattice, position, until) {
   codend:::add_start(what, position, c(0, 0, 0))
 }
 
+# The shipped trawl, settled once per size.
+settled_trawl <- local({
+  known <- list()
+  function(nodes) {
+    key <- as.character(nodes)
+    if (is.null(known[[key]])) {
+      known[[key]] <<- settle("midwater_trawl", nodes = nodes, netting = "bars")
+    }
+    known[[key]]
+  }
+})
+
 # The shipped trawl, which gains a fifth of its speed in 4 s, smoothly.
 sped_up_trawl <- function(nodes) {
-  state <- settle("midwater_trawl", nodes = nodes, netting = "bars")
+  state <- settled_trawl(nodes)
   speed <- state$si$towing$speed
   from_state(state, 4, speed = function(t) speed * (1.1 - 0.1 * cos(pi * min(t, 4) / 4)))
 }
 
 # The shipped trawl as it goes into the turn of its plan.
 turning_trawl <- function(nodes) {
-  from_state(settle("midwater_trawl", nodes = nodes, netting = "bars"), 120,
+  from_state(settled_trawl(nodes), 120,
     course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
 }
 

@@ -114,3 +114,14 @@ test_that("what is wrong with a cage is told", {
   wrong(cage, "centre_weight", bottom = NULL)
   wrong(cage, "wall.orientation", wall.orientation = "hexagonal")
 })
+
+test_that("a cage in waves goes on to the same bytes", {
+  cage <- update(read_gear("model_cage"), water.current = list(speed = "0.1 m/s", toward = "0 deg"),
+    water.waves = list(height = "0.1 m", period = "2 s", rising = "1 s"))
+  found <- function(gear, until) tow(gear, until = until, every = 0.5, nodes = 150)
+  whole <- found(cage, 2)
+  half <- tow(found(cage, 1), until = 2)
+  for (field in c("time", "position", "velocity", "wake", "memory")) {
+    expect_identical(half[[field]], whole[[field]])
+  }
+})

@@ -295,6 +295,10 @@ test_that("tables, prints and summaries of a trajectory", {
   tension <- as.data.frame(found, what = "tensions")
   expect_equal(tension$max_kN[1], max(state_at(found, 0)$bar_tension) / 1000)
   expect_output(print(found), "4 s, 3 states")
+  expect_output(print(found), "bdf2, each step to 0.01 m of position; tensions are not judged")
+  judged <- tow(short_cable(), until = 1, every = 1, accuracy = list(tension = 0.05))
+  expect_output(print(judged), "0.01 m of position and 5 % of the largest tension")
+  expect_output(print(tow(short_cable(), until = 1, every = 1, step = 0.5)), "one length")
   expect_output(print(summary(found)), "depth +m")
 })
 

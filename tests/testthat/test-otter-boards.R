@@ -227,6 +227,53 @@ test_that("a whole trawl's boards swing, port and starboard alike, whatever the 
   expect_equal(period[1L], period[2L], tolerance = 0.1)
 })
 
+# Coefficients of a fixed board that has the force of free ones: across to its side, up, along.
+fixed_coefficients <- function(state) {
+  force <- state$forces$plate_force
+  speed <- state$si$towing$speed
+  per <- 0.5 * state$si$water$density * state$si$otter_boards[[1L]]$area * speed^2
+  list(
+    lift_coefficient = mean(abs(force[2, ])) / per,
+    vertical_lift_coefficient = mean(force[3, ]) / per,
+    drag_coefficient = mean(force[1, ]) / per
+  )
+}
+
+test_that("fixed and free boards agree at rest", {
+  # One board: what pulls at the warp's end is the sum of the forces on the board and on what it
+  # tows, wherever on the board they act, so the warp must have the same shape and tension.
+  free <- settle(towed_board())
+  board <- free$si$otter_boards$otter_board
+  plan <- yaml::read_yaml(test_path("plans", "towed_board.yaml"))
+  plan[c("otter_boards", "measures")] <- NULL
+  plan$points[c("upper", "lower")] <- NULL
+  for (rope in c("backstrop_upper", "backstrop_lower")) plan$ropes[[rope]]$from <- "board"
+  plan$pieces$fixed <- c(fixed_coefficients(free), list(at = "board", area = board$area,
+    lift_direction = "starboard", mass = board$mass, volume = board$volume))
+  fixed <- settle(as_gear(plan))
+  end <- function(state) state$position[, state$lattice$points[["board"]]]
+  # Only the backstrops, 0.63 m aside in 6 m on the free board, stand otherwise in the flow: their
+  # drag by the square of that, 2 x 0.014 m x 6 m x 1.2 x 1.22 kPa x 0.1^2 / 2 = 1.2 N of 12 kN.
+  expect_lt(max(abs(end(fixed) - end(free))), 1e-4 * sqrt(sum(end(free)^2)))
+  expect_equal(fixed$bar_tension[1L], free$bar_tension[1L], tolerance = 1e-4)
+  # A whole trawl: the ends of the hand ropes are 2.4 m apart on free boards and at one place on
+  # fixed ones, which is 1.7 % of the net's height of 143 m.
+  trawl <- read_gear("midwater_trawl")
+  free <- settle(update(trawl, otter_boards = free_boards()), nodes = 400)
+  board <- free$si$otter_boards[[1L]]
+  fixed <- settle(nodes = 400, update(trawl, otter_boards = c(
+    fixed_coefficients(free), list(area = board$area, mass = board$mass, volume = board$volume)
+  )))
+  with_free <- measures(free)
+  with_fixed <- measures(fixed)
+  for (name in c("door_spread_m", "door_depth_m", "warp_tension_port_kN", "total_drag_kN")) {
+    expect_equal(with_fixed[[name]], with_free[[name]], tolerance = 2e-3)
+  }
+  for (name in c("wing_end_spread_m", "net_mouth_height_m")) {
+    expect_equal(with_fixed[[name]], with_free[[name]], tolerance = 0.017)
+  }
+})
+
 test_that("a trawl's boards may be free, and need their places then", {
   trawl <- read_gear("midwater_trawl")
   boards <- free_boards()
