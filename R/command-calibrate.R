@@ -10,6 +10,14 @@ command_calibrate <- function() {
       )),
       change_option(),
       optparse::make_option("--out", metavar = "FILE", help = "write the plan found (.yaml)"),
+      optparse::make_option("--explain", action = "store_true", default = FALSE,
+        help = "tell what the misfit points at"),
+      optparse::make_option("--predict", metavar = "FILE.csv", help = paste(
+        "predict other hauls of a table like that of --data"
+      )),
+      optparse::make_option("--predicted", metavar = "FILE.csv", help = paste(
+        "of --predict: where the predictions go [-]"
+      )),
       set_option(), nodes_option(), netting_option()
     ),
     run = run_calibrate
@@ -19,6 +27,7 @@ command_calibrate <- function() {
 run_calibrate <- function(plan, options) {
   check_lattice_options(options)
   check_plan_out(options$out)
+  check_csv_out(options$predicted, "--predicted")
   if (is.null(options$data)) abort_usage("--data must be a CSV file.")
   if (is.null(options$match)) abort_usage("--match must say which column is which measure.")
   texts <- Filter(nzchar, trimws(strsplit(options$match, ";", fixed = TRUE)[[1L]]))
@@ -29,9 +38,12 @@ run_calibrate <- function(plan, options) {
     }
     stats::as.formula(found, env = baseenv())
   })
-  data <- as.data.frame(read_designs(options$data), check.names = FALSE)
+  data <- read_designs(options$data)
+  others <- if (!is.null(options$predict)) read_designs(options$predict)
   arguments <- list(read_changed(plan, options), data, option_ranges(options$change), match)
   found <- do.call(calibrate, c(arguments, lattice_arguments(options)))
   print(summary(found))
+  if (options$explain) print(explain(found))
+  if (!is.null(others)) give_csv(stats::predict(found, others), options$predicted)
   write_found(found$gear, options$out)
 }

@@ -3,13 +3,23 @@ command_optimise <- function() {
     takes = "PLAN", does = "Find the gear that does best within ranges of fields.",
     options = list(
       optparse::make_option("--minimise", metavar = "FORMULA", help = paste(
-        "what is to be small: a measure or a formula, such as \"total_drag / door_spread\""
+        "what is to be small: a measure or a formula, such as \"total_drag / door_spread\"; what",
+        "is to be large has a minus and is joined: --minimise=-mouth_area"
       )),
       optparse::make_option("--keep", metavar = "CONDITIONS", help = paste(
         "what must hold, such as \"headline_height >= '5 m' & door_spread <= '80 m'\""
       )),
       change_option(),
-      optparse::make_option("--out", metavar = "FILE", help = "write the plan found (.yaml)"),
+      optparse::make_option("--starts", metavar = "N", help = paste(
+        "from how many places to begin, the gear's own and others [1]"
+      )),
+      optparse::make_option("--and", metavar = "FORMULA", help = paste(
+        "a second aim: print the curve of gears of which none is better in both, as CSV"
+      )),
+      optparse::make_option("--points", metavar = "N", help = "of --and: how many gears [7]"),
+      optparse::make_option("--out", metavar = "FILE", help = paste(
+        "write the plan found (.yaml), or the curve of --and (.csv)"
+      )),
       set_option(), nodes_option(), netting_option()
     ),
     run = run_optimise
@@ -25,12 +35,20 @@ change_option <- function() {
 run_optimise <- function(plan, options) {
   check_lattice_options(options)
   if (is.null(options$minimise)) abort_usage("--minimise must say what is to be small.")
-  check_plan_out(options$out)
+  starts <- count_option(options, "starts", 1)
+  points <- count_option(options, "points", 7)
+  if (is.null(options$and)) check_plan_out(options$out) else check_csv_out(options$out)
   keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
-  arguments <- list(
-    read_changed(plan, options), option_formula(options$minimise, "--minimise"), keep,
-    option_ranges(options$change)
-  )
+  aim <- option_formula(options$minimise, "--minimise")
+  other <- if (!is.null(options$and)) option_formula(options$and, "--and")
+  change <- option_ranges(options$change)
+  gear <- read_changed(plan, options)
+  if (!is.null(other)) {
+    aims <- setNames(list(aim, other), c(options$minimise, options$and))
+    arguments <- list(gear, aims, keep, change, points = points)
+    return(give_csv(do.call(trade_off, c(arguments, lattice_arguments(options))), options$out))
+  }
+  arguments <- list(gear, aim, keep, change, starts = starts)
   found <- do.call(optimise, c(arguments, lattice_arguments(options)))
   print(found)
   write_found(found$gear, options$out)

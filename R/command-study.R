@@ -2,29 +2,49 @@ command_study <- function() {
   list(
     takes = "ACTION STORE [PLAN]", does = "Settle a gear in many designs, in tasks of any number.",
     more = paste(
-      " ACTION is new (makes the folder STORE for a PLAN and a table of --designs), run (settles",
-      "the designs of a --task that are not done yet), status (tells how far it is) or table (what",
-      "is done as CSV). Any number of tasks may run at once, on any machines that see STORE."
+      " ACTION is new (makes the folder STORE for a PLAN and its designs, of --designs or",
+      "--change), run (settles the designs of a --task that are not done yet), status (tells how",
+      "far it is), table (what is done as CSV), effects, pairs or indices (which fields matter, as",
+      "CSV) or plot (a picture of what is done). Any number of tasks may run at once, on any",
+      "machines that see STORE."
     ),
     options = list(
       optparse::make_option("--designs", metavar = "FILE.csv", help = paste(
         "of new: a table with a row per design and a column per field, named by its path; what is",
         "empty stays as in the plan"
       )),
+      optparse::make_option("--change", metavar = "RANGES", help = paste(
+        "of new: fields with ranges or values, such as",
+        "\"towing.speed = 3 knot .. 5 knot; floats.number = 20, 40\""
+      )),
+      optparse::make_option("--how", metavar = "WAY", help = paste(
+        "of --change: grid, random, latin, sobol, one_at_a_time or indices [grid of values, sobol",
+        "of ranges]"
+      )),
+      optparse::make_option("--number", metavar = "N", help = paste(
+        "of --change: how many designs are drawn, or values of a range"
+      )),
+      optparse::make_option("--seed", metavar = "N", help = "of --change: of what is drawn [1]"),
       nodes_option(), netting_option(),
       optparse::make_option("--task", metavar = "I", help = "of run: which task [1]"),
       optparse::make_option("--of", metavar = "N", help = "of run: of how many tasks [1]"),
-      optparse::make_option("--out", metavar = "FILE.csv", help = "of table: where it goes [-]")
+      optparse::make_option("--measures", metavar = "NAMES", help = paste(
+        "of effects, pairs, indices and plot: such as \"total_drag_kN; door_spread_m\" [all]"
+      )),
+      optparse::make_option("--out", metavar = "FILE", help = paste(
+        "where a table (.csv) [-] or a picture (.png, .pdf, .svg) goes"
+      ))
     ),
     run = run_study_command
   )
 }
 
+study_actions <- c("new", "run", "status", "table", "effects", "pairs", "indices", "plot")
+
 run_study_command <- function(given, options) {
   action <- given[1L]
-  actions <- c("new", "run", "status", "table")
-  if (!action %in% actions) {
-    abort_usage("there is no action ", action, "; the actions are ", toString(actions), ".")
+  if (!action %in% study_actions) {
+    abort_usage("there is no action ", action, "; the actions are ", toString(study_actions), ".")
   }
   if ((action == "new") != (length(given) == 3L)) {
     abort_usage(if (action == "new") "new takes a STORE and a PLAN." else {
@@ -35,39 +55,71 @@ run_study_command <- function(given, options) {
   switch(action,
     new = {
       check_lattice_options(options)
-      if (is.null(options$designs)) abort_usage("new needs --designs FILE.csv.")
       do.call(write_study, c(
-        list(given[3L], designs(options$designs), store), lattice_arguments(options)
+        list(given[3L], study_designs(options), store), lattice_arguments(options)
       ))
       print(study_status(store))
     },
     run = {
-      task <- task_option(options, "task")
-      of <- task_option(options, "of")
+      task <- count_option(options, "task", 1)
+      of <- count_option(options, "of", 1)
       if (task > of) abort_usage("--task is ", task, "; it must be at most --of, ", of, ".")
       done <- run_study(store, task, of)
       tell(0L, done, " designs settled in task ", task, " of ", of, ".")
     },
     status = print(study_status(store)),
-    table = {
-      out <- first_of(options$out, "-")
-      if (out != "-" && !may_place(out)) {
-        abort_usage("--out is ", out, "; it must be a file in a folder that can be written.")
+    plot = {
+      if (is.null(options$out) || !grepl("[.](png|pdf|svg)$", options$out)) {
+        abort_usage("plot needs --out FILE.png, .pdf or .svg.")
       }
+      plot(read_study(store), parts_of(options$measures), file = options$out)
+      tell(0L, "Written: ", options$out)
+    },
+    {
+      check_csv_out(options$out)
+      of <- switch(action, effects = main_effects, pairs = pair_effects, indices = sobol_indices)
       found <- read_study(store)
-      if (out == "-") {
-        with_plain_numbers(utils::write.csv(found, stdout(), row.names = FALSE, na = ""))
-      } else {
-        write_csv(found, out)
-      }
+      if (!is.null(of)) found <- of(found, parts_of(options$measures))
+      give_csv(found, options$out)
     }
   )
 }
 
-task_option <- function(options, name) {
-  text <- first_of(options[[name]], "1")
+# A whole number of an option.
+count_option <- function(options, name, otherwise) {
+  text <- options[[name]]
+  if (is.null(text)) return(otherwise)
   if (!grepl("^[1-9][0-9]{0,8}$", text)) {
     abort_usage("--", name, " is ", text, "; it must be a whole number, 1 or more.")
   }
   as.numeric(text)
+}
+
+# Designs of a table, or of ranges and values.
+study_designs <- function(options) {
+  if (is.null(options$designs) == is.null(options$change)) {
+    abort_usage("new needs either --designs FILE.csv or --change RANGES.")
+  }
+  if (!is.null(options$designs)) return(designs(options$designs))
+  seed <- count_option(options, "seed", 1)
+  number <- count_option(options, "number", NULL)
+  do.call(designs, c(study_axes(options$change), list(how = options$how, number = number,
+    seed = seed)))
+}
+
+# "a = 1 m .. 2 m; b = 3, 4" as ranges and values by paths.
+study_axes <- function(text) {
+  parts <- parts_of(text)
+  if (!length(parts)) abort_usage("--change must have fields with their ranges or values.")
+  wrong <- grep("^[^=]+=.+$", parts, invert = TRUE, value = TRUE)
+  if (length(wrong)) {
+    abort_usage("--change has ", wrong[1L], "; it must be FIELD = FROM .. TO or FIELD = A, B.")
+  }
+  axes <- lapply(sub("^[^=]+=", "", parts), function(said) {
+    ends <- trimws(strsplit(said, "..", fixed = TRUE)[[1L]])
+    if (length(ends) == 2L) return(between(plan_value(ends[1L]), plan_value(ends[2L])))
+    if (length(ends) > 2L) abort_usage("--change has ", said, "; it must be FROM .. TO.")
+    unlist(lapply(trimws(strsplit(said, ",", fixed = TRUE)[[1L]]), plan_value))
+  })
+  setNames(axes, trimws(sub("=.*", "", parts)))
 }

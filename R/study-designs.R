@@ -164,7 +164,7 @@ design_axis <- function(values, path) {
   }
   values[] <- lapply(values, plain_column)
   if (!nrow(values) || !length(values)) {
-    name <- first_of(names(values)[1L], "data")
+    name <- if (length(values)) names(values)[1L] else "designs"
     abort_argument("{.arg {name}} must have at least one value and none missing.")
   }
   wrong <- names(values)[!nzchar(names(values)) | vapply(values, is.list, NA)]

@@ -152,7 +152,8 @@ check_dimensions <- function(one, other, text, words) {
 # (of words, by name), slopes (a matrix of them by free fields)).
 evaluate_formula <- function(formula, at) {
   known <- as.list(at$values[formula$names])
-  value <- as.double(eval(formula$call, known))
+  # NaN is told by who asks
+  value <- suppressWarnings(as.double(eval(formula$call, known)))
   slope <- if (!is.null(at$slopes)) {
     parts <- lapply(formula$names, function(name) {
       eval(formula$slopes[[name]], known) * at$slopes[name, ]

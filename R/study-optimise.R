@@ -106,6 +106,9 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   if (!is.finite(value)) {
     abort_argument("{.arg minimise} is {.code {aim$text}}, which is {value} in the gear as it is.")
   }
+  if (!length(aim$names)) {
+    abort_argument("{.arg minimise} is {.code {aim$text}}, in which there is nothing that changes.")
+  }
   task$size <- max(abs(value), .Machine$double.xmin)
   task$limits <- vapply(conditions, function(one) {
     sides <- c(evaluate_formula(one$left, at)$value, evaluate_formula(one$right, at)$value)

@@ -25,9 +25,12 @@ open_or_create <- function(study, store) {
 
 create_store <- function(study, store) {
   check_netcdf()
-  check_file_path(store)
+  check_store_path(store)
   if (file.exists(store)) {
     abort_file(store, "exists and is no study; choose a new name.")
+  }
+  if (file.access(dirname(store), 2L) != 0L) {
+    abort_file(store, "lies in no folder that can be written.")
   }
   base <- base_state(study)
   write_file(store, function(path) {
@@ -114,10 +117,14 @@ exact_numbers <- function(text) {
   as.double(jsonlite::fromJSON(paste0("[", paste(text, collapse = ","), "]")))
 }
 
+check_store_path <- function(store) {
+  if (is_text(store) && nzchar(basename(store))) return(invisible())
+  said <- if (is_text(store)) store else class(store)
+  abort_argument("{.arg store} is {.val {said}}; it must be the path of a study's folder.")
+}
+
 read_store_text <- function(store) {
-  if (!is_text(store)) {
-    abort_argument("{.arg store} must be the path of a study, not {.cls {class(store)}}.")
-  }
+  check_store_path(store)
   file <- store_file(store, "study.json")
   if (!file.exists(file)) abort_file(store, "is no study: it holds no {.file study.json}.")
   text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")

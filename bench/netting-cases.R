@@ -1,5 +1,7 @@
 # Netting whose right answer is known: mesh by mesh, or in closed form. Twine of real stiffness.
 
+as_gear <- codend:::as_gear
+
 held_at <- function(...) list(position = c(...), held = "fixed")
 
 # A diamond panel of 160 by 90 meshes of 80 mm hung in 0.6 m/s, a chain at its foot.

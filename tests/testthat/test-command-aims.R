@@ -28,6 +28,76 @@ test_that("hauls of a CSV file calibrate from the command line", {
   expect_true(file.exists(out))
 })
 
+test_that("a calibration predicts other hauls and says what its misfit points at", {
+  skip_if_not_installed("optparse")
+  data <- tempfile(fileext = ".csv")
+  others <- tempfile(fileext = ".csv")
+  out <- tempfile(fileext = ".csv")
+  writeLines(c("towing.speed,Depth", "3 knot,590", "4 knot,503", "5 knot,430", "6 knot,370"), data)
+  writeLines(c("towing.speed,Depth", "3.5 knot,545"), others)
+  said <- capture.output(status <- suppressMessages(run_command(c(
+    "calibrate", "--data", data, "--match", "Depth ~ body_depth_m", "--nodes", "50",
+    "--change", "ropes.cable.coefficients.normal = 0.5 .. 3", "--explain", "--predict", others,
+    "--predicted", out, "towed_cable"
+  ))))
+  expect_identical(status, 0L)
+  expect_match(said, "pieces.sphere", all = FALSE)
+  found <- utils::read.csv(out)
+  expect_identical(found$measured, 545L)
+  expect_true(found$low < found$fit && found$fit < found$high)
+})
+
+test_that("a trade-off and slopes come from the command line as CSV", {
+  skip_if_not_installed("nloptr")
+  skip_if_not_installed("optparse")
+  curve <- tempfile(fileext = ".csv")
+  status <- suppressMessages(run_command(c(
+    "optimise", "--minimise", "total_drag_kN", "--and=-body_depth_m", "--points", "3",
+    "--change", "ropes.cable.length = 600 m .. 1200 m", "--nodes", "50", "--out", curve,
+    "towed_cable"
+  )))
+  expect_identical(status, 0L)
+  curve <- utils::read.csv(curve, check.names = FALSE)
+  expect_identical(nrow(curve), 3L)
+  expect_true(all(diff(curve$total_drag_kN) > 0) && all(diff(curve[["-body_depth_m"]]) < 0))
+  said <- capture.output(status <- run_command(c("sensitivities", "--of", "total_drag_kN", "--to",
+    "towing.speed; ropes.cable.length", "--nodes", "50", "towed_cable")))
+  expect_identical(status, 0L)
+  found <- utils::read.csv(text = said)
+  expect_identical(found$field, c("towing.speed", "ropes.cable.length"))
+  same <- sensitivities(settle("towed_cable", nodes = 50), "total_drag_kN", found$field)
+  expect_equal(found$slope, same$slope)
+})
+
+test_that("a study of ranges is made, run, read and drawn from the command line", {
+  skip_if_not_installed("RNetCDF")
+  skip_if_not_installed("optparse")
+  skip_if_not_installed("spacefillr")
+  store <- file.path(test_folder(), "cable.study")
+  run <- function(...) {
+    said <- capture.output(status <- suppressMessages(run_command(c("study", ...))))
+    expect_identical(status, 0L)
+    said
+  }
+  run("new", store, "towed_cable", "--nodes", "50", "--how", "indices", "--number", "4", "--change",
+    "towing.speed = 3 knot .. 5 knot; ropes.cable.length = 400 m .. 700 m")
+  run("run", store)
+  measure <- c("--measures", "total_drag_kN")
+  effects <- utils::read.csv(text = run("effects", store, measure))
+  expect_identical(unique(effects$field), c("towing.speed_knot", "ropes.cable.length_m"))
+  pairs <- utils::read.csv(text = run("pairs", store, measure))
+  expect_identical(nrow(pairs), 1L)
+  indices <- utils::read.csv(text = run("indices", store, measure))
+  expect_true(all(c("first_low", "total_high") %in% names(indices)))
+  picture <- file.path(test_folder(), "study.png")
+  run("plot", store, measure, "--out", picture)
+  expect_gt(file.size(picture), 1000)
+  grid <- study_axes("a.b = 3, 4; c = 1 m .. 2 m; d = PA, PE")
+  expect_identical(grid$a.b, c(3, 4))
+  expect_identical(grid$d, c("PA", "PE"))
+  expect_s3_class(grid$c, "codend_distribution")
+})
+
 test_that("wrong options are one message", {
   skip_if_not_installed("optparse")
   wrong <- function(...) suppressMessages(capture.output(
@@ -38,6 +108,15 @@ test_that("wrong options are one message", {
     "FIELD = FROM", all = FALSE)
   expect_match(wrong("calibrate", "--data", "x.csv", "--match", "Depth", "towed_cable"),
     "COLUMN ~ MEASURE", all = FALSE)
+  expect_match(wrong("optimise", "--minimise", "total_drag", "--change", "a = 1 .. 2", "--starts",
+    "none", "towed_cable"), "--starts is none", all = FALSE)
+  expect_match(wrong("study", "new", "x.study", "towed_cable"), "either --designs", all = FALSE)
+  expect_match(wrong("study", "new", "x.study", "towed_cable", "--change", "towing.speed"),
+    "FIELD = A, B", all = FALSE)
+  expect_match(wrong("study", "fly", "x.study"), "the actions are new, run", all = FALSE)
+  expect_match(wrong("study", "plot", "x.study"), "--out FILE.png", all = FALSE)
+  expect_match(wrong("sensitivities", "--of", "depth", "--nodes", "50", "towed_cable"), "depth",
+    all = FALSE)
   # nothing is run but formulas
   expect_match(wrong("optimise", "--minimise", "total_drag + quit()", "--change",
     "towing.speed = 1 .. 3", "towed_cable"), "quit", all = FALSE)

@@ -118,3 +118,17 @@ test_that("a study runs from the shell", {
   expect_identical(run("run", store, "--task", "3", "--of", "2")$status, 2L)
   expect_identical(run("run", file.path(folder, "none"))$status, 1L)
 })
+
+test_that("a store that cannot be is one error that names it", {
+  skip_if_not_installed("RNetCDF")
+  wrong <- function(store, said, class) {
+    expect_no_warning(expect_error(vary("towed_cable", towing.speed = "3 knot", nodes = 50,
+      store = store), said, class = class))
+  }
+  wrong(7, "`store`", "codend_error_argument")
+  wrong("", "`store`", "codend_error_argument")
+  wrong(file.path(tempfile("nowhere"), "a.study"), "no folder that can be written",
+    "codend_error_file")
+  expect_error(write_study("towed_cable", data.frame(), tempfile()), "`designs`",
+    class = "codend_error_argument")
+})

@@ -1,0 +1,42 @@
+command_sensitivities <- function() {
+  list(
+    takes = "PLAN", does = "Tell how much measures change with fields of the plan.",
+    options = list(
+      optparse::make_option("--of", metavar = "MEASURES", help = paste(
+        "names of measures, such as \"total_drag_kN; door_spread_m\" [all]"
+      )),
+      optparse::make_option("--to", metavar = "FIELDS", help = paste(
+        "fields of numbers, such as \"warps.length; towing.speed\" [those changed first]"
+      )),
+      optparse::make_option("--out", metavar = "FILE.csv", help = "where the table goes [-]"),
+      set_option(), nodes_option(), netting_option()
+    ),
+    run = function(plan, options) {
+      check_lattice_options(options)
+      check_csv_out(options$out)
+      found <- sensitivities(settle_changed(plan, options), parts_of(options$of),
+        parts_of(options$to))
+      give_csv(found, options$out)
+    }
+  )
+}
+
+# The parts of an option between semicolons, or NULL.
+parts_of <- function(text) {
+  if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
+}
+
+check_csv_out <- function(out, option = "--out") {
+  if (!is.null(out) && out != "-" && !may_place(out)) {
+    abort_usage(option, " is ", out, "; it must be a file in a folder that can be written.")
+  }
+}
+
+# A table as CSV: on standard output, or in a file.
+give_csv <- function(table, out) {
+  if (is.null(out) || out == "-") {
+    with_plain_numbers(utils::write.csv(table, stdout(), row.names = FALSE, na = ""))
+  } else {
+    write_csv(table, out)
+  }
+}
