@@ -45,7 +45,8 @@ commands <- function() {
     tow = command_tow(), report = command_report(), export = command_export(),
     draw = command_draw(),
     study = command_study(), optimise = command_optimise(), calibrate = command_calibrate(),
-    sensitivities = command_sensitivities(), flume = command_flume(), expand = command_expand(), new = command_new()
+    sensitivities = command_sensitivities(), flume = command_flume(), expand = command_expand(),
+    new = command_new()
   )
 }
 

@@ -23,8 +23,8 @@
 #'   The gear is kept as it was opened; *Keep this design* keeps others, and a table has all beside
 #'   each other. Each can be put on screen again, or drawn over the other or beside it;
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
-#' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out, or
-#'   what the plan's section `tow` says, to play with its graphs;
+#' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
+#'   or what the plan's section `tow` says, to play with its graphs;
 #' - the net drawing ([plot.codend_gear()]): a click on a panel, a rope or a figure opens its fields
 #'   in the form;
 #' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag

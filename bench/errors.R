@@ -55,7 +55,8 @@ save_table(rows, "errors")
 of <- function(rows, name) {
   share <- function(x) stats::median(100 * x / abs(rows$fine), na.rm = TRUE)
   list(
-    nodes = rows$nodes[1], gear = name, measures = nrow(rows), `within twice the error, %` = 100 * mean(rows$within),
+    nodes = rows$nodes[1], gear = name, measures = nrow(rows),
+    `within twice the error, %` = 100 * mean(rows$within),
     `told error, median %` = share(rows$error), `true error, median %` = share(rows$true)
   )
 }

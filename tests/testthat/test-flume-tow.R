@@ -2,7 +2,8 @@ skip_if_not_installed("shiny")
 skip_if_not_installed("bslib")
 
 faster <- function(...) {
-  list(until = "40 s", changes = list(speed = list(to = "5 knot", from = "5 s", over = "10 s")), ...)
+  speed <- list(to = "5 knot", from = "5 s", over = "10 s")
+  list(until = "40 s", changes = list(speed = speed), ...)
 }
 
 test_that("the design on screen is towed, and the page plays what tow() finds", {
@@ -28,7 +29,8 @@ test_that("the design on screen is towed, and the page plays what tow() finds", 
     listed <- utils::untar(session$output$save_tow_grids, list = TRUE, tar = "internal")
     expect_gt(length(listed), 100L)
     expect_true("tow.pvd" %in% basename(listed))
-    expect_match(readLines(session$output$save_tow_motion, warn = FALSE)[1], "DOCTYPE", fixed = TRUE)
+    page <- readLines(session$output$save_tow_motion, warn = FALSE)
+    expect_match(page[1], "DOCTYPE", fixed = TRUE)
   })
 })
 

@@ -9,9 +9,8 @@
 // where w rises smoothly from 0 at theta = 60 degrees to 1 at 80 degrees: both ends of that are
 // this package's choice around the 70 degrees from which shielding is said to matter. Meshes that
 // close leave the screen's range and have no plane in the end: w falls to 0 again from a solidity
-// of 0.35 to one of 1. Nor is netting a screen whose twines lie hundreds of diameters apart, as the
-// front meshes of midwater trawls: w rises to its full size between a solidity of 0 and 0.05, where
-// bars are some 40 to 80 diameters long (this package's choice as well). Without that the screen's
+// of 0.35 to one of 1. Nor is netting a screen whose twines lie hundreds of diameters apart:
+// w rises to its full size between a solidity of 0 and 0.05, where bars are some 40 to 80 diameters long (this package's choice as well). Without that the screen's
 // force, which near the flow is linear in the angle where a twine's is square, would overrule the
 // little tension of such netting from node to node.
 #pragma once
