@@ -18,6 +18,7 @@ class Settling {
         report_(report),
         x_(x),
         start_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
+        corrected_(control.start == Start::settled),
         closing_in_(control.start == Start::settled),
         settled_(start_),
         iteration_(assembly, control, v, x, report) {}
@@ -54,20 +55,16 @@ class Settling {
 
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near(true);
-    if (control_.start == Start::settled) begin_settled();
-  }
-
-  void begin_settled() {
-    iteration_.begin_settled(control_.attempts.settled_parameter[settled_attempt_++]);
+    if (control_.start == Start::settled) iteration_.begin_settled(true);
   }
 
   // To the last settled shape, from which steps did not close in.
   void go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
-    const bool more = settled_attempt_ < control_.attempts.settled_parameter.size();
-    if (report_.wake_renewals == 0 && control_.start == Start::settled && more) {
+    if (corrected_ && report_.wake_renewals == 0) {
+      corrected_ = false;
       iteration_.measure();
-      begin_settled();
+      iteration_.begin_settled(false);
       steps_ = 0;
       return;
     }
@@ -128,8 +125,9 @@ class Settling {
   SettleReport& report_;
   double* x_;
   const std::vector<double> start_;
-  std::size_t attempt_ = 0, settled_attempt_ = 0;
-  int steps_ = 0;  // of this attempt
+  std::size_t attempt_ = 0;
+  int steps_ = 0;   // of this attempt
+  bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;

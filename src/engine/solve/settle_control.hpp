@@ -59,9 +59,11 @@ struct PathControl {
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
   // There the first step, which is all tangent, turns lines by this much at most: of loads that would
-  // turn them by more a part comes at first, and as much with every further step that turns them by not
-  // much more; mu stays until all of them act.
-  double settled_turn = 0.1, settled_excess = 2.5;
+  // turn them by more a part comes at first, and as much with every further step that turns them by less.
+  double settled_turn = 0.25;
+  // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
+  // is of second order in the turn.
+  double corrected_turn = 0.2;
 };
 
 // Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
@@ -71,7 +73,7 @@ struct PathControl {
 struct LawControl {
   double residual = 0.1;  // of the path's shape, below which it is tried
   // The same where the path began from a settled state: it closes in by itself.
-  double settled_residual = 1e-7;
+  double settled_residual = 1e-4;
   double rotation = 0.05;
   double excess = 100.0;
   int steps = 6;
@@ -100,9 +102,6 @@ struct AttemptControl {
   // failed; the residual below which the law itself is tried before any step; and the one that trials
   // count as beginning from, at least, where only the wakes are others.
   double settled_step = 1e6;
-  // mu of such starts, one after the other: the least keeps slack lines slack, which small changes ask for;
-  // more leaves nodes that hang between lines nearly free of load more room to swing.
-  std::array<double, 2> settled_parameter = {1e-9, 1e-6};
   int settled_steps = 30;
   // It has failed too where a step after the first turns lines by more than this, or where so many in a
   // row have not halved the least rotation so far.

@@ -71,13 +71,14 @@ void SettleIteration::begin_near(bool law) {
   if (law && report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
-void SettleIteration::begin_settled(double parameter) {
+void SettleIteration::begin_settled(bool correcting) {
   from_settled_ = closing_in_ = true;
+  correcting_ = correcting;
   on_law_ = begun_ = false;
   loaded_ = loaded_step_ = 1.0;
   settled_steps_ = idle_steps_ = 0;
   least_rotation_ = control_.attempts.settled_rotation;
-  follow(parameter);
+  follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.attempts.settled_step);
   if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
 }
@@ -90,7 +91,7 @@ void SettleIteration::resume() {
   left_x_.assign(x_, x_ + force_.size());
   assembly_.strain(strain_);
   left_path_ = TensionPath(assembly_.model(), load_);
-  left_path_.follow(strain_, control_.attempts.settled_parameter[0]);
+  left_path_.follow(strain_, TensionPath::settled_parameter);
   left_pseudo_step_ = control_.attempts.settled_step;
   pseudo_time_.begin(pseudo_time_.step(), control_.pseudo_time.found_rotation);
 }
@@ -174,7 +175,7 @@ void SettleIteration::step() {
   take_right_side();
   if (linear_.solve(values_, right_, step_)) {
     move();
-    if (closing_in_ && !on_law_) correct();
+    if (closing_in_ && !on_law_ && correcting_ && turned_ < control_.path.corrected_turn) correct();
   } else {
     pseudo_time_.shorten();
   }
@@ -226,7 +227,7 @@ double SettleIteration::reduction() {
   }
   const PathControl& path = control_.path;
   const double rotation = pseudo_time_.rotation();
-  if (closing_in_ && loaded_ < 1.0) return 1.0;
+  if (correcting_ && loaded_ < 1.0) return 1.0;
   if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
   if (rotation < path.reductions.back().rotation && pseudo_time_.step() < path.short_step) {
     return path.short_step_factor;
@@ -242,7 +243,7 @@ double SettleIteration::reduction() {
 void SettleIteration::add_loads_by_parts() {
   if (settled_steps_ == 0) first_force_ = force_;
   if (loaded_ == 1.0) return;
-  if (pseudo_time_.rotation() <= control_.path.settled_excess * control_.path.settled_turn) {
+  if (pseudo_time_.rotation() <= control_.path.settled_turn) {
     loaded_ = std::min(1.0, loaded_ + loaded_step_);
   }
   for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - loaded_) * first_force_[k];
@@ -266,8 +267,7 @@ void SettleIteration::move() {
   const LineChange& change = assembly_.line_change(dx_.data());
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
   const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
-  share_ = share;
-  turned_ = change.rotation;
+  turned_ = share * change.rotation;
   from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
@@ -307,7 +307,7 @@ void SettleIteration::correct() {
     at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
   }
   const LineChange& change = assembly_.line_change(dx_.data());
-  if (!(change.rotation < share_ * turned_)) return;
+  if (!(change.rotation < turned_)) return;
   path_.advance(change.strain, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
   pseudo_time_.assume_rotation(change.rotation);

@@ -28,8 +28,10 @@ class SettleIteration {
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   // law: whether the law may be tried at once.
   void begin_near(bool law);
-  // Takes the present positions, measured, as settled under other loads, likewise; parameter: mu.
-  void begin_settled(double parameter);
+  // Takes the present positions, measured, as settled under other loads, likewise.
+  // correcting: whether steps are followed by others with their factors, which take fewer steps, but
+  // close in from less far.
+  void begin_settled(bool correcting);
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
   // not close in the path from that shape's tensions.
   void resume();
@@ -87,8 +89,9 @@ class SettleIteration {
   // forces that the rest would make at the start.
   double loaded_ = 1.0, loaded_step_ = 1.0;
   std::vector<double> first_force_;
-  // Of the last step: the share of it that was taken, how much all of it turned lines; where it began.
-  double share_ = 1.0, turned_ = 1.0;
+  // How much the last step turned lines, and where it began.
+  double turned_ = 1.0;
+  bool correcting_ = false;
   std::vector<double> from_x_, pull_;
   // Of that state's steps.
   double least_rotation_ = 1.0;

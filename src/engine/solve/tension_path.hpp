@@ -25,9 +25,9 @@ class TensionPath {
   TensionPath(const Model& model, double load);
 
   // Starts from tensions and slack variables that agree with these strains at this mu, for positions that
-  // are nearly settled (near_parameter) or were under other loads (far smaller ones), instead of
+  // are nearly settled (near_parameter) or were under other loads (settled_parameter), instead of
   // pulling every line taut.
-  static constexpr double near_parameter = 1e-3;
+  static constexpr double near_parameter = 1e-3, settled_parameter = 1e-9;
   void follow(const std::vector<double>& strain, double parameter);
 
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
