@@ -30,8 +30,7 @@ run_calibrate <- function(plan, options) {
   check_csv_out(options$predicted, "--predicted")
   if (is.null(options$data)) abort_usage("--data must be a CSV file.")
   if (is.null(options$match)) abort_usage("--match must say which column is which measure.")
-  texts <- Filter(nzchar, trimws(strsplit(options$match, ";", fixed = TRUE)[[1L]]))
-  match <- lapply(texts, function(text) {
+  match <- lapply(parts_of(options$match), function(text) {
     found <- tryCatch(str2lang(text), error = function(e) NULL)
     if (!(is.call(found) && identical(found[[1L]], as.name("~")) && length(found) == 3L)) {
       abort_usage("--match has ", text, "; it must be COLUMN ~ MEASURE.")

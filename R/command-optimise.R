@@ -64,16 +64,11 @@ option_formula <- function(text, option) {
 
 # "a = 1 m .. 2 m; b = 3 .. 4" as ranges by paths.
 option_ranges <- function(text) {
-  parts <- if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
-  if (!length(parts)) abort_usage("--change must have fields with their ranges.")
-  wrong <- grep("^[^=]+=.+[.][.].+$", parts, invert = TRUE, value = TRUE)
-  if (length(wrong)) abort_usage("--change has ", wrong[1L], "; it must be FIELD = FROM .. TO.")
-  ranges <- lapply(sub("^[^=]+=", "", parts), function(range) {
+  changed_fields(text, "ranges", ".+[.][.].+", "FIELD = FROM .. TO", function(range) {
     ends <- trimws(strsplit(range, "..", fixed = TRUE)[[1L]])
     if (length(ends) != 2L) abort_usage("--change has ", range, "; it must be FROM .. TO.")
     lapply(ends, plan_value)
   })
-  setNames(ranges, trimws(sub("=.*", "", parts)))
 }
 
 check_plan_out <- function(out) {

@@ -78,3 +78,33 @@ write_tables <- function(of, tables, folder) {
   }
   files
 }
+
+# The parts of an option between semicolons, or NULL.
+parts_of <- function(text) {
+  if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
+}
+
+# What --change has, by the fields' paths: of each of its parts what `read` makes of the text after
+# the equals sign, which has the pattern `values`. what, form: the words for that and for a part.
+changed_fields <- function(text, what, values, form, read) {
+  parts <- parts_of(text)
+  if (!length(parts)) abort_usage("--change must have fields with their ", what, ".")
+  wrong <- grep(paste0("^[^=]+=", values, "$"), parts, invert = TRUE, value = TRUE)
+  if (length(wrong)) abort_usage("--change has ", wrong[1L], "; it must be ", form, ".")
+  setNames(lapply(sub("^[^=]+=", "", parts), read), trimws(sub("=.*", "", parts)))
+}
+
+check_csv_out <- function(out, option = "--out") {
+  if (!is.null(out) && out != "-" && !may_place(out)) {
+    abort_usage(option, " is ", out, "; it must be a file in a folder that can be written.")
+  }
+}
+
+# A table as CSV: on standard output, or in a file.
+give_csv <- function(table, out) {
+  if (is.null(out) || out == "-") {
+    with_plain_numbers(utils::write.csv(table, stdout(), row.names = FALSE, na = ""))
+  } else {
+    write_csv(table, out)
+  }
+}

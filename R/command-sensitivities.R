@@ -20,23 +20,3 @@ command_sensitivities <- function() {
     }
   )
 }
-
-# The parts of an option between semicolons, or NULL.
-parts_of <- function(text) {
-  if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
-}
-
-check_csv_out <- function(out, option = "--out") {
-  if (!is.null(out) && out != "-" && !may_place(out)) {
-    abort_usage(option, " is ", out, "; it must be a file in a folder that can be written.")
-  }
-}
-
-# A table as CSV: on standard output, or in a file.
-give_csv <- function(table, out) {
-  if (is.null(out) || out == "-") {
-    with_plain_numbers(utils::write.csv(table, stdout(), row.names = FALSE, na = ""))
-  } else {
-    write_csv(table, out)
-  }
-}

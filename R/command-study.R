@@ -109,17 +109,11 @@ study_designs <- function(options) {
 
 # "a = 1 m .. 2 m; b = 3, 4" as ranges and values by paths.
 study_axes <- function(text) {
-  parts <- parts_of(text)
-  if (!length(parts)) abort_usage("--change must have fields with their ranges or values.")
-  wrong <- grep("^[^=]+=.+$", parts, invert = TRUE, value = TRUE)
-  if (length(wrong)) {
-    abort_usage("--change has ", wrong[1L], "; it must be FIELD = FROM .. TO or FIELD = A, B.")
-  }
-  axes <- lapply(sub("^[^=]+=", "", parts), function(said) {
+  form <- "FIELD = FROM .. TO or FIELD = A, B"
+  changed_fields(text, "ranges or values", ".+", form, function(said) {
     ends <- trimws(strsplit(said, "..", fixed = TRUE)[[1L]])
     if (length(ends) == 2L) return(between(plan_value(ends[1L]), plan_value(ends[2L])))
     if (length(ends) > 2L) abort_usage("--change has ", said, "; it must be FROM .. TO.")
     unlist(lapply(trimws(strsplit(said, ",", fixed = TRUE)[[1L]]), plan_value))
   })
-  setNames(axes, trimws(sub("=.*", "", parts)))
 }
