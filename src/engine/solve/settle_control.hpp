@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -64,6 +65,15 @@ struct PathControl {
   // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
   // is of second order in the turn.
   double corrected_turn = 0.2;
+};
+
+// Of nodes that swing (local_balance.hpp), which are settled by themselves after a step from a settled
+// state: their bars turn by more than `turn` in it, and none has more than `tension` times the node's load.
+// Where there are more than least_nodes and most_nodes of all nodes, the shape as a whole is not found.
+struct SwingControl {
+  double turn = 0.05, tension = 30.0;
+  std::size_t least_nodes = 2;
+  double most_nodes = 0.05;
 };
 
 // Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
@@ -151,6 +161,7 @@ struct SettleControl {
   double greatest_rounding = 1e-3;
   PseudoTimeControl pseudo_time;
   PathControl path;
+  SwingControl swing;
   LawControl law;
   LinearControl linear;
   AttemptControl attempts;

@@ -264,13 +264,16 @@ void SettleIteration::move() {
     damped += damping_[i] * dx.squaredNorm();
     driven += dx.dot(at(force_.data(), free_[i]));
   }
-  const LineChange& change = assembly_.line_change(dx_.data());
+  swinging_.clear();
+  if (closing_in_) find_swinging(assembly_.line_change(dx_.data()));
+  const LineChange& change = line_change_without_swinging();
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
   const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
   turned_ = share * change.rotation;
   from_x_.assign(x_, x_ + dx_.size());
-  if (!on_law_) path_.advance(change.strain, share);
+  if (!on_law_) path_.advance(strain_change_, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
+  settle_swinging();
   pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
@@ -306,11 +309,48 @@ void SettleIteration::correct() {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
   }
-  const LineChange& change = assembly_.line_change(dx_.data());
+  const LineChange& change = line_change_without_swinging();
   if (!(change.rotation < turned_)) return;
-  path_.advance(change.strain, 1.0);
+  path_.advance(strain_change_, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
+  settle_swinging();
   pseudo_time_.assume_rotation(change.rotation);
+}
+
+// Nodes that dx_ makes swing, at the place that it starts from.
+void SettleIteration::find_swinging(const LineChange& change) {
+  if (change.rotation <= control_.swing.turn) return;
+  if (!local_) local_.emplace(assembly_.model());
+  DualTension none;
+  none.tension.assign(change.strain.size(), 0.0);
+  pull_.resize(force_.size());
+  assembly_.residual(pull_.data(), &none);
+  strain_change_.resize(change.strain.size());
+  for (int bar = 0; bar < assembly_.model().bars.count(); ++bar) {
+    const std::size_t b = static_cast<std::size_t>(bar);
+    strain_change_[b] =
+        on_law_ ? assembly_.lines().tension[b] : path_.most_tension(b, change.strain[b]);
+  }
+  swinging_ = local_->swinging(dx_.data(), strain_change_, pull_.data(), control_.swing);
+}
+
+// How dx_ changes all lines, with strains kept in strain_change_; of nodes that swing only what the others
+// do to them is then left in dx_, and what is returned.
+const LineChange& SettleIteration::line_change_without_swinging() {
+  const LineChange& change = assembly_.line_change(dx_.data());
+  strain_change_ = change.strain;
+  if (swinging_.empty()) return change;
+  local_->carry(swinging_, dx_.data());
+  return assembly_.line_change(dx_.data());
+}
+
+void SettleIteration::settle_swinging() {
+  if (swinging_.empty()) return;
+  Stopwatch watch(report_.seconds_forces);
+  local_->settle(swinging_, v_, x_);
+  if (on_law_) return;
+  local_->each_bar(swinging_, x_,
+                   [&](std::size_t bar, double strain) { path_.follow(bar, strain); });
 }
 
 void SettleIteration::take_right_side() {

@@ -4,9 +4,11 @@
 // A trial of the law that fails ends where it began, and the path goes on from there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "linear_step.hpp"
+#include "local_balance.hpp"
 #include "pseudo_time.hpp"
 #include "settle.hpp"
 #include "stability.hpp"
@@ -62,6 +64,9 @@ class SettleIteration {
   double first_share(double rotation);
   void move();
   void correct();
+  const LineChange& line_change_without_swinging();
+  void find_swinging(const LineChange& change);
+  void settle_swinging();
   void take_right_side();
   bool at_rounding() const;
   double rounding_force() const;
@@ -93,6 +98,10 @@ class SettleIteration {
   double turned_ = 1.0;
   bool correcting_ = false;
   std::vector<double> from_x_, pull_;
+  // Nodes that the last step made swing, and how it changed the strains of all lines.
+  std::vector<int> swinging_;
+  std::vector<double> strain_change_;
+  std::optional<LocalBalance> local_;  // made where it is first needed
   // Of that state's steps.
   double least_rotation_ = 1.0;
   int idle_steps_ = 0, settled_steps_ = 0;

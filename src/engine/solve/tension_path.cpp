@@ -56,20 +56,22 @@ TensionPath::TensionPath(const Model& model, double load)
 void TensionPath::follow(const std::vector<double>& strain, double parameter) {
   parameter_ = parameter;
   begun_ = true;
-  for (std::size_t k = 0; k < scale_.size(); ++k) {
-    if (stiffness_[k] == 0.0) continue;
-    if (strut_[k]) {
-      current_.tension[k] = stiffness_[k] * strain[k];
-      continue;
-    }
-    // T s = mu scale and strain = T/EA - s
-    const double product = parameter_ * scale_[k];
-    const double root = std::sqrt(strain[k] * strain[k] + 4.0 * product / stiffness_[k]);
-    const double t = strain[k] > 0.0 ? 0.5 * stiffness_[k] * (strain[k] + root)
-                                     : 2.0 * product / (root - strain[k]);
-    current_.tension[k] = std::min(t, first_tension * scale_[k]);
-    slack_[k] = product / current_.tension[k];
+  for (std::size_t k = 0; k < scale_.size(); ++k) follow(k, strain[k]);
+}
+
+void TensionPath::follow(std::size_t k, double strain) {
+  if (stiffness_[k] == 0.0) return;
+  if (strut_[k]) {
+    current_.tension[k] = stiffness_[k] * strain;
+    return;
   }
+  // T s = mu scale and strain = T/EA - s
+  const double product = parameter_ * scale_[k];
+  const double root = std::sqrt(strain * strain + 4.0 * product / stiffness_[k]);
+  const double t =
+      strain > 0.0 ? 0.5 * stiffness_[k] * (strain + root) : 2.0 * product / (root - strain);
+  current_.tension[k] = std::min(t, first_tension * scale_[k]);
+  slack_[k] = product / current_.tension[k];
 }
 
 void TensionPath::stretch(std::size_t k, double tension, double& strain, double& slope) const {

@@ -13,6 +13,7 @@
 // only while T changes by less than itself.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "../model/assembly.hpp"
@@ -29,12 +30,20 @@ class TensionPath {
   // pulling every line taut.
   static constexpr double near_parameter = 1e-3, settled_parameter = 1e-9;
   void follow(const std::vector<double>& strain, double parameter);
+  // The same for one line at the present mu.
+  void follow(std::size_t k, double strain);
 
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
   void prepare(const std::vector<double>& strain, double reduction);
   const DualTension& current() const { return current_; }
   const DualTension& predicted() const { return predicted_; }
+
+  // The most of a line's present tension and of that to which a whole step would lead.
+  double most_tension(std::size_t k, double strain_change) const {
+    return std::max(current_.tension[k],
+                    predicted_.tension[k] + current_.modulus[k] * strain_change);
+  }
 
   // The same at the strains that a step with this matrix has led to, for another one with it and the same
   // mu: correction() holds the tensions that answer to what strains miss, current() the others.
