@@ -70,7 +70,8 @@ LocalBalance::LocalBalance(const Model& model)
   }
   for (int b = 0; b < model.bars.count(); ++b) {
     if (!model.material(model.bars.line(b)).strut) continue;
-    for (int end = 0; end < 2; ++end) rule_out(ends[2 * static_cast<std::size_t>(b) + static_cast<std::size_t>(end)]);
+    for (int end = 0; end < 2; ++end)
+      rule_out(ends[2 * static_cast<std::size_t>(b) + static_cast<std::size_t>(end)]);
   }
   for (std::size_t t = 0; t < model.ties.size(); ++t) {
     rule_out(model.nodes + static_cast<int>(t));

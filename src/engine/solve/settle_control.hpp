@@ -72,6 +72,8 @@ struct PathControl {
 // Where there are more than least_nodes and most_nodes of all nodes, the shape as a whole is not found.
 struct SwingControl {
   double turn = 0.05, tension = 30.0;
+  // What the others turn by at most, and as a share of what lines turn by with them.
+  double rest = 0.1, rest_share = 0.5;
   std::size_t least_nodes = 2;
   double most_nodes = 0.05;
 };

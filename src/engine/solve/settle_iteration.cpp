@@ -335,12 +335,18 @@ void SettleIteration::find_swinging(const LineChange& change) {
 }
 
 // How dx_ changes all lines, with strains kept in strain_change_; of nodes that swing only what the others
-// do to them is then left in dx_, and what is returned.
+// do to them is then left in dx_, and what is returned. Where the others turn far too, none are taken so.
 const LineChange& SettleIteration::line_change_without_swinging() {
-  const LineChange& change = assembly_.line_change(dx_.data());
-  strain_change_ = change.strain;
-  if (swinging_.empty()) return change;
+  const LineChange& whole = assembly_.line_change(dx_.data());
+  strain_change_ = whole.strain;
+  if (swinging_.empty()) return whole;
+  const double most = std::min(control_.swing.rest, control_.swing.rest_share * whole.rotation);
+  whole_dx_ = dx_;
   local_->carry(swinging_, dx_.data());
+  const LineChange& rest = assembly_.line_change(dx_.data());
+  if (rest.rotation < most) return rest;
+  swinging_.clear();
+  dx_ = whole_dx_;
   return assembly_.line_change(dx_.data());
 }
 

@@ -100,7 +100,7 @@ class SettleIteration {
   std::vector<double> from_x_, pull_;
   // Nodes that the last step made swing, and how it changed the strains of all lines.
   std::vector<int> swinging_;
-  std::vector<double> strain_change_;
+  std::vector<double> strain_change_, whole_dx_;
   std::optional<LocalBalance> local_;  // made where it is first needed
   // Of that state's steps.
   double least_rotation_ = 1.0;
