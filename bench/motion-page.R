@@ -25,7 +25,8 @@ case_table <- function(of, public) {
   own <- data.frame(
     program = "codend", scheme = gsub("_", " ", of$scheme), setting = of$setting,
     simulated = of$simulated, cpu = of$cpu_per_second, largest = of$largest_error,
-    mean = of$mean_error, steps = of$steps, longest = of$longest_step, rejected = 100 * of$rejected, imbalance = 100 * of$imbalance,
+    mean = of$mean_error, steps = of$steps, longest = of$longest_step,
+    rejected = 100 * of$rejected, imbalance = 100 * of$imbalance,
     remark = if (is.null(of$remark)) NA_character_ else of$remark
   )
   unknown <- rep(NA_real_, nrow(public))
