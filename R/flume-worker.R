@@ -7,8 +7,8 @@
 #                          with NULL for a request that is out of date
 #   cancel()               ends what it is about and all that waits, which are answered so
 #   stop()                 ends it
-#   holds, turn            numbers for the tank: the state that the worker remembers, 0 for none, and
-#                          the form whose gear it remembers, -1 for none
+#   holds, turn            numbers for the tank: the state that the worker remembers (0: none) and
+#                          the form whose gear it remembers (-1: none)
 
 # Seconds that the answer to one request may take: of what moves the net, and of what somebody asks
 # for and waits (reports, drawings, tows); and bytes that a worker may take.
@@ -160,8 +160,8 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
 }
 
 # A process that says a line when it is ready, then reads names of files, each a request, and says
-# the line again once its answer stands in the file's place. (A call of callr's sessions takes 20 ms,
-# as long as a design takes to settle.)
+# the line again once its answer stands in the file's place. (A call of callr's sessions takes as
+# long as a design takes to settle.)
 answering_process <- function(bytes) {
   serve <- function(bytes) asNamespace("codend")$answer_requests(bytes)
   # without this frame, which would be sent along
