@@ -27,7 +27,8 @@ slack_floor_nodes <- 1500
 usual_accuracy <- 0.01
 
 # Kinds of measures that settle() aims its accuracy at: opening, spread, drag.
-main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
+main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "catch_volume",
+  "catch_surface", "total_drag")
 
 # Errors of measures (named numbers, as shown) of a state on a lattice of so many nodes; NA where
 # no other lattice tells. levels: list of list(nodes, values), coarse to fine; forces: which of the
@@ -73,7 +74,7 @@ observed_order <- function(off, off_before, ratio, ratio_before) {
   # Differences of h^p - (h r)^p: for like ratios their quotient is r^p.
   found <- 2 * log(abs(off_before / off)) / log(sqrt(ratio * ratio_before))
   found[!is.finite(found)] <- usual_order
-  found[off * off_before < 0] <- least_order
+  found[off * off_before < 0] <- usual_order
   pmin(pmax(found, least_order), greatest_order)
 }
 
