@@ -7,8 +7,8 @@
 # Adds to a lattice `catch`: list(cell = of every triangle that it may lie against (NA: of a sheet),
 # node = 3 x these, depth, across = 3 x these, meshes from the lower edge and along it, real = share
 # of each that is real, weight = the same signed, with the circle's share: negative where its normal
-# points inward), or nothing; and to its engine the pressure, behind the front that the plan gives or
-# a first guess.
+# points inward), or nothing; and to its engine the pressure, behind the front that the plan gives
+# or a first guess.
 add_catch <- function(si, lattice) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
@@ -214,9 +214,9 @@ cross_columns <- function(a, b) {
 }
 
 # Volume (m3) between flat pieces and netting that is curved lengthwise; around, the circle's share
-# counts it. A piece of area A under a surface with sags s at the middles of its sides has A sum(s)/3
-# between, and a side e has s = II(e, e) / 8, with the change of the surface's normal along a
-# triangle's sides as its second form II. Half of it is missing: netting keeps its length, so that
+# counts it. A piece of area A under a surface with sags s at the middles of its sides has
+# A sum(s) / 3 between, and a side e has s = II(e, e) / 8, with the change of the surface's normal
+# along a triangle's sides as its second form II. Half of it is missing: netting keeps its length, so that
 # its chords lie outside of the arc as far as inside, as those of a polygon with a circle's girth.
 bulge_volume <- function(held, pieces, corner, position) {
   place <- function(k) position[, held$node[k, ], drop = FALSE]

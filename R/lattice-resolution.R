@@ -33,8 +33,8 @@ edge_twines <- function(panels) {
 
 # Segments of a rope beyond which only the cube root of more is worth its nodes beside netting. A
 # rope is smooth between its ends, so that n segments leave an error of second order: less than
-# 1 / n^2 of its length, where netting leaves percents. (Half as many segments in all ropes of a pair
-# and of a bottom trawl of 1,500 nodes moved no spread or height by 0.01 %.)
+# 1 / n^2 of its length, where netting leaves percents. (Half as many segments in all ropes of a
+# pair and of a bottom trawl of 1,500 nodes moved no spread or height by 0.01 %.)
 ample_segments <- 48
 
 # Element lengths this near the one that gives the nodes asked for, as a logarithm, are looked
