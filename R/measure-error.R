@@ -13,6 +13,8 @@ least_order <- 0.75
 greatest_order <- 1.5
 # Lattices whose nodes differ by less than this factor tell nothing.
 least_ratio <- 1.5
+# Times their difference at most: that of near lattices is of their counts more than of their size.
+most_times <- 2
 # A lattice of fewer nodes tells only where there is no other: on it a trawl has a handful of meshes
 # across a panel, and its errors follow no power.
 fair_nodes <- 400
@@ -56,7 +58,7 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
       off[swings] <- pmax(abs(off), abs(off_before) * ratio_before^(-usual_order / 2))[swings]
     }
   }
-  error[] <- abs(off) / abs((nodes / last$nodes)^(order / 2) - 1)
+  error[] <- abs(off) * pmin(1 / abs((nodes / last$nodes)^(order / 2) - 1), most_times)
   size <- abs(plain(values))
   share <- error / size
   share <- share[is.finite(share) & share > 0]
