@@ -267,14 +267,16 @@ void SettleIteration::move() {
   swinging_.clear();
   if (closing_in_) find_swinging(assembly_.line_change(dx_.data()));
   const LineChange& change = line_change_without_swinging();
+  const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
+  const double rotation = std::max(change.rotation, turns * change.plate_turn);
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
-  const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
-  turned_ = share * change.rotation;
+  const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
+  turned_ = share * rotation;
   from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(strain_change_, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
   settle_swinging();
-  pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
+  pseudo_time_.advance(tangent ? share * rotation : rotation, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
