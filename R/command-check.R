@@ -1,12 +1,12 @@
 command_check <- function() {
   list(
     takes = "PLAN", does = "Check a plan and say what gear it holds.",
-    options = list(), run = run_check
+    options = list(set_option()), run = run_check
   )
 }
 
 run_check <- function(plan, options) {
-  gear <- read_gear(plan)
+  gear <- read_changed(plan, options)
   print(gear)
   found <- findings(gear)
   if (nrow(found)) cat("", cli::style_bold("Worth a look"), finding_lines(found), sep = "\n")

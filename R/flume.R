@@ -49,17 +49,9 @@
 #' its own, which a process of its own settles; it waits for its last answer before it asks again,
 #' with the latest values. That process ends when the browser leaves.
 #'
-#' @section As a server for others: A page sends text and nothing else: no path of a file, no code.
-#'   A plan has at most 2 MB, a design at most 20,000 nodes (or twice `nodes`). Every browser's
-#'   designs settle in an R process of their own with at most 4 GB of memory (where the system
-#'   limits that) and 30 s for each answer; reports and exports in another of its own with 300 s.
-#'   What takes longer is ended, and the other browsers do not wait for it. At most 30 browsers are
-#'   served at a time. One that sends messages of more than 6 MB, or more than 40 a second for long,
-#'   is cut off. There is no password, and `codend flume` answers this computer alone. To let others
-#'   in, run it as a service of a user of its own with a limit of memory (systemd:
-#'   `DynamicUser=yes`, `MemoryMax=8G`, `PrivateTmp=yes`, `ProtectSystem=strict`,
-#'   `ProtectHome=yes`), behind a proxy that encrypts, asks who it is, and limits connections. A
-#'   process takes some 150 MB, an open page another.
+#' @section As a server for others: There is no password, and `codend flume` answers this computer
+#'   alone. `vignette("serve-the-tank")` says how to let others in, and what bounds each of them:
+#'   sizes of plans, designs and messages, times, memory, and how many come in at a time.
 #'
 #' @param gear `NULL` for the gallery, or a gear, from [read_gear()] or the constructors, or the
 #'   name or file of a plan.

@@ -45,8 +45,8 @@
 #'   is settled anew.
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
-#'   are the total drag and the spreads, heights, areas and volumes that the plan asks for, each as
-#'   a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach
+#'   are the total drag, the spreads, heights, areas and volumes that the plan asks for, and the
+#'   volume and surface of a catch, each as a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach
 #'   is a warning of class `codend_warning_accuracy`. `NULL` with `nodes` settles at these and tells
 #'   the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.

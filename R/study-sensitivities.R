@@ -40,7 +40,8 @@
 #'   - `smooth`, as told above.
 #'
 #'   The attribute `factorisations` counts what it cost. A field that the plan has not, that is no
-#'   number or that is 0 is an error of class `codend_error_argument`, as are other wrong arguments.
+#'   number, that is 0 or that only divides the gear for its computation (`segments`, `columns`) is
+#'   an error of class `codend_error_argument`, as are other wrong arguments.
 #' @seealso [plot.codend_sensitivities()], [vary()] for large changes.
 #' @export
 #' @examples
@@ -100,6 +101,9 @@ least_elasticity <- 0.01
 most_slope_fields <- 12L
 telling_fields <- c("length", "mass", "area", "buoyancy", "lift_coefficient", "drag_area")
 
+# Fields that say how finely a part is divided, not what it is.
+dividing_fields <- c("segments", "bar_segments", "columns", "rows")
+
 # ---- fields --------------------------------------------------------------------------------------
 
 # The fields asked for: lists of name, paths, value, unit and whole.
@@ -146,6 +150,9 @@ slope_field <- function(gear, paths) {
   if (length(wrong)) return(wrong[[1L]])
   first <- numbers[[1L]]
   if (first$value == 0) return("is 0: a slope is by shares of a value")
+  if (any(sub(".*[.]", "", paths) %in% dividing_fields)) {
+    return("only divides the gear for its computation: a slope would be of its error")
+  }
   alike <- vapply(numbers, function(number) identical(number, first), NA)
   if (!all(alike)) return("has fields with different values: they do not change together")
   c(list(name = paste(paths, collapse = " + "), paths = paths), first)

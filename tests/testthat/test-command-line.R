@@ -74,6 +74,12 @@ test_that("a wrong plan ends with status 1 and names the field", {
 
 test_that("check, gears and expand show plans", {
   expect_match(command("check", "towed_cable")$out[1], "Towed cable with a sphere")
+  changed <- command("check", "towed_cable", "--set", "name=Another")
+  expect_match(changed$out[1], "Another")
+  expect_one_message(
+    command("check", "towed_cable", "--set", "ropes.cable.length=-5 m"), 1L,
+    "`ropes.cable.length` is -5 m"
+  )
   shown <- command("gears")$out
   for (name in gears()$name) expect_true(any(startsWith(shown, name)))
   plan <- tempfile(fileext = ".yaml")

@@ -1,7 +1,8 @@
 # Files in kept/ were written by codend 0.1.0.9000: the flat panel with 40 nodes and the towed cable
 # of 10 segments, towed for 20 s. The number in a name is its format's. They stay as they are. Where
 # a change of the lattice or the engine's arrays makes this test fail, the format has changed: count
-# its version up and add files of the new one.
+# its version up and add files of the new one. plans-0.1.0 has the shipped plans of that version,
+# without their remarks; study-1 a study of six designs of which two are run.
 
 kept_files <- function(what) {
   list.files(test_path("kept"), paste0("^", what, "-[0-9]+[.]nc$"), full.names = TRUE)
@@ -60,4 +61,33 @@ test_that("plans of earlier versions are read", {
     RNetCDF::close.nc(nc)
     expect_s3_class(read_text(text), "codend_gear")
   }
+})
+
+test_that("shipped plans of earlier versions are read, each to the gear that it says", {
+  files <- list.files(test_path("kept", "plans-0.1.0"), full.names = TRUE)
+  expect_gt(length(files), 15L)
+  for (file in files) {
+    read <- read_gear(file)
+    expect_identical(read_text(paste(format(read), collapse = "\n"))$plan, read$plan)
+    expect_gt(length(gear_si(read)$points), 0L)
+  }
+})
+
+test_that("studies of earlier versions are read and go on", {
+  skip_if_not_installed("RNetCDF")
+  store <- file.path(test_folder(), "study-1")
+  expect_true(file.copy(test_path("kept", "study-1"), dirname(store), recursive = TRUE))
+  for (folder in c("rows", "tasks")) {
+    dir.create(file.path(store, folder), showWarnings = FALSE)
+  }
+  expect_identical(jsonlite::read_json(file.path(store, "study.json"))$codend_study,
+    study_file_version)
+  done <- read_study(store)
+  expect_identical(attr(done, "study")$design, c(2L, 6L))
+  # What a study of this version gave on the day: to the accuracy of settled shapes.
+  expect_equal(done$ship_tension_kN, c(8.766043, 9.596170), tolerance = 1e-6)
+  expect_equal(run_study(store), 4L)
+  all <- read_study(store)
+  expect_identical(all$settled, rep(TRUE, 6L))
+  expect_equal(all$ship_tension_kN[c(2, 6)], done$ship_tension_kN)
 })

@@ -195,6 +195,10 @@ test_that("wrong arguments are told", {
   wrong(state, to = 3)
   wrong(state, to = list(c("towing.speed", "ropes.line.length")))
   wrong(state, secants = "yes")
+  expect_error(
+    sensitivities(settle("towed_cable"), to = "ropes.cable.segments"),
+    "ropes.cable.segments.*only divides the gear", class = "codend_error_argument"
+  )
   wrong(settle(update(as_gear(towed_sphere), ropes.line.mass_per_length = 0)),
     to = "ropes.line.mass_per_length")
 })

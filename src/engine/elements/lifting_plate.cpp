@@ -437,6 +437,19 @@ void LiftingPlates::add_body_inertia(const Field& field, const double* accelerat
   }
 }
 
+double LiftingPlates::turn(const double* dx) const {
+  double largest = 0.0;
+  for (const LiftingPlate& plate : plate) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      const Vector change = at(dx, plate.node[next]) - at(dx, plate.node[k]);
+      const Vector side = plate.attachment[next] - plate.attachment[k];
+      largest = std::max(largest, change.norm() / side.norm());
+    }
+  }
+  return largest;
+}
+
 double LiftingPlates::unstable_size(const Field&) const {
   double least = plate.empty() ? 0.0 : plate.front().chord;
   for (const LiftingPlate& one : plate) least = std::min(least, one.chord);

@@ -136,6 +136,8 @@ class LiftingPlates : public ElementKind {
   void add_drag_scale(const Field& field, double* scale) const override;
   double unstable_size(const Field&) const override;  // the least chord
   PlateAttitude attitude(int plate, const Field& field) const;
+  // Largest change of any plate's sides over their length, to first order, when points move by dx (m).
+  double turn(const double* dx) const;
 
  private:
   // A vector of the plate in terms of e1, e2 and e1 x e2.

@@ -18,6 +18,7 @@ struct DualTension {
 // How lines change, to first order, when nodes move.
 struct LineChange {
   double rotation = 0.0;       // largest change of any line's vector over its rest length
+  double plate_turn = 0.0;     // and of any plate's sides
   std::vector<double> strain;  // change of strain, per line; of penetration (m), per contact
 };
 

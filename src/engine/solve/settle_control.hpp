@@ -26,6 +26,10 @@ constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", 
 // Of the damping D/h (pseudo_time.hpp). Rotation is the largest change of any line's vector in one
 // step, over its rest length.
 struct PseudoTimeControl {
+  // A plate's forces are other ones after some degrees, of which a linear step knows nothing: its turn
+  // counts for so many times that of a line, where it does not close in from a settled state. With 12
+  // some kites of 300 still go to a balance far from where they start, with 20 none.
+  double plate_turns = 20.0;
   // A linear step says nothing of where a line goes that turns by more than its own length: only so
   // much of the step is taken.
   double most_rotation = 1.0;

@@ -261,11 +261,13 @@ void SettleIteration::move() {
     driven += dx.dot(at(force_.data(), free_[i]));
   }
   const LineChange& change = assembly_.line_change(dx_.data());
+  const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
+  const double rotation = std::max(change.rotation, turns * change.plate_turn);
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
-  const double share = tangent ? first_share(change.rotation) : pseudo_time_.share(change.rotation);
+  const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
   if (!on_law_) path_.advance(change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  pseudo_time_.advance(tangent ? share * change.rotation : change.rotation, damped, driven);
+  pseudo_time_.advance(tangent ? share * rotation : rotation, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
