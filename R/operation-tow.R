@@ -102,7 +102,7 @@
 #'   allows. In swings and waves that hardly lose energy the errors of steps add up, whatever the
 #'   scheme: a warp that rings along its length is off by 0.26 m within 10 s at 0.01 m, and the wave
 #'   in a chain that is let go by 0.04 m when it is back at the free end. Steps of one length, 2 ms,
-#'   are within 1 mm of the truth of both. Tensions of chains, warps, anchor lines and nets that
+#'   are within 1.5 mm of the truth of both. Tensions of chains, warps, anchor lines and nets that
 #'   were tried are right within 5 % at the default. Errors of the steps of backward Euler
 #'   add up everywhere: with 0.01 m a heaved anchor line is off by 0.07 m at worst, by 0.02 m with
 #'   BDF2. A tow by backward Euler with an accuracy says so by a warning of class
