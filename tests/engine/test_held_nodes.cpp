@@ -36,7 +36,8 @@ Model sheet() {
       for (const int n : {first, first + rows, first + rows + 1, first + 1}) {
         model.cells.node.push_back(n);
       }
-      for (const double t : {0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0}) model.cells.twine.push_back(t);
+      for (const double t : {0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 0.0, 4.0})
+        model.cells.twine.push_back(t);
       model.cells.rest.push_back(0.1);
       model.cells.multiplicity.push_back(1.0);
       model.cells.material.push_back(0);
@@ -75,7 +76,8 @@ Found found(Assembly& assembly, const std::vector<double>& x, const std::vector<
 
 }  // namespace
 
-TEST_CASE("forces and derivatives of nodes that move do not depend on what is left out for the rest") {
+TEST_CASE(
+    "forces and derivatives of nodes that move do not depend on what is left out for the rest") {
   Model model = sheet();
   Random random(20261122);
   const std::size_t size = 3 * static_cast<std::size_t>(model.nodes);
@@ -120,7 +122,8 @@ TEST_CASE("forces and derivatives of nodes that move do not depend on what is le
       CHECK(part.strain == whole.strain);
     }
     // Readers find all of it.
-    const Evaluation part = evaluate(some, x.data(), v.data()), whole = evaluate(all, x.data(), v.data());
+    const Evaluation part = evaluate(some, x.data(), v.data()),
+                     whole = evaluate(all, x.data(), v.data());
     CHECK(part.u_tension == whole.u_tension);
     for (std::size_t k = 0; k < whole.forces.size(); ++k) CHECK(part.forces[k] == whole.forces[k]);
   }
