@@ -60,7 +60,8 @@ tube_lines <- function(state) {
 }
 
 # A tube full of catch also balances where part of it has gone through its own axis, inside out:
-# there its volume counts against the rest's. From several fronts that of the largest volume is taken.
+# there its volume counts against the rest's. From several fronts that of the largest volume is
+# taken.
 settle_largest <- function(gear, nodes, netting) {
   states <- lapply(c(60, 20, 40, 70), function(front) {
     tryCatch({
@@ -280,8 +281,8 @@ save_page(c(
   "", page("known", known_table), "",
   "## Lattices of 1,000 to 3,000 nodes", "",
   "Largest less smallest of nine lattices, in % of the mean: the worst height and the worst other",
-  "main measure. Asked: 2 % for heights, 1 % for others. The purse seine at rest hangs in folds, which",
-  "no lattice settles: its drag in a faint current is what the folds of one lattice make it.", "",
+  "main measure. Asked: 2 % for heights, 1 % for others. The purse seine at rest hangs in folds,",
+  "which no lattice settles: its drag is what the folds of one lattice make it.", "",
   page("spread", spread_table), "",
   "## Bars against cells at 10,000 nodes", "",
   "Asked: 1 %. The midwater trawl's bars are its real meshes of up to 32 m, its cells a sheet.", "",
