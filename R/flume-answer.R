@@ -8,20 +8,27 @@ flume_steps <- 1000L
 # Most nodes of a design, whatever its plan asks for.
 flume_nodes <- 20000
 
-# request: list(kind, said (of the page), base (the gear that changes are told of), file (of the
-# gear on screen), nodes, state (to settle from, or that something is made of)); without `state` it
-# is the one that the memory, an environment, holds from the last answer. Returns list(found,
-# problem): found NULL where there is a problem, problem as flume_problem() gives it.
+# request: list(kind, said (of the page), number (of the question), base (the gear that changes are
+# told of), file (of the gear on screen), nodes, state (to settle from, or that something is made
+# of)); without `state` or `base` it is the one that the memory, an environment, holds. Returns
+# list(found, problem): found NULL where there is a problem, problem as flume_problem() gives it.
 flume_answer <- function(request, memory) {
-  if (!is.null(request$state)) memory$state <- request$state
+  if (!is.null(request$base)) memory$base <- request$base
+  if (!is.null(request$state)) {
+    memory$state <- request$state
+    memory$fixed <- NULL
+  }
   found <- NULL
   problem <- flume_problem({
     made <- made_of_state[[request$kind]]
-    if (!is.null(made)) {
-      found <- made(memory$state, request$said)
+    found <- if (!is.null(made)) {
+      made(memory$state, request$said)
+    } else if (request$kind == "kept") {
+      settled_design(request, memory)
+    } else if (request$kind == "rest") {
+      rest_of_design(memory)
     } else {
-      found <- settled_design(request, memory$state)
-      if (request$kind != "kept") memory$state <- found$state
+      shown_design(request, memory)
     }
   })
   list(found = found, problem = problem)
@@ -36,26 +43,60 @@ made_of_state <- list(
   save_tow = function(state, said) save_tow(said)
 )
 
-# list(gear, state, notes, drawing, measures) of what the page asks for.
-settled_design <- function(request, from) {
+# What the page asks for, settled and remembered: list(gear, state, notes, drawing, measures). Of a
+# design that has the fields of the one before only what moves, list(moved, anew), as
+# moved_message() gives it: rest_of_design() is asked for next.
+shown_design <- function(request, memory) {
+  found <- settled_design(request, memory, complete = FALSE)
+  memory$state <- found$state
+  passing <- request$kind == "design" && !is.null(memory$fixed) &&
+    identical(given_paths(found$gear$plan), given_paths(memory$base$plan))
+  if (passing) {
+    memory$passing <- found
+    message <- moved_message(found$state, memory$fixed, request$number)
+    memory$fixed <- message$fixed
+    return(message[c("moved", "anew")])
+  }
+  found <- complete_design(found)
+  memory$fixed <- found$drawing$fixed
+  found
+}
+
+rest_of_design <- function(memory) {
+  found <- memory$passing
+  memory$passing <- NULL
+  if (is.null(found)) abort_argument("The process that settled this design has ended.")
+  complete_design(found)
+}
+
+# list(gear, state, notes = warnings), and with `complete` what complete_design() adds.
+settled_design <- function(request, memory, complete = TRUE) {
   said <- request$said
   gear <- switch(request$kind,
-    design = apply_edits(request$base, said),
+    design = apply_edits(memory$base, said),
     plan_text = read_typed(said, request$file),
     plan_file = read_opened(said),
     shipped = read_shipped(said),
     new = read_new(said),
     words = , kept = gear_of_words(said),
-    plan = gear_of_design(said, request$base)
+    plan = gear_of_design(said, memory$base)
   )
   like <- request$kind %in% c("design", "plan_text", "plan")
-  settled_start(gear, request$nodes, if (like) from)
+  found <- c(list(gear = gear), settle_noted(gear, request$nodes, if (like) memory$state))
+  if (complete) complete_design(found) else found
 }
 
-settled_start <- function(gear, nodes, from = NULL) {
-  found <- settle_noted(gear, nodes, from)
-  shown <- list(drawing = flume_drawing(found$state), measures = measures(found$state))
-  c(list(gear = gear), found, shown)
+# ... with what is worth a look among the notes, the drawing and the measures.
+complete_design <- function(found) {
+  # a page does not wait for swings of boards
+  checks <- sorted_checks()
+  worth <- findings_by(found$state, checks[names(checks) != "flutter"])
+  found$notes <- c(found$notes, finding_sentences(worth))
+  c(found, list(drawing = flume_drawing(found$state), measures = measures(found$state)))
+}
+
+settled_start <- function(gear, nodes) {
+  complete_design(c(list(gear = gear), settle_noted(gear, nodes, NULL)))
 }
 
 # said: list(format, file).
@@ -65,8 +106,7 @@ save_state <- function(state, said) {
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }
 
-# Settles from a state where it has the same parts, else anew: list(state, notes = warnings,
-# then what is worth a look).
+# Settles from a state where it has the same parts, else anew: list(state, notes = warnings).
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
   check_lattice_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
@@ -78,10 +118,7 @@ settle_noted <- function(gear, nodes, from) {
       invokeRestart("muffleWarning")
     }
   )
-  # a page does not wait for swings of boards
-  checks <- sorted_checks()
-  found <- findings_by(state, checks[names(checks) != "flutter"])
-  list(state = state, notes = c(notes, finding_sentences(found)))
+  list(state = state, notes = notes)
 }
 
 # NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A

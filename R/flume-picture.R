@@ -15,19 +15,62 @@ flume_drawing <- function(state) {
 }
 
 # The message of a picture. now and pinned: drawings; known: list(now, pinned) of those that the
-# page already has, NULL at first. Colours of both have the same scales, so that they compare.
-picture_message <- function(state, now, pinned, known) {
+# page already has, NULL at first; passed: whether the page has the present shape from
+# moved_message(). Colours of both have the same scales, so that they compare.
+picture_message <- function(state, now, pinned, known, passed = FALSE) {
   about <- scene_about(state, list(now, pinned))
-  part <- function(drawing, before) {
+  part <- function(drawing, before, passed = FALSE) {
     c(
-      list(times = I(0), labels = I("")), about,
+      list(times = I(0), labels = I("")),
       # the kept design seldom moves
-      if (!identical(drawing$moved, before$moved)) drawing$moved,
+      if (passed) {
+        drawing$moved[setdiff(names(drawing$moved), moved_arrays)]
+      } else if (!identical(drawing$moved, before$moved)) {
+        drawing$moved
+      },
       if (!identical(drawing$fixed, before$fixed)) drawing$fixed
     )
   }
   list(
-    now = part(now, known$now), pinned = part(pinned, known$pinned),
+    now = part(now, known$now, passed), pinned = part(pinned, known$pinned), of_both = about,
     name = about$name, conditions = conditions_text(state$si)
+  )
+}
+
+# What moves as a slider does, in the order in which moved_message() has it.
+moved_arrays <- c("points", "rope_tension", "u", "v", "drag", "places", "boards")
+
+# A design that a slider passes through, for the page to draw before anything else of it is known.
+# fixed: what the page has of what joins points. Returns list(moved (raw): the bytes of a header of
+# JSON (4), the header, then single floats, little-endian; fixed: that of this state; anew: whether
+# it is another).
+moved_message <- function(state, fixed, number) {
+  shape <- scene_shape(state, flume_lines, meshes = FALSE)
+  shape$rope_tension <- shape$ropes
+  arrays <- lapply(shape[moved_arrays], as.double)
+  now_fixed <- scene_fixed(shape)
+  changed <- names(now_fixed)[!mapply(identical, now_fixed, fixed[names(now_fixed)])]
+  # of the same marks the page takes their sizes; others are laid out with all
+  same_marks <- identical(now_fixed$marks[c("role", "fill")], fixed$marks[c("role", "fill")])
+  if (!same_marks || "vessels" %in% changed) changed <- names(now_fixed)
+  bed <- drawn_bed(state)
+  header <- list(
+    answers = first_of(number, 0), counts = lapply(arrays, length),
+    conditions = conditions_text(state$si),
+    part = c(
+      list(conditions = state_conditions(state), flow = I(flow_past(state))),
+      if (!is.null(bed)) list(bed = list(normal = I(bed$normal), height = bed$height)),
+      now_fixed[changed]
+    )
+  )
+  text <- charToRaw(enc2utf8(as.character(
+    jsonlite::toJSON(header, auto_unbox = TRUE, digits = I(7), null = "null", na = "null")
+  )))
+  # floats begin at a multiple of their size
+  text <- c(text, rep(charToRaw(" "), -length(text) %% 4L))
+  bytes <- function(x, size) writeBin(x, raw(), size = size, endian = "little")
+  list(
+    moved = c(bytes(length(text), 4L), text, bytes(unlist(arrays, use.names = FALSE), 4L)),
+    fixed = now_fixed, anew = length(changed) > 0
   )
 }

@@ -27,9 +27,9 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     })
 
     # A picture goes out before the tables are made.
-    show <- function(answers = 0) {
+    show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
-      message <- tank$picture()
+      message <- tank$picture(passed)
       session$sendCustomMessage("flume_picture", c(list(
         answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes)),
         undo = length(tank$history$past), redo = length(tank$history$future),
@@ -54,25 +54,52 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     }
 
     # Asks the worker for another gear. A design that is wrong or does not settle changes nothing,
-    # and so does one of a form that has been made anew since.
+    # and so does one of a form that has been made anew since. Where only its shape has come, that
+    # is shown before the rest is asked for.
     ask_worker <- function(kind, asked, answers = 0, step = "do", gesture = -1, then = NULL) {
       # of now, in the observer
       force(asked)
       force(answers)
       turn <- tank$turn
-      worker$ask(
-        kind, function() if (tank$turn == turn) tank$request(kind, asked, worker$holds),
-        function(answer) {
-          if (session$isClosed()) return()
-          if (is.null(answer) || tank$turn != turn) return(show(answers))
-          if (!is.null(answer$problem)) return(refuse(answer$problem, kind, answers))
-          anew <- tank$take(kind, answer$found, step, gesture)
-          worker$holds <- tank$serial
-          show(answers)
-          if (anew) lay_out()
-          if (!is.null(then)) then()
+      ask <- function(kind, asked, found_is) {
+        make <- function() {
+          if (tank$turn != turn) return(NULL)
+          request <- tank$request(kind, asked, worker$holds, worker$turn, answers)
+          worker$turn <- turn
+          request
         }
-      )
+        worker$ask(kind, make, function(answer) {
+          if (session$isClosed()) return()
+          if (is.null(answer) || tank$turn != turn) {
+            # what it remembers is on nobody's screen
+            worker$holds <- 0
+            tank$forget_picture()
+            return(show(answers))
+          }
+          if (!is.null(answer$problem)) {
+            refuse(answer$problem, kind, answers)
+            if (kind == "rest") {
+              tank$forget_picture()
+              show()
+            }
+          } else {
+            found_is(answer$found)
+          }
+        })
+      }
+      complete <- function(found, passed = FALSE) {
+        anew <- tank$take(kind, found, step, gesture)
+        worker$holds <- tank$serial
+        show(answers, passed)
+        if (anew) lay_out()
+        if (!is.null(then)) then()
+      }
+      ask(kind, asked, function(found) {
+        if (is.null(found$moved)) return(complete(found))
+        session$sendBinaryMessage("flume_moved", found$moved)
+        if (found$anew) tank$forget_picture()
+        ask("rest", NULL, function(found) complete(found, passed = TRUE))
+      })
     }
 
     # Asks the clerk for something of the state on screen; then(what it found). A later question of

@@ -53,15 +53,17 @@ slopes_html <- function(slopes) {
   if (is.null(slopes)) return(NULL)
   fields <- unique(slopes$field)
   measures <- unique(slopes$measure)
-  at <- function(field) slopes[slopes$field == field, ][match(measures, slopes$measure[
-    slopes$field == field]), ]
-  columns <- lapply(fields, function(field) {
-    rows <- at(field)
+  # of every field a row for each measure
+  by_field <- lapply(fields, function(field) {
+    rows <- slopes[slopes$field == field, ]
+    rows[match(measures, rows$measure), ]
+  })
+  columns <- lapply(by_field, function(rows) {
     small <- !is.na(rows$elasticity) & abs(rows$elasticity) < 0.1
     text <- signed(10 * rows$elasticity, ifelse(small, 2L, 1L))
     paste0(text, ifelse(nzchar(text) & text != "0" & !rows$smooth, " *", ""))
   })
-  unit <- slope_measure_units(at(fields[1L]))
+  unit <- slope_measure_units(by_field[[1L]])
   table <- do.call(data.frame, c(list(words_of(measures, unit)), columns, stringsAsFactors = FALSE))
   # what no field moves is left out
   told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))

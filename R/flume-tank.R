@@ -31,10 +31,11 @@ new_tank <- function(start, marked, nodes) {
   tank$count_slopes <- function() count(tank$slopes_changed)
   tank$form <- function() form_message(tank$gear$plan, marked_of(marked, tank$gear$plan), tank$turn)
 
-  # A request of a worker that holds the state of a number.
-  tank$request <- function(kind, said, holds = 0L) {
+  # A request of a worker that holds the state of a number and the gear of a form.
+  tank$request <- function(kind, said, holds = 0L, turn = -1L, number = 0) {
     list(
-      kind = kind, said = said, base = tank$base, nodes = nodes, file = tank$gear$file,
+      kind = kind, said = said, number = number, nodes = nodes, file = tank$gear$file,
+      base = if (!identical(turn, tank$turn)) tank$base,
       state = if (!identical(holds, tank$serial)) tank$state
     )
   }
@@ -101,11 +102,14 @@ new_tank <- function(start, marked, nodes) {
     count(tank$kept_changed)
   }
 
-  tank$picture <- function() {
-    message <- picture_message(tank$state, tank$drawing, tank$pinned$drawing, tank$known)
+  # passed: whether the page has the shape already.
+  tank$picture <- function(passed = FALSE) {
+    message <- picture_message(tank$state, tank$drawing, tank$pinned$drawing, tank$known, passed)
     tank$known <- list(now = tank$drawing, pinned = tank$pinned$drawing)
     message
   }
+  # The page draws what nobody here knows, or no longer.
+  tank$forget_picture <- function() tank$known["now"] <- list(NULL)
   tank$code <- function() flume_code(tank$loaded, tank$pinned$gear, tank$gear, nodes)
   # What the address says: the design on screen and those that are kept.
   tank$words <- function() {

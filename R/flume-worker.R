@@ -7,7 +7,8 @@
 #                          with NULL for a request that is out of date
 #   cancel()               ends what it is about and all that waits, which are answered so
 #   stop()                 ends it
-#   holds                  a number for the tank: the state that the worker remembers; 0 for none
+#   holds, turn            numbers for the tank: the state that the worker remembers (0: none) and
+#                          the form whose gear it remembers (-1: none)
 
 # Seconds that the answer to one request may take: of what moves the net, and of what somebody asks
 # for and waits (reports, drawings, tows); and bytes that a worker may take.
@@ -21,8 +22,11 @@ start_seconds <- 120
 # Requests that may wait for a worker beside the one that it is about.
 most_waiting <- 4L
 
-# How often a process is looked at while it works, s.
-look_every <- 0.01
+# When a process that works is looked at first and how much later at least each time, s; and how
+# much longer than it has worked already. A look takes a millisecond.
+look_first <- 0.02
+look_every <- 0.005
+look_share <- 0.15
 
 # Requests of one of these a later one takes the place of while they wait.
 replaced_requests <- list(
@@ -38,6 +42,7 @@ direct_worker <- function(...) {
   worker <- new.env(parent = emptyenv())
   memory <- new.env(parent = emptyenv())
   worker$holds <- 0
+  worker$turn <- -1L
   worker$stop <- worker$cancel <- function() NULL
   worker$ask <- function(kind, make, then) {
     request <- make()
@@ -56,11 +61,12 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   stopped <- FALSE
 
   start <- function() {
-    process <<- callr::r_session$new(wait = FALSE)
+    process <<- answering_process(bytes)
     worker$holds <- 0
+    worker$turn <- -1L
     idle <<- FALSE
-    current <<- list(until = now() + start_seconds)
-    look_later()
+    current <<- list(since = now(), until = now() + start_seconds)
+    look_later(look_first)
   }
   now <- function() proc.time()[["elapsed"]]
   # an error here, outside of every session, would end the tank for all
@@ -69,12 +75,17 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       message("codend flume: ", conditionMessage(e))
     })
   }
-  look_later <- function() later::later(look, look_every)
-  call <- function(job, what, arguments, seconds) {
+  look_later <- function(delay = max(look_every, look_share * (now() - current$since))) {
+    later::later(look, delay)
+  }
+  call <- function(job, request) {
+    file <- tempfile("request-")
+    write_whole(request, file)
     idle <<- FALSE
-    current <<- c(job, list(until = now() + seconds))
-    process$call(what, arguments)
-    look_later()
+    current <<- c(job, list(since = now(), until = now() + seconds, file = file))
+    # one that has ended is found so when it is looked at
+    tryCatch(process$write_input(paste0(file, "\n")), error = function(e) NULL)
+    look_later(look_first)
   }
   go_on <- function() {
     # one that was ended from elsewhere has lost nothing but time
@@ -83,20 +94,18 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       job <- waiting[[1L]]
       waiting <<- waiting[-1L]
       request <- job$make()
-      if (is.null(request)) {
-        tell(job, NULL)
-      } else {
-        # without this frame, which would be sent along
-        ask <- function(request) asNamespace("codend")$worker_answer(request)
-        environment(ask) <- baseenv()
-        call(job, ask, list(request), seconds)
-      }
+      if (is.null(request)) tell(job, NULL) else call(job, request)
     }
   }
-  finish <- function(answer) {
+  finish <- function() {
     job <- current
     current <<- NULL
-    if (!is.null(job$then)) tell(job, answer)
+    idle <<- TRUE
+    if (!is.null(job$then)) {
+      answer <- unpacked_answer(read_whole(job$file))
+      unlink(job$file)
+      tell(job, answer)
+    }
     go_on()
   }
   # Its answer is what is wrong; another process takes its place, at the next request where this one
@@ -105,31 +114,21 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   replace_with <- function(answer) {
     process$kill()
     process <<- NULL
+    unlink(current$file)
     jobs <- if (is.null(current$then)) waiting else list(current)
     if (is.null(current$then)) waiting <<- list() else start()
     for (job in jobs) tell(job, answer)
   }
   look <- function() {
     if (stopped || idle || is.null(process)) return()
-    said <- if (process$poll_process(0) == "ready") process$read()
-    if (is.null(said)) {
-      if (now() < current$until) return(look_later())
-      return(replace_process(sprintf(
-        "This takes longer than %s s, which is all that the tank gives it.", format(seconds)
-      )))
-    }
-    if (said$code == 201L) {
-      prepare <- function(bytes) asNamespace("codend")$prepare_worker(bytes)
-      environment(prepare) <- baseenv()
-      return(call(list(), prepare, list(bytes), start_seconds))
-    }
-    if (said$code != 200L) {
+    if (has_answered(process)) return(finish())
+    if (!process$is_alive()) {
       return(replace_process("The process that settles ended at this; a new one takes its place."))
     }
-    idle <<- TRUE
-    finish(if (is.null(said$error)) unpacked_answer(said$result) else {
-      list(problem = list(message = paste0("codend failed at this: ", plain_message(said$error))))
-    })
+    if (now() < current$until) return(look_later())
+    replace_process(sprintf(
+      "This takes longer than %s s, which is all that the tank gives it.", format(seconds)
+    ))
   }
   worker$ask <- function(kind, make, then) {
     # of designs the latest counts
@@ -160,16 +159,53 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   worker
 }
 
-# ---- in the worker's process ---------------------------------------------------------------------
+# A process that says a line when it is ready, then reads names of files, each a request, and says
+# the line again once its answer stands in the file's place. (A call of callr's sessions takes as
+# long as a design takes to settle.)
+answering_process <- function(bytes) {
+  serve <- function(bytes) asNamespace("codend")$answer_requests(bytes)
+  # without this frame, which would be sent along
+  environment(serve) <- baseenv()
+  callr::r_process$new(callr::r_process_options(
+    func = serve, args = list(bytes = bytes), stdout = "|", stderr = NULL, extra = list(stdin = "|")
+  ))
+}
 
-worker_memory <- new.env(parent = emptyenv())
+answered_line <- "codend: answered"
+
+has_answered <- function(process) {
+  process$poll_io(0L)[["output"]] == "ready" && answered_line %in% process$read_output_lines()
+}
+
+write_whole <- function(x, file) writeBin(serialize(x, NULL, xdr = FALSE), file)
+read_whole <- function(file) unserialize(readBin(file, "raw", file.size(file)))
+
+# ---- in the worker's process ---------------------------------------------------------------------
 
 prepare_worker <- function(bytes) {
   limit_memory(bytes)
   NULL
 }
 
-worker_answer <- function(request) packed_answer(flume_answer(request, worker_memory))
+# Until nobody asks any more.
+answer_requests <- function(bytes) {
+  prepare_worker(bytes)
+  memory <- new.env(parent = emptyenv())
+  asks <- file("stdin", "r")
+  on.exit(close(asks))
+  say <- function() {
+    cat(answered_line, "\n", sep = "")
+    flush(stdout())
+  }
+  say()
+  while (length(file <- readLines(asks, 1L))) {
+    answer <- tryCatch(flume_answer(read_whole(file), memory), error = function(e) {
+      list(problem = list(message = paste0("codend failed at this: ", plain_message(e))))
+    })
+    write_whole(packed_answer(answer), file)
+    say()
+  }
+}
 
 # ---- between the two -----------------------------------------------------------------------------
 

@@ -104,8 +104,8 @@ NULL
 #' given, an assumption). [settle()] finds that front. The catch has no weight in water. In netting
 #' of bars it lies against the sheets between the rows of their knots.
 #'
-#' [measures()] of such a state include `catch_volume_m3` and `catch_front_meshes`, how many meshes
-#' deep the catch is.
+#' [measures()] of such a state include `catch_volume_m3`, `catch_surface_m2`, the area of the
+#' netting behind the front, and `catch_front_meshes`, how many meshes deep the catch is.
 #'
 #' @examples
 #' codend <- read_gear("t90_codend")

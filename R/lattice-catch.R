@@ -5,9 +5,10 @@
 # n tan(pi / n) / pi. Pressure and volume count with the circle's.
 
 # Adds to a lattice `catch`: list(cell = of every triangle that it may lie against (NA: of a sheet),
-# node = 3 x these, depth = 3 x these, meshes from the lower edge, weight = signed share of each
-# that is real, with the circle's share: negative where its normal points inward), or nothing; and
-# to its engine the pressure, behind the front that the plan gives or a first guess.
+# node = 3 x these, depth, across = 3 x these, meshes from the lower edge and along it, real = share
+# of each that is real, weight = the same signed, with the circle's share: negative where its normal
+# points inward), or nothing; and to its engine the pressure, behind the front that the plan gives
+# or a first guess.
 add_catch <- function(si, lattice) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
@@ -36,6 +37,7 @@ add_catch <- function(si, lattice) {
   lattice$catch <- list(
     cell = c(some, rep(NA, length(other)))[triangles$cell],
     node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
+    across = matrix(across[place], 3L), real = multiplicity[triangles$cell] * triangles$weight,
     weight = (multiplicity * round)[triangles$cell] * triangles$weight
   )
   # Panels are laid out round the catch from the start, whichever way round.
@@ -176,14 +178,81 @@ catch_volume <- function(lattice, position) {
   held <- lattice$catch
   position <- lattice_points(lattice, position)
   pieces <- covered_pieces(behind_front(held$depth, held$blocked))
-  node <- held$node[, pieces$triangle, drop = FALSE]
-  place <- function(corner) {
-    weigh <- function(k) position[, node[k, ], drop = FALSE] * rep(corner[, k], each = 3L)
-    weigh(1L) + weigh(2L) + weigh(3L)
-  }
-  corner <- lapply(pieces$corner, place)
+  corner <- piece_corners(held, pieces, position)
   edge <- do.call(cbind, Map(function(x, on) x[, on, drop = FALSE], corner, pieces$front))
   middle <- rowMeans(edge)
   volume <- triple_product(corner[[1]] - middle, corner[[2]] - middle, corner[[3]] - middle) / 6
-  sum(volume * held$weight[pieces$triangle])
+  sum(volume * held$weight[pieces$triangle]) + bulge_volume(held, pieces, corner, position)
 }
+
+# Area (m2) of the netting behind the catch's front.
+catch_surface <- function(lattice, position) {
+  held <- lattice$catch
+  pieces <- covered_pieces(behind_front(held$depth, held$blocked))
+  corner <- piece_corners(held, pieces, lattice_points(lattice, position))
+  sum(triangle_sizes(corner) * held$real[pieces$triangle])
+}
+
+# Places of the corners of pieces of a catch's triangles: three matrices, 3 x pieces.
+piece_corners <- function(held, pieces, position) {
+  node <- held$node[, pieces$triangle, drop = FALSE]
+  lapply(pieces$corner, function(corner) {
+    weigh <- function(k) position[, node[k, ], drop = FALSE] * rep(corner[, k], each = 3L)
+    weigh(1L) + weigh(2L) + weigh(3L)
+  })
+}
+
+triangle_sizes <- function(corner) {
+  sqrt(colSums(cross_columns(corner[[2]] - corner[[1]], corner[[3]] - corner[[1]])^2)) / 2
+}
+
+cross_columns <- function(a, b) {
+  rbind(
+    a[2, ] * b[3, ] - a[3, ] * b[2, ], a[3, ] * b[1, ] - a[1, ] * b[3, ],
+    a[1, ] * b[2, ] - a[2, ] * b[1, ]
+  )
+}
+
+# Volume (m3) between flat pieces and netting that is curved lengthwise; around, the circle's share
+# counts it. A piece of area A under a surface with sags s at the middles of its sides has
+# A sum(s) / 3 between, and a side e has s = II(e, e) / 8, with the change of the surface's normal
+# along a triangle's sides as its second form II. Half of it is missing: netting keeps its length,
+# so that its chords lie outside of the arc as far as inside, as those of a polygon with a circle's
+# girth.
+bulge_volume <- function(held, pieces, corner, position) {
+  place <- function(k) position[, held$node[k, ], drop = FALSE]
+  at <- lapply(1:3, place)
+  out <- cross_columns(at[[2]] - at[[1]], at[[3]] - at[[1]]) *
+    rep(sign(held$weight) * held$real, each = 3L)
+  node <- as.vector(t(held$node))
+  used <- sort(unique(node))
+  own <- matrix(match(held$node, used), 3L)
+  normal <- rowsum(rbind(t(out), t(out), t(out)), node)
+  long <- sqrt(rowSums(normal^2))
+  # where netting is gathered it has a tip, not a normal
+  tip <- long < least_agreement * rowsum(rep(sqrt(colSums(out^2)), 3L), node)[, 1L]
+  normal <- t(normal / long)
+  form <- function(i, j) {
+    colSums((normal[, own[j, ], drop = FALSE] - normal[, own[i, ], drop = FALSE]) *
+      (at[[j]] - at[[i]]))
+  }
+  first <- form(1L, 2L)
+  second <- form(1L, 3L)
+  mixed <- (first + second - form(2L, 3L)) / 2
+  step <- function(x, k) x[k, ] - x[1L, ]
+  twice <- step(held$depth, 2L) * step(held$across, 3L) -
+    step(held$depth, 3L) * step(held$across, 2L)
+  a <- step(held$across, 3L) / twice
+  b <- -step(held$across, 2L) / twice
+  lengthwise <- a^2 * first + b^2 * second + 2 * a * b * mixed
+  lengthwise[colSums(matrix(tip[own], 3L)) > 0 | !is.finite(lengthwise)] <- 0
+  of <- pieces$triangle
+  depth <- lapply(pieces$corner, function(corner) {
+    rowSums(corner * t(held$depth)[of, , drop = FALSE])
+  })
+  sides <- (depth[[2]] - depth[[1]])^2 + (depth[[3]] - depth[[2]])^2 + (depth[[1]] - depth[[3]])^2
+  sum(triangle_sizes(corner) * held$real[of] * lengthwise[of] * sides) / 24 / 2
+}
+
+# Length of the sum of normals around a node over that of all, below which they point all ways.
+least_agreement <- 0.8

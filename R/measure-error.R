@@ -13,6 +13,8 @@ least_order <- 0.75
 greatest_order <- 1.5
 # Lattices whose nodes differ by less than this factor tell nothing.
 least_ratio <- 1.5
+# Times their difference at most: that of near lattices is of their counts more than of their size.
+most_times <- 2
 # A lattice of fewer nodes tells only where there is no other: on it a trawl has a handful of meshes
 # across a panel, and its errors follow no power.
 fair_nodes <- 400
@@ -27,7 +29,8 @@ slack_floor_nodes <- 1500
 usual_accuracy <- 0.01
 
 # Kinds of measures that settle() aims its accuracy at: opening, spread, drag.
-main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
+main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "catch_volume",
+  "catch_surface", "total_drag")
 
 # Errors of measures (named numbers, as shown) of a state on a lattice of so many nodes; NA where
 # no other lattice tells. levels: list of list(nodes, values), coarse to fine; forces: which of the
@@ -44,18 +47,20 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
   last <- levels[[length(levels)]]
   off <- plain(values) - at(last)
   order <- rep(usual_order, length(values))
+  left <- numeric(length(values))
   if (length(levels) > 1L) {
     before <- levels[[length(levels) - 1L]]
     off_before <- at(last) - at(before)
     ratio_before <- last$nodes / before$nodes
     if (nodes > last$nodes && ratio_before >= least_ratio) {
       order <- observed_order(off, off_before, nodes / last$nodes, ratio_before)
-      # Where a measure goes to and fro the larger of its ways tells.
+      # Where a measure goes to and fro the way before tells what may still be left.
       swings <- which(off * off_before < 0)
-      off[swings] <- pmax(abs(off), abs(off_before) * ratio_before^(-usual_order / 2))[swings]
+      left[swings] <- (abs(off_before) * ratio_before^(-usual_order / 2))[swings]
     }
   }
-  error[] <- abs(off) / abs((nodes / last$nodes)^(order / 2) - 1)
+  times <- pmin(1 / abs((nodes / last$nodes)^(order / 2) - 1), most_times)
+  error[] <- pmax(abs(off) * times, left)
   size <- abs(plain(values))
   share <- error / size
   share <- share[is.finite(share) & share > 0]
@@ -73,7 +78,7 @@ observed_order <- function(off, off_before, ratio, ratio_before) {
   # Differences of h^p - (h r)^p: for like ratios their quotient is r^p.
   found <- 2 * log(abs(off_before / off)) / log(sqrt(ratio * ratio_before))
   found[!is.finite(found)] <- usual_order
-  found[off * off_before < 0] <- least_order
+  found[off * off_before < 0] <- usual_order
   pmin(pmax(found, least_order), greatest_order)
 }
 

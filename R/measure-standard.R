@@ -105,6 +105,12 @@ standard_measures <- c(
       if (!is.null(state$si$catch)) catch_volume(state$lattice, state$position)
     }
   ),
+  standard_measure("catch_surface", "m2",
+    "With a catch in netting, the area of the netting behind its front.",
+    function(state, found) {
+      if (!is.null(state$si$catch)) catch_surface(state$lattice, state$position)
+    }
+  ),
   standard_measure("catch_front", "meshes",
     "With a catch in netting, how many meshes deep the netting is that its front encloses.",
     sensor = "Catch sensors, each at a count of meshes from the codline, which tell when the netting

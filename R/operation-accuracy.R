@@ -126,7 +126,8 @@ nodes_of <- function(state) {
 aim_accuracy <- function(state, netting) {
   error <- main_error(measures(state))
   nodes <- state$lattice$nodes
-  wanted <- min(nodes_for(nodes, error, usual_accuracy), most_usual_nodes, fixed_nodes(state$si))
+  wanted <- min(nodes_for(nodes, error, usual_accuracy), most_usual_nodes,
+    fixed_nodes(state$si, netting))
   if (is.finite(error) && !is_reached(error, usual_accuracy) && wanted >= least_ratio * nodes &&
     error < hopeless_error * usual_accuracy) {
     finer <- tryCatch(

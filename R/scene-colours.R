@@ -10,14 +10,13 @@ slack_words <- function(tension) {
   if (any(tension < 0)) "slack or pushing" else if (any(tension == 0)) "slack"
 }
 
-tension_palette <- function(kind) {
-  stops <- if (kind == "rope") {
-    c("#C65300", "#A32A00", "#6E0F12", "#2B0508")
-  } else {
-    c("#0B8578", "#1B6CA8", "#3A3C93", "#2A0F4F")
-  }
-  grDevices::colorRampPalette(stops, space = "Lab")(216L)
-}
+tension_palette <- function(kind) tension_palettes[[if (kind == "rope") "rope" else "netting"]]
+
+# Made once: Lab takes longer than the rest of a scale.
+tension_palettes <- lapply(list(
+  rope = c("#C65300", "#A32A00", "#6E0F12", "#2B0508"),
+  netting = c("#0B8578", "#1B6CA8", "#3A3C93", "#2A0F4F")
+), function(stops) grDevices::colorRampPalette(stops, space = "Lab")(216L))
 
 # How tension (N) becomes colour, or NULL where nothing carries any.
 #

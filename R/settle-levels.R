@@ -14,11 +14,11 @@ settle_iterations <- 3200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
 # every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
-# begin with or NULL, where there is none.
-coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
+# begin with or NULL, where there is none. levels: nodes of the coarser levels, or NULL.
+coarse_shape <- function(si, nodes, netting, progress, found = NULL, levels = NULL) {
   free <- undivided(si)
-  nodes <- min(nodes, fixed_nodes(si))
-  levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
+  nodes <- min(nodes, fixed_nodes(si, netting))
+  if (is.null(levels)) levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
   for (level in levels) {
     coarse <- settle_level(
       free, level, if (level == coarsest_nodes) "cells" else netting, found, near_steps,
@@ -45,20 +45,18 @@ coarse_levels <- function(nodes) {
   c(if (nodes > 2 * coarsest_nodes) coarsest_nodes, rev(between))
 }
 
-# Most nodes that a gear has whose plan divides every panel and rope itself, about; Inf where it
-# leaves one open.
-fixed_nodes <- function(si) {
-  ropes <- vapply(si$ropes, function(rope) {
-    if (!is.null(rope$along)) 0 else if (is.null(rope$segments)) Inf else rope$segments
-  }, 0)
-  # a square mesh has one knot and two bars of its own, any other two and four
-  panels <- vapply(si$panels, function(panel) {
-    across <- max(panel$upper, panel$lower)
-    columns <- c(panel$columns, panel$rows * across / panel$deep, Inf)[1L]
-    knots <- if (panel$orientation == "square") 1 else 2
-    columns^2 * panel$deep / across * knots * (2 * first_of(panel$bar_segments, 1) - 1)
-  }, 0)
-  sum(ropes, panels)
+# Nodes, about, of a gear whose plan divides every panel and rope itself; Inf where it leaves one
+# open.
+fixed_nodes <- function(si, netting) {
+  open <- function(parts, ...) {
+    any(vapply(parts, function(part) all(vapply(part[c(...)], is.null, NA)), NA))
+  }
+  own <- Filter(function(rope) is.null(rope$along) && !length(rope$through), si$ropes)
+  if (open(own, "segments") || open(si$panels, "columns", "rows")) return(Inf)
+  bars <- panels_of_bars(si, netting)
+  frame <- division_frame(gear_chains(si), linked = !bars)
+  of <- resolution_table(si, panel_table(si$panels), frame$pieces, bars)
+  if (is_divided(of)) count_nodes(of, element_length(of, 1)) else Inf
 }
 
 # A gear whose plan says nothing of how finely it is divided. Poles keep their segments: divided

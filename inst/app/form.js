@@ -222,7 +222,7 @@ window.codendForm = (function () {
       if ((one.parts && one.parts.length) || one.open) all.appendChild(group(one));
     });
     search();
-    window.scrollTo(0, kept);
+    window.scrollTo({ top: kept, behavior: 'instant' });
     if (focused) {
       controls_of(focused[0].split(' ')[0]).some(function (box) {
         var to = box.querySelector('[type="' + focused[1] + '"]') || box.querySelector('input, select');

@@ -22,7 +22,8 @@ window.codendPage = (function () {
     find('gears').setAttribute('aria-expanded', String(!!yes));
     // so that Shiny makes what is seen, and no more
     $(find('design')).trigger(yes ? 'hidden' : 'shown');
-    window.scrollTo(0, 0);
+    // at once: what is laid out next keeps to where the page stands
+    window.scrollTo({ top: 0, behavior: 'instant' });
   }
 
   // Only what stands still is said aloud.
@@ -102,6 +103,18 @@ window.codendPage = (function () {
       window.codendTow.design(message.towed);
       window.codendDrawing.want(true);
       want_texts();
+    });
+    // A shape that a slider passes through; the rest of it follows. bytes: R/flume-picture.R.
+    Shiny.addCustomMessageHandler('flume_moved', function (bytes) {
+      var size = new DataView(bytes).getUint32(0, true), at = 4 + size;
+      var told = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size)));
+      Object.keys(told.counts).forEach(function (name) {
+        told.part[name] = { floats: new Float32Array(bytes, at, told.counts[name]) };
+        at += 4 * told.counts[name];
+      });
+      window.codendTank.moved(told.part);
+      find('gear_conditions').textContent = told.conditions;
+      window.codendForm.answered(told.answers);
     });
     Shiny.addCustomMessageHandler('flume_refused', function (message) {
       var places = {

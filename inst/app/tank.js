@@ -1,7 +1,8 @@
 // The gear in the flume tank: the viewer, and three flat figures that it draws, with axes around them.
 // x is aft, y to starboard, z up; metres.
 //
-// codendTank.listen() makes the viewer; .picture(message) shows what R/flume-picture.R made.
+// codendTank.listen() makes the viewer; .picture(message) shows what R/flume-picture.R made, .moved(part)
+// a shape that the gear passes through.
 window.codendTank = (function () {
   'use strict';
 
@@ -113,16 +114,17 @@ window.codendTank = (function () {
     return true;
   }
 
-  // A moment later: the eye is on the tank.
+  // Once nothing moves: the eye is on the tank, and they cost as much as it does.
   function repaint_planes() {
     window.clearTimeout(timer);
     timer = window.setTimeout(function () {
       timer = null;
       if (!viewer || !about) return;
+      if (viewer.hastens()) { repaint_planes(); return; }
       var painted = Object.keys(planes).map(paint_plane).some(Boolean);
       // they were drawn on the tank's own canvas
       if (painted) viewer.redraw();
-    }, 60);
+    }, 120);
   }
 
   return {
@@ -135,8 +137,15 @@ window.codendTank = (function () {
     },
     picture: function (message) {
       if (!viewer) return;
-      about = message.now;
-      viewer.show(message.now, message.pinned);
+      viewer.show(Object.assign(message.now, message.of_both),
+        Object.assign(message.pinned, message.of_both));
+      about = viewer.gear().told;
+      repaint_planes();
+    },
+    moved: function (part) {
+      if (!viewer) return;
+      viewer.pass(part);
+      about = viewer.gear().told;
       repaint_planes();
     },
     viewer: function () { return viewer; },

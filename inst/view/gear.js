@@ -13,7 +13,9 @@ window.codendView.gear = function (materials) {
     for (var i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
     return out.buffer;
   }
-  function floats(text) { return new Float32Array(bytes(text)); }
+  function floats(given) {
+    return given instanceof Float32Array ? given : new Float32Array(bytes(given));
+  }
   function integers(text) { return new Int32Array(bytes(text)); }
 
   // Whole numbers of 16 bits: n series of differences in time, deflated, as n series of numbers.
@@ -124,6 +126,56 @@ window.codendView.gear = function (materials) {
     return made;
   }
 
+  // Most lines whose tubes are written out, corner by corner; more are instances of one tube. A
+  // renderer without a graphics card draws instances one by one.
+  var mostWritten = 1000;
+
+  // Ropes as tubes: of each line in `values` what the shader reads, by name.
+  function tubes_of(ends, part, thickness) {
+    var lines = ends.length / 2, tube = new T.CylinderGeometry(1, 1, 1, 8, 1, true), made;
+    tube.rotateX(Math.PI / 2);
+    tube.translate(0, 0, 0.5);
+    var corner = tube.getAttribute('position').array, corners = corner.length / 3;
+    var written = lines <= mostWritten ? corners : 1;
+    if (written > 1) {
+      var index = tube.index.array, at = new Float32Array(3 * corners * lines);
+      var all = new Uint32Array(index.length * lines);
+      for (var l = 0; l < lines; l++) {
+        at.set(corner, 3 * corners * l);
+        for (var i = 0; i < index.length; i++) all[index.length * l + i] = corners * l + index[i];
+      }
+      made = new T.BufferGeometry();
+      made.setIndex(new T.BufferAttribute(all, 1));
+      made.setAttribute('position', new T.BufferAttribute(at, 3));
+    } else {
+      made = new T.InstancedBufferGeometry();
+      made.index = tube.index;
+      made.setAttribute('position', tube.getAttribute('position'));
+      made.instanceCount = lines;
+    }
+    var ropes = { ends: ends, part: part, geometry: made, values: {} }, read = {};
+    ['from', 'to', 'wayFrom', 'wayTo', 'colour', 'about'].forEach(function (name) {
+      read[name] = attribute(made, name, 3, written * lines, written === 1);
+      ropes.values[name] = new Float32Array(3 * lines);
+    });
+    for (var k = 0; k < lines; k++) ropes.values.about[3 * k] = thickness[part[k]] / 2;
+    // Hands values over to be drawn.
+    ropes.tell = function (names) {
+      names.forEach(function (name) {
+        var value = ropes.values[name], out = read[name].array;
+        for (var from = 0, to = 0; from < value.length; from += 3) {
+          for (var c = 0; c < written; c++) {
+            out[to++] = value[from];
+            out[to++] = value[from + 1];
+            out[to++] = value[from + 2];
+          }
+        }
+        read[name].needsUpdate = true;
+      });
+    };
+    return ropes;
+  }
+
   // Buffers of netting and ropes for what the scene joins.
   function lay_out() {
     if (gear.netting) {
@@ -154,22 +206,8 @@ window.codendView.gear = function (materials) {
       gear.scene.add(mesh);
     });
 
-    var ends = integers(told.ropes.ends), lines = ends.length / 2;
-    var tube = new T.CylinderGeometry(1, 1, 1, 8, 1, true);
-    tube.rotateX(Math.PI / 2);
-    tube.translate(0, 0, 0.5);
-    var rope = new T.InstancedBufferGeometry();
-    rope.index = tube.index;
-    rope.setAttribute('position', tube.getAttribute('position'));
-    rope.instanceCount = lines;
-    var ropes = { ends: ends, part: integers(told.ropes.part), geometry: rope };
-    ['from', 'to', 'wayFrom', 'wayTo', 'colour', 'about'].forEach(function (name) {
-      ropes[name] = attribute(rope, name, 3, lines, true);
-    });
-    for (var i = 0; i < lines; i++) {
-      ropes.about.array[3 * i] = parts.thickness[ropes.part[i]] / 2;
-    }
-    gear.ropes = ropes;
+    gear.ropes = tubes_of(integers(told.ropes.ends), integers(told.ropes.part), parts.thickness);
+    var rope = gear.ropes.geometry;
     var tubes = new T.Mesh(rope, materials.rope);
     tubes.frustumCulled = false;
     gear.scene.add(tubes);
@@ -215,7 +253,7 @@ window.codendView.gear = function (materials) {
   function shapesOnce() {
     if (shapes) return shapes;
     shapes = {
-      plate: plate(0.09, 0.05), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 20, 14),
+      plate: plate(0.09, 0.05), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 16, 10),
       clump: new T.IcosahedronGeometry(1, 0), drum: new T.CylinderGeometry(0.75, 0.95, 1.7, 14),
       ring: new T.TorusGeometry(0.8, 0.24, 8, 20), anchor: new T.CylinderGeometry(0, 1, 1.6, 4),
       hull: hull(), box: new T.BoxGeometry(1, 1, 1)
@@ -232,29 +270,63 @@ window.codendView.gear = function (materials) {
     hook: ['ring', 1.6], fixed: ['anchor', 4.5], moved: ['ball', 2.6]
   };
 
+  // All pieces and vessels in one buffer, so that many small things are drawn at once.
   function lay_out_marks() {
-    var made = shapesOnce(), marks = told.marks;
+    var made = shapesOnce(), marks = told.marks, bodies = [], corners = 0, sides = 0;
+    function body(shape, colour) {
+      var geometry = made[shape];
+      if (!geometry.index) {
+        geometry.setIndex(Array.from({ length: geometry.getAttribute('position').count },
+          function (_, i) { return i; }));
+      }
+      var one = { geometry: geometry, colour: rgb(colour), from: corners, matrix: new T.Matrix4() };
+      corners += geometry.getAttribute('position').count;
+      sides += geometry.index.count;
+      bodies.push(one);
+      return one;
+    }
     gear.marks = marks.role.map(function (role, i) {
       var known = roles[role] || ['ball', 3];
-      var mesh = new T.Mesh(made[known[0]], materials.solid(marks.fill[i]));
-      mesh.matrixAutoUpdate = false;
-      mesh.frustumCulled = false;
-      gear.scene.add(mesh);
-      return { mesh: mesh, shape: known[0], least: known[1] };
+      return { body: body(known[0], marks.fill[i]), shape: known[0], least: known[1] };
     });
     gear.vessels = (told.vessels || []).map(function (own) {
-      function add(shape, colour) {
-        var mesh = new T.Mesh(made[shape], materials.solid(colour));
-        mesh.matrixAutoUpdate = false;
-        mesh.frustumCulled = false;
-        gear.scene.add(mesh);
-        return mesh;
-      }
       return {
-        marks: own, hull: add('hull', '#24506E'), house: add('box', '#6B7780'),
-        mast: add('box', '#39434B'), gallows: add('box', '#39434B')
+        marks: own, hull: body('hull', '#24506E'), house: body('box', '#6B7780'),
+        mast: body('box', '#39434B'), gallows: body('box', '#39434B')
       };
     });
+    if (gear.bodies) gear.bodies.geometry.dispose();
+    var geometry = new T.BufferGeometry(), index = new Uint32Array(sides), at = 0;
+    var colour = attribute(geometry, 'colour', 3, corners);
+    bodies.forEach(function (one) {
+      var own = one.geometry.index.array, count = one.geometry.getAttribute('position').count;
+      for (var i = 0; i < own.length; i++) index[at++] = one.from + own[i];
+      for (var c = 0; c < count; c++) colour.array.set(one.colour, 3 * (one.from + c));
+    });
+    geometry.setIndex(new T.BufferAttribute(index, 1));
+    gear.bodies = {
+      geometry: geometry, all: bodies, position: attribute(geometry, 'position', 3, corners),
+      normal: attribute(geometry, 'normal', 3, corners)
+    };
+    var mesh = new T.Mesh(geometry, materials.solid);
+    mesh.frustumCulled = false;
+    gear.scene.add(mesh);
+  }
+
+  // Every body where its matrix has it.
+  function place_bodies() {
+    var position = gear.bodies.position, normal = gear.bodies.normal;
+    gear.bodies.all.forEach(function (one) {
+      var m = one.matrix.elements, p = one.geometry.getAttribute('position').array;
+      var n = one.geometry.getAttribute('normal').array, to = 3 * one.from;
+      for (var i = 0; i < p.length; i += 3, to += 3) {
+        for (var k = 0; k < 3; k++) {
+          position.array[to + k] = m[k] * p[i] + m[4 + k] * p[i + 1] + m[8 + k] * p[i + 2] + m[12 + k];
+          normal.array[to + k] = m[k] * n[i] + m[4 + k] * n[i + 1] + m[8 + k] * n[i + 2];
+        }
+      }
+    });
+    position.needsUpdate = normal.needsUpdate = true;
   }
 
   // Two directions in the plate of a piece that lifts and has no attitude of its own: upright and at
@@ -273,7 +345,7 @@ window.codendView.gear = function (materials) {
     var x = new T.Vector3(), y = new T.Vector3(), z = new T.Vector3(), m = new T.Vector3();
     gear.marks.forEach(function (mark, i) {
       m.set(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
-      var least = mark.least * size(m), matrix = mark.mesh.matrix, half;
+      var least = mark.least * size(m), half;
       if (mark.shape === 'plate' || mark.shape === 'cloth') {
         if (marks.board[i] >= 0) {
           var c = [0, 1, 2, 3].map(function (k) {
@@ -303,8 +375,7 @@ window.codendView.gear = function (materials) {
         y.set(0, half, 0);
         z.set(0, 0, half);
       }
-      matrix.makeBasis(x, y, z).setPosition(m);
-      mark.mesh.matrixWorldNeedsUpdate = true;
+      mark.body.matrix.makeBasis(x, y, z).setPosition(m);
       mark.half = Math.max(x.length(), y.length()) / (mark.shape === 'ball' ? 1 : 2);
     });
     gear.vessels.forEach(function (vessel) {
@@ -318,18 +389,17 @@ window.codendView.gear = function (materials) {
       var spread = high.y - low.y, length = Math.max(Math.min(Math.max(3.6 * spread, 16), 60),
         20 * size(m));
       vessel.at = [m.x - length / 2, m.y, 0, length];
-      function box(mesh, ahead, across, foot, long, wide, high_) {
-        mesh.matrix.makeScale(length * long, length * wide, length * high_)
+      function box(body, ahead, across, foot, long, wide, high_) {
+        body.matrix.makeScale(length * long, length * wide, length * high_)
           .setPosition(m.x - length * ahead, m.y + length * across, length * (foot + high_ / 2));
-        mesh.matrixWorldNeedsUpdate = true;
       }
       vessel.hull.matrix.makeScale(length, Math.max(length, 3.9 * spread), length)
         .setPosition(m.x, m.y, 0);
-      vessel.hull.matrixWorldNeedsUpdate = true;
       box(vessel.house, 0.66, 0, 0.06, 0.17, 0.15, 0.15);
       box(vessel.mast, 0.66, 0, 0.2, 0.015, 0.015, 0.16);
       box(vessel.gallows, 0.03, 0, 0.06, 0.02, 0.2, 0.12);
     });
+    place_bodies();
   };
 
   // ---- places and colours -----------------------------------------------------------------------
@@ -348,7 +418,7 @@ window.codendView.gear = function (materials) {
     });
     gear.stops = { rope: told.colours.rope.map(rgb), netting: told.colours.netting.map(rgb) };
     gear.slack = rgb(told.colours.slack);
-    if (part.ropes || !gear.netting) lay_out();
+    if (part.ropes || part.netting || part.parts || !gear.netting) lay_out();
     gear.move(0, 0);
   };
 
@@ -381,41 +451,38 @@ window.codendView.gear = function (materials) {
     }
     net.position.needsUpdate = net.normal.needsUpdate = true;
 
-    var ropes = gear.ropes, ends = ropes.ends, lines = ends.length / 2, along = 0;
-    function set(attribute, line, x, y, z) {
-      var at = 3 * line;
-      attribute.array[at] = x;
-      attribute.array[at + 1] = y;
-      attribute.array[at + 2] = z;
+    var ends = gear.ropes.ends, lines = ends.length / 2, along = 0, rope = gear.ropes.values;
+    function set(values, line, x, y, z) {
+      values[3 * line] = x;
+      values[3 * line + 1] = y;
+      values[3 * line + 2] = z;
     }
     for (var l = 0; l < lines; l++) {
       var f = 3 * ends[2 * l], e = 3 * ends[2 * l + 1];
       var dx = p[e] - p[f], dy = p[e + 1] - p[f + 1], dz = p[e + 2] - p[f + 2];
       var long = Math.hypot(dx, dy, dz) || 1;
-      set(ropes.from, l, p[f], p[f + 1], p[f + 2]);
-      set(ropes.to, l, p[e], p[e + 1], p[e + 2]);
+      set(rope.from, l, p[f], p[f + 1], p[f + 2]);
+      set(rope.to, l, p[e], p[e + 1], p[e + 2]);
       dx /= long; dy /= long; dz /= long;
-      set(ropes.wayFrom, l, dx, dy, dz);
-      set(ropes.wayTo, l, dx, dy, dz);
+      set(rope.wayFrom, l, dx, dy, dz);
+      set(rope.wayTo, l, dx, dy, dz);
       var joined = l > 0 && ends[2 * l - 1] === ends[2 * l];
       if (joined) {
         // neighbours share their direction where they meet, unless the rope turns sharply there
-        var w = ropes.wayTo.array, at3 = 3 * (l - 1);
+        var w = rope.wayTo, at3 = 3 * (l - 1);
         var sx = w[at3] + dx, sy = w[at3 + 1] + dy, sz = w[at3 + 2] + dz;
         var sum = Math.hypot(sx, sy, sz);
         if (sum > 1.2) {
-          set(ropes.wayTo, l - 1, sx / sum, sy / sum, sz / sum);
-          set(ropes.wayFrom, l, sx / sum, sy / sum, sz / sum);
+          set(rope.wayTo, l - 1, sx / sum, sy / sum, sz / sum);
+          set(rope.wayFrom, l, sx / sum, sy / sum, sz / sum);
         }
       } else {
         along = 0;
       }
-      ropes.about.array[3 * l + 2] = along;
+      rope.about[3 * l + 2] = along;
       along += long;
     }
-    ['from', 'to', 'wayFrom', 'wayTo', 'about'].forEach(function (name) {
-      ropes[name].needsUpdate = true;
-    });
+    gear.ropes.tell(['from', 'to', 'wayFrom', 'wayTo', 'about']);
   };
 
   function shareOn(scale, value) {
@@ -438,9 +505,9 @@ window.codendView.gear = function (materials) {
     var tension = gear.rope_tension = gear.values.rope_tension.of(k);
     var drag = gear.drag = gear.values.drag.of(k);
     for (var l = 0; l < ropes.part.length; l++) {
-      var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.colour.array;
+      var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.values.colour;
       var slack = shows && tension[l] === 0;
-      ropes.about.array[3 * l + 1] = slack ? 1 : 0;
+      ropes.values.about[3 * l + 1] = slack ? 1 : 0;
       if (slack) put(gear.slack, out, 3 * l);
       // a beam or a strut
       else if (shows && tension[l] < 0) put(quiet, out, 3 * l);
@@ -448,7 +515,7 @@ window.codendView.gear = function (materials) {
       else if (!scales.rope) put(quiet, out, 3 * l);
       else paint(gear.stops.rope, shareOn(scales.rope, value), out, 3 * l);
     }
-    ropes.colour.needsUpdate = ropes.about.needsUpdate = true;
+    ropes.tell(['colour', 'about']);
 
     var u = gear.values.u.of(k), v = gear.values.v.of(k);
     var whole = mode === 'mesh_opening' ? gear.values.opening : mode === 'mesh_angle' &&

@@ -137,32 +137,23 @@ window.codendView.materials = function () {
   }
   var nettingCore = netting(true), nettingEdge = netting(false);
 
-  function solid(colour) {
-    return material([
-      'varying vec3 vNormal; varying float vAway;',
-      'void main() {',
-      '  vNormal = mat3(modelMatrix) * normal;',
-      '  vec4 seen = viewMatrix * modelMatrix * vec4(position, 1.0);',
-      '  vAway = -seen.z;',
-      '  gl_Position = projectionMatrix * seen;',
-      '}'
-    ].join('\n'), [
-      'uniform vec3 colour; varying vec3 vNormal; varying float vAway;',
-      'void main() {',
-      '  vec3 n = normalize(vNormal);',
-      '  float lit = dot(gl_FrontFacing ? n : -n, light);',
-      '  vec3 c = colour * (0.68 + 0.36 * max(lit, 0.0)) + 0.10 * pow(max(lit, 0.0), 12.0);',
-      '  gl_FragColor = vec4(inFog(mix(c, ghostColour, ghost), vAway), 1.0);',
-      '}'
-    ].join('\n'), {
-      side: T.DoubleSide, uniforms: { colour: { value: new T.Vector3().fromArray(rgb(colour)) } }
-    });
-  }
-  var solids = {};
-  function solidOf(colour) {
-    if (!solids[colour]) solids[colour] = solid(colour);
-    return solids[colour];
-  }
+  var solid = material([
+    'attribute vec3 colour; varying vec3 vNormal, vColour; varying float vAway;',
+    'void main() {',
+    '  vNormal = normal; vColour = colour;',
+    '  vec4 seen = viewMatrix * vec4(position, 1.0);',
+    '  vAway = -seen.z;',
+    '  gl_Position = projectionMatrix * seen;',
+    '}'
+  ].join('\n'), [
+    'varying vec3 vNormal, vColour; varying float vAway;',
+    'void main() {',
+    '  vec3 n = normalize(vNormal);',
+    '  float lit = dot(gl_FrontFacing ? n : -n, light);',
+    '  vec3 c = vColour * (0.68 + 0.36 * max(lit, 0.0)) + 0.10 * pow(max(lit, 0.0), 12.0);',
+    '  gl_FragColor = vec4(inFog(mix(c, ghostColour, ghost), vAway), 1.0);',
+    '}'
+  ].join('\n'), { side: T.DoubleSide });
 
   // The sea bed and the water's surface, with squares of a round size that fade away from the gear.
   function sheet(colour, line, strength) {
@@ -197,6 +188,6 @@ window.codendView.materials = function () {
 
   return {
     shared: shared, rope: ropeMaterial, nettingCore: nettingCore, nettingEdge: nettingEdge,
-    solid: solidOf, sheet: sheet
+    solid: solid, sheet: sheet
   };
 };

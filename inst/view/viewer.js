@@ -5,6 +5,7 @@
 // codendView.viewer(host, options) fills the element `host`. options: title (whether the gear's name
 // stands over the picture), colour (what colours show at first). The viewer has
 //   show(now, pinned)     takes scenes, or what of them has changed
+//   pass(part)            takes a shape that the gear passes through, and draws that at once
 //   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
 //                         over, beside)
 //   seek(s)               shows a moment of what moves
@@ -290,9 +291,31 @@ window.codendView.viewer = function (host, options) {
 
   function fog_colour(hex) { shared.fogColour.value.set(hex); }
 
+  // While a gear passes through shapes a slow renderer draws them in fewer pixels; how slow it is the
+  // first of them tell.
+  var hasty = null, coarse = 0.5, slow = 30, times = [], quickest = Infinity;
+  function hasten() {
+    window.clearTimeout(hasty);
+    hasty = window.setTimeout(function () {
+      hasty = null;
+      repaint();
+    }, 250);
+  }
+  function take_time(began) {
+    var gl = renderer.getContext();
+    // waits until all is drawn
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    times.push(performance.now() - began);
+    if (times.length > 1) quickest = Math.min(quickest, times[times.length - 1]);
+  }
+
+  // Pixels of the canvas for one of the page.
+  var ratio = 1;
   function draw() {
-    var ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+    var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height || !gears.now) return false;
+    ratio = window.devicePixelRatio || 1;
+    if (hasty && quickest > slow && quickest < Infinity) ratio *= coarse;
     var across = Math.round(width * ratio), up = Math.round(height * ratio);
     if (canvas.width !== across || canvas.height !== up) {
       renderer.setPixelRatio(ratio);
@@ -333,8 +356,10 @@ window.codendView.viewer = function (host, options) {
     });
   }
   function paint_now() {
+    var began = performance.now();
     fog_colour(sky);
     if (!draw()) return;
+    if (hasty && times.length < 4) take_time(began);
     drawn += 1;
     seen = null;
     tell_scale();
@@ -814,6 +839,7 @@ window.codendView.viewer = function (host, options) {
 
   // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
   function picture() {
+    hasty = null;
     fog_colour(paper);
     bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
     var address = draw() ? canvas.toDataURL('image/png') : '';
@@ -841,7 +867,6 @@ window.codendView.viewer = function (host, options) {
   // Draws the gear flat, as seen from `plane` (turn, rise), to fill `box` (left, top, width, height,
   // pixels) of another canvas with `scale` pixels per metre around `at`. Returns whether it did.
   function flat(context, plane, box, at, scale) {
-    var ratio = window.devicePixelRatio || 1;
     var width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
     if (!gears.now || width < 2 || height < 2) return false;
     var turn = plane.turn, rise = plane.rise, way = axes(turn, rise), size = 4 * longest(gears.now.range.whole);
@@ -887,6 +912,15 @@ window.codendView.viewer = function (host, options) {
     gears[name].colour(choice.colour);
   }
 
+  // Keeps a gear in sight that leaves it.
+  function follow() {
+    var before = held[choice.focus];
+    if (focus() === before) return;
+    var zoom = camera.away / camera.fit;
+    aim();
+    camera.away *= zoom;
+  }
+
   var moment = null, netless = false;
   var shown = {
     show: function (now, pinned) {
@@ -930,12 +964,7 @@ window.codendView.viewer = function (host, options) {
         first_look();
         aim();
       } else {
-        var before = held[choice.focus], now_ = focus();
-        if (now_ !== before) {
-          var zoom = camera.away / camera.fit;
-          aim();
-          camera.away *= zoom;
-        }
+        follow();
       }
       write_legend();
       if (moment && now.times) { moment.end(); moment = null; }
@@ -943,6 +972,14 @@ window.codendView.viewer = function (host, options) {
       repaint();
       if (options.still !== false) later();
     },
+    // Scales and words stay until the rest is known.
+    pass: function (part) {
+      hasten();
+      take('now', part);
+      follow();
+      repaint();
+    },
+    hastens: function () { return hasty !== null; },
     choose: choose,
     time: function (k, share) {
       gears.now.move(k, share);
@@ -958,7 +995,7 @@ window.codendView.viewer = function (host, options) {
     choice: choice,
     // What tests and measurements read: a position, pictures painted, and whether one waits.
     point: function (k) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
-    waits: function () { return waiting; },
+    waits: function () { return waiting || hasty !== null; },
     painted: function () { return drawn; },
     under: function (x, y) { return under(x, y); }
   };

@@ -438,6 +438,24 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   await page.close();
 });
 
+test('at phone width a gear from far down the gallery opens at the top of the page', async () => {
+  const empty = await serve();
+  const page = await visit(browser, empty.url, { width: 390, height: 844 });
+  const card = page.locator('[data-gear="stow_net"]');
+  await card.waitFor(patience);
+  await card.scrollIntoViewIfNeeded();
+  assert.ok(await page.evaluate(() => window.scrollY) > 100);
+  await card.click();
+  await page.waitForFunction(() => /stow net/i.test(document.querySelector('h1').textContent), null,
+    patience);
+  await page.waitForSelector('#quick .control', patience);
+  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
+  assert.equal(await page.evaluate(() => window.scrollY), 0);
+  clean(page);
+  await page.close();
+  empty.stop();
+});
+
 test('at phone width nothing is wider than the screen, and every field has a name', async () => {
   const page = await open(browser, tank.url, { width: 390, height: 844 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);

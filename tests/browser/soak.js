@@ -7,6 +7,7 @@
 'use strict';
 const fs = require('node:fs');
 const { serve } = require('./serve');
+const { page } = require('./socket');
 
 const minutes = Number(process.argv[2] || 60);
 const users = Number(process.argv[3] || 10);
@@ -29,50 +30,6 @@ function children(pid) {
   } catch (error) {
     return [];
   }
-}
-
-// A page without a browser: wait(type, test) resolves to the next message of a type, or null after a
-// minute.
-function page(url) {
-  const socket = new WebSocket(url.replace('http', 'ws') + '/websocket/');
-  const waiting = new Set();
-  const where = new URL(url);
-  socket.onmessage = (event) => {
-    if (typeof event.data !== 'string' || event.data[0] !== '{') return;
-    const custom = JSON.parse(event.data).custom || {};
-    for (const [type, message] of Object.entries(custom)) {
-      for (const one of [...waiting]) {
-        if (one.types.includes(type) && one.test(message)) {
-          waiting.delete(one);
-          one.resolve({ type, ...message });
-        }
-      }
-    }
-  };
-  const send = (method, data) => socket.send(JSON.stringify({ method, data }));
-  return {
-    wait: (types, test = () => true, seconds = 60) => new Promise((resolve) => {
-      const one = { types, test, resolve };
-      waiting.add(one);
-      setTimeout(() => { if (waiting.delete(one)) resolve(null); }, 1000 * seconds);
-    }),
-    set: (inputs) => send('update', inputs),
-    open: () => new Promise((resolve, reject) => {
-      socket.onerror = (event) => reject(new Error(`no connection to ${socket.url}: ${event.message}`));
-      socket.onopen = () => {
-        const shown = ['measures', 'tensions', 'drag', 'designs', 'code'];
-        const data = {
-          '.clientdata_url_protocol': 'http:', '.clientdata_url_hostname': where.hostname,
-          '.clientdata_url_port': where.port, '.clientdata_url_pathname': '/',
-          '.clientdata_url_search': '', '.clientdata_pixelratio': 1
-        };
-        for (const name of shown) data[`.clientdata_output_${name}_hidden`] = false;
-        send('init', data);
-        resolve();
-      };
-    }),
-    close: () => socket.close()
-  };
 }
 
 // One user until the end; visits: how often it comes.

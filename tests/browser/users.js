@@ -1,34 +1,54 @@
-// Many users at once: node users.js [users] [seconds]. Each has a page of its own and moves one of
-// its sliders about once a second; prints how long the answers took, from slider to message and to
-// picture, and the CPU time of the R process. Ends with status 1 when anything went wrong.
+// Many users at once: node --experimental-websocket users.js [users] [seconds]. One has a page in
+// Chromium, the others speak to the tank without a browser, as soak.js does: two cores that paint ten
+// browsers in software would tell of nothing else. Each draws one slider along for a quarter of a
+// second, about once a second, and has one question under way at a time, as the page has. Prints how
+// long answers took from the place of the slider that they show: to the message that has the shape and,
+// in Chromium, to the picture, once all of it is painted; and the CPU time of the R processes. Ends
+// with status 1 when anything went wrong.
 'use strict';
 const fs = require('node:fs');
 const { serve, launch, open } = require('./tank');
+const { page: scripted } = require('./socket');
 
 const users = Number(process.argv[2] || 10);
 const seconds = Number(process.argv[3] || 60);
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+const wrong = [];
 
-// CPU seconds of a process (Linux), or NaN.
+// CPU seconds of a process and its children (Linux), or NaN.
 function cpu(pid) {
   try {
     const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ');
-    return (Number(fields[11]) + Number(fields[12])) / 100;
+    const below = fs.readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8').split(' ')
+      .filter(Boolean).map(cpu);
+    return (Number(fields[11]) + Number(fields[12])) / 100 + below.reduce((a, b) => a + b, 0);
   } catch (error) {
     return NaN;
   }
 }
 
-// In the page: moves sliders until the time is over; [ms to the message, ms to the picture] of
-// each.
-async function click(seconds) {
-  const picture = window.codendTank.picture;
-  const times = [];
-  let answered;
-  window.codendTank.picture = (message) => {
-    const arrived = performance.now();
-    picture(message);
-    const painted = () => answered && answered([arrived, performance.now()]);
-    requestAnimationFrame(() => setTimeout(painted, 0));
+// In the page: draws sliders until the time is over; [ms to the message, ms to the picture] of each
+// answer.
+async function draw(seconds) {
+  const times = [], asked = {};
+  const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const canvas = document.querySelector('#tank canvas'), gl = canvas.getContext('webgl2');
+  let moved = 0;
+  const { setInputValue } = window.Shiny;
+  window.Shiny.setInputValue = function (name, value) {
+    if (name === 'design') asked[value.number] = moved;
+    return setInputValue.apply(this, arguments);
+  };
+  const { answered } = window.codendForm;
+  window.codendForm.answered = (number) => {
+    const since = asked[number], arrived = performance.now();
+    delete asked[number];
+    answered(number);
+    if (since === undefined) return;
+    requestAnimationFrame(() => setTimeout(() => {
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      times.push([arrived - since, performance.now() - since]);
+    }, 0));
   };
   const refused = () => [...document.querySelectorAll('.alert-danger, .field-error')]
     .some((e) => !e.hidden);
@@ -36,44 +56,90 @@ async function click(seconds) {
   while (performance.now() < end) {
     const sliders = [...document.querySelectorAll('#quick .control [type=range]')];
     const slider = sliders[Math.floor(Math.random() * sliders.length)];
-    const share = 0.3 + 0.4 * Math.random();
-    const asked = performance.now();
-    const answer = new Promise((resolve) => { answered = resolve; });
-    slider.value = Number(slider.min) + share * (slider.max - slider.min);
-    slider.dispatchEvent(new Event('input', { bubbles: true }));
-    const came = await Promise.race([answer, new Promise((r) => setTimeout(r, 30000))]);
-    if (!came || refused()) return { times, error: document.body.innerText.slice(0, 400) };
-    times.push(came.map((t) => t - asked));
-    await new Promise((r) => setTimeout(r, 500 + 1000 * Math.random()));
+    const low = Number(slider.min), size = slider.max - low;
+    const from = (slider.value - low) / size, to = 0.3 + 0.4 * Math.random();
+    for (let k = 1; k <= 5; k++) {
+      slider.value = low + size * (from + (to - from) * k / 5);
+      moved = performance.now();
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+      await pause(50);
+    }
+    slider.dispatchEvent(new Event('change', { bubbles: true }));
+    await pause(500 + 1000 * Math.random());
+    if (refused()) return { times, error: document.body.innerText.slice(0, 400) };
   }
+  await pause(2000);
+  if (Object.keys(asked).length) return { times, error: 'an answer is missing' };
   return { times };
+}
+
+// A page without a browser whose first design has been settled, so that its process is there.
+async function come(url) {
+  const tank = scripted(url, ['measures']), opened = tank.wait(['flume_picture']);
+  await tank.open();
+  if (!await opened) wrong.push('no picture');
+  const answer = tank.wait(['flume_picture'], (m) => m.answers === 1, 300);
+  tank.set({ design: { number: 1, gesture: 0, edits: {} } });
+  if (!await answer) wrong.push('no answer');
+  return tank;
+}
+
+// Draws the towing speed along until the time is over; ms to each message.
+async function speak(tank, name, seconds) {
+  const times = [];
+  const end = Date.now() + 1000 * seconds;
+  let number = 1, gesture = 0, speed = 4;
+  while (Date.now() < end) {
+    gesture += 1;
+    const from = speed, to = 3.5 + Math.random(), begun = performance.now();
+    for (let share = 0; share < 1;) {
+      share = Math.min(1, (1 + Math.floor((performance.now() - begun) / 50)) / 5);
+      speed = from + (to - from) * share;
+      number += 1;
+      const mine = number, asked = performance.now();
+      const answer = tank.wait(['flume_moved', 'flume_picture', 'flume_refused'],
+        (m) => m.answers === mine);
+      tank.set({ design: { number: mine, gesture, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
+      const came = await answer;
+      if (!came || came.type === 'flume_refused') {
+        wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
+      } else {
+        times.push(performance.now() - asked);
+      }
+    }
+    await sleep(500 + 1000 * Math.random());
+  }
+  tank.close();
+  return times;
+}
+
+function say(name, all) {
+  all.sort((a, b) => a - b);
+  const at = (share) => Math.round(all[Math.min(all.length - 1, Math.floor(share * all.length))]);
+  console.log(`${name}: ${all.length} answers, median ${at(0.5)} ms, 95 % ${at(0.95)} ms, ` +
+    `largest ${at(1)} ms`);
 }
 
 (async () => {
   const tank = await serve('midwater_trawl');
   const browser = await launch();
+  const page = await open(browser, tank.url, { width: 390, height: 844 });
   const pages = [];
-  for (let k = 0; k < users; k++) {
-    pages.push(await open(browser, tank.url, { width: 390, height: 844 }));
-  }
+  for (let k = 1; k < users; k++) pages.push(await come(tank.url));
   const before = cpu(tank.pid);
-  const found = await Promise.all(pages.map((page) => page.evaluate(click, seconds)));
+  const others = pages.map((one, k) => speak(one, `user ${k + 2}`, seconds));
+  const found = await page.evaluate(draw, seconds);
+  const spoken = (await Promise.all(others)).flat();
   const spent = cpu(tank.pid) - before;
-  const wrong = found.map((f) => f.error).concat(...pages.map((p) => p.problems.concat(p.strange)))
-    .filter(Boolean);
-  const say = (name, which) => {
-    const all = found.flatMap((f) => f.times.map((t) => t[which])).sort((a, b) => a - b);
-    const at = (share) => Math.round(all[Math.min(all.length - 1, Math.floor(share * all.length))]);
-    console.log(`${name}: ${all.length} answers, median ${at(0.5)} ms, 95 % ${at(0.95)} ms, ` +
-      `largest ${at(1)} ms`);
-    return all.length;
-  };
-  const count = say('slider to message', 0);
-  say('slider to picture', 1);
-  console.log(`R process: ${(1000 * spent / count).toFixed(0)} ms of CPU an answer`);
+  say('slider to message, in Chromium', found.times.map((t) => t[0]));
+  say('slider to picture', found.times.map((t) => t[1]));
+  if (spoken.length) say('slider to message, the others', spoken);
+  console.log(`R processes: ${(1000 * spent / (found.times.length + spoken.length)).toFixed(0)} ms of ` +
+    'CPU an answer');
+  wrong.push(...[found.error].concat(page.problems, page.strange).filter(Boolean));
   if (/[Ee]rror/.test(tank.log)) wrong.push(tank.log);
   console.log(wrong.length ? `wrong: ${wrong.join('\n')}` : 'no error');
   await browser.close();
   tank.stop();
-  process.exitCode = wrong.length ? 1 : 0;
+  process.exit(wrong.length ? 1 : 0);
 })();

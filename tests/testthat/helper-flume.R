@@ -7,7 +7,10 @@ in_flume <- function(gear, test, fields = list(), nodes = 300) {
   session <- shiny::MockShinySession$new()
   messages <- list()
   # the mock has no page to send to
-  unlockBinding("sendCustomMessage", session)
+  for (name in c("sendCustomMessage", "sendBinaryMessage")) unlockBinding(name, session)
+  session$sendBinaryMessage <- function(type, message) {
+    messages[[length(messages) + 1L]] <<- list(type = type, bytes = message)
+  }
   session$sendCustomMessage <- function(type, message) {
     messages[[length(messages) + 1L]] <<- c(list(type = type), message)
   }

@@ -141,7 +141,7 @@ test_that("findings are told in the summary, the report and the record", {
   expect_match(paste(readLines(file), collapse = " "), "Worth a look.*its lift coefficient is 11")
   expect_identical(state_record(state)$findings[[1]]$check, "lift coefficient")
   expect_identical(unname(state_record(state)$findings[[1]]$value), 11)
-  expect_match(settle_noted(gear, 100, NULL)$notes, "lift coefficient is 11")
+  expect_match(settled_start(gear, 100)$notes, "lift coefficient is 11")
   expect_error(findings(1), class = "codend_error_argument")
 })
 

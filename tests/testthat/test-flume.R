@@ -37,6 +37,49 @@ test_that("a control moves the gear to what settle() finds from the start", {
   })
 })
 
+# The header and the numbers of a shape that a slider passes through.
+passed_shape <- function(bytes) {
+  size <- readBin(bytes, "integer", endian = "little")
+  header <- jsonlite::fromJSON(rawToChar(bytes[4L + seq_len(size)]), simplifyVector = FALSE)
+  numbers <- readBin(bytes[-seq_len(4L + size)], "double", length(bytes), 4L, endian = "little")
+  counts <- unlist(header$counts)
+  expect_length(numbers, sum(counts))
+  list(header = header, numbers = split(numbers, rep(factor(names(counts), names(counts)), counts)))
+}
+
+test_that("once a gear has moved its shape comes before the rest of it", {
+  in_flume("midwater_trawl", function(session, sent, tank) {
+    ask(session, towing.speed = list(value = 4.1, unit = "knot"), number = 1)
+    expect_length(sent("flume_moved"), 0L)
+    ask(session, towing.speed = list(value = 4.2, unit = "knot"), number = 2)
+    shape <- passed_shape(sent("flume_moved")[[1]]$bytes)
+    expect_equal(shape$header$answers, 2)
+    expect_match(shape$header$conditions, "4.2 knot", fixed = TRUE)
+    expect_null(shape$header$part$ropes)
+    # in single precision
+    drawn <- scene_shape(tank$state, flume_lines)
+    expect_equal(matrix(shape$numbers$points, 3L), unname(drawn$points), tolerance = 1e-6)
+    expect_equal(unname(shape$numbers$u), drawn$u, tolerance = 1e-6)
+    # the rest has no shape, which the page has, but how its meshes stand
+    ask(session, towing.speed = list(value = 4.3, unit = "knot"), number = 3)
+    picture <- sent("flume_picture")
+    expect_identical(picture[[1]]$answers, 3)
+    expect_null(picture[[1]]$now$points)
+    expect_type(picture[[1]]$now$opening$floats, "character")
+    expect_identical(tank$measures, measures(tank$state))
+    # what changes of the parts comes with the shape
+    ask(session, canvas.area = list(value = 14, unit = "m2"), number = 4)
+    shape <- passed_shape(sent("flume_moved")[[1]]$bytes)
+    expect_named(shape$header$part, c("conditions", "flow", "marks"))
+    # another lattice is shown as a whole
+    ask(session, warps.length = list(value = 700, unit = "m"), number = 5)
+    sent("flume_moved")
+    session$setInputs(undo = list(number = 6))
+    picture <- sent("flume_picture")
+    expect_type(picture[[1]]$now$points$floats, "character")
+  })
+})
+
 test_that("a wrong value is told at its control and changes nothing", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
@@ -343,4 +386,14 @@ test_that("the page asks for nothing from elsewhere", {
   expect_false(grepl("https?://", as.character(flume_page())))
   files <- list.files(system.file("app", package = "codend"), "[.](js|css)$", full.names = TRUE)
   expect_false(any(grepl("https?://|@import", unlist(lapply(files, readLines)))))
+})
+
+test_that("the page leads to what the measures mean", {
+  words <- as.character(flume_page())
+  leads <- if (has_measures_guide()) {
+    "href=\"codend-doc/measures.html\""
+  } else {
+    "vignette(\"measures\", \"codend\")"
+  }
+  expect_true(grepl(leads, words, fixed = TRUE))
 })

@@ -24,12 +24,12 @@ test_that("three lattices tell the order, within bounds", {
   # an order of 2 is taken as 1.5: too careful by (4 - 1) / (2^1.5 - 1)
   expect_equal(three(2), left(2, 6400) * 3 / (2^1.5 - 1), tolerance = 1e-12)
   expect_lt(max(three(0.5) / left(0.5, 6400)), 1)
-  # to and fro: as if the larger way were left
+  # to and fro: as if the larger way were left, of first order
   levels <- list(
     list(nodes = 400, values = c(a = 9)), list(nodes = 1600, values = c(a = 11))
   )
   swings <- estimate_errors(c(a = 10.9), 6400, levels)
-  expect_gt(swings[["a"]], 1)
+  expect_equal(swings[["a"]], 1)
 })
 
 test_that("a handful of nodes tells only where there is nothing else", {
@@ -131,7 +131,8 @@ test_that("without nodes or accuracy a gear is divided until 1 % is reached or t
   error <- main_error(measures(aimed))
   expect_lt(error, main_error(measures(coarse)))
   expect_true(error <= 0.011 || aimed$lattice$nodes > 0.9 * most)
-  expect_lt(aimed$lattice$nodes, 1.1 * most)
+  # a lattice has up to a sixth more nodes than are asked for
+  expect_lt(aimed$lattice$nodes, 1.18 * most)
   shown <- capture.output(print(aimed))
   expect_match(shown, "aimed at 1 %, reached [0-9.]+ %", all = FALSE)
   expect_match(format(summary(aimed)), "(aimed at 1 %)", fixed = TRUE, all = FALSE)
