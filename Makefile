@@ -9,6 +9,7 @@
 # make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
 # make sanitize-threads  the engine's tests under the thread sanitizer
 # make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
+# make coverage  which lines of R and C++ the tests run, PART=R of R alone; takes the R package covr
 # make check   R CMD check --as-cran of the package as it would be published; any note is a failure
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
@@ -32,7 +33,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads check ci browser-test soak bench \
+.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test soak bench \
   bench-loops bench-tow netting errors robust validate site schema schema-check
 trawl:
 	@tools/setup
@@ -72,6 +73,10 @@ fuzz-engine:
 sanitize sanitize-threads:
 	@tools/setup --tests
 	@$(MAKE) -C tests/engine $@
+
+coverage:
+	@tools/setup --tests
+	@Rscript tools/coverage.R $(PART)
 
 check:
 	@tools/setup --tests

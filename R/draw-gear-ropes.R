@@ -140,12 +140,26 @@ pieces_along <- function(rope, figure) {
     piece <- figure$si$pieces[[name]]
     if (!identical(piece$along$kind, "rope") || !identical(piece$along$name, rope)) return(NULL)
     item <- which(vapply(figure$pieces$parts, function(parts) name %in% parts, NA))[1]
+    disc <- figure$discs[[name]]
     data.frame(
       letter = figure$pieces$item[item], number = piece$number, from = piece$share[1],
-      to = piece$share[2], name = figure$pieces$name[item], ref = paste0("pieces.", name)
+      to = piece$share[2], name = figure$pieces$name[item], ref = paste0("pieces.", name),
+      ends = piece$end_to_end, diameter = first_of(disc$diameter, NA_real_),
+      width = first_of(disc$width, NA_real_)
     )
   })
   do.call(rbind, rows)
+}
+
+# Diameter and width (m) of the discs that a plan has on its ground gear, by the names of their
+# pieces (grouped_pieces()).
+plan_discs <- function(plan) {
+  groups <- plan$ground_gear$discs
+  if (is.null(groups)) return(list())
+  if (!is.null(names(groups))) groups <- list(discs = groups) else {
+    names(groups) <- paste0("discs_", seq_along(groups))
+  }
+  lapply(groups, function(group) lapply(group[c("diameter", "width")], quantity_si, "length"))
 }
 
 straight_height <- function(look) 6.2 * look$line
@@ -189,6 +203,14 @@ straight_words <- function(rope) {
     if (!is.na(item$hanging)) sprintf("  E %.2f", item$hanging))
 }
 
+# A disc as it is seen from ahead, in proportion to the largest on its rope; step: mm to the next.
+draw_disc <- function(sheet, x, y, disc, largest, step, look) {
+  high <- 0.95 * look$t * disc$diameter / largest
+  half <- max(min(high * disc$width / disc$diameter, step / 3), 0.2)
+  sheet_polygon(sheet, x + half * c(-1, 1, 1, -1), y + high * c(-1, -1, 1, 1), fill = "white",
+    width = sheet_width[["thin"]])
+}
+
 # Pieces at their places, each where they stand apart, and how many and how far apart below.
 draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
   pieces <- rope$pieces
@@ -196,19 +218,31 @@ draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
   said <- character()
   for (k in seq_len(nrow(pieces))) {
     p <- pieces[k, ]
-    # each in the middle of its share, as the lattice has them
-    share <- p$from + (p$to - p$from) * (seq_len(p$number) - 0.5) / p$number
-    step <- wide * (p$to - p$from) / p$number
+    # from end to end, or each in the middle of its share, as the lattice has them
+    apart <- (p$to - p$from) / (p$number - p$ends)
+    share <- p$from + apart * (seq_len(p$number) - if (p$ends) 1 else 0.5)
+    step <- wide * apart
     radius <- min(0.8 * look$t, step / 2.5)
     shown <- if (radius < 0.3) share[unique(round(seq(1, p$number, length.out = 40)))] else share
+    is_disc <- !is.na(p$diameter)
     on_sheet(sheet, component = "piece", ref = p$ref, layer = "PIECES", draw = {
-      for (s in shown) sheet_circle(sheet, x + s * wide, y, max(radius, 0.3))
+      for (s in shown) {
+        if (is_disc) {
+          draw_disc(sheet, x + s * wide, y, p, max(pieces$diameter, na.rm = TRUE), step, look)
+        } else {
+          sheet_circle(sheet, x + s * wide, y, max(radius, 0.3))
+        }
+      }
     })
-    each <- rope$item$length * (p$to - p$from) / p$number
-    said <- c(said, paste0(p$letter, ": ", p$name, if (p$number > 1) {
+    each <- rope$item$length * apart
+    size <- if (is_disc) paste0(" \u00d8", short_number(in_unit(p$diameter, "mm")))
+    said <- c(said, paste0(p$letter, ": ", p$name, size, if (p$number > 1) {
       paste0(", ", p$number, " off, ", short_number(each, 3), " m apart")
     }))
   }
+  # groups that are alike, such as those of both wings
+  alike <- table(factor(said, unique(said)))
+  said <- paste0(names(alike), ifelse(alike > 1, paste0(", ", alike, " groups"), ""))
   text <- cut_text(paste(said, collapse = "; "), wide, look$t)
   on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES",
     draw = sheet_text(sheet, x, y - 1.3 * look$line, text, look$t))

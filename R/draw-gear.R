@@ -73,7 +73,7 @@ plan_figure <- function(gear) {
     title = gear$plan$name, si = si,
     layout = if (length(si$panels)) flat_layout(si),
     ropes = ropes, pieces = pieces, rigging = plan_rigging(si, ropes, pieces),
-    panels = gear_fields(gear)$panels, source = plan_source(gear),
+    panels = gear_fields(gear)$panels, discs = plan_discs(gear$plan), source = plan_source(gear),
     reaches = new.env(parent = emptyenv())
   )
 }

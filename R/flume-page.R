@@ -114,11 +114,24 @@ flume_controls <- function() {
 flume_measures <- function() {
   shiny::tags$section(
     class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures"),
+    measures_guide(),
     shiny::tags$div(
       id = "worth", hidden = NA, shiny::tags$h2("Worth a look"), shiny::tags$ul(id = "noted")
     ),
     flume_more_of()
   )
+}
+
+# Whether codend was installed with its guides.
+has_measures_guide <- function() nzchar(system.file("doc", "measures.html", package = "codend"))
+
+measures_guide <- function() {
+  tags <- shiny::tags
+  tags$p(class = "note", if (has_measures_guide()) {
+    tags$a(href = "codend-doc/measures.html", target = "_blank", "What the measures mean")
+  } else {
+    tags$span("What the measures mean: ", tags$code("vignette(\"measures\", \"codend\")"))
+  })
 }
 
 # What a little more of a field would do, beside the measures.

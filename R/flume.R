@@ -89,6 +89,9 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
       paste0("codend-", folder), system.file(folder, package = "codend", mustWork = TRUE)
     )
   }
+  if (has_measures_guide()) {
+    shiny::addResourcePath("codend-doc", system.file("doc", package = "codend"))
+  }
   shiny::shinyApp(
     ui = flume_page(!is.null(start)), server = flume_server(start, marked, nodes),
     onStart = function() {

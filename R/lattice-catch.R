@@ -216,8 +216,9 @@ cross_columns <- function(a, b) {
 # Volume (m3) between flat pieces and netting that is curved lengthwise; around, the circle's share
 # counts it. A piece of area A under a surface with sags s at the middles of its sides has
 # A sum(s) / 3 between, and a side e has s = II(e, e) / 8, with the change of the surface's normal
-# along a triangle's sides as its second form II. Half of it is missing: netting keeps its length, so that
-# its chords lie outside of the arc as far as inside, as those of a polygon with a circle's girth.
+# along a triangle's sides as its second form II. Half of it is missing: netting keeps its length,
+# so that its chords lie outside of the arc as far as inside, as those of a polygon with a circle's
+# girth.
 bulge_volume <- function(held, pieces, corner, position) {
   place <- function(k) position[, held$node[k, ], drop = FALSE]
   at <- lapply(1:3, place)

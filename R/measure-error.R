@@ -47,18 +47,20 @@ estimate_errors <- function(values, nodes, levels, forces = integer(), drag = in
   last <- levels[[length(levels)]]
   off <- plain(values) - at(last)
   order <- rep(usual_order, length(values))
+  left <- numeric(length(values))
   if (length(levels) > 1L) {
     before <- levels[[length(levels) - 1L]]
     off_before <- at(last) - at(before)
     ratio_before <- last$nodes / before$nodes
     if (nodes > last$nodes && ratio_before >= least_ratio) {
       order <- observed_order(off, off_before, nodes / last$nodes, ratio_before)
-      # Where a measure goes to and fro the larger of its ways tells.
+      # Where a measure goes to and fro the way before tells what may still be left.
       swings <- which(off * off_before < 0)
-      off[swings] <- pmax(abs(off), abs(off_before) * ratio_before^(-usual_order / 2))[swings]
+      left[swings] <- (abs(off_before) * ratio_before^(-usual_order / 2))[swings]
     }
   }
-  error[] <- abs(off) * pmin(1 / abs((nodes / last$nodes)^(order / 2) - 1), most_times)
+  times <- pmin(1 / abs((nodes / last$nodes)^(order / 2) - 1), most_times)
+  error[] <- pmax(abs(off) * times, left)
   size <- abs(plain(values))
   share <- error / size
   share <- share[is.finite(share) & share > 0]

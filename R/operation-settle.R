@@ -46,9 +46,9 @@
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag, the spreads, heights, areas and volumes that the plan asks for, and the
-#'   volume and surface of a catch, each as a share of the largest of its kind. What 100,000 nodes or the plan's own division do not reach
-#'   is a warning of class `codend_warning_accuracy`. `NULL` with `nodes` settles at these and tells
-#'   the error that is left.
+#'   volume and surface of a catch, each as a share of the largest of its kind. What 100,000 nodes
+#'   or the plan's own division do not reach is a warning of class `codend_warning_accuracy`. `NULL`
+#'   with `nodes` settles at these and tells the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -115,10 +115,15 @@ settled_state <- function(gear, nodes, netting, from, steps) {
 }
 
 # Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
-# free board may fall over on few nodes: their coarser level only tells of the error.
+# free board may fall over on few nodes: their coarser level only tells of the error. So does that
+# of netting whose plan divides it into few nodes.
 settle_from_coarse <- function(si, nodes, netting, steps, progress) {
-  coarse <- coarse_shape(si, nodes, netting, progress)
-  if (length(si$panels)) return(settle_level(si, nodes, netting, coarse, steps, progress))
+  fixed <- fixed_nodes(si, netting)
+  few <- length(si$panels) && fixed <= 2 * coarsest_nodes
+  coarse <- coarse_shape(si, nodes, netting, progress, levels = if (few) fixed / 4)
+  if (length(si$panels) && !few) {
+    return(settle_level(si, nodes, netting, coarse, steps, progress))
+  }
   found <- settle_level(si, nodes, netting, NULL, steps, progress)
   found$from <- coarse
   found

@@ -99,9 +99,14 @@
 #'   share of the gear's largest, which is judged only where it is given: on the safe side. At 5 %
 #'   it costs nothing on a trawl in a turn and 12 % more steps on a chain, but six times the time on
 #'   a purse seine that is shot, whose lines snap taut all the time. Steps are as long as that
-#'   allows. Errors of the steps of backward Euler add up: with 0.01 m a heaved anchor line is off
-#'   by 0.07 m at worst, by 0.02 m with BDF2. A tow by backward Euler with an accuracy says so by a
-#'   warning of class `codend_warning_accuracy`.
+#'   allows. In swings and waves that hardly lose energy the errors of steps add up, whatever the
+#'   scheme: a warp that rings along its length is off by 0.26 m within 10 s at 0.01 m, and the wave
+#'   in a chain that is let go by 0.04 m when it is back at the free end. Steps of one length, 2 ms,
+#'   are within 1.5 mm of the truth of both. Tensions of chains, warps, anchor lines and nets that
+#'   were tried are right within 5 % at the default. Errors of the steps of backward Euler
+#'   add up everywhere: with 0.01 m a heaved anchor line is off by 0.07 m at worst, by 0.02 m with
+#'   BDF2. A tow by backward Euler with an accuracy says so by a warning of class
+#'   `codend_warning_accuracy`.
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.

@@ -14,11 +14,11 @@ settle_iterations <- 3200L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
 # every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
-# begin with or NULL, where there is none.
-coarse_shape <- function(si, nodes, netting, progress, found = NULL) {
+# begin with or NULL, where there is none. levels: nodes of the coarser levels, or NULL.
+coarse_shape <- function(si, nodes, netting, progress, found = NULL, levels = NULL) {
   free <- undivided(si)
   nodes <- min(nodes, fixed_nodes(si, netting))
-  levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
+  if (is.null(levels)) levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
   for (level in levels) {
     coarse <- settle_level(
       free, level, if (level == coarsest_nodes) "cells" else netting, found, near_steps,

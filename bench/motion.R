@@ -114,6 +114,12 @@ rows <- c(rows, measure_case(
   "A: warp, 200 segments", warp_from_rest(), 2170, 10,
   by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)), by_accuracy("bdf2", 1e-4)[[1L]]
 ))
+# while it rings, let go unstretched: what steps of one length resolve
+rows <- c(rows, measure_case(
+  "A: warp, 200 segments, its first 20 s", warp_from_rest(), 20, 1,
+  by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)),
+  list(label = "steps of 1 ms", method = how("bdf2", step = 1e-3))
+))
 # as long as other programs were run to rest
 for (n in c(20, 40, 80)[c(20, 40, 80)^2 <= most]) {
   rows <- c(rows, measure_case(

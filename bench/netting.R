@@ -13,9 +13,10 @@ given <- if (length(given)) intersect(given, sections) else sections
 
 main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
 
-# A row per measure of one settled lattice, NULL where it does not settle.
-run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more = NULL) {
-  state <- tryCatch(suppressWarnings(settle(gear, nodes = nodes, netting = netting)),
+# A row per measure of one settled lattice, NULL where it does not settle; how: what settles it.
+run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more = NULL,
+                how = settle) {
+  state <- tryCatch(suppressWarnings(how(gear, nodes = nodes, netting = netting)),
     codend_error = function(e) {
       cat(section, name, netting, nodes, conditionMessage(e), "\n")
       NULL
@@ -58,6 +59,20 @@ tube_lines <- function(state) {
   c(tension_N = mean(tension), scatter_percent = 100 * stats::sd(tension) / mean(tension))
 }
 
+# A tube full of catch also balances where part of it has gone through its own axis, inside out:
+# there its volume counts against the rest's. From several fronts that of the largest volume is
+# taken.
+settle_largest <- function(gear, nodes, netting) {
+  states <- lapply(c(60, 20, 40, 70), function(front) {
+    tryCatch({
+      begun <- settle(update(gear, catch.blocked_meshes = front), nodes, netting)
+      settle(gear, nodes, netting, from = begun)
+    }, codend_error_not_converged = function(e) NULL)
+  })
+  states <- Filter(Negate(is.null), states)
+  states[[which.max(vapply(states, function(s) measures(s)[["catch_volume_m3"]], 0))]]
+}
+
 run_known <- function() {
   rows <- NULL
   for (stiffness in stiffnesses) {
@@ -78,7 +93,8 @@ run_known <- function() {
     }
     for (strips in c(12, 24, 48)) {
       found <- run("known", paste0("tube, EA ", stiffness / 1000, " kN"),
-        tube_case(stiffness, strips), NULL, strips * 72 * strips / 48, of = "", more = tube_lines)
+        tube_case(stiffness, strips), NULL, strips * 72 * strips / 48, of = "", more = tube_lines,
+        how = settle_largest)
       if (!is.null(found)) found$netting <- "cells"
       rows <- c(rows, list(found))
     }
@@ -261,11 +277,13 @@ save_page(c(
   "## Against netting mesh by mesh, and a tube in closed form", "",
   "Off in %, of slack netting and of the tube's scatter in points of %. Asked: 2 % at 1,000 and",
   "1 % at 5,000 nodes, order 1.5, scatter under 2 %. The order is told where the finest is off by",
-  "over 0.2 %.",
+  "over 0.2 %. The tube's columns are of 217, 865 and 3,457 nodes.",
   "", page("known", known_table), "",
   "## Lattices of 1,000 to 3,000 nodes", "",
   "Largest less smallest of nine lattices, in % of the mean: the worst height and the worst other",
-  "main measure. Asked: 2 % for heights, 1 % for others.", "", page("spread", spread_table), "",
+  "main measure. Asked: 2 % for heights, 1 % for others. The purse seine at rest hangs in folds,",
+  "which no lattice settles: its drag is what the folds of one lattice make it.", "",
+  page("spread", spread_table), "",
   "## Bars against cells at 10,000 nodes", "",
   "Asked: 1 %. The midwater trawl's bars are its real meshes of up to 32 m, its cells a sheet.", "",
   page("nettings", nettings_table), "",

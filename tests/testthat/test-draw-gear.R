@@ -221,6 +221,31 @@ test_that("a rope laid straight has wing, bosom and wing, and its floats along i
   expect_equal(sum(head_line$pieces$number), sum(floats$count))
 })
 
+test_that("discs stand on the ground gear as the plan has them, in proportion", {
+  file <- system.file("extdata", "four_seam_trawl.yaml", package = "codend", mustWork = TRUE)
+  gear <- read_gear(file)
+  figure <- plan_figure(gear)
+  rope <- Find(function(r) r$item$name == "ground gear", straight_ropes(figure))
+  expect_equal(rope$pieces$diameter, c(0.406, 0.356, 0.356))
+  expect_equal(rope$pieces$width, rep(0.076, 3))
+  given <- figure$si$pieces[paste0("discs_", 1:3)]
+  expect_equal(rope$pieces$number, unname(vapply(given, `[[`, 0, "number")))
+  sheet <- gear_sheet(gear, "A3")
+  texts <- unlist(lapply(sheet$items, `[[`, "text"))
+  # 0.4 and 0.5 m apart, as the plan has them
+  expect_true(any(grepl("disc \u00d8406, 21 off, 0.4 m apart", texts, fixed = TRUE)))
+  # as many bars as discs, those of the bosom higher; letters stand in squares
+  bars <- Filter(function(i) {
+    i$kind == "polygon" && i$component == "piece" && grepl("discs_", i$ref) &&
+      diff(range(i$x)) < 0.5 * diff(range(i$y))
+  }, sheet$items)
+  of <- vapply(bars, `[[`, "", "ref")
+  high <- vapply(bars, function(i) diff(range(i$y)), 0)
+  expect_equal(as.vector(table(of)), rope$pieces$number)
+  expect_equal(unique(high[of == "pieces.discs_2"]) / unique(high[of == "pieces.discs_1"]),
+    356 / 406)
+})
+
 test_that("a DXF has no break and one scale", {
   wall <- gear_sheet(read_gear("gillnet"), "A1", true_size = TRUE)
   panel <- Filter(function(i) i$component == "panel" && i$kind == "polygon", wall$items)[[1]]

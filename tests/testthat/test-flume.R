@@ -387,3 +387,13 @@ test_that("the page asks for nothing from elsewhere", {
   files <- list.files(system.file("app", package = "codend"), "[.](js|css)$", full.names = TRUE)
   expect_false(any(grepl("https?://|@import", unlist(lapply(files, readLines)))))
 })
+
+test_that("the page leads to what the measures mean", {
+  words <- as.character(flume_page())
+  leads <- if (has_measures_guide()) {
+    "href=\"codend-doc/measures.html\""
+  } else {
+    "vignette(\"measures\", \"codend\")"
+  }
+  expect_true(grepl(leads, words, fixed = TRUE))
+})

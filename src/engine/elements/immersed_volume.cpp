@@ -12,6 +12,7 @@ void ImmersedVolumes::add_force(const Field& field, double* force) const {
   const bool pushed = field.water->accelerates();
   if (!field.water->free_surface && !pushed) return;
   for (int e = 0; e < count(); ++e) {
+    if (field.is_still(node[e])) continue;
     const double wet = field.immersed_share(node[e], height[e]);
     at(force, node[e]).z() -= buoyancy[e] * (1.0 - wet);
     if (pushed) at(force, node[e]) += buoyancy[e] / gravity * wet * field.acceleration(node[e]);
@@ -23,6 +24,7 @@ void ImmersedVolumes::add_jacobian(const Field& field, const JacobianRequest& re
   if (request.stiffness == 0.0 || !field.water->free_surface) return;
   const bool pushed = field.water->accelerates();
   for (int e = 0; e < count(); ++e) {
+    if (field.is_still(node[e])) continue;
     const double slope = immersion(field.above_surface(node[e]), height[e]).slope;
     if (slope == 0.0) continue;
     Vector of_share(0.0, 0.0, buoyancy[e]);

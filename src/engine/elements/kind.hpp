@@ -25,6 +25,9 @@ struct Field {
   const Ground* ground = nullptr;    // null or not present: none
   const Bars* bars = nullptr;        // of the model, for elements that are made of bars
   const WavePoint* waves = nullptr;  // per point; null where the water is calm
+  const char* still = nullptr;       // per point: 1 where nobody asks for forces; null: none
+
+  bool is_still(int point) const { return still && still[point]; }
 
   // Height of a point above the water's surface, m.
   double above_surface(int point) const {

@@ -83,9 +83,11 @@ struct LineKernels {
   // Adds the blocks of all bars, lines [0, bars).
   void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
                          const BlockSink& sink);
-  // Adds the blocks of all netting cells, whose u lines begin at `first` and v lines at first + cells.
+  // Adds the blocks of netting cells [begin, end); the u lines of all begin at `first`, v lines at
+  // first + cells.
   void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                          std::int64_t cells, const CellArrays& shape, const BlockSink& sink);
+                          std::int64_t cells, std::int64_t begin, std::int64_t end,
+                          const CellArrays& shape, const BlockSink& sink);
   // Slopes of lines [begin, end), 27 each, row-major: of the pull and of the drag by e, and of the
   // drag by the water's velocity (zero where not asked for).
   void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,

@@ -457,9 +457,10 @@ INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std
 
 template <bool with_everywhere>
 void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-               std::int64_t cells, const CellArrays& shape, const BlockSink& sink) {
+               std::int64_t cells, std::int64_t begin, std::int64_t end, const CellArrays& shape,
+               const BlockSink& sink) {
   alignas(64) double block[16][block_step * lanes];
-  for (std::int64_t i = 0; i < cells; i += lanes) {
+  for (std::int64_t i = begin; i < end; i += lanes) {
     const std::int64_t at_u = first + i, at_v = at_u + cells;
     CellFamily u, v;
     cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
@@ -501,7 +502,7 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
         store(block[4 * k + l], add_diagonal(same, sum));
       }
     }
-    const int here = cells - i < lanes ? static_cast<int>(cells - i) : lanes;
+    const int here = end - i < lanes ? static_cast<int>(end - i) : lanes;
     for (int l = 0; l < here; ++l) {
       const std::int64_t* slot = sink.slot + 16 * (i + l);
       for (int k = 0; k < 16; ++k) add_block(sink, slot[k], block[k] + block_step * l);
@@ -510,11 +511,12 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
 }
 
 void add_cell_blocks(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                     std::int64_t cells, const CellArrays& shape, const BlockSink& sink) {
+                     std::int64_t cells, std::int64_t begin, std::int64_t end,
+                     const CellArrays& shape, const BlockSink& sink) {
   if (request.damping != 0.0 || lines.slope[0])
-    add_cells<true>(lines, request, first, cells, shape, sink);
+    add_cells<true>(lines, request, first, cells, begin, end, shape, sink);
   else
-    add_cells<false>(lines, request, first, cells, shape, sink);
+    add_cells<false>(lines, request, first, cells, begin, end, shape, sink);
 }
 
 template <bool with_everywhere>

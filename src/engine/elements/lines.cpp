@@ -7,6 +7,8 @@ namespace codend {
 namespace {
 
 constexpr int strip = 512;
+// Cells are left out by so many at a time: whole registers are written.
+constexpr int together = 8;
 
 // m/s, see netting_cell.hpp.
 constexpr double twist_speed = 4.0;
@@ -83,6 +85,8 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (!a.inverse_length) a.inverse_length = a.inverse_span;
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
+  in_strips(cells.count(), [&](int begin, int end) { all_cells_.push_back({begin, end}); });
+  moving_cells_ = all_cells_;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
   for (int e = 0; e < cells.count(); ++e) {
     for (int which = 0; which < 2; ++which) describe(cells.line(e, which));
@@ -128,6 +132,37 @@ void Lines::describe(const Line<N>& line) {
     speed_law_.resize(column_length(count_));
     speed_law_[k] = &m;
     arrays_.speed_law = speed_law_.data();
+  }
+}
+
+void Lines::set_still(const std::vector<char>& point) {
+  const int cells = cells_.count();
+  if (point.empty()) {
+    still_.clear();
+    moving_cells_ = all_cells_;
+    renew_ = true;
+    return;
+  }
+  const std::vector<char> before = still_;
+  still_.assign(static_cast<std::size_t>(count_), 0);
+  moving_cells_.clear();
+  for (int begin = 0; begin < cells; begin += together) {
+    const int end = std::min(begin + together, cells);
+    const bool rests = std::all_of(cells_.node.begin() + 4 * begin, cells_.node.begin() + 4 * end,
+                                   [&](int n) { return point[static_cast<std::size_t>(n)] != 0; });
+    if (rests) {
+      for (int e = begin; e < end; ++e) {
+        const std::size_t u = static_cast<std::size_t>(bars_.count() + e);
+        still_[u] = still_[u + static_cast<std::size_t>(cells)] = 1;
+        // Those that have moved have been elsewhere.
+        renew_ = renew_ || before.empty() || !before[u];
+      }
+    } else if (!moving_cells_.empty() && moving_cells_.back().end == begin &&
+               end - moving_cells_.back().begin <= strip) {
+      moving_cells_.back().end = end;
+    } else {
+      moving_cells_.push_back({begin, end});
+    }
   }
 }
 
@@ -182,10 +217,12 @@ void Lines::set_flow(const Field& field) {
     const std::size_t k = static_cast<std::size_t>(b);
     set_velocity(field, &bars_.node[2 * k], halves, 2, surface ? bars_.height[k] : 0.0, {b});
   }
-  for (int e = 0; e < cells_.count(); ++e) {
-    const Line<4> u = cells_.line(e, 0);
-    const double height = surface ? cells_.height[static_cast<std::size_t>(e)] : 0.0;
-    set_velocity(field, u.nodes, u.share, 4, height, {u.index, u.index + cells_.count()});
+  for (const CellRange& range : cells_to_move()) {
+    for (int e = range.begin; e < range.end; ++e) {
+      const Line<4> u = cells_.line(e, 0);
+      const double height = surface ? cells_.height[static_cast<std::size_t>(e)] : 0.0;
+      set_velocity(field, u.nodes, u.share, 4, height, {u.index, u.index + cells_.count()});
+    }
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
     const double height = surface ? hexagons_.height[static_cast<std::size_t>(e)] : 0.0;
@@ -194,22 +231,31 @@ void Lines::set_flow(const Field& field) {
                  HexagonalTriangles::share.data(), 4, height,
                  {first, first + step, first + 2 * step});
   }
-  kernels_.flow(arrays_, 0, count_);
+  kernels_.flow(arrays_, 0, bars_.count());
+  for (const CellRange& range : cells_to_move()) {
+    const int u = bars_.count() + range.begin, size = range.end - range.begin;
+    kernels_.flow(arrays_, u, u + size);
+    kernels_.flow(arrays_, u + cells_.count(), u + cells_.count() + size);
+  }
+  kernels_.flow(arrays_, hexagons_.first_line, count_);
   if (!arrays_.e_rate[0]) return;
   double* rate[3];
   double* v_rate[3];
   double* twist_rate[3];
   for (int c = 0; c < 3; ++c) rate[c] = arrays_.e_rate[c];
   bars_.vectors(field.velocity, 0, bars_.count(), rate);
-  const std::ptrdiff_t bars = bars_.count(), cells = cells_.count();
-  if (cells > 0) {
+  const std::ptrdiff_t cells = cells_.count();
+  for (const CellRange& range : cells_to_move()) {
+    const std::ptrdiff_t u = bars_.count() + range.begin;
     for (int c = 0; c < 3; ++c) {
-      rate[c] += bars;
+      rate[c] = arrays_.e_rate[c] + u;
       v_rate[c] = rate[c] + cells;
-      twist_rate[c] = arrays_.twist_rate[c] + bars;
+      twist_rate[c] = arrays_.twist_rate[c] + u;
     }
-    cells_.vectors(field.velocity, 0, cells_.count(), rate, v_rate, twist_rate);
-    for (int c = 0; c < 3; ++c) std::copy_n(twist_rate[c], cells, twist_rate[c] + cells);
+    cells_.vectors(field.velocity, range.begin, range.end, rate, v_rate, twist_rate);
+    for (int c = 0; c < 3; ++c) {
+      std::copy_n(twist_rate[c], range.end - range.begin, twist_rate[c] + cells);
+    }
   }
   for (int which = 0; which < 3; ++which) {
     const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count();
@@ -231,7 +277,7 @@ void Lines::move_to(const double* position) {
     kernels_.evaluate(a, begin, end);
   });
   const int cells = cells_.count();
-  in_strips(cells, [&](int begin, int end) {
+  for (const auto [begin, end] : cells_to_move()) {
     const std::ptrdiff_t u = bars_.count() + begin, v = u + cells, size = end - begin;
     double* const e_u[3] = {a.e[0] + u, a.e[1] + u, a.e[2] + u};
     double* const e_v[3] = {a.e[0] + v, a.e[1] + v, a.e[2] + v};
@@ -240,7 +286,8 @@ void Lines::move_to(const double* position) {
     for (double* twist : q) std::copy_n(twist, size, twist + cells);
     kernels_.evaluate(a, u, u + size);
     kernels_.evaluate(a, v, v + size);
-  });
+  }
+  renew_ = false;
   for (int which = 0; which < 3; ++which) {
     in_strips(hexagons_.count(), [&](int begin, int end) {
       const std::ptrdiff_t i = hexagons_.first_line + which * hexagons_.count() + begin;
@@ -253,7 +300,9 @@ void Lines::move_to(const double* position) {
 
 void Lines::add_force(const double* tension, double* force) const {
   bars_.add_force(arrays_, tension, force);
-  cells_.add_force(arrays_, tension, force);
+  for (const CellRange& range : moving_cells_) {
+    cells_.add_force(arrays_, tension, range.begin, range.end, force);
+  }
   hexagons_.add_force(arrays_, tension, force);
 }
 
@@ -270,7 +319,10 @@ void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
       shape.share[k] = cells_.share[k].data();
     }
     shape.amplitude = cells_.amplitude.data();
-    kernels_.add_cell_blocks(arrays_, asked, bars_.count(), cells_.count(), shape, cells);
+    for (const CellRange& range : moving_cells_) {
+      kernels_.add_cell_blocks(arrays_, asked, bars_.count(), cells_.count(), range.begin,
+                               range.end, shape, cells);
+    }
   }
   if (hexagons_.count() == 0) return;
   std::vector<double> slopes(27 * 3 * static_cast<std::size_t>(hexagons_.count()));
@@ -318,14 +370,17 @@ double Lines::change(const double* dx, double* strain) const {
         std::max(largest, kernels_.change(arrays_, begin, end, change_u, nullptr, strain + begin));
   });
   const int cells = cells_.count();
-  in_strips(cells, [&](int begin, int end) {
+  if (!still_.empty()) {
+    std::fill(strain + bars_.count(), strain + bars_.count() + 2 * cells, 0.0);
+  }
+  for (const auto [begin, end] : moving_cells_) {
     const std::ptrdiff_t first = bars_.count() + begin, second = first + cells, size = end - begin;
     cells_.vectors(dx, begin, end, change_u, change_v, change_q);
     largest = std::max(
         largest, kernels_.change(arrays_, first, first + size, change_u, change_q, strain + first));
     largest = std::max(largest, kernels_.change(arrays_, second, second + size, change_v, change_q,
                                                 strain + second));
-  });
+  }
   for (int which = 0; which < 3; ++which) {
     in_strips(hexagons_.count(), [&](int begin, int end) {
       const std::ptrdiff_t first = hexagons_.first_line + which * hexagons_.count() + begin;

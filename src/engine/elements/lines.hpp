@@ -16,6 +16,11 @@
 
 namespace codend {
 
+// Cells [begin, end).
+struct CellRange {
+  int begin, end;
+};
+
 class Lines {
  public:
   // What is passed must outlive this and not change.
@@ -26,6 +31,13 @@ class Lines {
 
   int count() const { return count_; }
   const LineArrays& arrays() const { return arrays_; }
+
+  // Points that are held where they are, 1 each, and whose forces nobody asks for, or empty: cells
+  // with no other points keep what was last known of them.
+  void set_still(const std::vector<char>& point);
+  // What is known of lines that are still is renewed once, with the others.
+  void renew_still() { renew_ = true; }
+  bool still(int line) const { return !still_.empty() && still_[static_cast<std::size_t>(line)]; }
 
   // To be called where a bar's rest length or multiplicity has changed; rate: dL0/dt over L0, 1/s.
   void update_bar(int bar, double rest_rate);
@@ -50,6 +62,9 @@ class Lines {
   double change(const double* dx, double* strain) const;
 
  private:
+  const std::vector<CellRange>& cells_to_move() const {
+    return renew_ ? all_cells_ : moving_cells_;
+  }
   template <int N>
   void describe(const Line<N>& line);
   // What lines meet the water with, means of their points.
@@ -79,6 +94,9 @@ class Lines {
   std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
+  std::vector<char> still_;                          // per line; empty: none
+  std::vector<CellRange> all_cells_, moving_cells_;  // in strips
+  bool renew_ = true;
 };
 
 }  // namespace codend

@@ -68,9 +68,10 @@ void NettingCells::vectors(const double* x, int begin, int end, double* const u[
   }
 }
 
-void NettingCells::add_force(const LineArrays& lines, const double* tension, double* force) const {
+void NettingCells::add_force(const LineArrays& lines, const double* tension, int begin, int end,
+                             double* force) const {
   const int cells = count();
-  for (int e = 0; e < cells; ++e) {
+  for (int e = begin; e < end; ++e) {
     const int u = first_line + e, v = u + cells;
     const double pull_u = lines.multiplicity[u] * tension[u] * lines.inverse_length[u];
     const double pull_v = lines.multiplicity[v] * tension[v] * lines.inverse_length[v];

@@ -50,8 +50,9 @@ class NettingCells {
   // the netting are from places, by component into u[.], v[.] and q[.][0 .. end - begin).
   void vectors(const double* x, int begin, int end, double* const u[3], double* const v[3],
                double* const q[3]) const;
-  // Adds drag, and pull by given tensions of one line each (N), to the points of all cells.
-  void add_force(const LineArrays& lines, const double* tension, double* force) const;
+  // Adds drag, and pull by given tensions of one line each (N), to the points of cells [begin, end).
+  void add_force(const LineArrays& lines, const double* tension, int begin, int end,
+                 double* force) const;
   // Adds added mass (kg, 9 per point) to the points of all cells.
   void add_added_mass(const LineArrays& lines, double* mass) const;
 };

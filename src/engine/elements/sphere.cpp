@@ -39,7 +39,9 @@ Vector Spheres::element_force(int e, const Field& field) const {
 }
 
 void Spheres::add_force(const Field& field, double* force) const {
-  for (int e = 0; e < count(); ++e) at(force, node[e]) += element_force(e, field);
+  for (int e = 0; e < count(); ++e) {
+    if (!field.is_still(node[e])) at(force, node[e]) += element_force(e, field);
+  }
 }
 
 void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
@@ -47,6 +49,7 @@ void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
   // Without them it does not depend on x.
   if (request.damping == 0.0 && !field.water->varies_with_height()) return;
   for (int e = 0; e < count(); ++e) {
+    if (field.is_still(node[e])) continue;
     Vector u, du;
     const double own = field.relative_velocity(node[e], height[e], u, du);
     const double speed = u.norm();

@@ -22,6 +22,8 @@ constexpr int steps_of_caution = 4;
 constexpr int steps_of_caution_after_error = 3;
 // A step that was too long is repeated at these shares of its length.
 constexpr double least_repeated = 0.1, most_repeated = 0.9;
+// Of the length at which a repeated step's error would be what it may be: it is not to be tried thrice.
+constexpr double aimed_again = 0.8;
 // Exponents of the error by the length of a step: assumed, and what a second try may find.
 constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3.0;
 // Halvings of one step for the sake of its energy, and the share of what is allowed that a step must
@@ -46,7 +48,8 @@ struct Rejected {
     }
     h = tried;
     error = found;
-    return std::clamp(0.9 * std::pow(found, -1.0 / exponent), least_repeated, most_repeated);
+    return std::clamp(aimed_again * std::pow(found, -1.0 / exponent), least_repeated,
+                      most_repeated);
   }
 };
 

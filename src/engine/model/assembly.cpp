@@ -48,6 +48,18 @@ const BlockLayout& Assembly::blocks() const {
   return *blocks_;
 }
 
+void Assembly::hold(const std::vector<char>& held) {
+  held_back_ = still_ = held;
+  flow_known_ = false;
+  if (!held.empty()) {
+    for (const Tie& tie : model_.ties) {
+      still_.push_back(held[static_cast<std::size_t>(tie.first)] &&
+                       held[static_cast<std::size_t>(tie.second)]);
+    }
+  }
+  lines_.set_still(still_);
+}
+
 void Assembly::spread(const double* nodes, std::vector<double>& points) const {
   std::copy(nodes, nodes + 3 * static_cast<std::ptrdiff_t>(model_.nodes), points.begin());
   for (std::size_t t = 0; t < model_.ties.size(); ++t) {
@@ -182,6 +194,7 @@ void Assembly::balance(double share, double* allowed) {
   const LineArrays& a = lines();
   model_.each_line([&](const auto& line) {
     const int k = line.index;
+    if (lines_.still(k)) return;
     const double pull = a.multiplicity[k] * (share * std::abs(a.tension[k]) +
                                              rounding * far * a.stiffness[k] * a.inverse_rest[k]);
     const double drag = share * Vector(a.drag[0][k], a.drag[1][k], a.drag[2][k]).norm();

@@ -43,8 +43,13 @@ class Assembly {
 
   // Free nodes that stay where they are, 1 each, until this is called again: no net force shows on
   // them and they do not move in a step of Newton's method whose right side is zero for them. Empty:
-  // none.
-  void hold(const std::vector<char>& held) { held_back_ = held; }
+  // none. What acts on such nodes alone is not computed anew while they stay.
+  void hold(const std::vector<char>& held);
+  // The next move_to() computes all there is to be known of lines, for readers.
+  void renew_still() {
+    lines_.renew_still();
+    flow_known_ = false;
+  }
   // Whether a free node is held so.
   bool held_back(int node) const {
     return !held_back_.empty() && held_back_[static_cast<std::size_t>(node)];
@@ -121,7 +126,8 @@ class Assembly {
             has_wake() ? wake().data() : nullptr,
             &model_.ground,
             &model_.bars,
-            model_.water.waves.running() ? waves_.data() : nullptr};
+            model_.water.waves.running() ? waves_.data() : nullptr,
+            still_.empty() ? nullptr : still_.data()};
   }
 
  private:
@@ -146,6 +152,7 @@ class Assembly {
   mutable std::optional<BlockLayout> blocks_;
   bool flow_known_ = false;
   std::vector<char> held_back_;
+  std::vector<char> still_;  // per point: whether it is held back, or tied to such nodes alone
   LineChange change_;
   std::vector<WavePoint> waves_;  // per point, where the water moves in waves
   bool has_bodies_ = false;

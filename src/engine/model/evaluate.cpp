@@ -134,6 +134,7 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   Evaluation out;
   out.force.resize(3 * static_cast<std::size_t>(model.nodes));
   out.mass.resize(9 * static_cast<std::size_t>(model.nodes));
+  assembly.renew_still();
   assembly.move_to(x, v);
   assembly.residual(out.force.data());
   assembly.mass(out.mass.data());
