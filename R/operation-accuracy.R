@@ -107,8 +107,8 @@ settle_accurately <- function(state, accuracy, netting) {
 }
 
 # Nodes that settle() begins with, and most that it goes on to, where it is asked for neither nodes
-# nor accuracy: with 4,000 all shipped gears together take no longer than at 1,500 before netting
-# was of cells (bench/results/netting.md). What misses the usual accuracy is told.
+# nor accuracy: with 4,000 all shipped gears together take twice as long as at 1,500
+# (bench/results/netting.md). What misses the usual accuracy is told.
 usual_nodes <- 1500
 most_usual_nodes <- 4000
 # An error so many times the usual one is of netting that hangs in folds, which no lattice settles.
