@@ -84,12 +84,16 @@ window.codendPage = (function () {
   function listen() {
     window.codendTank.listen();
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
+      // the gear that the tank opens with answers nothing: what the address had refused stays told
+      var answering = opened || message.answers;
       opened = true;
       tell('refused', '');
-      ['gallery_refused', 'plan_file_error', 'new_error', 'plan_text_error'].forEach(function (id) {
-        tell(id, '');
-      });
-      if (!find('gallery').hidden) gallery(false);
+      if (answering) {
+        ['gallery_refused', 'plan_file_error', 'new_error', 'plan_text_error'].forEach(function (id) {
+          tell(id, '');
+        });
+        if (!find('gallery').hidden) gallery(false);
+      }
       window.codendTank.picture(message);
       find('gear_name').textContent = message.name;
       find('gear_conditions').textContent = message.conditions;
