@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "filled_model.hpp"
 #include "solve/local_balance.hpp"
 
 namespace {
@@ -10,43 +11,23 @@ namespace {
 using namespace codend;
 
 // A load that hangs by two bars from two supports in air, beside a taut cable in three parts.
-struct Hanging {
-  Model model;
-  std::vector<double> x;
+struct Hanging : FilledModel {
   int load, first, second, taut;
 
   Hanging() {
-    model.water.density = 0.0;
-    TwineMaterial material;
-    material.axial_stiffness = 1e6;
-    model.materials.push_back(material);
+    const int twine = material(1e6);
     const int left = node({0.0, 0.0, 0.0}, true), right = node({1.2, 0.0, 0.0}, true);
     load = node({0.3, 0.4, 0.2});
     at(model.load.data(), load) = Vector(0.0, 0.0, -3.0);
-    first = bar(left, load, 1.0);
-    second = bar(load, right, 1.5);
+    first = bar(left, load, 1.0, twine);
+    second = bar(load, right, 1.5, twine);
     const int a = node({5.0, 0.0, 0.0}, true), b = node({6.0, 0.0, 0.0}), c = node({7.0, 0.0, 0.0}),
               d = node({8.0, 0.0, 0.0}, true);
-    bar(a, b, 1.0);
-    taut = bar(b, c, 1.0);
-    bar(c, d, 1.0);
+    bar(a, b, 1.0, twine);
+    taut = bar(b, c, 1.0, twine);
+    bar(c, d, 1.0, twine);
     for (const int n : {b, c}) at(model.load.data(), n) = Vector(0.0, 0.0, -3.0);
     model.prepare();
-  }
-  int node(const Vector& place, bool held = false) {
-    x.insert(x.end(), place.data(), place.data() + 3);
-    model.held.push_back(held ? 1 : 0);
-    model.load.insert(model.load.end(), 3, 0.0);
-    model.mass.push_back(0.0);
-    return model.nodes++;
-  }
-  int bar(int a, int b, double rest) {
-    model.bars.node.push_back(a);
-    model.bars.node.push_back(b);
-    model.bars.rest.push_back(rest);
-    model.bars.multiplicity.push_back(1.0);
-    model.bars.material.push_back(0);
-    return model.bars.count() - 1;
   }
   std::vector<int> swinging(const std::vector<double>& dx, double tension) const {
     const std::vector<double> tensions(static_cast<std::size_t>(model.bars.count()), tension);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "filled_model.hpp"
 #include "random_model.hpp"
 #include "solve/settle.hpp"
 
@@ -13,36 +14,11 @@ using namespace codend;
 
 constexpr double pi = 3.14159265358979323846;
 
-// A model in air with massless lines, filled by hand.
-struct Structure {
-  Model model;
-  std::vector<double> x;
+// Massless lines, pulled at their nodes.
+struct Structure : FilledModel {
   SettleReport report;
 
-  Structure() { model.water.density = 0.0; }
-
-  int node(const Vector& place, bool held = false) {
-    x.insert(x.end(), place.data(), place.data() + 3);
-    model.held.push_back(held ? 1 : 0);
-    model.load.insert(model.load.end(), 3, 0.0);
-    model.mass.push_back(0.0);
-    return model.nodes++;
-  }
   void pull(int node, const Vector& force) { at(model.load.data(), node) += force; }
-  int material(double axial_stiffness) {
-    TwineMaterial m;
-    m.axial_stiffness = axial_stiffness;
-    model.materials.push_back(m);
-    return static_cast<int>(model.materials.size()) - 1;
-  }
-  int bar(int a, int b, double rest, int material) {
-    model.bars.node.push_back(a);
-    model.bars.node.push_back(b);
-    model.bars.rest.push_back(rest);
-    model.bars.multiplicity.push_back(1.0);
-    model.bars.material.push_back(material);
-    return model.bars.count() - 1;
-  }
   // A cable of equal bars whose weight per unstretched length is lumped at its nodes.
   std::vector<int> cable(int a, int b, double rest, double weight, int material, int bars) {
     std::vector<int> nodes{a};
