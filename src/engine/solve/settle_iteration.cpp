@@ -265,8 +265,9 @@ void SettleIteration::move() {
     driven += dx.dot(at(force_.data(), free_[i]));
   }
   swinging_.clear();
-  if (closing_in_) find_swinging(assembly_.line_change(dx_.data()));
-  const LineChange& change = line_change_without_swinging();
+  const LineChange& whole = assembly_.line_change(dx_.data());
+  if (closing_in_) find_swinging(whole);
+  const LineChange& change = without_swinging(whole);
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max(change.rotation, turns * change.plate_turn);
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
@@ -311,7 +312,7 @@ void SettleIteration::correct() {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
   }
-  const LineChange& change = line_change_without_swinging();
+  const LineChange& change = without_swinging(assembly_.line_change(dx_.data()));
   if (!(change.rotation < turned_)) return;
   path_.advance(strain_change_, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
@@ -336,10 +337,10 @@ void SettleIteration::find_swinging(const LineChange& change) {
   swinging_ = local_->swinging(dx_.data(), strain_change_, pull_.data(), control_.swing);
 }
 
-// How dx_ changes all lines, with strains kept in strain_change_; of nodes that swing only what the others
-// do to them is then left in dx_, and what is returned. Where the others turn far too, none are taken so.
-const LineChange& SettleIteration::line_change_without_swinging() {
-  const LineChange& whole = assembly_.line_change(dx_.data());
+// whole: how dx_ changes all lines, whose strains are kept in strain_change_; of nodes that swing only what
+// the others do to them is then left in dx_, and what is returned. Where the others turn far too, none are
+// taken so.
+const LineChange& SettleIteration::without_swinging(const LineChange& whole) {
   strain_change_ = whole.strain;
   if (swinging_.empty()) return whole;
   const double most = std::min(control_.swing.rest, control_.swing.rest_share * whole.rotation);

@@ -64,7 +64,7 @@ class SettleIteration {
   double first_share(double rotation);
   void move();
   void correct();
-  const LineChange& line_change_without_swinging();
+  const LineChange& without_swinging(const LineChange& whole);
   void find_swinging(const LineChange& change);
   void settle_swinging();
   void take_right_side();
