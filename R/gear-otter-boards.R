@@ -66,7 +66,7 @@ si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
     },
     added_volume = added,
     shoe_area = if (kite) 0 else first_of(board$shoe_area, usual_shoe_width * board$chord) / 2,
-    height = if (kite) board$chord else board$span,
+    friction = board$shoe_friction, height = if (kite) board$chord else board$span,
     polar = si_polar(board$polar, paste0(path, ".polar"), board$span / board$chord)
   )
 }
@@ -104,6 +104,8 @@ engine_board <- function(board, nodes, density) {
     added_radius_span = radii[["span"]], normal_slope = at_ratio(plate_turning, "slope", ratio),
     yaw_damping = at_ratio(plate_turning, "yaw", ratio),
     roll_damping = at_ratio(plate_turning, "roll", ratio), shoe_area = board$shoe_area,
+    own_friction = !is.null(board$friction), friction_along = first_of(board$friction$along, 0),
+    friction_across = first_of(board$friction$across, 0),
     polar = engine_polar(board$polar)
   )
 }

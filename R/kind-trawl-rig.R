@@ -70,7 +70,8 @@ check_boards <- function(fields) {
   boards <- fields$otter_boards
   fixed <- c("lift_coefficient", "drag_coefficient", "diameter", "vertical_lift_coefficient")
   free <- c("chord", "span", "polar", "warp_at", "upper_backstrop_at", "lower_backstrop_at",
-    "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area")
+    "centre_of_gravity", "centre_of_buoyancy", "centre_of_pressure", "shoe_area",
+    "shoe_friction")
   is_free <- boards$attitude == "free"
   due <- if (is_free) c("mass", free[1:6]) else c("area", fixed[1:2])
   missing <- setdiff(due, names(boards))

@@ -71,6 +71,10 @@ add_start <- function(what, position, velocity) {
     time = 0, position = as.vector(position), velocity = as.vector(speed),
     acceleration = numeric(3L * n), algorithmic_acceleration = numeric(3L * n)
   )
+  engine <- lattice_at(what, conditions_at(what, 0))$engine
+  engine$water$x <- what$lattice$engine$water$x
+  engine$ground <- what$lattice$engine$ground
+  found <- engine_evaluate(engine, motion$position, motion$velocity)
   controls <- lapply(what$schedule$growing, `[[`, "control")
   of <- function(field) vapply(controls, function(one) if (is.null(one)) 0 else one[[field]], 0)
   done <- list(
@@ -79,16 +83,8 @@ add_start <- function(what, position, velocity) {
     broken = rep(0L, length(what$schedule$ruptures)),
     broken_at = rep(0, length(what$schedule$ruptures)),
     # what lies on the ground sticks where it is: see base/ground.hpp
-    anchor = if (isTRUE(what$si$sticking)) {
-      as.double(lattice_points(what$lattice, position)[, what$lattice$engine$contacts$node])
-    } else {
-      numeric()
-    }
+    anchor = if (isTRUE(what$si$sticking)) found$ground_places else numeric()
   )
-  engine <- lattice_at(what, conditions_at(what, 0))$engine
-  engine$water$x <- what$lattice$engine$water$x
-  engine$ground <- what$lattice$engine$ground
-  found <- engine_evaluate(engine, motion$position, motion$velocity)
   frame <- list(
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,

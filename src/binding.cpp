@@ -51,6 +51,7 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
         "straight_length"_nm = as_doubles(e.straight_length),
         "forces"_nm = forces,
         "plates"_nm = plate_table(e.plates),
+        "ground_places"_nm = as_doubles(e.ground_places),
     });
   });
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/assembly.hpp"
+#include "model/changing_model.hpp"
 #include "model/evaluate.hpp"
 
 namespace codend {
@@ -47,6 +48,8 @@ struct Ingredients {
   bool waves = false;   // so long that the flow hardly changes along x and y
   bool wake = false;    // a flow slowed by netting, differently at every point
   bool struts = false;  // every other bar also pushes
+  // What friction gives (m) before what sticks to the ground slips; 0: nothing sticks.
+  double stick_give = 0.0;
 };
 
 // Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
@@ -104,6 +107,7 @@ class Specimen {
     }
     model.prepare();
     stretch(random);
+    if (wanted.stick_give > 0.0) stick(random, wanted.stick_give);
   }
   Specimen(const Specimen&) = delete;
 
@@ -124,6 +128,16 @@ class Specimen {
         out.push_back(point);
       }
     }
+  }
+
+  // To anchors that are up to half a metre off.
+  void stick(Random& random, double give) {
+    model.ground.stick_give = give;
+    Assembly assembly(model);
+    assembly.move_to(x.data(), v.data());
+    std::vector<Vector> anchor = assembly.ground_places();
+    for (Vector& place : anchor) place += random.vector(0.5);
+    ChangingModel(model, assembly).set_anchors(anchor);
   }
 
   // Soft, so that its forces are of the size of drag, and of a slope.

@@ -265,6 +265,24 @@ TEST_CASE("derivatives of contacts with the ground") {
   check_points([](Ingredients& i) -> int& { return i.contacts; });
 }
 
+TEST_CASE("derivatives of what sticks to the ground, or slips there") {
+  for (const double give : {0.01, 10.0}) {
+    CAPTURE(give);
+    SUBCASE("contacts") {
+      check_points([give](Ingredients& i) -> int& {
+        i.stick_give = give;
+        return i.contacts;
+      });
+    }
+    SUBCASE("shoes of plates") {
+      check_points([give](Ingredients& i) -> int& {
+        i.stick_give = give;
+        return i.plates;
+      });
+    }
+  }
+}
+
 TEST_CASE("derivatives at the surface") {
   auto at_surface = [](int Ingredients::*kind) {
     check_points([kind](Ingredients& i) -> int& {

@@ -11,6 +11,25 @@ using namespace codend;
 
 namespace {
 
+// Where what sticks to the ground has gone by a time (s), by backward differences to 0.1 mm.
+Motion marched(Model& model, Motion start, double until) {
+  model.prepare();
+  Assembly assembly(model);
+  Schedule schedule;
+  schedule.sticking.present = true;
+  ScheduledConditions conditions(model, assembly, schedule, start);
+  conditions.to_time(0.0, Side::after, start);
+  NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-4, 1e9, 1e-9}, start.x);
+  MarchControl control;
+  control.adaptive = true;
+  control.step = 1e-3;
+  Past past;
+  past.now = start;
+  March march(assembly, stepper, conditions, control, past);
+  CHECK(march.to(until) == MarchReport::End::reached);
+  return march.now();
+}
+
 // 10 kg on 0.01 m2 in vacuum, as deep in the ground as its weight presses it, on a slope (rad) that falls
 // towards +x.
 struct Body {
@@ -38,23 +57,7 @@ struct Body {
   }
   Body(const Body&) = delete;
 
-  Motion march(double until) {
-    model.prepare();
-    Assembly assembly(model);
-    Schedule schedule;
-    schedule.sticking.present = true;
-    ScheduledConditions conditions(model, assembly, schedule, start);
-    conditions.to_time(0.0, Side::after, start);
-    NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-4, 1e9, 1e-9}, start.x);
-    MarchControl control;
-    control.adaptive = true;
-    control.step = 1e-3;
-    Past past;
-    past.now = start;
-    March march(assembly, stepper, conditions, control, past);
-    CHECK(march.to(until) == MarchReport::End::reached);
-    return march.now();
-  }
+  Motion march(double until) { return marched(model, start, until); }
   double moved(const Motion& motion) const {
     return (at(motion.x.data(), 0) - at(start.x.data(), 0)).norm();
   }
@@ -107,4 +110,84 @@ TEST_CASE("a line rubs along and across itself with its own friction") {
   const double press = 10.0 * gravity;
   CHECK(force[0] == doctest::Approx(-press * 0.5 * (0.2 + 0.8)).epsilon(1e-5));
   CHECK(force[1] == doctest::Approx(press * 0.5 * (0.8 - 0.2)).epsilon(1e-5));
+}
+
+// A board of 1000 N on two shoes, in vacuum, whose lift keeps it upright; pulled at its shoes.
+struct Board {
+  Model model;
+  Motion start;
+  explicit Board(const Vector& pull) {
+    model.nodes = 3;
+    model.held = {0, 0, 0};
+    model.water.density = 0.0;
+    model.mass.assign(3, 0.0);
+    model.load.assign(9, 0.0);
+    for (int k = 0; k < 2; ++k) at(model.load.data(), k) = 0.5 * pull;
+    LiftingPlate board;
+    board.node = {0, 1, 2};
+    board.attachment = {Vector(0.0, 0.0, -0.5), Vector(2.0, 0.0, -0.5), Vector(1.0, 0.0, 0.5)};
+    board.chord = 2.0;
+    board.span = board.height = 1.0;
+    board.area = 2.0;
+    board.weight = 1200.0;
+    board.buoyancy = 200.0;
+    board.gravity_centre = {1.0, 0.0, -0.5};
+    board.buoyancy_centre = {1.0, 0.0, 0.5};
+    board.mass = 100.0;
+    board.second_moment = {5.0, 35.0, 35.0};
+    board.shoe_area = 0.05;
+    board.polar.angle = {-4.0, 4.0};
+    board.polar.lift = board.polar.drag = board.polar.lift_slope = board.polar.drag_slope = {0.0,
+                                                                                            0.0};
+    model.plates.plate = {board};
+    TwineMaterial strut;
+    strut.axial_stiffness = 1e7;
+    strut.strut = true;
+    strut.law.normal = strut.law.tangential = strut.law.skin = 0.0;
+    strut.added_mass_normal = 0.0;
+    model.materials = {strut};
+    model.bars.node = {0, 1, 1, 2, 2, 0};
+    model.bars.rest = {2.0, std::sqrt(2.0), std::sqrt(2.0)};
+    model.bars.multiplicity.assign(3, 1.0);
+    model.bars.material.assign(3, 0);
+    model.ground.present = true;
+    model.ground.friction = 0.5;
+    double deep, change;
+    model.ground.give(500.0, 0.05 * model.ground.stiffness, deep, change);
+    start.x = start.v = Values::Zero(9);
+    for (int k = 0; k < 3; ++k) {
+      const Vector up(0.0, 0.0, 0.5 - deep);
+      at(start.x.data(), k) = board.attachment[static_cast<std::size_t>(k)] + up;
+    }
+  }
+  Board(const Board&) = delete;
+
+  // How far the middle of its shoes goes.
+  Vector moves(double until) {
+    const Motion end = marched(model, start, until);
+    return 0.5 * (at(end.x.data(), 0) + at(end.x.data(), 1) - at(start.x.data(), 0) -
+                  at(start.x.data(), 1));
+  }
+};
+
+TEST_CASE("a board that friction holds stays where it stands") {
+  const double pull = 400.0;  // of 500
+  const Vector soon = Board({pull, 0.0, 0.0}).moves(5.0);
+  const Vector late = Board({pull, 0.0, 0.0}).moves(500.0);
+  const double give = 0.01 * pull / 500.0;  // as of the body above
+  CHECK(soon.x() == doctest::Approx(give).epsilon(0.01));
+  CHECK(late.x() == doctest::Approx(give).epsilon(1e-3));
+}
+
+TEST_CASE("a board rubs along and across its chord with its own friction") {
+  auto own = [](const Vector& pull) {
+    Board board(pull);
+    board.model.plates.plate[0].own_friction = true;
+    board.model.plates.plate[0].friction_along = 0.2;
+    board.model.plates.plate[0].friction_across = 0.8;
+    return board.moves(2.0);
+  };
+  // Of 1000 N on 100 kg; it begins when friction has given its 0.01 m.
+  CHECK(own({400.0, 0.0, 0.0}).x() == doctest::Approx(0.5 * 2.0 * 4.0).epsilon(0.05));
+  CHECK(own({0.0, 400.0, 0.0}).y() == doctest::Approx(0.01 * 400.0 / 800.0).epsilon(0.02));
 }

@@ -296,3 +296,22 @@ test_that("views show a free board where it is", {
   grDevices::dev.off()
   expect_gt(file.size(file), 1000)
 })
+
+test_that("a board on the sea bed stays where friction holds it", {
+  # drawn along the bed, then left while the current and its warp still pull
+  left <- function(sticking, ...) {
+    found <- tow(towed_board(towing.speed = "1 knot",
+      water = list(current = list(speed = "0.15 m/s", toward = "90 deg")),
+      seabed = list(depth = "40 m", friction = 0.6, sticking = sticking), ...
+    ), until = 160, every = 20, nodes = 60,
+    speed = data.frame(time = c(0, 20, 30), value = c(0.514, 0.514, 0)))
+    found$position[, nodes_at(found, "board"), ]
+  }
+  moves <- function(place) max(abs(place[, 9] - place[, 6]))
+  held <- left(TRUE)
+  # less than what friction gives before it slips, 10 mm; without it the warp draws it along
+  expect_lt(moves(held), 0.01)
+  expect_gt(moves(left(FALSE)), 0.5)
+  same <- list(otter_boards.otter_board.shoe_friction = list(along = 0.6, across = 0.6))
+  expect_equal(do.call(left, c(TRUE, same)), held, tolerance = 1e-6)
+})

@@ -80,6 +80,15 @@ struct Ground {
     return w - normal.dot(w) * normal;
   }
 
+  // Where a body sticks after a step that ends at x, v: at its anchor, which it draws along where it
+  // slips; at x itself where it does not touch.
+  Vector draw(const Vector& anchor, const Vector& x, const Vector& v, bool touches) const {
+    if (!touches) return x;
+    const Vector w = stretch(x - anchor, v);
+    const double size = w.norm();
+    return size > 1.0 ? Vector(x - stick_give / size * w) : anchor;
+  }
+
   // Force on a point that moves at v, per normal force, and its derivatives by position and v.
   // from_anchor: x - anchor (m) of one that may stick; null for one that slides.
   Vector per_press(const Vector& v, const Rubbing& rub, const Vector* from_anchor,
@@ -120,18 +129,21 @@ struct Ground {
     return height + clearance - normal.dot(x);
   }
 
-  // Force (N) of the ground on a point, and its derivatives by position and velocity.
-  void contact(const Vector& x, const Vector& v, double clearance, double area, Vector& force,
-               Matrix& by_position, Matrix& by_velocity) const {
+  // Force (N) of the ground on a point with its underside there, and its derivatives by position and
+  // velocity. anchor: where it sticks (m), null for one that slides.
+  void contact(const Vector& x, const Vector& v, double area, const Rubbing& rub,
+               const Vector* anchor, Vector& force, Matrix& by_position,
+               Matrix& by_velocity) const {
     double press_force, slope;
-    press(penetration(x, clearance), area, press_force, slope);
+    press(penetration(x, 0.0), area, press_force, slope);
     force.setZero();
     by_position.setZero();
     by_velocity.setZero();
     if (slope == 0.0) return;
-    const Vector direction = per_press(v, rubbing(), nullptr, by_position, by_velocity);
+    const Vector away = anchor ? Vector(x - *anchor) : Vector::Zero();
+    const Vector direction = per_press(v, rub, anchor ? &away : nullptr, by_position, by_velocity);
     force = press_force * direction;
-    by_position = -slope * direction * normal.transpose();
+    by_position = Matrix(press_force * by_position - slope * direction * normal.transpose());
     by_velocity *= press_force;
   }
 };

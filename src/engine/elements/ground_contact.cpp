@@ -32,16 +32,9 @@ Vector GroundContacts::per_press(int e, const Field& field, Matrix& by_position,
 
 void GroundContacts::draw_anchors(const Field& field) {
   const Ground& ground = *field.ground;
-  anchor.resize(node.size());
   for (int e = 0; e < count(); ++e) {
-    const Vector x = at(field.position, node[e]);
-    if (penetration(e, field) <= 0.0) {
-      anchor[e] = x;
-      continue;
-    }
-    const Vector w = ground.stretch(x - anchor[e], at(field.velocity, node[e]));
-    const double size = w.norm();
-    if (size > 1.0) anchor[e] = x - ground.stick_give / size * w;
+    anchor[e] = ground.draw(anchor[e], at(field.position, node[e]), at(field.velocity, node[e]),
+                            penetration(e, field) > 0.0);
   }
 }
 

@@ -267,18 +267,24 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
   Vector on_ground = Vector::Zero();
   if (field.ground && field.ground->present) {
     const Ground& ground = *field.ground;
-    for (const Parts& shoe : f.shoe) {
+    Rubbing rub = ground.rubbing();
+    if (b.own_friction) rub = {b.friction_along, b.friction_across, values(chord)};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Parts& shoe = f.shoe[k];
+      const Vector* stuck =
+          anchor.empty() ? nullptr : &anchor[2 * static_cast<std::size_t>(number) + k];
       const Triple<Scalar> x = motion.place(shoe), v = motion.velocity(shoe);
       Vector contact;
       Matrix by_position, by_velocity;
-      ground.contact(values(x), values(v), 0.0, b.shoe_area, contact, by_position, by_velocity);
+      ground.contact(values(x), values(v), b.shoe_area, rub, stuck, contact, by_position,
+                     by_velocity);
       on_ground += contact;
       Triple<Scalar> carried;
       const Vector x0 = values(x), v0 = values(v);
-      for (int k = 0; k < 3; ++k) {
-        carried[k] = Scalar(contact[k]);
+      for (int i = 0; i < 3; ++i) {
+        carried[i] = Scalar(contact[i]);
         for (int l = 0; l < 3; ++l) {
-          carried[k] += by_position(k, l) * (x[l] - x0[l]) + by_velocity(k, l) * (v[l] - v0[l]);
+          carried[i] += by_position(i, l) * (x[l] - x0[l]) + by_velocity(i, l) * (v[l] - v0[l]);
         }
       }
       motion.hand_on(shoe, carried, force);
@@ -304,31 +310,53 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
   attitude->lost_buoyancy = {0.0, 0.0, b.buoyancy * (wet.share - 1.0)};
 }
 
+LiftingPlates::Motion<double> LiftingPlates::motion_of(int number, const Field& field) const {
+  Motion<double> motion;
+  for (int k = 0; k < 3; ++k) {
+    const int node = node_[static_cast<std::size_t>(3 * number + k)];
+    motion.x[k] = at(field.position, node);
+    motion.v[k] = at(field.velocity, node);
+  }
+  motion.complete();
+  return motion;
+}
+
+std::vector<Vector> LiftingPlates::shoes(const Field& field) const {
+  std::vector<Vector> out;
+  for (int e = 0; e < count(); ++e) {
+    const Motion<double> motion = motion_of(e, field);
+    for (const Parts& shoe : fixed_[static_cast<std::size_t>(e)].shoe) {
+      out.push_back(motion.place(shoe));
+    }
+  }
+  return out;
+}
+
+void LiftingPlates::draw_anchors(const Field& field) {
+  const Ground& ground = *field.ground;
+  for (int e = 0; e < count(); ++e) {
+    const Motion<double> motion = motion_of(e, field);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Parts& shoe = fixed_[static_cast<std::size_t>(e)].shoe[k];
+      const Vector x = motion.place(shoe);
+      Vector& stuck = anchor[2 * static_cast<std::size_t>(e) + k];
+      stuck = ground.draw(stuck, x, motion.velocity(shoe), ground.penetration(x, 0.0) > 0.0);
+    }
+  }
+}
+
 void LiftingPlates::add_force(const Field& field, double* force) const {
   for (int e = 0; e < count(); ++e) {
-    Motion<double> motion;
-    Vector f[3];
-    for (int k = 0; k < 3; ++k) {
-      motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
-      motion.v[k] = at(field.velocity, node_[static_cast<std::size_t>(3 * e + k)]);
-      f[k].setZero();
-    }
-    motion.complete();
-    add_forces<double>(e, field, motion, f, nullptr);
+    Vector f[3] = {Vector::Zero(), Vector::Zero(), Vector::Zero()};
+    add_forces<double>(e, field, motion_of(e, field), f, nullptr);
     for (int k = 0; k < 3; ++k) at(force, node_[static_cast<std::size_t>(3 * e + k)]) += f[k];
   }
 }
 
 PlateAttitude LiftingPlates::attitude(int e, const Field& field) const {
-  Motion<double> motion;
   Vector f[3] = {Vector::Zero(), Vector::Zero(), Vector::Zero()};
-  for (int k = 0; k < 3; ++k) {
-    motion.x[k] = at(field.position, node_[static_cast<std::size_t>(3 * e + k)]);
-    motion.v[k] = at(field.velocity, node_[static_cast<std::size_t>(3 * e + k)]);
-  }
-  motion.complete();
   PlateAttitude out;
-  add_forces<double>(e, field, motion, f, &out);
+  add_forces<double>(e, field, motion_of(e, field), f, &out);
   return out;
 }
 

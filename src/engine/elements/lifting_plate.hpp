@@ -64,6 +64,9 @@ struct LiftingPlate {
   // Of the normal force by the angle of attack, of the moments by the rates of turning.
   double normal_slope = 0.0, yaw_damping = 0.0, roll_damping = 0.0;
   double shoe_area = 0.0;  // on the ground, m2, at each end of the lower edge
+  // Of the shoes on the ground, along the chord and across it, where they have their own.
+  bool own_friction = false;
+  double friction_along = 0.0, friction_across = 0.0;
   Polar polar;
 
   template <class Visit>
@@ -91,6 +94,9 @@ struct LiftingPlate {
     visit("yaw_damping", yaw_damping);
     visit("roll_damping", roll_damping);
     visit("shoe_area", shoe_area);
+    visit("own_friction", own_friction);
+    visit("friction_along", friction_along);
+    visit("friction_across", friction_across);
     visit.group("polar", polar);
   }
 };
@@ -118,6 +124,9 @@ struct PlateAttitude {
 class LiftingPlates : public ElementKind {
  public:
   std::vector<LiftingPlate> plate;
+  // Where each shoe sticks to the ground (m), two per plate; empty: they slide. It is for a march to
+  // set.
+  std::vector<Vector> anchor;
 
   // Call once after filling.
   void prepare();
@@ -136,6 +145,11 @@ class LiftingPlates : public ElementKind {
   void add_drag_scale(const Field& field, double* scale) const override;
   double unstable_size(const Field&) const override;  // the least chord
   PlateAttitude attitude(int plate, const Field& field) const;
+  // Places of the shoes, two per plate, m.
+  std::vector<Vector> shoes(const Field& field) const;
+  // Lets every shoe stick where it is (after a step that was taken), which draws the anchors of those
+  // that slip along.
+  void draw_anchors(const Field& field);
   // Largest change of any plate's sides over their length, to first order, when points move by dx (m).
   double turn(const double* dx) const;
 
@@ -156,6 +170,7 @@ class LiftingPlates : public ElementKind {
   using BodyMass = Eigen::Matrix<double, 9, 9>;
   template <class Scalar>
   struct Motion;
+  Motion<double> motion_of(int plate, const Field& field) const;
   template <class Scalar>
   void add_forces(int plate, const Field& field, const Motion<Scalar>& motion,
                   Eigen::Matrix<Scalar, 3, 1> force[3], PlateAttitude* attitude) const;

@@ -169,7 +169,11 @@ void check_schedule(const Schedule& schedule, const Model& model) {
     }
   }
   if (!schedule.sticking.anchor.empty()) {
-    check_numbers(schedule.sticking.anchor, 3 * model.contacts.node.size(),
+    // files of before the shoes of plates stuck hold those of contacts alone
+    const std::size_t contacts = 3 * model.contacts.node.size(),
+                      shoes = 6 * model.plates.plate.size();
+    const bool alone = schedule.sticking.anchor.size() == contacts;
+    check_numbers(schedule.sticking.anchor, alone ? contacts : contacts + shoes,
                   "schedule.sticking.anchor");
   }
   if (!schedule.motion.swing.even.empty()) {

@@ -128,8 +128,8 @@ struct Release {
   }
 };
 
-// Contacts with the ground that stick (base/ground.hpp), from where they are at the start, or at anchors
-// that another march has left, 3 per contact, m.
+// What lies on the ground sticks (base/ground.hpp), from where it is at the start, or at anchors that
+// another march has left, m: 3 for each of Assembly::ground_places(), or of its contacts alone.
 struct Sticking {
   bool present = false;
   std::vector<double> anchor;

@@ -49,29 +49,25 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
     all_released_ = *std::max_element(schedule_.release.time.begin(), schedule_.release.time.end());
   }
   answers_ = answers_ || !schedule_.ruptures.empty() || assembly.has_wake();
-  if (schedule_.sticking.present && model.ground.present && model.contacts.count() > 0) stick();
+  if (schedule_.sticking.present && model.ground.present) stick();
 }
 
 // From here on the schedule's anchors are the model's, so that another march may go on from them.
 void ScheduledConditions::stick() {
-  const GroundContacts& contacts = model_.now().contacts;
   std::vector<double>& anchor = schedule_.sticking.anchor;
-  answers_ = true;
-  std::vector<Vector> from(contacts.node.size());
-  if (anchor.empty()) {
-    assembly_.move_to(start_.x.data(), start_.v.data());
-    for (int e = 0; e < contacts.count(); ++e) {
-      from[e] = at(assembly_.field().position, contacts.node[e]);
-    }
-  } else {
-    for (int e = 0; e < contacts.count(); ++e) from[e] = at(anchor.data(), e);
+  assembly_.move_to(start_.x.data(), start_.v.data());
+  std::vector<Vector> from = assembly_.ground_places();
+  if (from.empty()) return;
+  answers_ = sticks_ = true;
+  for (std::size_t e = 0; e < anchor.size() / 3; ++e) {
+    from[e] = at(anchor.data(), static_cast<int>(e));
   }
-  model_.set_anchors(std::move(from));
+  model_.set_anchors(from);
   keep_anchors();
 }
 
 void ScheduledConditions::keep_anchors() {
-  const std::vector<Vector>& anchor = model_.now().contacts.anchor;
+  const std::vector<Vector> anchor = model_.anchors();
   schedule_.sticking.anchor.resize(3 * anchor.size());
   for (std::size_t e = 0; e < anchor.size(); ++e) {
     at(schedule_.sticking.anchor.data(), static_cast<int>(e)) = anchor[e];
@@ -241,7 +237,7 @@ bool ScheduledConditions::broken_at(const Motion& now) {
     if (!group.controlled) continue;
     group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
   }
-  if (!model_.now().contacts.anchor.empty()) {
+  if (sticks_) {
     model_.draw_anchors();
     keep_anchors();
   }

@@ -43,6 +43,7 @@ class ScheduledConditions : public Conditions {
   Schedule schedule_;
   Motion start_;
   std::vector<double> mass_, load_, buoyancy_;  // without growing groups
+  bool sticks_ = false;                         // something to the ground
   bool answers_ = false;                        // to the motion, after every step
   double wake_time_;                            // s
   std::vector<double> factor_, rate_;           // of the groups, as the model has them

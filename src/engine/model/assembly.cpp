@@ -321,6 +321,14 @@ void Assembly::strain(std::vector<double>& values) const {
   }
 }
 
+std::vector<Vector> Assembly::ground_places() const {
+  std::vector<Vector> out;
+  for (const int point : model_.contacts.node) out.push_back(at(position_.data(), point));
+  const std::vector<Vector> shoes = model_.plates.shoes(field());
+  out.insert(out.end(), shoes.begin(), shoes.end());
+  return out;
+}
+
 const LineChange& Assembly::line_change(const double* dx) {
   spread(dx, moved_);
   change_.rotation = lines_.change(moved_.data(), change_.strain.data());

@@ -113,6 +113,9 @@ class Assembly {
   // Strain of every line, then penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
 
+  // Places of all that may lie on the ground: the points of contacts, then the shoes of plates; m.
+  std::vector<Vector> ground_places() const;
+
   // How lines change when nodes move by dx (m, 3 per node); valid until the next call.
   const LineChange& line_change(const double* dx);
 

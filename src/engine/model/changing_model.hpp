@@ -52,10 +52,22 @@ class ChangingModel {
     model_.water.waves.time = time;
     assembly_.update();
   }
-  // m, of all contacts with the ground: they stick there.
-  void set_anchors(std::vector<Vector> anchor) { model_.contacts.anchor = std::move(anchor); }
+  // m, of all that may lie on the ground, as Assembly::ground_places(): it sticks there.
+  void set_anchors(const std::vector<Vector>& anchor) {
+    const auto shoes = anchor.begin() + model_.contacts.count();
+    model_.contacts.anchor.assign(anchor.begin(), shoes);
+    model_.plates.anchor.assign(shoes, anchor.end());
+  }
+  std::vector<Vector> anchors() const {
+    std::vector<Vector> out = model_.contacts.anchor;
+    out.insert(out.end(), model_.plates.anchor.begin(), model_.plates.anchor.end());
+    return out;
+  }
   // Where the assembly was last moved to.
-  void draw_anchors() { model_.contacts.draw_anchors(assembly_.field()); }
+  void draw_anchors() {
+    model_.contacts.draw_anchors(assembly_.field());
+    model_.plates.draw_anchors(assembly_.field());
+  }
 
  private:
   Model& model_;

@@ -147,6 +147,9 @@ Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
   for (int p = 0; p < model.plates.count(); ++p) {
     out.plates.push_back(model.plates.attitude(p, assembly.field()));
   }
+  for (const Vector& place : assembly.ground_places()) {
+    out.ground_places.insert(out.ground_places.end(), place.data(), place.data() + 3);
+  }
   return out;
 }
 

@@ -32,6 +32,7 @@ struct Evaluation {
   std::vector<double> u_tension, u_length, v_tension, v_length, straight_tension, straight_length;
   std::vector<std::vector<double>> forces;  // as reported_forces(), N, 3 per element
   std::vector<PlateAttitude> plates;
+  std::vector<double> ground_places;  // as Assembly::ground_places(), m, 3 each
 
   // One of `forces` by its name; throws std::out_of_range for another.
   const std::vector<double>& reported(const std::string& name) const;
