@@ -137,8 +137,8 @@ struct Board {
     board.second_moment = {5.0, 35.0, 35.0};
     board.shoe_area = 0.05;
     board.polar.angle = {-4.0, 4.0};
-    board.polar.lift = board.polar.drag = board.polar.lift_slope = board.polar.drag_slope = {0.0,
-                                                                                            0.0};
+    board.polar.lift = board.polar.drag = board.polar.lift_slope =
+        board.polar.drag_slope = {0.0, 0.0};
     model.plates.plate = {board};
     TwineMaterial strut;
     strut.axial_stiffness = 1e7;
