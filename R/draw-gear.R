@@ -40,8 +40,10 @@
 plot.codend_gear <- function(x, file = NULL, page = c("A4", "A3", "A2", "A1"), ...) {
   page <- chosen(page, names(sheet_sizes))
   true_size <- !is.null(file) && check_file_path(file, drawing_types) == ".dxf"
-  sheet <- gear_sheet(x, page, true_size)
-  if (is.null(file)) paint_sheet(sheet) else write_sheet(sheet, x, file)
+  with_plain_numbers({
+    sheet <- gear_sheet(x, page, true_size)
+    if (is.null(file)) paint_sheet(sheet) else write_sheet(sheet, x, file)
+  })
   invisible(x)
 }
 
@@ -58,7 +60,9 @@ write_sheet <- function(sheet, gear, file) {
 
 # The drawing of a gear as the text of an SVG.
 drawing_svg <- function(gear, page = "A4") {
-  paste(sheet_svg(gear_sheet(gear, page), gear$plan$name, path_finder(gear)), collapse = "\n")
+  with_plain_numbers(
+    paste(sheet_svg(gear_sheet(gear, page), gear$plan$name, path_finder(gear)), collapse = "\n")
+  )
 }
 
 # What the drawing shows, before any page is known: list(title, si, layout (NULL without netting),

@@ -322,7 +322,7 @@ si_point <- function(point, path, known) {
 si_rope <- function(rope, path, fields, law, known) {
   line <- line_properties(rope, fields$materials, path)
   along <- NULL
-  length <- rope$length
+  length <- rope[["length"]]
   shares <- NULL
   if (!is.null(rope$along)) {
     along <- find_chain(rope$along, paste0(path, ".along"), known)

@@ -317,9 +317,9 @@ ground_gear_rope <- function(fields, plan, along, lengths) {
     own$mass_per_length <- in_air
     own$volume_per_length <- if (density > 0) (in_air - gear$mass_in_water) / density else 0
   }
-  if (!is.null(lengths) && !is.null(gear$length)) {
+  if (!is.null(lengths) && !is.null(gear[["length"]])) {
     own$length <- NULL
-    own$lengths <- lengths * gear$length / sum(lengths)
+    own$lengths <- lengths * gear[["length"]] / sum(lengths)
   }
   c(list(along = along), own, list(role = "ground_gear"))
 }

@@ -36,8 +36,9 @@ as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE,
 `names<-.codend_measures` <- function(x, value) setNames(as.double(x), value)
 
 #' @export
-print.codend_measures <- function(x, ...) {
-  with_plain_numbers(print(plain_measures(x), ...))
+print.codend_measures <- function(x, digits = getOption("digits"), ...) {
+  force(digits)
+  with_plain_numbers(print(plain_measures(x), digits = digits, ...))
   invisible(x)
 }
 

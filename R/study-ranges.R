@@ -103,7 +103,7 @@ range_end <- function(end, field, what) {
 field_text <- function(value, field) {
   if (field$whole) return(as.integer(round(value)))
   if (!nzchar(field$unit)) return(value)
-  paste(format(value, digits = 17), field$unit)
+  paste(with_plain_numbers(format(value, digits = 17)), field$unit)
 }
 
 with_field_unit <- function(value, field) {

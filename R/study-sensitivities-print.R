@@ -14,8 +14,8 @@ print.codend_sensitivities <- function(x, ...) {
   for (field in unique(x$field)) {
     rows <- x[x$field == field & is.finite(x$slope) & x$slope != 0, ]
     if (!nrow(rows)) next
-    cat("\n", field, " (", trimws(paste(format(signif(rows$value[1L], 6)), rows$unit[1L])), ")\n",
-      sep = "")
+    value <- with_plain_numbers(format(signif(rows$value[1L], 6)))
+    cat("\n", field, " (", trimws(paste(value, rows$unit[1L])), ")\n", sep = "")
     rows <- rows[order(-abs(rows$elasticity)), ]
     lines <- align_columns(list(
       rows$measure, slope_figures(rows$slope), rows$slope_unit,
@@ -28,7 +28,9 @@ print.codend_sensitivities <- function(x, ...) {
 }
 
 # Slopes to four figures, small ones in powers of ten.
-slope_figures <- function(x) vapply(x, function(one) format(signif(one, 4)), "")
+slope_figures <- function(x) {
+  with_plain_numbers(vapply(x, function(one) format(signif(one, 4)), ""))
+}
 
 kink_text <- function(rows) {
   known <- !is.na(rows$secant_below) & !is.na(rows$secant_above)

@@ -179,12 +179,7 @@ field_number <- function(plan, path) {
 
 # The gear with a field changed by a share of its value, or NULL where the plan does not allow it.
 scaled_gear <- function(gear, field, share) {
-  value <- field$value * (1 + share)
-  if (field$whole) {
-    value <- as.integer(round(value))
-  } else if (nzchar(field$unit)) {
-    value <- paste(format(value, digits = 17), field$unit)
-  }
+  value <- field_text(field$value * (1 + share), field)
   tryCatch(
     do.call(update, c(list(gear), setNames(rep(list(value), length(field$paths)), field$paths))),
     codend_error_plan = function(e) NULL

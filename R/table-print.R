@@ -2,7 +2,8 @@
 
 # What the gear is in: "Towed at 2.315 m/s (4.5 knot) in water of 1025 kg/m3, current 0.5 m/s".
 conditions_text <- function(si) {
-  short <- function(x) format(signif(x, 4))
+  plain <- function(x) with_plain_numbers(format(x))
+  short <- function(x) plain(signif(x, 4))
   water <- if (si$water$density == 0) {
     "in no water"
   } else {
@@ -10,7 +11,7 @@ conditions_text <- function(si) {
   }
   motion <- if (si$towing$speed > 0) {
     knots <- si$towing$speed / plan_units$speed[["knot"]]
-    sprintf("Towed at %s m/s (%s knot)", short(si$towing$speed), format(round(knots, 2)))
+    sprintf("Towed at %s m/s (%s knot)", short(si$towing$speed), plain(round(knots, 2)))
   } else {
     "Held"
   }

@@ -6,14 +6,14 @@ skip_if_not_installed("optparse")
 script <- system.file("exec", "codend", package = "codend")
 libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
 
-command <- function(...) {
+command <- function(..., env = character()) {
   out <- tempfile()
   err <- tempfile()
   on.exit(unlink(c(out, err)))
   status <- system2(
     file.path(R.home("bin"), "Rscript"), shQuote(c(script, ...)), stdout = out, stderr = err,
     # without a locale, as in most containers
-    env = c(paste0("R_LIBS=", shQuote(libraries)), "LC_ALL=C")
+    env = c(paste0("R_LIBS=", shQuote(libraries)), "LC_ALL=C", env)
   )
   list(status = status, out = readLines(out), err = readLines(err))
 }
@@ -172,4 +172,23 @@ test_that("tow writes tables, a plot, a page that plays and what to go on from",
   expect_identical(unique(utils::read.csv(file.path(out, "measures.csv"))$time_s), c(0L, 10L, 20L))
   skip_if_not(has_netcdf)
   expect_identical(read_trajectory(file.path(out, "trajectory.nc"))$time, c(0, 10, 20))
+})
+
+test_that("what a command writes is the same whatever a profile sets, and in every time zone", {
+  folder <- test_folder()
+  profile <- file.path(folder, "profile.R")
+  writeLines("options(OutDec = ',', scipen = -9, digits = 4)", profile)
+  made <- function(name, ...) {
+    out <- file.path(folder, name)
+    settled <- command("settle", "towed_cable", "--out", out, env = c(...))
+    expect_identical(settled$status, 0L)
+    slopes <- command("sensitivities", "towed_cable", env = c(...))
+    expect_identical(slopes$status, 0L)
+    files <- dir(out, "[.](csv|html)$", full.names = TRUE)
+    # one line tells the CPU time
+    c(grep("CPU", settled$out, value = TRUE, invert = TRUE), slopes$out, unname(tools::md5sum(files)))
+  }
+  expect_identical(
+    made("profile", paste0("R_PROFILE_USER=", profile), "TZ=Asia/Kathmandu"), made("plain")
+  )
 })

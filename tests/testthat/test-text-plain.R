@@ -29,7 +29,14 @@ test_that("plans and files are the same whatever R's options for numbers are", {
     files <- file.path(folder, paste0(name, c(".vtu", ".gltf")))
     write_vtk(state, files[1])
     write_gltf(state, files[2])
+    drawing <- file.path(folder, paste0(name, ".svg"))
+    plot(read_gear("gillnet"), drawing)
+    slopes <- sensitivities(state, of = "total_drag_kN", to = "ropes.cable.length")
+    best <- optimise(state$gear, minimise = "total_drag_kN",
+      change = list(ropes.cable.length = c("999.5 m", "1000.25 m")))
     list(
+      drawing = unname(tools::md5sum(drawing)), slopes = slopes$slope, best = best$fields$value,
+      printed = c(capture.output(print(slopes), print(best)), conditions_text(state$si)),
       plans = lapply(plans, function(plan) format(assembly(read_gear(plan)))),
       files = unname(tools::md5sum(files)), columns = column_figures(c(0.5, 12.25)),
       message = tryCatch(update(state$gear, towing.speed = -1.5), error = conditionMessage)
@@ -38,5 +45,5 @@ test_that("plans and files are the same whatever R's options for numbers are", {
   plain <- made("plain")
   expect_identical(made("comma", OutDec = ","), plain)
   expect_identical(made("powers", scipen = -10), plain)
-  expect_identical(made("digits", scipen = 100), plain)
+  expect_identical(made("digits", scipen = 100, digits = 4), plain)
 })
