@@ -15,7 +15,8 @@
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'
 #' Warnings have class `codend_warning`; those of [settle()] about an otter board also
-#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`.
+#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`, of a
+#' pole `codend_warning_pole_unstable` and of netting full of catch `codend_warning_catch_unstable`.
 #'
 #' A study has `codend_warning_conditions_not_kept` ([optimise()]),
 #' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws` ([posterior()]).

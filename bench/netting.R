@@ -13,10 +13,9 @@ given <- if (length(given)) intersect(given, sections) else sections
 
 main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
 
-# A row per measure of one settled lattice, NULL where it does not settle; how: what settles it.
-run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more = NULL,
-                how = settle) {
-  state <- tryCatch(suppressWarnings(how(gear, nodes = nodes, netting = netting)),
+# A row per measure of one settled lattice, NULL where it does not settle.
+run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more = NULL) {
+  state <- tryCatch(suppressWarnings(settle(gear, nodes = nodes, netting = netting)),
     codend_error = function(e) {
       cat(section, name, netting, nodes, conditionMessage(e), "\n")
       NULL
@@ -59,20 +58,6 @@ tube_lines <- function(state) {
   c(tension_N = mean(tension), scatter_percent = 100 * stats::sd(tension) / mean(tension))
 }
 
-# A tube full of catch also balances where part of it has gone through its own axis, inside out:
-# there its volume counts against the rest's. From several fronts that of the largest volume is
-# taken.
-settle_largest <- function(gear, nodes, netting) {
-  states <- lapply(c(60, 20, 40, 70), function(front) {
-    tryCatch({
-      begun <- settle(update(gear, catch.blocked_meshes = front), nodes, netting)
-      settle(gear, nodes, netting, from = begun)
-    }, codend_error_not_converged = function(e) NULL)
-  })
-  states <- Filter(Negate(is.null), states)
-  states[[which.max(vapply(states, function(s) measures(s)[["catch_volume_m3"]], 0))]]
-}
-
 run_known <- function() {
   rows <- NULL
   for (stiffness in stiffnesses) {
@@ -93,8 +78,7 @@ run_known <- function() {
     }
     for (strips in c(12, 24, 48)) {
       found <- run("known", paste0("tube, EA ", stiffness / 1000, " kN"),
-        tube_case(stiffness, strips), NULL, strips * 72 * strips / 48, of = "", more = tube_lines,
-        how = settle_largest)
+        tube_case(stiffness, strips), NULL, strips * 72 * strips / 48, of = "", more = tube_lines)
       if (!is.null(found)) found$netting <- "cells"
       rows <- c(rows, list(found))
     }

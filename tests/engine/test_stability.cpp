@@ -101,3 +101,21 @@ TEST_CASE(
   two.move_to(with.x.data(), with.v.data());
   CHECK(unstable_size(two) == 2.0);
 }
+
+TEST_CASE("netting that is pushed from inside is tried, but not where it is settled already") {
+  Random random(11);
+  Ingredients wanted;
+  wanted.bars = 25;
+  Specimen bag(random, wanted);
+  // a push on one triangle with sides of 3, 4 and 5 m, in the current that the model has
+  bag.model.pressure.node = {0, 1, 2};
+  bag.model.pressure.weight.assign(3, 1.0 / 3.0);
+  at(bag.x.data(), 0) = Vector(0.0, 0.0, -50.0);
+  at(bag.x.data(), 1) = Vector(0.0, 3.0, -50.0);
+  at(bag.x.data(), 2) = Vector(0.0, 0.0, -46.0);
+  bag.model.prepare();
+  Assembly assembly(bag.model);
+  assembly.move_to(bag.x.data(), bag.v.data());
+  CHECK(unstable_size(assembly) == doctest::Approx(4.0));
+  CHECK(unstable_size(assembly, false) == 0.0);
+}

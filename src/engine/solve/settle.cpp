@@ -25,6 +25,7 @@ class Settling {
 
   void run() {
     find();
+    if (!report_.converged && !unstable_.empty()) keep_unstable();
     if (!report_.converged) iteration_.judge_parts();
   }
 
@@ -44,7 +45,7 @@ class Settling {
         renew_wake();
         if (report_.wake_renewals == control_.wake.renewals && !report_.converged) return;
       }
-      if (report_.converged && iteration_.may_be_unstable()) leave_if_unstable();
+      if (report_.converged) leave_if_unstable();
       if (report_.converged || report_.iterations >= control_.iterations) return;
       if (steps_ == control_.attempts.steps || !std::isfinite(report_.residual)) {
         if (!begin_again()) return;
@@ -109,15 +110,26 @@ class Settling {
   }
 
   void leave_if_unstable() {
+    report_.unstable = false;
+    if (!iteration_.may_be_unstable()) return;
     const GrowingMotion growing = iteration_.growing_motion();
     report_.unstable = growing.found;
     if (!growing.found || report_.perturbations == control_.perturbation.most) return;
+    unstable_.assign(x_, x_ + start_.size());
     iteration_.perturb(growing, report_.perturbations % 2 == 1);
     closing_in_ = false;
     ++report_.perturbations;
     report_.converged = false;
     iteration_.measure();
     steps_ = 0;
+  }
+
+  // Back to the last unstable balance, from which no other was found.
+  void keep_unstable() {
+    std::copy(unstable_.begin(), unstable_.end(), x_);
+    iteration_.measure();
+    iteration_.judge_parts();
+    report_.converged = report_.unstable = true;
   }
 
   Assembly& assembly_;
@@ -131,6 +143,7 @@ class Settling {
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;
+  std::vector<double> unstable_;  // the last unstable balance
   SettleIteration iteration_;
 };
 

@@ -124,7 +124,8 @@ bool SettleIteration::may_be_unstable() {
   const Model& model = assembly_.model();
   const bool boards_alone = model.plates.count() > 0 && model.bends.count() == 0;
   if (from_settled_ && report_.iterations == 0 && !boards_alone) return false;
-  unstable_size_ = unstable_size(assembly_);
+  // A wall that is settled from a balance that was tried does not go through itself on its way.
+  unstable_size_ = unstable_size(assembly_, !from_settled_);
   return unstable_size_ > 0.0;
 }
 

@@ -1,5 +1,6 @@
 #include "stability.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -9,14 +10,15 @@ namespace {
 // Pseudo time steps (s): a tenth to ten tell apart motions that grow at 20 /s to 0.002 /s, as those
 // that water drives do. What stiffness drives grows faster: shorter ones, down to about its own.
 constexpr double longest_step = 10.0, shortest_of_water = 0.1, shortest_of_all = 1e-9;
-constexpr int least_iterations = 10, most_iterations = 100;
-// An eigenvector is found when one more iteration leaves it in its direction but for this.
+// Motions that the largest eigenvalue is sought among, and how many more each time that these do not do.
+constexpr int most_motions = 40, more_motions = 8;
+// An eigenvector is found when applying the matrix leaves it but for this share.
 constexpr double tolerance = 0.005;
 // Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
 constexpr double clear_growth = 1.02;
 // Slack netting that drifts carries other elements with it by less than this share of its own way.
 constexpr double least_share = 0.1;
-constexpr double solve_tolerance = 1e-6;
+constexpr double solve_tolerance = 1e-5;
 // Compression (of the length) that is more than rounding.
 constexpr double least_compression = 1e-9;
 
@@ -67,10 +69,89 @@ std::vector<PressedJoint> pressed_joints(const Assembly& assembly) {
   return out;
 }
 
+// Netting that is pushed from inside. What is pinched off and goes on behind its own axis is pushed
+// outward on both sides of the pinch, and in balance.
+struct Wall {
+  std::vector<int> node;   // of its triangles
+  double size = 0.0;       // m, of a side of these, the mean; 0: there is none
+  double stiffness = 0.0;  // with which it may be driven aside, N/m
+};
+
+Wall wall_of(const Assembly& assembly) {
+  const InnerPressure& pressure = assembly.model().pressure;
+  const Field field = assembly.field();
+  Wall out;
+  for (int e = 0; e < pressure.count(); ++e) {
+    const double force = pressure.element_force(e, field).norm();
+    if (force == 0.0) continue;
+    const int* node = &pressure.node[3 * static_cast<std::size_t>(e)];
+    for (int k = 0; k < 3; ++k) {
+      const double side =
+          (at(field.position, node[k]) - at(field.position, node[(k + 1) % 3])).norm();
+      out.size += side;
+      if (side > 0.0) out.stiffness = std::max(out.stiffness, force / side);
+      out.node.push_back(node[k]);
+    }
+  }
+  if (!out.node.empty()) out.size /= static_cast<double>(out.node.size());
+  return out;
+}
+
+// The eigenvalue of largest size of a matrix that is known by what it makes of vectors (W. E. Arnoldi,
+// Quarterly of Applied Mathematics 9, 1951): of the combinations of a first vector and of what the
+// matrix makes of it, again and again.
+struct LargestEigenvalue {
+  bool found = false;  // it is real, and known within the tolerance
+  double value = 0.0;
+  Eigen::VectorXd vector;  // of length 1
+};
+
+// apply(from, to): 3n numbers each.
+template <class Apply>
+LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply apply) {
+  LargestEigenvalue out;
+  const Eigen::Index size = static_cast<Eigen::Index>(first.size());
+  const int most = static_cast<int>(std::min<Eigen::Index>(most_motions, size));
+  Eigen::MatrixXd basis(size, most + 1);
+  Eigen::MatrixXd hessenberg = Eigen::MatrixXd::Zero(most + 1, most);
+  basis.col(0) = Eigen::Map<const Eigen::VectorXd>(first.data(), size).normalized();
+  for (int m = 0; m < most; ++m) {
+    auto next = basis.col(m + 1);
+    apply(basis.col(m).data(), next.data());
+    for (int twice = 0; twice < 2; ++twice) {  // once leaves what rounding makes
+      const Eigen::VectorXd along = basis.leftCols(m + 1).transpose() * next;
+      next.noalias() -= basis.leftCols(m + 1) * along;
+      hessenberg.col(m).head(m + 1) += along;
+    }
+    const double left = next.norm();
+    hessenberg(m + 1, m) = left;
+    if (left > 0.0) next /= left;
+    const int known = m + 1;
+    if (known % more_motions != 0 && known != most && left > 0.0) continue;
+    const Eigen::EigenSolver<Eigen::MatrixXd> small(hessenberg.topLeftCorner(known, known));
+    if (small.info() != Eigen::Success) return out;
+    Eigen::Index k;
+    small.eigenvalues().cwiseAbs().maxCoeff(&k);
+    const std::complex<double> value = small.eigenvalues()[k];
+    const double off = left * std::abs(small.eigenvectors()(m, k));
+    const bool none = std::abs(value) + off < clear_growth;
+    if (none || off < tolerance * std::abs(value) || left == 0.0) {
+      out.found = !none && value.imag() == 0.0;
+      out.value = value.real();
+      if (out.found) {
+        out.vector = basis.leftCols(known) * small.eigenvectors().col(k).real();
+        out.vector.normalize();
+      }
+      return out;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
-double unstable_size(const Assembly& assembly) {
-  double least = 0.0;
+double unstable_size(const Assembly& assembly, bool walls) {
+  double least = walls ? wall_of(assembly).size : 0.0;
   for (const PressedJoint& joint : pressed_joints(assembly)) {
     least = least > 0.0 ? std::min(least, joint.size) : joint.size;
   }
@@ -100,6 +181,11 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   };
   const std::vector<PressedJoint> joints = pressed_joints(assembly);
   for (std::size_t k = 0; k < joints.size(); ++k) turn_about(joints[k].node, k);
+  const Wall wall = wall_of(assembly);
+  for (std::size_t k = 0; k < wall.node.size(); ++k) {
+    const int node = wall.node[k];
+    if (node < model.nodes && place[static_cast<std::size_t>(node)] >= 0) turn_about(node, k);
+  }
   for (const ElementKind* kind : model.kinds()) {
     if (kind->unstable_size(assembly.field()) <= 0.0) continue;
     for (std::size_t k = 0; k < kind->nodes().size(); ++k) {
@@ -112,10 +198,10 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   if (tried.empty()) return out;
 
   std::vector<double> stiffness(9 * assembly.pattern().column.size()), values, damping(n),
-      right(3 * n), y, next(3 * n);
+      right(3 * n);
   assembly.jacobian({1.0, 0.0}, stiffness.data());
   assembly.pseudo_damping(damping.data());
-  double stiffest = 0.0;
+  double stiffest = wall.stiffness;
   for (const PressedJoint& joint : joints) stiffest = std::max(stiffest, joint.stiffness);
   for (const ElementKind* kind : model.kinds()) {
     if (kind->unstable_size(assembly.field()) <= 0.0) continue;
@@ -132,37 +218,21 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     values = stiffness;
     assembly.add_diagonal(per_step.data(), values.data());
     if (!lu.factorise(values.data())) continue;
-    y = first;
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      double size = 0.0, along = 0.0, grown = 0.0;
-      for (std::size_t k = 0; k < 3 * n; ++k) size += y[k] * y[k];
-      if (!(size > 0.0)) break;
-      for (double& value : y) value /= std::sqrt(size);
+    const LargestEigenvalue largest = largest_eigenvalue(first, [&](const double* y, double* next) {
       for (std::size_t k = 0; k < 3 * n; ++k) right[k] = per_step[k / 3] * y[k];
-      lu.solve_refined(assembly.pattern(), values.data(), right.data(), solve_tolerance,
-                       next.data());
-      for (std::size_t k = 0; k < 3 * n; ++k) {
-        along += y[k] * next[k];
-        grown += next[k] * next[k];
-      }
-      const double off = std::sqrt(std::max(0.0, grown - along * along) / grown);
-      y = next;
-      if (iteration < least_iterations || off > tolerance) continue;
-      if (std::abs(along) > clear_growth) {
-        double most = 0.0, most_tried = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
-          most = std::max(most, at(y.data(), static_cast<int>(i)).norm());
-        }
-        for (const int i : tried) most_tried = std::max(most_tried, at(y.data(), i).norm());
-        const double rate = (1.0 - 1.0 / along) / h;
-        if (most_tried > least_share * most && rate > out.rate) {
-          out.found = true;
-          out.rate = rate;
-          out.motion = y;
-          for (double& value : out.motion) value /= most_tried;
-        }
-      }
-      break;
+      lu.solve_refined(assembly.pattern(), values.data(), right.data(), solve_tolerance, next);
+    });
+    if (!largest.found || std::abs(largest.value) <= clear_growth) continue;
+    const double* y = largest.vector.data();
+    double most = 0.0, most_tried = 0.0;
+    for (std::size_t i = 0; i < n; ++i) most = std::max(most, at(y, static_cast<int>(i)).norm());
+    for (const int i : tried) most_tried = std::max(most_tried, at(y, i).norm());
+    const double rate = (1.0 - 1.0 / largest.value) / h;
+    if (most_tried > least_share * most && rate > out.rate) {
+      out.found = true;
+      out.rate = rate;
+      out.motion.assign(y, y + 3 * n);
+      for (double& value : out.motion) value /= most_tried;
     }
   }
   return out;

@@ -1,12 +1,13 @@
 // Whether an equilibrium is stable: one that a small perturbation grows in is never seen in nature. Tried
-// are the kinds of elements that may stand so (ElementKind::unstable_size), and joints between bars that
-// push, as of a pole that is divided and has no stiffness against bending.
+// are the kinds of elements that may stand so (ElementKind::unstable_size), joints between bars that
+// push, as of a pole that is divided and has no stiffness against bending, and walls: netting that is
+// pushed from inside and may have gone through itself.
 //
 // Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
 // forces (-dF/dx) and D the drag-like damping of pseudo time (Assembly::pseudo_damping). A motion
 // that grows at a rate r is an eigenvector with eigenvalue 1/(1 - h r) of (K + D/h)^-1 D/h, larger than
-// 1 in size while h r < 2; a motion that dies has one within 1. Power iteration at a few h finds the
-// largest. Where D is not the real damping the rate is not the real one either, but a motion that
+// 1 in size while h r < 2; a motion that dies has one within 1. The largest is sought at a few
+// h. Where D is not the real damping the rate is not the real one either, but a motion that
 // neither grows nor dies does so with any: what is told is static stability, not flutter.
 #pragma once
 
@@ -18,8 +19,8 @@
 namespace codend {
 
 // Size (m) of the least element that may stand in an unstable equilibrium, at the place that the
-// assembly was last moved to; 0: there is none.
-double unstable_size(const Assembly& assembly);
+// assembly was last moved to; 0: there is none. walls: whether walls count.
+double unstable_size(const Assembly& assembly, bool walls = true);
 
 struct GrowingMotion {
   bool found = false;
