@@ -82,7 +82,7 @@ class Settling {
     std::copy(start_.begin(), start_.end(), x_);
     iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
-    steps_ = 0;
+    steps_ = here_ = 0;
     return true;
   }
 
@@ -114,8 +114,15 @@ class Settling {
     if (!iteration_.may_be_unstable()) return;
     const GrowingMotion growing = iteration_.growing_motion();
     report_.unstable = growing.found;
-    if (!growing.found || report_.perturbations == control_.perturbation.most) return;
+    if (!growing.found) return;
     unstable_.assign(x_, x_ + start_.size());
+    const bool wall = iteration_.only_walls_may_be_unstable();
+    const PerturbationControl& how = control_.perturbation;
+    if (here_ == (wall ? how.most_of_wall : how.most)) {
+      if (wall && report_.perturbations < how.most && begin_again()) report_.converged = false;
+      return;
+    }
+    ++here_;
     iteration_.perturb(growing, report_.perturbations % 2 == 1);
     closing_in_ = false;
     ++report_.perturbations;
@@ -139,6 +146,7 @@ class Settling {
   const std::vector<double> start_;
   std::size_t attempt_ = 0;
   int steps_ = 0;   // of this attempt
+  int here_ = 0;    // perturbations of this attempt
   bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;

@@ -138,11 +138,13 @@ struct WakeControl {
 
 // Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's
 // size, small beside it and large beside what Newton's method would take back at once; h stays below
-// `pace` of the time in which the motion grows, so that steps follow it, for so many steps.
+// `pace` of the time in which the motion grows, so that steps follow it, for so many steps. A wall that
+// goes through itself often comes back to the same balance: it begins again at another pace besides.
 struct PerturbationControl {
   double size = 0.1, pace = 0.4;
   int steps = 40;
   int most = 4;  // perturbations, to and fro
+  int most_of_wall = 1;  // before it begins again
 };
 
 struct SettleControl {

@@ -49,6 +49,8 @@ class SettleIteration {
 
   // Whether the shape that was found may be an unstable equilibrium.
   bool may_be_unstable();
+  // Whether only walls of it may be so.
+  bool only_walls_may_be_unstable() const { return unstable_size(assembly_, false) == 0.0; }
   // How it grows.
   GrowingMotion growing_motion();
   // On from there, along the motion that leaves it or, backwards, against it.
