@@ -116,11 +116,11 @@ settled_state <- function(gear, nodes, netting, from, steps) {
 
 # Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
 # free board may fall over on few nodes: their coarser level only tells of the error. So does that
-# of netting whose plan divides it into few nodes.
+# of netting whose plan divides it into few nodes: of half as many, as a quarter is too few to tell.
 settle_from_coarse <- function(si, nodes, netting, steps, progress) {
   fixed <- fixed_nodes(si, netting)
   few <- length(si$panels) && fixed <= 2 * coarsest_nodes
-  coarse <- coarse_shape(si, nodes, netting, progress, levels = if (few) fixed / 4)
+  coarse <- coarse_shape(si, nodes, netting, progress, levels = if (few) fixed / 2)
   if (length(si$panels) && !few) {
     return(settle_level(si, nodes, netting, coarse, steps, progress))
   }
