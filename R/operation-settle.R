@@ -54,9 +54,10 @@
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
 #'   Free otter boards and kites, poles in compression and netting full of catch that settle in a
 #'   balance which a small push would carry them away from are pushed and settled again
-#'   (`perturbations` in the report counts how often); where none is found that lasts it is a warning
-#'   of class `codend_warning_board_unstable`, or of poles alone `codend_warning_pole_unstable`, or
-#'   of netting alone `codend_warning_catch_unstable`. That tells of static stability only. One whose swings would grow is a warning of class
+#'   (`perturbations` in the report counts how often); where none is found that lasts it is a
+#'   warning of class `codend_warning_board_unstable`, or of poles alone
+#'   `codend_warning_pole_unstable`, or of netting alone `codend_warning_catch_unstable`. That
+#'   tells of static stability only. One whose swings would grow is a warning of class
 #'   `codend_warning_board_flutter`, where the gear is not settled `from` a state (which takes less
 #'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
 #'   settles stalled, back-winded or fallen over is a warning of class

@@ -115,8 +115,8 @@ test_that("a tube under pressure has the same tension in all its twines", {
 })
 
 test_that("a bag that has gone through its own axis is left for one that has not", {
-  # Two bags one behind the other, pinched off between, each pushed outward, balance too, with half the
-  # tension in the middle and less volume. A push grows there. These began so.
+  # Two bags one behind the other, pinched off between, each pushed outward, balance too, with half
+  # the tension in the middle and less volume. A push grows there. Most of these began so.
   around <- 48
   size <- 0.1
   speed <- 1.5

@@ -143,7 +143,7 @@ struct WakeControl {
 struct PerturbationControl {
   double size = 0.1, pace = 0.4;
   int steps = 40;
-  int most = 4;  // perturbations, to and fro
+  int most = 4;          // perturbations, to and fro
   int most_of_wall = 1;  // before it begins again
 };
 
