@@ -115,8 +115,8 @@ class Settling {
     const GrowingMotion growing = iteration_.growing_motion();
     report_.unstable = growing.found;
     if (!growing.found) return;
-    unstable_.assign(x_, x_ + start_.size());
     const bool wall = iteration_.only_walls_may_be_unstable();
+    if (wall) unstable_.assign(x_, x_ + start_.size());
     const PerturbationControl& how = control_.perturbation;
     if (here_ == (wall ? how.most_of_wall : how.most)) {
       if (wall && report_.perturbations < how.most && begin_again()) report_.converged = false;
@@ -131,7 +131,7 @@ class Settling {
     steps_ = 0;
   }
 
-  // Back to the last unstable balance, from which no other was found.
+  // Back to the last unstable balance of a wall, from which no other was found.
   void keep_unstable() {
     std::copy(unstable_.begin(), unstable_.end(), x_);
     iteration_.measure();
@@ -151,7 +151,7 @@ class Settling {
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;
-  std::vector<double> unstable_;  // the last unstable balance
+  std::vector<double> unstable_;  // the last unstable balance of a wall
   SettleIteration iteration_;
 };
 
