@@ -138,4 +138,8 @@ test_that("a bag that has gone through its own axis is left for one that has not
     }
   }
   expect_gt(pushed, 0)
+  # what cannot be left is told
+  state$report$unstable <- TRUE
+  expect_warning(codend:::warn_of_doubts(state, swings = FALSE), "catch.panels",
+    class = "codend_warning_catch_unstable")
 })
