@@ -16,8 +16,8 @@ escape_markup <- function(text) htmltools::htmlEscape(text, attribute = TRUE)
 capital <- function(text) paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 
 # The value of an expression in which numbers become text as they do without options(OutDec,
-# scipen, digits): with a decimal point, in names such as "wall_2" with plain digits, and in places of
-# a plan without rounding.
+# scipen, digits): with a decimal point, in names such as "wall_2" with plain digits, and in places
+# of a plan without rounding.
 with_plain_numbers <- function(expression) {
   kept <- options(OutDec = ".", scipen = 0, digits = 7)
   on.exit(options(kept))

@@ -186,7 +186,8 @@ test_that("what a command writes is the same whatever a profile sets, and in eve
     expect_identical(slopes$status, 0L)
     files <- dir(out, "[.](csv|html)$", full.names = TRUE)
     # one line tells the CPU time
-    c(grep("CPU", settled$out, value = TRUE, invert = TRUE), slopes$out, unname(tools::md5sum(files)))
+    said <- grep("CPU", settled$out, value = TRUE, invert = TRUE)
+    c(said, slopes$out, unname(tools::md5sum(files)))
   }
   expect_identical(
     made("profile", paste0("R_PROFILE_USER=", profile), "TZ=Asia/Kathmandu"), made("plain")
