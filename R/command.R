@@ -18,9 +18,10 @@ run_command <- function(arguments) {
   tryCatch(
     withCallingHandlers(
       {
-        given <- parse_command(name, known[[name]], arguments[-1])
+        command <- known[[name]]()
+        given <- parse_command(name, command, arguments[-1])
         if (is.character(given)) return(cat_and(0L, given))
-        known[[name]]$run(given$plan, given$options)
+        command$run(given$plan, given$options)
         0L
       },
       warning = function(w) {
@@ -36,27 +37,28 @@ run_command <- function(arguments) {
   )
 }
 
-# What the command line knows, in the order of its help. A command is list(takes = its arguments
-# after the options, does = a sentence, more = further ones or NULL, options = of optparse, run = a
-# function(plan, options) of the arguments and of the options by name).
+# What the command line knows, in the order of its help: by name a function that makes the command,
+# which is list(takes = its arguments after the options, does = a sentence, more = further ones or
+# NULL, options = of optparse, run = a function(plan, options) of the arguments and of the options by
+# name). Options take long to make: only those of the command that is called are.
 commands <- function() {
   list(
-    check = command_check(), gears = command_gears(), settle = command_settle(),
-    tow = command_tow(), report = command_report(), export = command_export(),
-    draw = command_draw(),
-    study = command_study(), optimise = command_optimise(), calibrate = command_calibrate(),
-    sensitivities = command_sensitivities(), flume = command_flume(), expand = command_expand(),
-    new = command_new()
+    check = command_check, gears = command_gears, settle = command_settle, tow = command_tow,
+    report = command_report, export = command_export, draw = command_draw, study = command_study,
+    optimise = command_optimise, calibrate = command_calibrate,
+    sensitivities = command_sensitivities, flume = command_flume, expand = command_expand,
+    new = command_new
   )
 }
 
 command_usage <- function() {
   known <- commands()
+  does <- vapply(known, function(command) command()$does, "")
   paste0(
     "Usage: codend COMMAND [options] [PLAN]\n\n",
     "Shape and tensions of fishing gear in water. PLAN is a file or the name of a shipped plan.\n",
     "\n",
-    paste0("  ", format(names(known)), "  ", vapply(known, `[[`, "", "does"), "\n", collapse = ""),
+    paste0("  ", format(names(known)), "  ", does, "\n", collapse = ""),
     "\ncodend COMMAND --help   the options of a command\n",
     "codend --version"
   )

@@ -5,6 +5,8 @@ cpu_clock <- function() sum(proc.time()[c("user.self", "sys.self")])
 
 # A function(iteration, residual) that shows a bar once a solve has run for two seconds.
 settle_progress <- function() {
+  # to load cli takes longer than a small gear to settle
+  if (!interactive() && !isatty(stderr())) return(function(iteration, residual) NULL)
   if (!cli::is_dynamic_tty()) return(function(iteration, residual) NULL)
   begun <- proc.time()[["elapsed"]]
   bar <- NULL

@@ -23,7 +23,7 @@ test_that("the help of every command says how it is used", {
     expect_identical(help$status, 0L)
     expect_match(help$out[1], paste("Usage: codend", name), fixed = TRUE)
     expect_true(any(startsWith(usage, paste0("  ", name, " ")) &
-      endsWith(usage, commands()[[name]]$does)))
+      endsWith(usage, commands()[[name]]()$does)))
   }
 })
 
