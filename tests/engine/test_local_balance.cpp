@@ -31,7 +31,9 @@ struct Hanging : FilledModel {
   }
   std::vector<int> swinging(const std::vector<double>& dx, double tension) const {
     const std::vector<double> tensions(static_cast<std::size_t>(model.bars.count()), tension);
-    return LocalBalance(model).swinging(dx.data(), tensions, model.load.data(), {});
+    std::vector<int> found;
+    LocalBalance(model).swinging(dx.data(), tensions, model.load.data(), {}, found);
+    return found;
   }
 };
 

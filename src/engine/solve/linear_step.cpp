@@ -12,6 +12,7 @@ LinearStep::LinearStep(const Assembly& assembly, const SettleControl& control, S
     : assembly_(assembly),
       control_(control.linear),
       pause_(control.pause),
+      timed_(control.timed),
       report_(report),
       x_(x),
       double_steps_(control_.first_double_steps) {}
@@ -22,7 +23,7 @@ BlockLU& LinearStep::factors() {
 }
 
 void LinearStep::analyse(Precision precision) {
-  Stopwatch watch(report_.seconds_analysis);
+  Stopwatch watch(report_.seconds_analysis, timed_);
   const std::vector<int>& free = assembly_.free_nodes();
   std::vector<double> coordinates(3 * free.size());
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -41,7 +42,7 @@ bool LinearStep::solve(const std::vector<double>& values, const std::vector<doub
   }
   if (precision_ == Precision::single_precision) {
     {
-      Stopwatch watch(report_.seconds_linear);
+      Stopwatch watch(report_.seconds_linear, timed_);
       ++report_.factorisations;
       if (lu_->factorise(values.data()) &&
           lu_->solve_refined(assembly_.pattern(), values.data(), right.data(), control_.tolerance,
@@ -53,7 +54,7 @@ bool LinearStep::solve(const std::vector<double>& values, const std::vector<doub
     double_left_ = double_steps_ - 1;
     double_steps_ = std::min(2 * double_steps_, control_.most_double_steps);
   }
-  Stopwatch watch(report_.seconds_linear);
+  Stopwatch watch(report_.seconds_linear, timed_);
   ++report_.factorisations;
   if (!lu_->factorise(values.data())) return false;
   lu_->solve(right.data(), step.data());
@@ -61,7 +62,7 @@ bool LinearStep::solve(const std::vector<double>& values, const std::vector<doub
 }
 
 void LinearStep::solve_again(const std::vector<double>& right, std::vector<double>& step) {
-  Stopwatch watch(report_.seconds_linear);
+  Stopwatch watch(report_.seconds_linear, timed_);
   lu_->solve(right.data(), step.data());
 }
 

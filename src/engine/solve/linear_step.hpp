@@ -33,6 +33,7 @@ class LinearStep {
   const Assembly& assembly_;
   const LinearControl& control_;
   const std::function<void()>& pause_;
+  const bool timed_;
   SettleReport& report_;
   const double* x_;
   Precision precision_ = Precision::single_precision;

@@ -1,6 +1,7 @@
 #include "local_balance.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -84,6 +85,7 @@ LocalBalance::LocalBalance(const Model& model)
     if (kind == &model.spheres || kind == &model.volumes) continue;
     for (const int point : kind->nodes()) rule_out(point);
   }
+  possible_ = std::find(alone_.begin(), alone_.end(), 1) != alone_.end();
 }
 
 LocalBalance::Range LocalBalance::bars_of(int node) const {
@@ -134,12 +136,13 @@ bool LocalBalance::hangs(int node, const std::vector<double>& tension, const dou
   return true;
 }
 
-std::vector<int> LocalBalance::swinging(const double* dx, const std::vector<double>& tension,
-                                        const double* load, const SwingControl& control) const {
+void LocalBalance::swinging(const double* dx, const std::vector<double>& tension,
+                            const double* load, const SwingControl& control,
+                            std::vector<int>& found) const {
   const std::size_t most =
       control.least_nodes +
       static_cast<std::size_t>(control.most_nodes * static_cast<double>(model_.nodes));
-  std::vector<int> found;
+  found.clear();
   for (int n = 0; n < model_.nodes && found.size() <= most; ++n) {
     if (alone_[static_cast<std::size_t>(n)] && swings(n, dx, control.turn) &&
         hangs(n, tension, load, control.tension)) {
@@ -147,7 +150,6 @@ std::vector<int> LocalBalance::swinging(const double* dx, const std::vector<doub
     }
   }
   if (found.size() > most) found.clear();
-  return found;
 }
 
 void LocalBalance::carry(const std::vector<int>& nodes, double* dx) const {
@@ -227,6 +229,8 @@ void LocalBalance::settle_group(const std::vector<int>& nodes, const double* v, 
   control.start = Start::near;
   control.iterations = most_steps;
   control.tolerance = tolerance;
+  control.timed = false;
+  control.swing.turn = std::numeric_limits<double>::infinity();  // no balance within a balance
   if (!codend::settle(assembly, control, how.data(), where.data()).converged) return;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     at(x, nodes[k]) = at(where.data(), static_cast<int>(k));

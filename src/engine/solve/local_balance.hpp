@@ -18,11 +18,14 @@ class LocalBalance {
   // The model must outlive this.
   explicit LocalBalance(const Model& model);
 
-  // Nodes that swing as nodes move by dx (m, 3 per node): free ones with nothing but bars, knots and
-  // volumes. tension: the most of one twine of every bar before and after, N; load: all forces on every
-  // node but tensions, N, 3 each. Empty where they are more than the control allows.
-  std::vector<int> swinging(const double* dx, const std::vector<double>& tension,
-                            const double* load, const SwingControl& control) const;
+  // Whether any node may be settled so.
+  bool possible() const { return possible_; }
+
+  // Into `found`: nodes that swing as nodes move by dx (m, 3 per node), free ones with nothing but bars,
+  // knots and volumes. tension: the most of one twine of every bar before and after, N; load: all forces
+  // on every node but tensions, N, 3 each. None where they are more than the control allows.
+  void swinging(const double* dx, const std::vector<double>& tension, const double* load,
+                const SwingControl& control, std::vector<int>& found) const;
 
   // Gives these nodes the mean of what the other ends of their bars have of dx.
   void carry(const std::vector<int>& nodes, double* dx) const;
@@ -72,6 +75,7 @@ class LocalBalance {
 
   const Model& model_;
   std::vector<char> alone_;       // per node: whether it may be settled so
+  bool possible_;
   std::vector<int> first_, bar_;  // bars of every node
   ByNode spheres_, volumes_;
 };

@@ -28,11 +28,12 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
       parts_(assembly, control.part),
+      next_pause_(control.swing.pause),
       path_steps_(control.law.path_steps),
       left_path_(path_) {}
 
 void SettleIteration::measure() {
-  Stopwatch watch(report_.seconds_forces);
+  Stopwatch watch(report_.seconds_forces, control_.timed);
   assembly_.move_to(x_, v_);
   assembly_.residual(force_.data());
   report_.worst_force = 0.0;
@@ -64,6 +65,9 @@ void SettleIteration::begin(double pseudo_step) {
   loaded_ = 1.0;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
+  least_swing_ = 1.0;
+  idle_swings_ = swing_pause_ = 0;
+  next_pause_ = control_.swing.pause;
 }
 
 void SettleIteration::begin_near(bool law) {
@@ -130,7 +134,7 @@ bool SettleIteration::may_be_unstable() {
 }
 
 GrowingMotion SettleIteration::growing_motion() {
-  Stopwatch watch(report_.seconds_linear);
+  Stopwatch watch(report_.seconds_linear, control_.timed);
   return codend::growing_motion(assembly_, linear_.factors());
 }
 
@@ -160,14 +164,14 @@ bool SettleIteration::lost() const {
 void SettleIteration::step() {
   choose_law();
   if (!on_law_) {
-    Stopwatch watch(report_.seconds_forces);
+    Stopwatch watch(report_.seconds_forces, control_.timed);
     assembly_.strain(strain_);
     path_.prepare(strain_, reduction());
     assembly_.residual(force_.data(), &path_.predicted());
     if (closing_in_) add_loads_by_parts();
   }
   {
-    Stopwatch watch(report_.seconds_jacobian);
+    Stopwatch watch(report_.seconds_jacobian, control_.timed);
     assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &path_.current());
     assembly_.pseudo_damping(damping_.data());
     for (double& d : damping_) d /= pseudo_time_.step();
@@ -267,7 +271,9 @@ void SettleIteration::move() {
   }
   swinging_.clear();
   const LineChange& whole = assembly_.line_change(dx_.data());
-  if (closing_in_) find_swinging(whole);
+  const double with_swinging = whole.rotation;
+  if (closing_in_ || swing_pause_ == 0) find_swinging(whole);
+  if (swing_pause_ > 0) --swing_pause_;
   const LineChange& change = without_swinging(whole);
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max(change.rotation, turns * change.plate_turn);
@@ -278,7 +284,12 @@ void SettleIteration::move() {
   if (!on_law_) path_.advance(strain_change_, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
   settle_swinging();
-  pseudo_time_.advance(tangent ? share * rotation : rotation, damped, driven);
+  double counted = tangent ? share * rotation : rotation;
+  if (!closing_in_ && !swinging_.empty()) {
+    judge_swinging(rotation);
+    counted = std::max(rotation, std::min(with_swinging, control_.swing.counted));
+  }
+  pseudo_time_.advance(counted, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
@@ -293,7 +304,7 @@ void SettleIteration::move() {
 // a stiff line's nodes aside. It is not taken where it turns lines by more than the step did.
 void SettleIteration::correct() {
   {
-    Stopwatch watch(report_.seconds_forces);
+    Stopwatch watch(report_.seconds_forces, control_.timed);
     assembly_.move_to(x_, v_);
     assembly_.strain(strain_);
     path_.correct(strain_);
@@ -323,19 +334,22 @@ void SettleIteration::correct() {
 
 // Nodes that dx_ makes swing, at the place that it starts from.
 void SettleIteration::find_swinging(const LineChange& change) {
-  if (change.rotation <= control_.swing.turn) return;
-  if (!local_) local_.emplace(assembly_.model());
-  DualTension none;
-  none.tension.assign(change.strain.size(), 0.0);
-  pull_.resize(force_.size());
-  assembly_.residual(pull_.data(), &none);
-  strain_change_.resize(change.strain.size());
+  if (!local_) {
+    local_.emplace(assembly_.model());
+    no_tension_.tension.assign(change.strain.size(), 0.0);
+    pull_.resize(force_.size());
+    strain_change_.resize(change.strain.size());
+    whole_dx_.resize(dx_.size());
+    swinging_.reserve(free_.size());
+  }
+  if (change.rotation <= control_.swing.turn || !local_->possible()) return;
+  assembly_.residual(pull_.data(), &no_tension_);
   for (int bar = 0; bar < assembly_.model().bars.count(); ++bar) {
     const std::size_t b = static_cast<std::size_t>(bar);
     strain_change_[b] =
         on_law_ ? assembly_.lines().tension[b] : path_.most_tension(b, change.strain[b]);
   }
-  swinging_ = local_->swinging(dx_.data(), strain_change_, pull_.data(), control_.swing);
+  local_->swinging(dx_.data(), strain_change_, pull_.data(), control_.swing, swinging_);
 }
 
 // whole: how dx_ changes all lines, whose strains are kept in strain_change_; of nodes that swing only what
@@ -356,11 +370,25 @@ const LineChange& SettleIteration::without_swinging(const LineChange& whole) {
 
 void SettleIteration::settle_swinging() {
   if (swinging_.empty()) return;
-  Stopwatch watch(report_.seconds_forces);
+  Stopwatch watch(report_.seconds_forces, control_.timed);
   local_->settle(swinging_, v_, x_);
   if (on_law_) return;
   local_->each_bar(swinging_, x_,
                    [&](std::size_t bar, double strain) { path_.follow(bar, strain); });
+}
+
+// Whether steps that leave swinging nodes out go on to, which turned the other lines by `rotation`.
+void SettleIteration::judge_swinging(double rotation) {
+  const SwingControl& swing = control_.swing;
+  if (rotation < 0.5 * least_swing_) {
+    least_swing_ = rotation;
+    idle_swings_ = 0;
+  } else if (++idle_swings_ == swing.idle_steps) {
+    least_swing_ = 1.0;
+    idle_swings_ = 0;
+    swing_pause_ = next_pause_;
+    next_pause_ *= 2;
+  }
 }
 
 void SettleIteration::take_right_side() {

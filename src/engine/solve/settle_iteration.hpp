@@ -69,6 +69,7 @@ class SettleIteration {
   const LineChange& without_swinging(const LineChange& whole);
   void find_swinging(const LineChange& change);
   void settle_swinging();
+  void judge_swinging(double rotation);
   void take_right_side();
   bool at_rounding() const;
   double rounding_force() const;
@@ -103,7 +104,11 @@ class SettleIteration {
   // Nodes that the last step made swing, and how it changed the strains of all lines.
   std::vector<int> swinging_;
   std::vector<double> strain_change_, whole_dx_;
-  std::optional<LocalBalance> local_;  // made where it is first needed
+  std::optional<LocalBalance> local_;  // made at the first step
+  DualTension no_tension_;
+  // Of steps with such nodes, other than from a settled state.
+  double least_swing_ = 1.0;
+  int idle_swings_ = 0, swing_pause_ = 0, next_pause_;
   // Of that state's steps.
   double least_rotation_ = 1.0;
   int idle_steps_ = 0, settled_steps_ = 0;
