@@ -33,18 +33,19 @@ whole_drag_elements <- function(si, lattice, kind) {
 # As NettingScreens.
 screen_elements <- function(si, lattice) {
   all <- whole_drag_elements(si, lattice, "screens")
-  number <- function(field) vapply(si$panels, `[[`, 0, field, USE.NAMES = FALSE)[all$panel]
-  width <- vapply(si$panels, twine_width, 0, USE.NAMES = FALSE)[all$panel]
+  panels <- if (length(all$panel)) si$panels
+  number <- function(field) vapply(panels, `[[`, 0, field, USE.NAMES = FALSE)[all$panel]
+  width <- vapply(panels, twine_width, 0, USE.NAMES = FALSE)[all$panel]
   twine <- all$bars * (number("mesh_size") - number("straight_bar")) * width
   knots <- all$bars * (1 + (number("straight_bar") > 0))
   list(
     node = all$node, twine = all$twine,
     twine_area = twine + knots * pi / 4 * number("knot_diameter")^2,
     # of hexagonal netting bars meet and do not cross
-    overlap = crossing_overlap(si$panels)[all$panel],
+    overlap = crossing_overlap(panels)[all$panel],
     # The law's Reynolds number is of one cylinder, also where two run side by side.
     diameter = number("twine_diameter"), height = all$height, multiplicity = all$multiplicity,
-    law = vapply(si$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[all$panel]
+    law = vapply(panels, `[[`, "", "netting_drag", USE.NAMES = FALSE)[all$panel]
   )
 }
 
@@ -62,10 +63,10 @@ blended_elements <- function(si, lattice) {
   panels <- if (length(all$panel)) si$panels
   list(
     node = all$node, twine = all$twine,
-    rest = vapply(si$panels, function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
+    rest = vapply(panels, function(panel) panel$mesh_size / 2 - panel$straight_bar, 0,
       USE.NAMES = FALSE)[all$panel],
     multiplicity = all$multiplicity, height = all$height,
-    overlap = crossing_overlap(si$panels)[all$panel],
+    overlap = crossing_overlap(panels)[all$panel],
     material = as.integer(all$panel), materials = twine_materials(panels, alone = FALSE)
   )
 }

@@ -95,8 +95,10 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), from_steps, progress)
-    if (!found$report$converged && !identical(rope_lengths(si), rope_lengths(from$si))) {
+    other_ropes <- !identical(rope_lengths(si), rope_lengths(from$si))
+    most <- if (other_ropes) torn_steps else from_steps
+    found <- settle_level(si, nodes, netting, state_shape(from), most, progress)
+    if (!found$report$converged && other_ropes) {
       found <- settle_level(si, nodes, netting, shape_for(si, from), from_steps, progress)
     }
   }
