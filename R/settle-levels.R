@@ -9,7 +9,7 @@ near_steps <- 200L
 # The same from a state, beside which to settle anew takes about as many.
 from_steps <- 100L
 # The same where the state's ropes have other lengths: its shape can be moved to these instead.
-torn_steps <- 20L
+torn_steps <- 12L
 # Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
 settle_tolerance <- 1e-8
 settle_iterations <- 3200L
