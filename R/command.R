@@ -39,8 +39,8 @@ run_command <- function(arguments) {
 
 # What the command line knows, in the order of its help: by name a function that makes the command,
 # which is list(takes = its arguments after the options, does = a sentence, more = further ones or
-# NULL, options = of optparse, run = a function(plan, options) of the arguments and of the options by
-# name). Options take long to make: only those of the command that is called are.
+# NULL, options = of optparse, run = a function(plan, options) of the arguments and of the options
+# by name). Options take long to make: only those of the command that is called are.
 commands <- function() {
   list(
     check = command_check, gears = command_gears, settle = command_settle, tow = command_tow,

@@ -74,7 +74,7 @@ class LocalBalance {
   void settle_group(const std::vector<int>& nodes, const double* v, double* x) const;
 
   const Model& model_;
-  std::vector<char> alone_;       // per node: whether it may be settled so
+  std::vector<char> alone_;  // per node: whether it may be settled so
   bool possible_;
   std::vector<int> first_, bar_;  // bars of every node
   ByNode spheres_, volumes_;
