@@ -162,7 +162,7 @@ grouped_pieces <- function(group, fields, given, line, name, path) {
   pieces <- lapply(seq_along(given), function(k) {
     group(fields[[k]], given[[k]], line, sprintf("%s[%d]", path, k))
   })
-  stats::setNames(pieces, paste0(name, "_", seq_along(given)))
+  stats::setNames(pieces, sprintf("%s_%d", name, seq_along(given)))
 }
 
 # A piece along a line, spread over the room that the `spacing` of its group takes.

@@ -131,6 +131,11 @@ check_indices <- function(lattice) {
   }
   within(unlist(lattice$points), points, "points")
   within(unlist(lapply(lattice$ropes, `[[`, "node")), points, "ropes")
+  within(lattice$division$edge_node, points, "edges")
+  within(lattice$catch$node, points, "catch")
+  if (!all(vapply(lattice$panels, function(panel) is_text(panel$netting), NA))) {
+    stop("its panels are of no netting")
+  }
   still <- numeric(3 * engine$nodes)
   engine_evaluate(engine, still, still)
   invisible()

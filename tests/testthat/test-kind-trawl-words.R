@@ -94,3 +94,9 @@ test_that("words that a plan has not are answered with how to say them, or that 
   expect_match(said(gussets = list(meshes = 10)), "cannot say it", fixed = TRUE)
   expect_match(said(dropper_chains = "0.4 m"), "cannot say it", fixed = TRUE)
 })
+
+test_that("an empty list of floats is a trawl without floats", {
+  trawl <- read_gear("midwater_trawl")
+  none <- gear_si(update(trawl, floats = list()))
+  expect_identical(none$pieces, gear_si(update(trawl, floats = NULL))$pieces)
+})

@@ -83,6 +83,15 @@ test_that("a lattice that refers to what is not there is refused", {
   }
   lattice$bar_part[1] <- 99L
   expect_error(check_indices(lattice), "bar_part")
+  full <- settled("t90_codend", nodes = 100)$lattice
+  bad <- full
+  bad$catch$node[5] <- 1000000L
+  expect_error(check_indices(bad), "catch")
+  bad <- full
+  bad$division$edge_node[1] <- 0L
+  expect_error(check_indices(bad), "edges")
+  full$panels[[2]]$netting <- NULL
+  expect_error(check_indices(full), "netting")
 })
 
 test_that("a forged file with a right checksum holds no place that is not there", {
