@@ -3,6 +3,11 @@
 # Pages at most at a time, each with processes of its own.
 flume_sessions <- 30L
 
+# A shape that a slider passes through is told whole, with its measures, once nothing else was asked
+# for so long (s), and during a long movement so often (s): the net itself moves more often.
+rest_pause <- 0.08
+rest_every <- 0.5
+
 # start: list(gear, state, notes) to open with, or NULL; new_worker: a function(seconds, late) that
 # gives a worker.
 flume_server <- function(start, marked, nodes, new_worker = process_worker) {
@@ -53,6 +58,12 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       if (is.numeric(number) && length(number) == 1L) number else 0
     }
 
+    # Asks for the rest of the shape that the page has, or NULL where it has all; and since when it
+    # lacks some, s.
+    owed <- NULL
+    since <- 0
+    seconds <- function() proc.time()[["elapsed"]]
+
     # Asks the worker for another gear. A design that is wrong or does not settle changes nothing,
     # and so does one of a form that has been made anew since. Where only its shape has come, that
     # is shown before the rest is asked for.
@@ -68,20 +79,26 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
           worker$turn <- turn
           request
         }
-        worker$ask(kind, make, function(answer) {
+        pause <- if (kind == "rest" && seconds() - since < rest_every) rest_pause else 0
+        worker$ask(kind, make, pause = pause, then = function(answer) {
           if (session$isClosed()) return()
+          # a later shape has its place
+          if (is.null(answer) && kind == "rest" && tank$turn == turn) return()
           if (is.null(answer) || tank$turn != turn) {
             # what it remembers is on nobody's screen
             worker$holds <- 0
+            owed <<- NULL
             tank$forget_picture()
             return(show(answers))
           }
           if (!is.null(answer$problem)) {
             refuse(answer$problem, kind, answers)
-            if (kind == "rest") {
-              tank$forget_picture()
-              show()
-            }
+            if (is.null(owed)) return()
+            if (kind == "design" && worker$holds > 0) return(owed())
+            # nobody has the shape on screen any more
+            owed <<- NULL
+            tank$forget_picture()
+            show()
           } else {
             found_is(answer$found)
           }
@@ -90,6 +107,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       complete <- function(found, passed = FALSE) {
         anew <- tank$take(kind, found, step, gesture)
         worker$holds <- tank$serial
+        owed <<- NULL
         show(answers, passed)
         if (anew) lay_out()
         if (!is.null(then)) then()
@@ -98,7 +116,11 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
         if (is.null(found$moved)) return(complete(found))
         session$sendBinaryMessage("flume_moved", found$moved)
         if (found$anew) tank$forget_picture()
-        ask("rest", NULL, function(found) complete(found, passed = TRUE))
+        # it goes on from this shape, told whole or not
+        worker$holds <- tank$serial
+        if (is.null(owed)) since <<- seconds()
+        owed <<- function() ask("rest", NULL, function(found) complete(found, passed = TRUE))
+        owed()
       })
     }
 

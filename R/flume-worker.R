@@ -2,9 +2,11 @@
 # waits for another's design, none takes more than its time and memory, and one that hangs is ended.
 #
 # A worker is an environment of
-#   ask(kind, make, then)  asks for what flume_answer() answers: make() gives the request when its
+#   ask(kind, make, then, pause)
+#                          asks for what flume_answer() answers: make() gives the request when its
 #                          turn comes, or NULL when it is out of date; then(answer) is called once,
-#                          with NULL for a request that is out of date
+#                          with NULL for a request that is out of date or that a later one takes the
+#                          place of; it waits `pause` s [0] unless others wait behind it
 #   cancel()               ends what it is about and all that waits, which are answered so
 #   stop()                 ends it
 #   holds, turn            numbers for the tank: the state that the worker remembers (0: none) and
@@ -34,6 +36,12 @@ replaced_requests <- list(
   "tow"
 )
 
+# Kinds of requests that one of a kind takes the place of. What a slider has passed nobody asks more of.
+replaced_by <- function(kind) {
+  alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
+  if (kind == "design") c(alike, "rest") else alike
+}
+
 # What is told of a request that is cancelled.
 cancelled_answer <- list(problem = list(message = "Cancelled.", cancelled = TRUE))
 
@@ -44,7 +52,7 @@ direct_worker <- function(...) {
   worker$holds <- 0
   worker$turn <- -1L
   worker$stop <- worker$cancel <- function() NULL
-  worker$ask <- function(kind, make, then) {
+  worker$ask <- function(kind, make, then, pause = 0) {
     request <- make()
     then(if (!is.null(request)) flume_answer(request, memory))
   }
@@ -88,10 +96,13 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     look_later(look_first)
   }
   go_on <- function() {
+    if (stopped) return()
     # one that was ended from elsewhere has lost nothing but time
     if (idle && length(waiting) && !process$is_alive()) return(start())
     while (idle && length(waiting)) {
       job <- waiting[[1L]]
+      early <- job$from - now()
+      if (early > 0 && length(waiting) == 1L) return(later::later(go_on, early))
       waiting <<- waiting[-1L]
       request <- job$make()
       if (is.null(request)) tell(job, NULL) else call(job, request)
@@ -130,10 +141,9 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       "This takes longer than %s s, which is all that the tank gives it.", format(seconds)
     ))
   }
-  worker$ask <- function(kind, make, then) {
+  worker$ask <- function(kind, make, then, pause = 0) {
     # of designs the latest counts
-    alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
-    old <- vapply(waiting, function(job) job$kind %in% alike, NA)
+    old <- vapply(waiting, function(job) job$kind %in% replaced_by(kind), NA)
     passed <- waiting[old]
     waiting <<- waiting[!old]
     for (job in passed) tell(job, NULL)
@@ -141,7 +151,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       then(list(problem = list(message = "Too much is asked for at once; try again in a while.")))
       return(invisible())
     }
-    waiting <<- c(waiting, list(list(kind = kind, make = make, then = then)))
+    waiting <<- c(waiting, list(list(kind = kind, make = make, then = then, from = now() + pause)))
     if (is.null(process)) start() else go_on()
   }
   worker$cancel <- function() {

@@ -10,6 +10,7 @@ window.codendForm = (function () {
   var form = null;       // R's message
   var moved = {};        // changes by path, since the form was laid out
   var sent = null;       // {number, edits} of the question that waits for its answer
+  var latest = null;     // the number of the last question
   var more = false;      // whether something moved since
   var last = null;       // the control that was moved last
   var gesture = 0;       // of one movement, which is undone as one
@@ -321,7 +322,10 @@ window.codendForm = (function () {
   function send() {
     if (sent) { more = true; return; }
     more = false;
+    // nothing more may come of the last, once its shape has
+    window.codendTalk.free(latest);
     var number = window.codendTalk.next('settling');
+    latest = number;
     sent = { number: number, edits: JSON.stringify(moved), by: last };
     Shiny.setInputValue('design', { number: number, turn: form.turn, gesture: gesture, edits: moved },
       { priority: 'event' });

@@ -130,7 +130,8 @@ window.codendTank = (function () {
   return {
     listen: function () {
       viewer = window.codendView.viewer(document.getElementById('tank'), {
-        changed: repaint_planes, still: false
+        changed: repaint_planes, still: false,
+        passing: function () { return !window.codendForm.still(); }
       });
       var watch = new ResizeObserver(repaint_planes);
       document.querySelectorAll('canvas.plane').forEach(function (each) { watch.observe(each); });

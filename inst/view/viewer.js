@@ -11,7 +11,8 @@
 //   seek(s)               shows a moment of what moves
 //   picture()             the picture as the address of its own PNG, on white
 //   flat(...)             draws the gear flat on a part of another canvas
-// options.changed is called after a choice; options.still says whether a still for paper is kept;
+// options.changed is called after a choice; options.passing says whether another shape is on its way;
+// options.still says whether a still for paper is kept;
 // options.graph and options.moved are those of motion.js.
 window.codendView = window.codendView || {};
 window.codendView.viewer = function (host, options) {
@@ -297,6 +298,7 @@ window.codendView.viewer = function (host, options) {
   function hasten() {
     window.clearTimeout(hasty);
     hasty = window.setTimeout(function () {
+      if (options.passing && options.passing()) { hasten(); return; }
       hasty = null;
       repaint();
     }, 250);
@@ -316,10 +318,9 @@ window.codendView.viewer = function (host, options) {
     if (!width || !height || !gears.now) return false;
     ratio = window.devicePixelRatio || 1;
     if (hasty && quickest > slow && quickest < Infinity) ratio *= coarse;
-    var across = Math.round(width * ratio), up = Math.round(height * ratio);
-    if (canvas.width !== across || canvas.height !== up) {
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(width, height, false);
+    // a canvas of another size waits for all that was drawn before
+    if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
+      renderer.setDrawingBufferSize(width, height, ratio);
     }
     shared.ratio.value = ratio;
     renderer.setScissorTest(false);

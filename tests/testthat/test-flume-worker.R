@@ -16,10 +16,10 @@ asking <- function(...) {
   answers <- list()
   list(
     worker = worker,
-    ask = function(name, request, kind = "design") {
+    ask = function(name, request, kind = "design", pause = 0) {
       force(name)
       force(request)
-      worker$ask(kind, function() request, function(answer) {
+      worker$ask(kind, function() request, pause = pause, then = function(answer) {
         answers[[length(answers) + 1L]] <<- list(name = name, answer = answer)
       })
     },
@@ -77,6 +77,49 @@ test_that("of designs that wait the latest counts, and too many files are refuse
   refused <- grepl("Too much", vapply(problem, function(x) paste(x, collapse = ""), ""))
   expect_identical(came[refused], paste("save", 4:6))
   expect_length(list.files(folder, "vtu$"), 3L)
+})
+
+test_that("the rest of a shape waits for its pause, gives way to a design and to nothing else", {
+  one <- asking()
+  on.exit(one$worker$stop())
+  # a gear that has the field already
+  whole <- towed_at(5)
+  whole$base <- update(whole$base, towing.speed = "5 knot")
+  one$ask("whole", whole)
+  expect_true(one$wait(1))
+  going_on <- function(speed) {
+    request <- towed_at(speed)
+    request["state"] <- request["base"] <- list(NULL)
+    request
+  }
+  one$ask("second", going_on(5.1))
+  # of the second only its shape, as the worker knows the first
+  expect_true(one$wait(2))
+  expect_type(one$answers()[[2]]$answer$found$moved, "raw")
+  rest <- list(kind = "rest")
+  # longer than any test waits
+  one$ask("rest of the second", rest, "rest", pause = 1e4)
+  one$ask("third", going_on(5.2))
+  expect_true(one$wait(4))
+  expect_identical(one$answers()[[3]], list(name = "rest of the second", answer = NULL))
+  expect_type(one$answers()[[4]]$answer$found$moved, "raw")
+  # what waits behind it ends its pause
+  one$ask("rest of the third", rest, "rest", pause = 1e4)
+  drawing <- tank$request("drawing", NULL)
+  drawing["state"] <- list(NULL)
+  one$ask("drawing", drawing, "drawing")
+  expect_true(one$wait(6))
+  came <- vapply(one$answers(), `[[`, "", "name")
+  expect_identical(came[5:6], c("rest of the third", "drawing"))
+  anew <- settle(update(read_gear("towed_cable"), towing.speed = "5.2 knot"), nodes = 300)
+  # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
+  expect_equal(one$answers()[[5]]$answer$found$measures, measures(anew), tolerance = 1e-6)
+  # a pause ends by itself
+  one$ask("fourth", going_on(5.3))
+  expect_true(one$wait(7))
+  one$ask("rest of the fourth", rest, "rest", pause = 0.05)
+  expect_true(one$wait(8))
+  expect_null(one$answers()[[8]]$answer$problem)
 })
 
 # Whether a process is there: signal 0 asks and does nothing.

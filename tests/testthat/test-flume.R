@@ -80,6 +80,37 @@ test_that("once a gear has moved its shape comes before the rest of it", {
   })
 })
 
+test_that("a shape whose rest gave way to a wrong design is told whole after all", {
+  waiting <- list()
+  # a worker that keeps what is asked of the rest of shapes until it is let
+  keeping_worker <- function(...) {
+    worker <- direct_worker()
+    answer <- worker$ask
+    worker$ask <- function(kind, make, then, pause = 0) {
+      if (kind == "rest") {
+        waiting <<- c(waiting, list(function() answer(kind, make, then)))
+      } else {
+        answer(kind, make, then)
+      }
+    }
+    worker
+  }
+  in_flume("towed_cable", new_worker = keeping_worker, test = function(session, sent, tank) {
+    ask(session, towing.speed = list(value = 4.9, unit = "knot"), number = 1)
+    ask(session, towing.speed = list(value = 5, unit = "knot"), number = 2, gesture = 1)
+    expect_length(sent("flume_moved"), 1L)
+    passed_over <- length(waiting)
+    ask(session, towing.speed = list(value = -1, unit = "knot"), number = 3, gesture = 1)
+    expect_identical(sent("flume_refused")[[1]]$answers, 3)
+    expect_length(waiting, passed_over + 1L)
+    waiting[[length(waiting)]]()
+    picture <- sent("flume_picture")
+    expect_identical(picture[[1]]$answers, 2)
+    expect_equal(tank$gear$plan$towing$speed, "5 knot")
+    expect_identical(tank$measures, measures(tank$state))
+  })
+})
+
 test_that("a wrong value is told at its control and changes nothing", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
