@@ -36,7 +36,8 @@ replaced_requests <- list(
   "tow"
 )
 
-# Kinds of requests that one of a kind takes the place of. What a slider has passed nobody asks more of.
+# Kinds of requests that one of a kind takes the place of. Of a shape that a slider has passed
+# nobody needs the rest.
 replaced_by <- function(kind) {
   alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
   if (kind == "design") c(alike, "rest") else alike

@@ -19,9 +19,10 @@
 #' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
 #'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
 #'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
-#' - the measures, each with its change from a kept design, and what is worth a look ([findings()]).
-#'   The gear is kept as it was opened; *Keep this design* keeps others, and a table has all beside
-#'   each other. Each can be put on screen again, or drawn over the other or beside it;
+#' - the measures, each with its change from a kept design, and what is worth a look ([findings()]):
+#'   they follow when a slider pauses, and twice a second while it moves. The gear is kept as it was
+#'   opened; *Keep this design* keeps others, and a table has all beside each other. Each can be put
+#'   on screen again, or drawn over the other or beside it;
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
 #' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
 #'   or what the plan's section `tow` says, to play with its graphs;
