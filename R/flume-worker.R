@@ -68,6 +68,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   waiting <- list()
   current <- NULL
   stopped <- FALSE
+  end_pause <- function() NULL  # forgets that go_on() is to come once a pause is over
 
   start <- function() {
     process <<- answering_process(bytes)
@@ -97,13 +98,17 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     look_later(look_first)
   }
   go_on <- function() {
+    end_pause()
     if (stopped) return()
     # one that was ended from elsewhere has lost nothing but time
     if (idle && length(waiting) && !process$is_alive()) return(start())
     while (idle && length(waiting)) {
       job <- waiting[[1L]]
       early <- job$from - now()
-      if (early > 0 && length(waiting) == 1L) return(later::later(go_on, early))
+      if (early > 0 && length(waiting) == 1L) {
+        end_pause <<- later::later(go_on, early)
+        return()
+      }
       waiting <<- waiting[-1L]
       request <- job$make()
       if (is.null(request)) tell(job, NULL) else call(job, request)
@@ -163,6 +168,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   }
   worker$stop <- function() {
     stopped <<- TRUE
+    end_pause()
     if (!is.null(process)) process$kill()
   }
   worker$process <- function() process

@@ -120,6 +120,13 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
   one$ask("rest of the fourth", rest, "rest", pause = 0.05)
   expect_true(one$wait(8))
   expect_null(one$answers()[[8]]$answer$problem)
+  # and one that did not end is forgotten with the worker
+  one$ask("fifth", going_on(5.4))
+  expect_true(one$wait(9))
+  one$ask("rest of the fifth", rest, "rest", pause = 1e4)
+  one$worker$stop()
+  while (later::next_op_secs() < 10) later::run_now(10)
+  expect_identical(later::next_op_secs(), Inf)
 })
 
 # Whether a process is there: signal 0 asks and does nothing.
