@@ -11,11 +11,13 @@ Sys.setenv(NOT_CRAN = "true")
 flags <- if (of_cpp) "-O1 --coverage" else "-O2"
 options(covr.flags = c(CXX17FLAGS = flags, LDFLAGS = if (of_cpp) "--coverage" else ""))
 tests <- normalizePath("tests/testthat")
+failures <- tempfile()
 run <- sprintf(paste(
   "options(device = function(...) grDevices::pdf(NULL, ...));",
-  "testthat::test_dir('%s', package = 'codend', load_package = 'installed',",
-  "reporter = 'check', stop_on_failure = TRUE)"
-), tests)
+  "found <- as.data.frame(testthat::test_dir('%s', package = 'codend', load_package = 'installed',",
+  "reporter = 'check', stop_on_failure = FALSE));",
+  "writeLines(unique(found$test[found$failed > 0 | found$error]), '%s')"
+), tests, failures)
 found <- covr::package_coverage(type = "none", code = run, quiet = FALSE,
   line_exclusions = list("R/cpp11.R", "src/cpp11.cpp"))
 lines <- covr::tally_coverage(found, by = "line")
@@ -38,4 +40,9 @@ for (part in split(lines, lines$filename)) {
 for (part in split(lines, ifelse(startsWith(lines$filename, "R/"), "R", "C++"))) {
   cat(sprintf("%s: %.1f %% of %s lines\n", c("C++", "R")[1 + startsWith(part$filename[1], "R/")],
     share(part), format(nrow(part), big.mark = ",")))
+}
+failed <- readLines(failures)
+if (length(failed)) {
+  cat("Tests that failed:", failed, sep = "\n  ")
+  quit(status = 1)
 }
