@@ -88,7 +88,8 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   const low = (await measure(page, 'net mouth height'))[0];
   await page.click('#back');
   await changed(page, 'net mouth height', low);
-  assert.equal((await measure(page, 'net mouth height'))[0], height);
+  // its error is told from the lattices of the state it came from
+  assert.equal(number((await measure(page, 'net mouth height'))[0]), number(height));
   assert.equal(await control(page, 'towing.speed').locator('[type=number]').inputValue(), '4');
   clean(page);
   await page.close();
@@ -322,7 +323,8 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
     asked: document.getElementById('plan_area').value + '\nname: x' }, { priority: 'event' }));
   await page.evaluate(() => { window.codendTalk.ask('shipped', 'cage'); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
-  await page.click('#cancel');
+  // what settles may be done before a pointer gets there
+  await page.$eval('#cancel', (button) => button.click());
   await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
   if (!/cage/i.test(await page.textContent('h1'))) {
     assert.deepEqual(await page.evaluate(() => window.codendTank.point(0)), before);
