@@ -10,6 +10,7 @@
 #include "march/explicit_step.hpp"
 #include "march/march.hpp"
 #include "march/newton_step.hpp"
+#include "plate_struts.hpp"
 #include "random_model.hpp"
 #include "solve/body_modes.hpp"
 
@@ -43,19 +44,11 @@ struct Plate {
     one.polar.angle = {-pi, pi};
     one.polar.lift = one.polar.drag = one.polar.lift_slope = one.polar.drag_slope = {0.0, 0.0};
     model.plates.plate = {one};
-    TwineMaterial strut;
-    strut.axial_stiffness = 1e7;
-    strut.strut = true;
-    strut.law.normal = strut.law.tangential = strut.law.skin = 0.0;
-    strut.added_mass_normal = 0.0;
-    model.materials = {strut};
-    model.bars.node = {0, 1, 1, 2, 2, 0};
-    const auto& at = one.attachment;
-    model.bars.rest = {(at[1] - at[0]).norm(), (at[2] - at[1]).norm(), (at[0] - at[2]).norm()};
-    model.bars.multiplicity.assign(3, 1.0);
-    model.bars.material.assign(3, 0);
+    join_by_struts(model, one.attachment);
     start.x = start.v = Values::Zero(9);
-    for (int k = 0; k < 3; ++k) codend::at(start.x.data(), k) = at[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3; ++k) {
+      codend::at(start.x.data(), k) = one.attachment[static_cast<std::size_t>(k)];
+    }
   }
   Plate(const Plate&) = delete;
 

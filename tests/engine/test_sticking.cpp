@@ -6,6 +6,7 @@
 #include "march/march.hpp"
 #include "march/newton_step.hpp"
 #include "march/scheduled_conditions.hpp"
+#include "plate_struts.hpp"
 
 using namespace codend;
 
@@ -140,16 +141,7 @@ struct Board {
     board.polar.lift = board.polar.drag = board.polar.lift_slope =
         board.polar.drag_slope = {0.0, 0.0};
     model.plates.plate = {board};
-    TwineMaterial strut;
-    strut.axial_stiffness = 1e7;
-    strut.strut = true;
-    strut.law.normal = strut.law.tangential = strut.law.skin = 0.0;
-    strut.added_mass_normal = 0.0;
-    model.materials = {strut};
-    model.bars.node = {0, 1, 1, 2, 2, 0};
-    model.bars.rest = {2.0, std::sqrt(2.0), std::sqrt(2.0)};
-    model.bars.multiplicity.assign(3, 1.0);
-    model.bars.material.assign(3, 0);
+    join_by_struts(model, board.attachment);
     model.ground.present = true;
     model.ground.friction = 0.5;
     double deep, change;
