@@ -9,7 +9,7 @@
 # make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
 # make sanitize-threads  the engine's tests under the thread sanitizer
 # make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
-# make coverage  which lines of R and C++ the tests run, PART=R of R alone; takes the R package covr
+# make coverage  which lines of R and C++ the tests run, PART=R or PART=C++ of one; takes the R package covr
 # make check   R CMD check --as-cran of the package as it would be published; any note is a failure
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium

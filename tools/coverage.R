@@ -1,27 +1,95 @@
-# Which lines the tests run, of R by covr and of the C++ by gcov, both through the package's tests;
-# what runs in processes that these start counts too. Prints every file of under 95 % with its lines
-# that are not run, then both totals, and fails where a test does.
-#   Rscript tools/coverage.R    R and C++; some forty minutes
-#   Rscript tools/coverage.R R  R alone, in half of that
+# Which lines the tests run. Of R: by covr, through the package's tests. Of C++: by gcov, through
+# the engine's tests and the package's, each of which has an engine of its own compiled for it. What
+# runs in processes that tests start counts too. Prints every file of under 95 % with its lines that
+# are not run, then the totals, and fails where a test does.
+#   Rscript tools/coverage.R      R, then C++; some 60 and 40 CPU minutes
+#   Rscript tools/coverage.R R    one of them
+#   Rscript tools/coverage.R C++
 
 least <- 95
-of_cpp <- !identical(commandArgs(TRUE), "R")
+parts <- commandArgs(TRUE)
+if (!length(parts)) parts <- c("R", "C++")
+stopifnot(parts %in% c("R", "C++"))
 Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 Sys.setenv(NOT_CRAN = "true")
-flags <- if (of_cpp) "-O1 --coverage" else "-O2"
-options(covr.flags = c(CXX17FLAGS = flags, LDFLAGS = if (of_cpp) "--coverage" else ""))
-tests <- normalizePath("tests/testthat")
 failures <- tempfile()
-run <- sprintf(paste(
-  "options(device = function(...) grDevices::pdf(NULL, ...));",
-  "found <- as.data.frame(testthat::test_dir('%s', package = 'codend', load_package = 'installed',",
-  "reporter = 'check', stop_on_failure = FALSE));",
-  "writeLines(unique(found$test[found$failed > 0 | found$error]), '%s')"
-), tests, failures)
-found <- covr::package_coverage(type = "none", code = run, quiet = FALSE,
-  line_exclusions = list("R/cpp11.R", "src/cpp11.cpp"))
-lines <- covr::tally_coverage(found, by = "line")
-lines <- lines[startsWith(lines$filename, "R/") | startsWith(lines$filename, "src/"), ]
+file.create(failures)
+
+# R code that runs the package's tests, some files to a process on every core, and adds the names of
+# those that fail to `failures`.
+run_tests <- sprintf(r"(
+files <- sub("^test-(.*)[.]R$", "\\1", list.files("%1$s", "^test-.*[.]R$"))
+parts <- split(files, seq_along(files) %%%% ceiling(length(files) / 6))
+run <- function(names) system2("Rscript", c("-e", shQuote(sprintf(r"[
+options(device = function(...) grDevices::pdf(NULL, ...))
+found <- as.data.frame(testthat::test_dir("%1$s", package = "codend",
+  load_package = "installed", reporter = "check", stop_on_failure = FALSE, filter = "^(%%s)$"))
+failed <- unique(found$test[found$failed > 0 | found$error])
+cat(paste0(failed, "\n", recycle0 = TRUE), file = "%2$s", sep = "", append = TRUE)
+]", paste(names, collapse = "|")))))
+invisible(parallel::mclapply(
+  parts, run, mc.cores = parallel::detectCores(), mc.preschedule = FALSE
+))
+)", normalizePath("tests/testthat"), failures)
+
+# data.frame(filename, line, value): value is how often a line was run.
+lines_of_r <- function() {
+  options(covr.flags = c(CXX17FLAGS = "-O2"))
+  found <- covr::package_coverage(type = "none", code = run_tests, quiet = FALSE,
+    line_exclusions = list("R/cpp11.R"))
+  lines <- covr::tally_coverage(found, by = "line")
+  lines[startsWith(lines$filename, "R/"), c("filename", "line", "value")]
+}
+
+# Stops where a program that is needed for what follows does not succeed.
+need <- function(program, arguments, environment = character()) {
+  if (system2(program, arguments, env = environment)) {
+    stop(paste(c(program, arguments), collapse = " "), " failed.", call. = FALSE)
+  }
+}
+
+lines_of_cpp <- function() {
+  work <- tempfile("coverage")
+  library <- file.path(work, "library")
+  dir.create(library, recursive = TRUE)
+  # gcov's counts lie beside the objects that R CMD INSTALL makes
+  need("git", c("checkout-index", "--all", paste0("--prefix=", work, "/sources/")))
+  makevars <- file.path(work, "Makevars")
+  writeLines(c("CXX17FLAGS = -O1 --coverage", "LDFLAGS = --coverage"), makevars)
+  need("R", c("CMD", "INSTALL", "--no-docs", "--no-test-load", "--no-clean-on-error",
+    paste0("--library=", library), file.path(work, "sources")),
+  c(paste0("R_MAKEVARS_USER=", makevars), paste0("MAKEFLAGS=-j", parallel::detectCores())))
+  need("Rscript", c("-e", shQuote(run_tests)),
+    paste0("R_LIBS=", paste(c(library, .libPaths()), collapse = ":")))
+  need("make", c("-s", "-C", "tests/engine", paste0("-j", parallel::detectCores()), "covered"))
+  counts <- c(
+    list.files(file.path(work, "sources/src"), "\\.gcda$", recursive = TRUE, full.names = TRUE),
+    list.files("tests/engine/build/covered/engine", "\\.gcda$", recursive = TRUE, full.names = TRUE)
+  )
+  lines <- do.call(rbind, lapply(counts, counted_lines))
+  lines <- stats::aggregate(value ~ filename + line, lines, max)
+  lines[lines$filename != "src/cpp11.cpp", ]
+}
+
+# The same of the files of codend in one of gcov's files.
+counted_lines <- function(counts) {
+  told <- system2("gcov", c("--json-format", "--stdout", counts), stdout = TRUE, stderr = FALSE)
+  files <- jsonlite::fromJSON(paste(told, collapse = ""), simplifyVector = FALSE)$files
+  do.call(rbind, lapply(files, function(file) {
+    name <- file$file
+    # a header's name goes by way of the file that includes it
+    while (grepl("[^/.]+/\\.\\./", name)) name <- sub("[^/.]+/\\.\\./", "", name)
+    name <- sub("^(.*/)?src/", "src/", name)
+    if (!startsWith(name, "src/") && file.exists(file.path("src", name))) {
+      name <- file.path("src", name)
+    }
+    if (!length(file$lines) || !startsWith(name, "src/")) return(NULL)
+    data.frame(
+      filename = name, line = vapply(file$lines, `[[`, 0L, "line_number"),
+      value = vapply(file$lines, function(line) as.double(line$count), 0)
+    )
+  }))
+}
 
 # 1, 2, 3, 7 as "1-3, 7"
 ranges <- function(x) {
@@ -30,18 +98,20 @@ ranges <- function(x) {
   paste(tapply(x, run, function(r) if (length(r) > 1L) paste0(r[1], "-", tail(r, 1)) else r),
     collapse = ", ")
 }
-share <- function(part) 100 * mean(part$value > 0)
-for (part in split(lines, lines$filename)) {
-  if (share(part) < least) {
-    cat(sprintf("%5.1f %%  %s  %s\n", share(part), part$filename[1],
-      ranges(part$line[part$value == 0])))
+
+share <- function(lines) 100 * mean(lines$value > 0)
+
+for (part in parts) {
+  lines <- if (part == "R") lines_of_r() else lines_of_cpp()
+  for (file in split(lines, lines$filename)) {
+    if (share(file) < least) {
+      cat(sprintf("%5.1f %%  %s  %s\n", share(file), file$filename[1],
+        ranges(file$line[file$value == 0])))
+    }
   }
+  cat(sprintf("%s: %.1f %% of %s lines\n", part, share(lines), format(nrow(lines), big.mark = ",")))
 }
-for (part in split(lines, ifelse(startsWith(lines$filename, "R/"), "R", "C++"))) {
-  cat(sprintf("%s: %.1f %% of %s lines\n", c("C++", "R")[1 + startsWith(part$filename[1], "R/")],
-    share(part), format(nrow(part), big.mark = ",")))
-}
-failed <- readLines(failures)
+failed <- unique(readLines(failures))
 if (length(failed)) {
   cat("Tests that failed:", failed, sep = "\n  ")
   quit(status = 1)
