@@ -4,7 +4,8 @@
 // another header: the linker could then hand a copy compiled for AVX2 to a processor without it.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
-using LoosePack = double __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
+// At any place in memory; as `using`, clang would take it for aligned.
+typedef double LoosePack __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
 inline Pack root(Pack x);
 // out[step * l ..] = {a[l], b[l], c[l], d[l]}

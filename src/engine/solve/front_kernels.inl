@@ -5,8 +5,9 @@
 // compiled for AVX2 to a processor without it.
 
 using Pack = Real __attribute__((vector_size(sizeof(Real) * lanes)));
-using LoosePack =
-    Real __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
+// At any place in memory; as `using`, clang would take it for aligned.
+typedef Real LoosePack
+    __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
 
 // A tile of 3 registers by 3 columns (one node) keeps 9 sums in registers.
 constexpr int tile_rows = 3 * lanes;
