@@ -131,9 +131,9 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
     fields$panels, "panels", si_panel, fields, law, kept = kept("panels", same(lines))
   )
   known <- list(
-    points = names(fields$points), ropes = names(fields$ropes), panels = si$panels
+    points = names(fields$points), ropes = names(fields$ropes), panels = panel_shapes(si$panels)
   )
-  same_known <- identical(known$panels, last$panels) &&
+  same_known <- identical(known$panels, panel_shapes(last$panels)) &&
     identical(known$points, names(last$points)) && identical(known$ropes, names(last$ropes))
   si$points <- map_named(
     fields$points, "points", si_point, known, kept = kept("points", same_known)
@@ -157,7 +157,11 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known$pieces <- names(si$pieces)
   known$ground <- !is.null(fields$seabed)
   si$ground <- si_seabed(fields$seabed, fields$towing$speed)
-  si$vessel <- if (!is.null(fields$vessel)) si_vessel(fields$vessel, "vessel")
+  si$vessel <- if (!is.null(last) && same("vessel")) {
+    last$vessel
+  } else if (!is.null(fields$vessel)) {
+    si_vessel(fields$vessel, "vessel")
+  }
   si$sticking <- isTRUE(fields$seabed$sticking)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
   same_bodies <- identical(known$otter_boards, names(last$otter_boards)) &&

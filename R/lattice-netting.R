@@ -161,6 +161,9 @@ bar_elements <- function(panels, grouping) {
   ))
 }
 
+# Gears whose twine alone differs have them in common.
+bar_elements_again <- remembered(bar_elements)
+
 # All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
 #
 # Returns list(panel, row (0 at the upper edge), shift = of a row by half a mesh, i, at = i before

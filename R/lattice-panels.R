@@ -2,7 +2,9 @@
 
 # Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that the
 # lattice needs, NA for columns, rows and segments that a plan leaves open.
-panel_table <- remembered(function(panels) {
+panel_table <- remembered(new_panel_table)
+
+new_panel_table <- function(panels) {
   fields <- c(
     "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right",
     "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
@@ -25,7 +27,7 @@ panel_table <- remembered(function(panels) {
       p$netting_drag != "twines" || !is.null(p$opening_stiffness)
     }, NA, USE.NAMES = FALSE))
   )
-})
+}
 
 # Some panels of the table, or each as often as its number is given.
 pick_panels <- function(panels, which, fields = names(panels)) {

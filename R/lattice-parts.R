@@ -128,7 +128,8 @@ add_cell_sheets <- function(build, panels, found, node, part) {
 }
 
 add_bar_panels <- function(build, panels, numbers, parts, division, grouping) {
-  found <- bar_elements(panels, grouping)
+  elements <- if (division$nodes > most_remembered_nodes) bar_elements else bar_elements_again
+  found <- elements(panels[panel_shape_fields], grouping)
   points <- found$points
   bars <- found$bars
   id <- integer(length(points$i))

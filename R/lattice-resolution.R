@@ -5,7 +5,7 @@
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)
 
-# Pieces that a mesh bar is divided into at most unless its plan asks for more: smaller ones are
+# Pieces that a mesh bar is divided into at most unless its plan says how many: smaller ones are
 # better spent on real meshes than on the bow of one bar (against any number of pieces the trawl's
 # mouth is 0.2 % lower at 100,000 nodes), and so many slack ends of string would keep a solve from
 # settling.
@@ -89,12 +89,13 @@ bar_grouping <- function(of, h) {
   lambda <- steps * of$deep / pmax(1, round(steps * of$deep / lambda))
   # A slack bar of many meshes would hang in a bight of its own length, which no mesh does.
   segments <- of$bar_segments
-  segments[is.na(segments)] <- 1
+  open <- is.na(segments)
+  segments[open] <- 1
   # The drag of whole sheets acts on knots: nothing would hold the points between them in place.
-  single <- !by_columns & !by_rows & lambda <= 1 + 1e-9 & of$netting_drag == "twines"
+  single <- open & !by_columns & !by_rows & lambda <= 1 + 1e-9 & of$netting_drag == "twines"
   if (is.finite(h)) {
     wanted <- pmin(greatest_bar_segments, ceiling(lambda * of$mesh_size / 2 / (1.5 * h)))
-    segments[single] <- pmax(segments, wanted)[single]
+    segments[single] <- wanted[single]
   }
   list(lambda = lambda, segments = as.integer(segments))
 }

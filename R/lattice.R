@@ -266,7 +266,7 @@ twine_materials <- function(lines, alone = TRUE) {
   )
 }
 
-panel_materials <- remembered(function(panels) twine_materials(panels))
+panel_materials <- remembered(twine_materials)
 
 # Nodes of ropes that rub differently along and across themselves, as the engine reads them, or
 # NULL. A node of two such ropes is the first's.

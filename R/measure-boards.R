@@ -70,28 +70,6 @@ measure_attitude <- function(state, measure) {
 
 # Warns of boards that do not fly, or not for long; swings: see warn_of_doubts().
 warn_of_boards <- function(state, swings) {
-  if (isTRUE(state$report$unstable)) {
-    flies <- length(state$si$otter_boards) > 0L
-    pushes <- any(vapply(state$si$ropes, `[[`, NA, "strut"))
-    if (!flies && !pushes) {
-      cli::cli_warn(
-        c("The balance that was found for the netting around the catch, {.field catch.panels}, does
-          not last: a small push carries it further away.",
-          "i" = "The netting may have gone through itself. Look at the picture of this state, and
-          settle with other {.arg nodes}."),
-        class = c("codend_warning_catch_unstable", "codend_warning"), call = NULL
-      )
-    } else {
-      kind <- if (flies) "codend_warning_board_unstable" else "codend_warning_pole_unstable"
-      whose <- if (flies) "the free boards and kites" else "poles and pipes in compression"
-      cli::cli_warn(
-        c("The balance that was found for {whose} does not last: a small push carries them further
-          away from it.",
-          "i" = "Look at {.fn tow} from this state, and where warps and backstrops are fastened."),
-        class = c(kind, "codend_warning"), call = NULL
-      )
-    }
-  }
   if (!length(state$si$otter_boards)) return(invisible())
   flutter <- if (swings) fluttering_modes(state)
   if (NROW(flutter)) {

@@ -95,12 +95,11 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from)) {
+    settle_from <- function(shape) settle_level(si, nodes, netting, shape, from_steps, progress)
+    # to move a shape takes as long as many steps
     other_ropes <- !identical(rope_lengths(si), rope_lengths(from$si))
-    most <- if (other_ropes) torn_steps else from_steps
-    found <- settle_level(si, nodes, netting, state_shape(from), most, progress)
-    if (!found$report$converged && other_ropes) {
-      found <- settle_level(si, nodes, netting, shape_for(si, from), from_steps, progress)
-    }
+    found <- settle_from(c(state_shape(from), tried = other_ropes))
+    if (!found$report$converged && other_ropes) found <- settle_from(shape_for(si, from))
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
@@ -118,17 +117,26 @@ settled_state <- function(gear, nodes, netting, from, steps) {
 }
 
 # Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
-# free board may fall over on few nodes: their coarser level only tells of the error. So does that
-# of netting whose plan divides it into few nodes: of half as many, as a quarter is too few to tell.
+# free board may fall over on few nodes: their coarser level only tells of the error. Where a plan
+# divides netting into few nodes, fewer still are too few to tell: more tell of the error, settled
+# from the shape that is found.
 settle_from_coarse <- function(si, nodes, netting, steps, progress) {
   fixed <- fixed_nodes(si, netting)
   few <- length(si$panels) && fixed <= 2 * coarsest_nodes
-  coarse <- coarse_shape(si, nodes, netting, progress, levels = if (few) fixed / 2)
   if (length(si$panels) && !few) {
+    coarse <- coarse_shape(si, nodes, netting, progress)
     return(settle_level(si, nodes, netting, coarse, steps, progress))
   }
   found <- settle_level(si, nodes, netting, NULL, steps, progress)
-  found$from <- coarse
+  found$from <- if (few) {
+    shape <- list(lattice = found$lattice,
+      position = lattice_points(found$lattice, found$position), strain = found$strain)
+    if (found$report$converged) {
+      coarse_shape(si, nodes, netting, progress, shape, fixed * finer_told)
+    }
+  } else {
+    coarse_shape(si, nodes, netting, progress)
+  }
   found
 }
 
@@ -149,10 +157,12 @@ check_settle_arguments <- function(gear, nodes, netting) {
   check_lattice_size(gear_si(gear), nodes, netting)
 }
 
-# Boards that do not fly, and laws outside what they were measured for.
+# A balance that does not last, boards that do not fly, and laws outside what they were measured
+# for.
 # swings: whether to look for swings of boards that grow, which in a whole trawl takes longer than
 # to settle it from a state.
 warn_of_doubts <- function(state, swings) {
+  warn_of_instability(state)
   warn_of_boards(state, swings)
   warn_of_laws(state)
 }

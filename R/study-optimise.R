@@ -180,7 +180,11 @@ run_slsqp <- function(task, search, place, held, most) {
   free <- setdiff(seq_len(dimensions), held)
   try_point(task, search, place)
   if (!length(free)) return("all fields are held")
-  at <- function(x) try_point(task, search, replace(place, free, x))
+  at <- function(x) {
+    # where conditions cannot be kept a newer NLopt goes on to no place at all
+    if (anyNA(x)) cli::cli_abort("There is no place to try.", class = "codend_error_no_place")
+    try_point(task, search, replace(place, free, x))
+  }
   equal <- vapply(task$keep, `[[`, NA, "equal")
   conditions <- function(which) {
     if (!any(which)) return(NULL)
@@ -190,7 +194,7 @@ run_slsqp <- function(task, search, place, held, most) {
     }
   }
   each <- 1 + 2 * sum(whole_fields(task$points$fields[free]))
-  found <- nloptr::nloptr(
+  run <- function() nloptr::nloptr(
     place[free],
     function(x) {
       found <- at(x)
@@ -205,7 +209,8 @@ run_slsqp <- function(task, search, place, held, most) {
       tol_constraints_eq = rep(keep_tolerance / 2, sum(equal))
     )
   )
-  tolower(sub("^NLOPT_([A-Z_]+):.*", "\\1", found$message))
+  message <- tryCatch(run()$message, codend_error_no_place = function(e) "NLOPT_FAILURE:")
+  tolower(sub("^NLOPT_([A-Z_]+):.*", "\\1", message))
 }
 
 # The values and slopes at scaled fields, settled where they are not known yet: what task_values()

@@ -94,4 +94,9 @@ test_that("netting that is taken again equals the netting that is made", {
   again <- build()
   build_lattice(gear_si(read_gear("model_cage")), 200)
   expect_identical(again, build())
+  # another twine on the same knots, beside knots made for another net in between
+  longer <- changed_gear(gear, "sections.section_3.twine.diameter", "5 mm")
+  again <- build()
+  build_lattice(gear_si(read_gear("model_cage")), 200, "bars")
+  expect_identical(again, build())
 })

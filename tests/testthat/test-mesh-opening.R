@@ -50,7 +50,9 @@ test_that("the key of a plot of meshes has every line as it is drawn", {
   meshes <- mesh_openings(suppressWarnings(settle("pair_trawl", nodes = 300)))
   file <- tempfile(fileext = ".svg")
   plot(meshes, file = file)
-  drawn <- grep("fill:none;.*stroke:rgb", readLines(file), value = TRUE)
+  # cairo writes style="fill:none;stroke:rgb(...)" or, from 1.18 on, fill="none" stroke="rgb(...)"
+  lines <- gsub('="', ":", readLines(file), fixed = TRUE)
+  drawn <- grep("fill:none.*stroke:rgb", lines, value = TRUE)
   colour <- sub(".*stroke:rgb\\(([^)]*)\\).*", "\\1", drawn)
   dash <- ifelse(grepl("dasharray", drawn), sub('.*dasharray:([^;"]*).*', "\\1", drawn), "")
   # lines of one colour, the key's among them, are all dashed or none is

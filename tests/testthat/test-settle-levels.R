@@ -50,6 +50,23 @@ test_that("a state is the start of another speed, warp or finer lattice", {
   )
 })
 
+test_that("a shape that is only tried is left as it was where its steps do not close in", {
+  state <- settled("midwater_trawl", nodes = 500)
+  shape <- state_shape(state)
+  # held where it was, the net is torn between ropes half as long
+  shorter <- gear_si(update(state$gear, warps.length = "300 m"))
+  begin <- function(si, tried) {
+    settle_level(si, 500, NULL, c(shape, tried = tried), 300L, function(...) NULL)
+  }
+  tried <- begin(shorter, TRUE)
+  expect_false(tried$report$converged)
+  expect_lt(tried$report$iterations, begin(shorter, FALSE)$report$iterations)
+  expect_identical(tried$position, as.vector(state$position))
+  # where it does close in it is a settled start
+  near <- gear_si(update(state$gear, warps.length = "606 m"))
+  expect_identical(begin(near, TRUE)$position, begin(near, FALSE)$position)
+})
+
 test_that("a state of other parts is refused", {
   state <- settled("towed_cable")
   expect_error(

@@ -18,8 +18,9 @@ class Settling {
         report_(report),
         x_(x),
         start_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
-        corrected_(control.start == Start::settled),
-        closing_in_(control.start == Start::settled),
+        from_settled_(control.start == Start::settled || control.start == Start::tried),
+        corrected_(from_settled_),
+        closing_in_(from_settled_),
         settled_(start_),
         iteration_(assembly, control, v, x, report) {}
 
@@ -37,7 +38,7 @@ class Settling {
         take_start();
       } else if (closing_in_ && (steps_ == control_.attempts.settled_steps || iteration_.lost() ||
                                  !std::isfinite(report_.residual))) {
-        go_back();
+        if (!go_back()) return;
       }
       if (control_.watch && !control_.watch({report_.iterations, report_.residual})) return;
       report_.converged = iteration_.balanced();
@@ -56,24 +57,29 @@ class Settling {
 
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near(true);
-    if (control_.start == Start::settled) iteration_.begin_settled(true);
+    if (from_settled_) iteration_.begin_settled(true);
   }
 
-  // To the last settled shape, from which steps did not close in.
-  void go_back() {
+  // To the last settled shape, from which steps did not close in; false where it was only tried.
+  bool go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
-    if (corrected_ && report_.wake_renewals == 0) {
+    if (corrected_ && iteration_.has_corrected() && report_.wake_renewals == 0) {
       corrected_ = false;
       iteration_.measure();
       iteration_.begin_settled(false);
       steps_ = 0;
-      return;
+      return true;
+    }
+    if (control_.start == Start::tried && report_.wake_renewals == 0) {
+      iteration_.measure();
+      return false;
     }
     iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
     if (report_.wake_renewals == 0) iteration_.begin_near(false);
     closing_in_ = false;
     steps_ = 0;
+    return true;
   }
 
   // At the start, at another pace; false after the last attempt.
@@ -88,13 +94,13 @@ class Settling {
 
   // What needs no step from where it was settled has its wake from then.
   bool wake_is_due() const {
-    return assembly_.has_wake() && !(control_.start == Start::settled && report_.iterations == 0 &&
-                                     !assembly_.model().wake.empty());
+    return assembly_.has_wake() &&
+           !(from_settled_ && report_.iterations == 0 && !assembly_.model().wake.empty());
   }
 
   // Where the wake changes the shape is not yet found.
   void renew_wake() {
-    const int searches = control_.start == Start::settled && !assembly_.model().wake.empty()
+    const int searches = from_settled_ && !assembly_.model().wake.empty()
                              ? control_.wake.settled_searches
                              : control_.wake.searches;
     report_.wake_change =
@@ -145,8 +151,9 @@ class Settling {
   double* x_;
   const std::vector<double> start_;
   std::size_t attempt_ = 0;
-  int steps_ = 0;   // of this attempt
-  int here_ = 0;    // perturbations of this attempt
+  int steps_ = 0;  // of this attempt
+  int here_ = 0;   // perturbations of this attempt
+  const bool from_settled_;
   bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;

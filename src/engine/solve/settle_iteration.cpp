@@ -326,6 +326,7 @@ void SettleIteration::correct() {
   }
   const LineChange& change = without_swinging(assembly_.line_change(dx_.data()));
   if (!(change.rotation < turned_)) return;
+  has_corrected_ = true;
   path_.advance(strain_change_, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
   settle_swinging();

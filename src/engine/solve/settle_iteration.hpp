@@ -44,6 +44,8 @@ class SettleIteration {
   void judge_parts();
   // Whether steps from a settled shape do not close in.
   bool lost() const;
+  // Whether any of them was corrected.
+  bool has_corrected() const { return has_corrected_; }
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -99,7 +101,7 @@ class SettleIteration {
   std::vector<double> first_force_;
   // How much the last step turned lines, and where it began.
   double turned_ = 1.0;
-  bool correcting_ = false;
+  bool correcting_ = false, has_corrected_ = false;
   std::vector<double> from_x_, pull_;
   // Nodes that the last step made swing, and how it changed the strains of all lines.
   std::vector<int> swinging_;
