@@ -232,7 +232,7 @@ order_columns <- function(panels, joints, si, laced) {
   panels$column <- match(panels$column, order)
   beside$column <- match(beside$column, order)
   beside$other_column <- match(beside$other_column, order)
-  panels <- rest_on_top(panels)
+  panels <- rest_on_top(level_covers(panels, joints))
   kind <- column_kinds(panels, si, laced)
   closed <- any(beside$column == max(panels$column) & beside$other_column == 1L)
   # A ring of equal columns is drawn as one of them, not unrolled.
@@ -271,6 +271,21 @@ level_column <- function(panels, joint) {
     edge_point(other, joint$other_edge, (joint$other_from + joint$other_to) / 2)[2]
   mine <- panels$column == joint$other_column
   panels$y[mine] <- panels$y[mine] + away
+  panels
+}
+
+# Moves columns that lie over another one, such as a liner, to where their front edge is laced.
+level_covers <- function(panels, joints) {
+  for (column in unique(panels$column)) {
+    mine <- panels$column == column
+    # a column with one panel in front, whose upper edge meets a lower edge of another column
+    joint <- joints[joints$panel == panels$name[mine][which.min(panels$y[mine])] &
+      joints$edge == "upper" & joints$other_edge == "lower" &
+      !joints$other %in% panels$name[mine], ]
+    if (!nrow(joint)) next
+    here <- panels[match(joint$other[1L], panels$name), ]
+    panels$y[mine] <- panels$y[mine] - min(panels$y[mine]) + here$y + here$depth
+  }
   panels
 }
 

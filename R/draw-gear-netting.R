@@ -6,9 +6,11 @@ longest_wall <- 6
 steepest_scale <- 20
 
 # The columns of a layout ready to draw, the upper panel first: a list of list(panels (with corners
-# ul, ur, lr, ll, rates and whether they have labels), heading, remark, half ("", "left", "right":
-# which half of a symmetric column), wall, outer (the side that labels stand on), rows (whether its
-# netting is told beside it), joined (drawn from the centre line of the column before)).
+# ul, ur, lr, ll, rates and whether they have labels), words and counts (what is said of each panel:
+# matrices with a column for each), laced (what runs along them), heading, remark, half ("",
+# "left", "right": which half of a symmetric column), wall, outer (the side that labels stand on),
+# rows (whether its netting is told beside it), joined (drawn from the centre line of the column
+# before)).
 #
 # true_size: nothing is drawn shorter than it is.
 net_columns <- function(figure, true_size = FALSE) {
@@ -29,6 +31,11 @@ net_columns <- function(figure, true_size = FALSE) {
     if (length(columns) > 1L && word %in% names(names)) {
       columns[[k]]$heading <- sub(word, names[[word]], columns[[k]]$heading, fixed = TRUE)
     }
+    columns[[k]]$remark <- sub("back, belly", "upper, lower", columns[[k]]$remark, fixed = TRUE)
+    columns[[k]]$words <- told_words(columns[[k]], figure$si)
+    columns[[k]]$counts <- vapply(columns[[k]]$panels$name, function(name) {
+      mesh_number(unlist(figure$si$panels[[name]][c("upper", "lower")]))
+    }, character(2))
   }
   pair <- length(columns) > 1L && !anyNA(first) && all(nzchar(c(columns[[1]]$half,
     columns[[2]]$half)))
@@ -36,9 +43,10 @@ net_columns <- function(figure, true_size = FALSE) {
     columns[[1]] <- turned_half(columns[[1]])
     columns[[2]]$joined <- TRUE
   }
-  rows <- lapply(columns, function(c) column_rows(c, figure$si))
+  rows <- lapply(columns, column_rows)
   for (k in seq_along(columns)) {
     columns[[k]]$number <- k
+    columns[[k]]$laced <- column_laced(columns[[k]], figure)
     columns[[k]]$rows <- !columns[[k]]$wall && (k == 1L || !same_rows(rows[[k]], rows[[1L]]))
   }
   columns
@@ -120,10 +128,26 @@ beside_another <- function(panels) {
   }, NA)
 }
 
+# What is said of every panel of a column (panel_words()): panels of one part that differ, such as a
+# wing and its jib, are told by the last words of their names.
+told_words <- function(column, si) {
+  name <- column$panels$name
+  words <- vapply(name, panel_words, character(4), si = si)
+  told <- which(column$panels$labelled)
+  for (part in unique(words["part", told])) {
+    mine <- told[words["part", told] == part]
+    if (ncol(unique(words[, mine, drop = FALSE], MARGIN = 2L)) < 2L) next
+    last <- sub(".*_", "", name[mine])
+    if (!anyDuplicated(last)) words["part", mine] <- last
+  }
+  words
+}
+
 # Panels of a column that have a row beside them: those that have labels.
-column_rows <- function(column, si) {
-  p <- column$panels[column$panels$labelled, ]
-  words <- vapply(p$name, function(name) paste(panel_words(name, si), collapse = "|"), "")
+column_rows <- function(column) {
+  told <- column$panels$labelled
+  p <- column$panels[told, ]
+  words <- apply(column$words[, told, drop = FALSE], 2L, paste, collapse = "|")
   data.frame(name = p$name, y = p$y, depth = p$depth, words = words)
 }
 
@@ -146,12 +170,13 @@ listed_columns <- function(columns) {
 
 # That list: a data frame with a row for each make of netting: panel (one of them), name, deep, mesh
 # and twine.
-netting_items <- function(columns, figure) {
+netting_items <- function(columns) {
   rows <- do.call(rbind, lapply(columns, function(column) {
-    p <- column$panels[column$panels$labelled, ]
-    words <- vapply(p$name, panel_words, character(4), si = figure$si)
+    told <- column$panels$labelled
+    words <- column$words[, told, drop = FALSE]
     data.frame(
-      panel = p$name, where = column$heading, part = words[1, ], deep = words[2, ],
+      panel = column$panels$name[told], where = column$heading, part = words[1, ],
+      deep = words[2, ],
       mesh = words[3, ], twine = words[4, ]
     )
   }))
@@ -189,6 +214,33 @@ columns_width <- function(columns, figure, scale, look) {
   each[1, joined] <- 0
   each[2, which(joined) - 1L] <- 0
   sum(each[2, ] - each[1, ]) + 4 * look$gap * sum(!joined[-1L])
+}
+
+# A width that columns are never drawn narrower than, found without drawing them: their netting, and
+# beside it the cutting rates and what else is told there.
+least_width <- function(columns, scale, look) {
+  each <- vapply(columns, function(column) {
+    told <- column$panels$labelled
+    p <- column$panels[told, ]
+    right <- column$outer == "right"
+    outer <- (if (right) p$ur + p$lr else -p$ul - p$ll) / 2
+    inner <- if (nzchar(column$half)) 0 else max(-column$panels[c("ul", "ll")])
+    if (column$wall) return(scale[1] * (max(outer) + inner))
+    rows <- if (column$rows) 2 * look$gap + sum(row_widths(column$words[, told], look)) +
+      3 * 2 * look$gap
+    max(scale[1] * outer + look$gap + text_width(p$outer_rate, look$t)) + sum(rows) +
+      scale[1] * inner
+  }, 0)
+  joined <- vapply(columns, `[[`, NA, "joined")
+  sum(each) + 4 * look$gap * sum(!joined[-1L])
+}
+
+# Widths of the columns beside panels, by their words (a row for each).
+row_widths <- function(words, look) {
+  words <- matrix(words, 4L)
+  vapply(seq_len(4L), function(c) {
+    max(text_width(c(panel_columns$heading[c], words[c, ]), look$t))
+  }, 0)
 }
 
 columns_height <- function(columns) {
@@ -240,7 +292,7 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
       draw = sheet_line(sheet, x(c(0, 0)), cy, dash = c(6, 1.5, 1, 1.5)))
     take_lines(use, x(c(0, 0)), cy)
   }
-  laced <- drawn_laced(column, figure, x, y)
+  laced <- drawn_laced(column$laced, x, y)
   for (k in which(laced$thick)) {
     on_sheet(sheet, component = "rope", ref = paste0("ropes.", laced$rope[k]), layer = "ROPES",
       draw = sheet_line(sheet, c(laced$x0[k], laced$x1[k]), c(laced$y0[k], laced$y1[k]),
@@ -298,8 +350,7 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
   panels <- column$panels
   sign <- if (column$outer == "left") -1 else 1
   towards <- if (sign < 0) 1 else 0
-  si <- figure$si
-  counted <- put_counts(sheet, column, si, scale, at, look, use)
+  counted <- put_counts(sheet, column, scale, at, look, use)
   inner <- put_inner_rates(sheet, column, scale, at, look, use)
   rows <- which(panels$labelled)
   middle <- at[2] - scale[2] * (panels$y[rows] + panels$depth[rows] / 2)
@@ -313,9 +364,9 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
   for (k in seq_along(rows)) {
     p <- panels[rows[k], ]
     ref <- paste0("panels.", p$name)
-    counts <- unique(mesh_number(unlist(si$panels[[p$name]][c("upper", "lower")])))
+    counts <- unique(column$counts[, rows[k]])
     words <- c(
-      if (column$named) panel_words(p$name, si)[["part"]],
+      if (column$named) column$words["part", rows[k]],
       if (!counted[rows[k]]) paste(counts, collapse = "/"), p$outer_rate,
       if (nzchar(inner[rows[k]])) paste("inner", inner[rows[k]])
     )
@@ -334,7 +385,7 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
     }
   }
   if (column$rows) {
-    put_rows(sheet, column, figure, rows[!duplicated(line)], y[!duplicated(line)],
+    put_rows(sheet, column, rows[!duplicated(line)], y[!duplicated(line)],
       at[2], sign * max(sign * ends) + sign * 2 * look$gap, look)
   }
   x <- if (nzchar(column$half)) at[1] - towards * 2 * look$gap else {
@@ -364,13 +415,12 @@ outer_edge <- function(column, scale, at, heights) {
 }
 
 # Meshes across at upper and lower edges, within panels that have the room. Returns which had.
-put_counts <- function(sheet, column, si, scale, at, look, use) {
+put_counts <- function(sheet, column, scale, at, look, use) {
   panels <- column$panels
   vapply(seq_len(nrow(panels)), function(k) {
     p <- panels[k, ]
     if (!p$labelled) return(TRUE)
-    panel <- si$panels[[p$name]]
-    texts <- mesh_number(c(upper = panel$upper, lower = panel$lower))
+    texts <- column$counts[, k]
     deep <- scale[2] * p$depth
     down <- 0.95 * look$t
     # widths of the panel where the counts stand
@@ -403,7 +453,7 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
     right <- column$outer == "right"
     ends <- if (right) c(p$ul, p$ll) else c(p$ur, p$lr)
     text <- p$inner_rate
-    size <- c(text_width(text, look$t), look$line)
+    size <- c(text_width(text, look$t) + look$gap, look$line)
     f <- c(0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1)
     y <- at[2] - scale[2] * (p$y + f * p$depth)
     edge <- at[1] + scale[1] * (ends[1] + f * (ends[2] - ends[1]))
@@ -418,7 +468,9 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
       cbind(edge + sign * away, y), cbind(edge - sign * away, y)[within(away), ],
       cbind(edge + sign * near, y), cbind(edge - sign * near, y)[within(near), ]
     )
-    where <- find_room(use, places, size)
+    # beyond the centre line another half may stand
+    own <- !nzchar(column$half) | -sign * (places[, 1] - at[1]) >= size[1] / 2
+    where <- find_room(use, places[own, , drop = FALSE], size)
     if (is.null(where)) {
       left_over[k] <- text
       next
@@ -430,11 +482,9 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
 }
 
 # The columns beside panels: part, meshes deep, mesh size and twine.
-put_rows <- function(sheet, column, figure, rows, y, top, near, look) {
-  words <- vapply(column$panels$name[rows], panel_words, character(4), si = figure$si)
-  wide <- vapply(seq_len(4L), function(c) {
-    max(text_width(c(panel_columns$heading[c], words[c, ]), look$t))
-  }, 0)
+put_rows <- function(sheet, column, rows, y, top, near, look) {
+  words <- column$words[, rows, drop = FALSE]
+  wide <- row_widths(words, look)
   total <- sum(wide) + 3 * 2 * look$gap
   left <- if (column$outer == "left") near - total else near
   start <- left + cumsum(c(0, wide[-4L] + 2 * look$gap))
@@ -516,10 +566,11 @@ lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
     for (k in seq_along(mine)) {
       p <- panels[mine[k], ]
       put_wall_words(sheet, use, p$name, words[[mine[k]]], 1:4, cx[k], top, look)
-      # the line ends in its panel, as near above its words as may be
+      # the line ends in its panel, straight over its words if it may
       side_of <- x(c(max(p$ul, p$ll), min(p$ur, p$lr)))
       start <- c(cx[k], if (side == 1L) top else top - high)
-      end <- clear_end(use, start, seq(side_of[1] + 1, side_of[2] - 1, length.out = 9L),
+      # its middle before its edges
+      end <- clear_end(use, start, side_of[1] + diff(side_of) * c(0.5, 0.35, 0.65, 0.2, 0.8),
         y(p$y + p$depth / 2))
       on_sheet(sheet, component = "leader", layer = "NAMES", draw = {
         sheet_line(sheet, c(end[1], start[1]), c(end[2], start[2]))
@@ -530,10 +581,10 @@ lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
   }
 }
 
-# The nearest of the places x at a height to which a line from a start crosses no text.
+# The first of the places straight over a start, where that is one, and of x, at a height, to which
+# a line from the start crosses no text.
 clear_end <- function(use, start, x, y) {
-  x <- c(x, min(max(start[1], x[1]), x[length(x)]))
-  x <- x[order(abs(x - start[1]))]
+  if (start[1] >= min(x) && start[1] <= max(x)) x <- c(start[1], x)
   inner <- use$boxes + rep(c(0.3, 0.3, -0.3, -0.3), each = nrow(use$boxes))
   for (one in x) {
     line <- matrix(c(start, one, y), 1L)
@@ -578,6 +629,7 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
   for (one in utils::head(tried, 14L)) {
     scale <- rep(1000 / one, 2L)
     if (prod(scale) <= least) break
+    if (least_width(columns, scale, look) > room) next
     if (columns_width(columns, figure, scale, look) <= room) return(scale)
   }
   NULL

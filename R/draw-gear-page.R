@@ -5,7 +5,7 @@ sheet_margin <- c(left = 20, other = 10)
 
 # Heights of text (ISO 3098, mm) that a sheet may have, the largest first.
 sheet_text_sizes <- list(
-  A4 = 1.8, A3 = c(2.5, 1.8), A2 = c(3.5, 2.5, 1.8), A1 = c(5, 3.5, 2.5, 1.8)
+  A4 = 1.8, A3 = c(2.5, 1.8), A2 = c(3.5, 2.5), A1 = c(5, 3.5, 2.5)
 )
 
 # A gear's drawing on a sheet of a size ("A4"), on its side or upright as it has more room.
@@ -20,7 +20,7 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
     before <- best
     for (t in sheet_text_sizes[[page]]) {
       # Larger letters are worth a little of the netting's size.
-      much <- if (identical(best, before)) 3 else 1.5
+      much <- if (identical(best, before)) 2 else 1.5
       least <- if (is.null(best)) 0 else much * best$worth
       found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size, least)
       if (!is.null(found)) best <- c(found, list(columns = way))
@@ -64,11 +64,12 @@ info_blocks <- function(figure, columns, look) {
   }
   straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
   if (length(straight)) {
-    add(34 * look$t, length(straight) * straight_height(look), FALSE,
+    each <- vapply(straight, straight_height, 0, look = look)
+    add(straight_width(look), sum(each), FALSE,
       function(sheet, left, top, wide, high) {
         for (k in seq_along(straight)) {
-          draw_straight(sheet, straight[[k]], figure, left, top - (k - 1) * straight_height(look),
-            wide, look)
+          draw_straight(sheet, straight[[k]], figure, left, top, wide, look)
+          top <- top - each[k]
         }
       })
   }
@@ -79,7 +80,7 @@ info_blocks <- function(figure, columns, look) {
     })
   }
   if (length(columns) && columns[[1L]]$named) {
-    table <- netting_list(netting_items(columns, figure), look)
+    table <- netting_list(netting_items(columns), look)
     add(table$wide, table$high, FALSE, table$draw)
   }
   for (rows in chunks(NROW(figure$ropes), 20L)) {
@@ -98,7 +99,8 @@ chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most)
 rope_list <- function(figure, rows, look) {
   items <- figure$ropes[rows, ]
   words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
-  heading <- c("Ropes", "length m", "\u00d8 mm", "E")
+  hung <- any(nzchar(words["hanging", ]))
+  heading <- c("Ropes", "length m", "\u00d8 mm", if (hung) "E" else "")
   wide <- vapply(seq_len(4L), function(c) {
     max(text_width(c(heading[c], words[c, ]), look$t, c == 1L))
   }, 0)
@@ -337,11 +339,11 @@ legend_words <- function(figure) {
     if (!is.null(figure$layout)) {
       c(
         width_rule(figure),
-        "Meshes at edges are across the whole panel (upper/lower). N points, T meshes, B bars.",
-        "E hanging ratio. Lengths of ropes are of one."
+        "Meshes at edges are across the whole panel (upper/lower). N points, T meshes, B bars."
       )
     },
-    if (is.null(figure$layout) && !is.null(figure$ropes)) "Lengths of ropes are of one."
+    if (any(figure$ropes$laced)) "E hanging ratio.",
+    if (!is.null(figure$ropes)) "Lengths of ropes are of one."
   )
 }
 

@@ -3,22 +3,34 @@
 
 # Places that ropes join, taken together where they are alike, or NULL without ropes between points.
 #
+# frames: struts that no rope of the list is, such as those of a beam trawl's shoes.
+#
 # Returns list(nodes (data frame: layer, order, held, motion (words), netting, letters (of pieces)),
-# ropes (data frame: from, to (rows of nodes), item, length)).
-plan_rigging <- function(si, ropes, pieces) {
+# ropes (data frame: from, to (rows of nodes), item (NA of a frame), length)).
+plan_rigging <- function(si, ropes, pieces, frames = list()) {
   free <- Filter(function(rope) !is.null(rope$from), si$ropes)
   if (!length(free)) return(NULL)
   found <- rigging_places(si)
   item <- ropes$item[match(vapply(names(free), rope_kind, "", si = si), ropes$kind)]
-  # A rope that slides through places runs from either end to all of them.
+  on_free <- vapply(lapply(found$places, parse_place), function(p) {
+    if (p$kind == "rope" && p$name %in% names(free)) p$name else ""
+  }, "")
+  # A rope that slides through places, or has some along it, runs from either end to all of them.
   stretches <- do.call(rbind, lapply(seq_along(free), function(k) {
     rope <- free[[k]]
-    if (!length(rope$through)) return(data.frame(rope = k, from = rope$from, to = rope$to))
+    by <- c(rope$through, found$places[on_free == names(free)[k]])
+    if (!length(by)) return(data.frame(rope = k, from = rope$from, to = rope$to))
     rbind(
-      data.frame(rope = k, from = rope$from, to = rope$through),
-      data.frame(rope = k, from = rope$to, to = rope$through)
+      data.frame(rope = k, from = rope$from, to = by),
+      data.frame(rope = k, from = rope$to, to = by)
     )
   }))
+  # Braces from a frame to a rope, or across to its like, keep a model stiff: nobody makes them.
+  frames <- frame_stretches(frames, found$of, found$places[on_free != ""])
+  stretches <- rbind(stretches, frames)
+  free <- c(free, list(list(length = NA_real_)))
+  item <- c(item, NA)
+  stretches$rope[is.na(stretches$rope)] <- length(free)
   from <- match(found$of(stretches$from), found$places)
   to <- match(found$of(stretches$to), found$places)
   item <- item[stretches$rope]
@@ -31,6 +43,7 @@ plan_rigging <- function(si, ropes, pieces) {
   flip <- edges$from > edges$to
   edges[flip, c("from", "to")] <- edges[flip, c("to", "from")]
   edges <- edges[!duplicated(edges[c("from", "to", "item")]), ]
+  edges <- edges[!is.na(edges$item) | edges$from != edges$to, ]
   nodes <- data.frame(
     held = found$held[first], motion = found$motion[first], netting = found$netting[first],
     letters = letters[first]
@@ -38,6 +51,13 @@ plan_rigging <- function(si, ropes, pieces) {
   nodes$layer <- rigging_layers(nodes, edges)
   nodes$order <- rigging_order(nodes, edges)
   list(nodes = nodes, ropes = edges)
+}
+
+# Struts as stretches of no rope, without those that end at a place along one.
+frame_stretches <- function(frames, of, on_rope) {
+  ends <- function(end) of(vapply(frames, `[[`, "", end))
+  out <- data.frame(rope = rep(NA_integer_, length(frames)), from = ends("from"), to = ends("to"))
+  out[!(out$from %in% on_rope | out$to %in% on_rope), ]
 }
 
 # The places of ropes' ends and of pieces: list(places (texts); held, motion (how held, in words)
@@ -126,7 +146,42 @@ rigging_order <- function(nodes, edges) {
     }, 0)
     order[mine[order(mean_before, mine)]] <- seq_along(mine) - (length(mine) + 1) / 2
   }
+  for (layer in sort(unique(nodes$layer))) {
+    order <- uncrossed_layer(order, which(nodes$layer == layer), nodes$layer, edges)
+  }
   order
+}
+
+# The order with the nodes of one layer changed about so that the fewest ropes cross; layers of many
+# nodes stay as they are.
+uncrossed_layer <- function(order, mine, layer, edges) {
+  if (length(mine) > 5L) return(order)
+  least <- crossings(order, layer, edges)
+  best <- order
+  for (way in permutations(order[mine])) {
+    if (least == 0) break
+    tried <- replace(order, mine, way)
+    found <- crossings(tried, layer, edges)
+    if (found < least) {
+      least <- found
+      best <- tried
+    }
+  }
+  best
+}
+
+permutations <- function(x) {
+  if (length(x) < 2L) return(list(x))
+  do.call(c, lapply(seq_along(x), function(k) lapply(permutations(x[-k]), function(r) c(x[k], r))))
+}
+
+# How many pairs of ropes between the same two layers cross.
+crossings <- function(order, layer, edges) {
+  a <- ifelse(layer[edges$from] <= layer[edges$to], edges$from, edges$to)
+  b <- edges$from + edges$to - a
+  same <- outer(layer[a], layer[a], "==") & outer(layer[b], layer[b], "==") &
+    (layer[a] != layer[b])
+  sum(same & outer(order[a], order[a], "-") * outer(order[b], order[b], "-") < 0) / 2
 }
 
 # How high and wide the rigging needs to be drawn, mm.
@@ -134,8 +189,20 @@ rigging_size <- function(rigging, look) {
   most <- max(table(rigging$nodes$layer))
   c(
     (max(rigging$nodes$layer) + 1.5) * (8 * look$t + 2 * look$balloon),
-    3 * look$line + max(most, 2) * 4.2 * look$line
+    3 * look$line + max(most, 2) * 4.2 * look$line + sum(next_room(rigging, look))
   )
+}
+
+# Ropes from a place to its like, such as a tickler chain from shoe to shoe, leave it upwards or
+# downwards, one beyond the other: how far apart, mm.
+next_pitch <- function(look) 2 * look$balloon + look$gap
+
+# The room that these take above and below all places, mm.
+next_room <- function(rigging, look) {
+  within <- rigging$ropes$from[rigging$ropes$from == rigging$ropes$to]
+  count <- as.vector(table(factor(within, seq_len(nrow(rigging$nodes)))))
+  up <- rigging$nodes$order < 0
+  next_pitch(look) * c(up = max(0, count[up]), down = max(0, count[!up]))
 }
 
 # frame: left, bottom, right, top.
@@ -154,30 +221,43 @@ draw_rigging <- function(sheet, figure, frame, look) {
   right <- frame[3] - if (netting) bag + 4 * look$gap else 5 * look$t
   left <- frame[1] + text_width("towing point", look$t) / 2
   x <- if (last == 0L) rep(left, nrow(nodes)) else left + (right - left) * nodes$layer / last
-  middle <- (frame[2] + frame[4] - 1.5 * look$line) / 2
+  beyond <- next_room(rigging, look)
+  middle <- (frame[2] + beyond[["down"]] + frame[4] - beyond[["up"]] - 1.5 * look$line) / 2
   most <- max(table(nodes$layer))
-  step <- (frame[4] - frame[2] - 4.5 * look$line) / max(1, most - 1)
+  step <- (frame[4] - frame[2] - sum(beyond) - 4.5 * look$line) / max(1, most - 1)
   y <- middle - min(step, 40) * nodes$order
   use <- new_page_use()
   if (netting) draw_net_box(sheet, nodes, x, y, frame[3], bag, look, use)
   for (k in seq_len(nrow(nodes))) {
     take_box(use, c(x[k], y[k], x[k], y[k]) + c(-1, -1, 1, 1) * 0.8 * look$t)
   }
-  within <- which(nodes$layer[ropes$from] == nodes$layer[ropes$to])
+  frames <- is.na(ropes$item)
+  within <- which(nodes$layer[ropes$from] == nodes$layer[ropes$to] & !frames)
   lines <- lapply(seq_len(nrow(ropes)), function(k) {
     a <- ropes$from[k]
     b <- ropes$to[k]
     number <- sum(ropes$from[seq_len(k)] == a & ropes$to[seq_len(k)] == b)
+    if (a == b) {
+      turn <- if (nodes$order[a] < 0) 1 else -1
+      return(rope_to_next(c(x[a], y[a]), turn * number * next_pitch(look), look))
+    }
     rope_curve(c(x[a], y[a]), c(x[b], y[b]), k %in% within, number)
   })
   for (k in seq_along(lines)) {
     line <- lines[[k]]
     take_lines(use, line[, 1], line[, 2])
-    on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope_of(ropes$item[k], figure)),
-      layer = "RIGGING",
-      draw = sheet_line(sheet, line[, 1], line[, 2], sheet_width[["middle"]]))
+    ref <- if (frames[k]) "" else paste0("ropes.", rope_of(ropes$item[k], figure))
+    on_sheet(sheet, component = if (frames[k]) "piece" else "rope", ref = ref, layer = "RIGGING",
+      draw = sheet_line(sheet, line[, 1], line[, 2],
+        sheet_width[[if (frames[k]) "thick" else "middle"]]))
   }
-  for (k in seq_along(lines)) label_rope(sheet, lines[[k]], ropes[k, ], figure, frame, look, use)
+  for (k in which(!frames)) {
+    if (ropes$from[k] == ropes$to[k]) {
+      label_rope_to_next(sheet, lines[[k]], ropes[k, ], figure, look, use)
+    } else {
+      label_rope(sheet, lines[[k]], ropes[k, ], figure, frame, look, use)
+    }
+  }
   for (k in seq_len(nrow(nodes))) draw_node(sheet, nodes[k, ], x[k], y[k], figure, look, use)
 }
 
@@ -207,11 +287,6 @@ draw_net_box <- function(sheet, nodes, x, y, right, wide, look, use) {
 
 # A straight line, or an arc where it joins places of one layer or is one of several between two.
 rope_curve <- function(a, b, within, number) {
-  if (all(a == b)) {
-    turn <- seq(0, 2 * pi, length.out = 25L)
-    long <- 1 + 2.2 * number
-    return(cbind(a[1] + long - long * cos(turn), a[2] + (1 + 1.2 * number) * sin(turn)))
-  }
   bend <- if (within) 0.35 else 0.16 * (number - 1)
   if (bend == 0) return(rbind(a, (a + b) / 2, b))
   s <- seq(0, 1, length.out = 17L)
@@ -224,6 +299,35 @@ rope_curve <- function(a, b, within, number) {
     a[1] + s * (b[1] - a[1]) + bend * 4 * s * (1 - s) * across[1],
     a[2] + s * (b[2] - a[2]) + bend * 4 * s * (1 - s) * across[2]
   )
+}
+
+# A rope from a place to its like: away from it, and then along.
+rope_to_next <- function(at, far, look) {
+  cbind(at[1] + c(0, 0, 4.5 * look$balloon), at[2] + c(0, far, far))
+}
+
+# Its number on it, an open end, and its length behind that.
+label_rope_to_next <- function(sheet, line, rope, figure, look, use) {
+  ref <- paste0("ropes.", rope_of(rope$item, figure))
+  end <- line[3, ]
+  r <- 0.4 * look$t
+  at <- c((line[2, 1] + end[1]) / 2, end[2])
+  take_box(use, c(at, at) + (look$balloon + 0.2) * c(-1, -1, 1, 1))
+  take_box(use, c(end, end) + r * c(-1, -1, 1, 1))
+  on_sheet(sheet, component = "rope", ref = ref, layer = "RIGGING", draw = {
+    sheet_circle(sheet, end[1], end[2], r)
+    draw_balloon(sheet, at[1], at[2], rope$item, look)
+  })
+  metres <- paste(short_number(rope$length), "m")
+  for (text in c(paste(metres, "to the next"), metres)) {
+    size <- c(text_width(text, look$t), look$line)
+    where <- find_room(use, rbind(end + c(r + look$gap + size[1] / 2, 0)), size)
+    # the list of ropes has it too
+    if (is.null(where)) next
+    on_sheet(sheet, component = "length", ref = paste0(ref, ".length"), layer = "RIGGING",
+      draw = sheet_text(sheet, where[1], where[2], text, look$t, 0.5))
+    return(invisible())
+  }
 }
 
 # Points at fractions of a line's length.

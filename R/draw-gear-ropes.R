@@ -1,8 +1,8 @@
 # Ropes and pieces that run along the netting of a plan drawing.
 
-# What runs along a column's panels, as straight lines on the page: a data frame with label, square
-# (a piece), thick (a rope) and x0, y0, x1, y1.
-drawn_laced <- function(column, figure, x, y) {
+# What runs along a column's panels, as straight lines in its metres: a data frame with label,
+# square (a piece), thick (a rope), rope, and x0, y0, x1, y1.
+column_laced <- function(column, figure) {
   ropes <- figure$layout$laced
   ropes$label <- as.character(figure$ropes$item[match(ropes$kind, figure$ropes$kind)])
   ropes$square <- rep(FALSE, nrow(ropes))
@@ -24,10 +24,16 @@ drawn_laced <- function(column, figure, x, y) {
   ends <- matrix(ends, 4L)
   lines <- data.frame(
     label = all$label, square = all$square, thick = !all$square, rope = all$rope,
-    x0 = x(ends[1, ]), y0 = y(ends[2, ]), x1 = x(ends[3, ]), y1 = y(ends[4, ])
+    x0 = ends[1, ], y0 = ends[2, ], x1 = ends[3, ], y1 = ends[4, ]
   )
-  long <- sqrt((lines$x1 - lines$x0)^2 + (lines$y1 - lines$y0)^2)
-  lines[!is.na(long) & long > 1e-3, ]
+  lines[!is.na(lines$x0), ]
+}
+
+# These lines on the page, without those that are too short to see there.
+drawn_laced <- function(lines, x, y) {
+  lines[c("x0", "x1")] <- lapply(lines[c("x0", "x1")], x)
+  lines[c("y0", "y1")] <- lapply(lines[c("y0", "y1")], y)
+  lines[sqrt((lines$x1 - lines$x0)^2 + (lines$y1 - lines$y0)^2) > 1e-3, ]
 }
 
 # Pieces spread along ropes or edges, in the form of laced_edges() with their letters.
@@ -162,7 +168,11 @@ plan_discs <- function(plan) {
   lapply(groups, function(group) lapply(group[c("diameter", "width")], quantity_si, "length"))
 }
 
-straight_height <- function(look) 6.2 * look$line
+# The least width of ropes laid straight, and how high one of them is then, mm.
+straight_width <- function(look) 34 * look$t
+straight_height <- function(rope, look) {
+  (5.2 + length(piece_lines(rope, straight_width(look), look))) * look$line
+}
 
 # One rope laid straight, from x on, `wide` long, under y = top.
 draw_straight <- function(sheet, rope, figure, x, top, wide, look) {
@@ -215,11 +225,9 @@ draw_disc <- function(sheet, x, y, disc, largest, step, look) {
 draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
   pieces <- rope$pieces
   if (is.null(pieces)) return(invisible())
-  said <- character()
   for (k in seq_len(nrow(pieces))) {
     p <- pieces[k, ]
-    # from end to end, or each in the middle of its share, as the lattice has them
-    apart <- (p$to - p$from) / (p$number - p$ends)
+    apart <- share_apart(p)
     share <- p$from + apart * (seq_len(p$number) - if (p$ends) 1 else 0.5)
     step <- wide * apart
     radius <- min(0.8 * look$t, step / 2.5)
@@ -234,16 +242,30 @@ draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
         }
       }
     })
-    each <- rope$item$length * apart
-    size <- if (is_disc) paste0(" \u00d8", short_number(in_unit(p$diameter, "mm")))
-    said <- c(said, paste0(p$letter, ": ", p$name, size, if (p$number > 1) {
-      paste0(", ", p$number, " off, ", short_number(each, 3), " m apart")
-    }))
   }
+  lines <- piece_lines(rope, wide, look)
+  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES", draw = {
+    for (l in seq_along(lines)) {
+      sheet_text(sheet, x, y - (0.3 + l) * look$line, lines[l], look$t)
+    }
+  })
+}
+
+# The shares of a rope between pieces along it: from end to end, or each in the middle of its own,
+# as the lattice has them.
+share_apart <- function(pieces) (pieces$to - pieces$from) / (pieces$number - pieces$ends)
+
+# What is said of the pieces along a rope, in lines of a width; none without pieces.
+piece_lines <- function(rope, wide, look) {
+  pieces <- rope$pieces
+  if (is.null(pieces)) return(character())
+  size <- ifelse(is.na(pieces$diameter), "",
+    paste0(" \u00d8", short_number(in_unit(pieces$diameter, "mm"))))
+  each <- ifelse(pieces$number > 1, paste0(", ", pieces$number, " off, ",
+    short_number(rope$item$length * share_apart(pieces), 3), " m apart"), "")
   # groups that are alike, such as those of both wings
+  said <- paste0(pieces$letter, ": ", pieces$name, size, each)
   alike <- table(factor(said, unique(said)))
   said <- paste0(names(alike), ifelse(alike > 1, paste0(", ", alike, " groups"), ""))
-  text <- cut_text(paste(said, collapse = "; "), wide, look$t)
-  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES",
-    draw = sheet_text(sheet, x, y - 1.3 * look$line, text, look$t))
+  wrap_words(paste(said, collapse = "; "), wide, look$t)
 }

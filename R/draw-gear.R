@@ -12,14 +12,16 @@
 #' joined side by side, such as those of a seine, are drawn as one wall.
 #'
 #' Beside every panel stand its part, meshes deep, mesh size, and twine (Rtex after ISO 858,
-#' material, diameter); at its upper and lower edges the meshes across (of the whole panel); and at
+#' material, what is special about its meshes); at its upper and lower edges the meshes across (of
+#' the whole panel); and at
 #' its sides the cutting rate after ISO 1532: points (N), meshes (T) and bars (B) in one cycle, such
 #' as 1N2B, or all of one kind (AN, AB, AT). It is the plan's own where it has one, otherwise the
 #' simplest that ends within half a mesh of the counts (a mesh, where the edge loses more than ten);
 #' where no one cycle does, the two nearest follow each other: 9(1N2B)+1(1N3B). Meshes that seams
 #' take up are not counted. Ropes have numbers and pieces have letters, which the lists explain; E
 #' is a rope's hanging ratio. The rigging is not to scale; what is alike on both sides is drawn
-#' once.
+#' once, and a rope from a place to its like, such as a tickler chain from shoe to shoe, ends in an
+#' open circle.
 #'
 #' A panel that makes up most of the length of a net is drawn shortened, with a break; a wall much
 #' longer than deep is drawn at two scales, and says so. A DXF has neither. Texts have the heights
@@ -69,14 +71,16 @@ drawing_svg <- function(gear, page = "A4") {
 # ropes, pieces (items, or NULL), rigging (NULL for none), panels (checked fields)).
 plan_figure <- function(gear) {
   si <- gear_si(gear)
-  # Struts that weigh nothing stand for stiff corners: nobody makes them.
-  si$ropes <- Filter(function(rope) !(rope$strut && rope$mass_per_length == 0), si$ropes)
+  # Struts that weigh nothing are the edges of stiff pieces, no ropes.
+  stiff <- vapply(si$ropes, function(rope) rope$strut && rope$mass_per_length == 0, NA)
+  frames <- si$ropes[stiff]
+  si$ropes <- si$ropes[!stiff]
   ropes <- if (length(si$ropes)) rope_items(si)
   pieces <- piece_items(si)
   list(
     title = gear$plan$name, si = si,
     layout = if (length(si$panels)) flat_layout(si),
-    ropes = ropes, pieces = pieces, rigging = plan_rigging(si, ropes, pieces),
+    ropes = ropes, pieces = pieces, rigging = plan_rigging(si, ropes, pieces, frames),
     panels = gear_fields(gear)$panels, discs = plan_discs(gear$plan), source = plan_source(gear),
     reaches = new.env(parent = emptyenv())
   )

@@ -77,9 +77,11 @@ capital_height <- 0.718
 
 # Widths of Helvetica's characters (thousandths of its size) in ISO 8859-1, from the metrics that
 # come with R; Arial and Liberation Sans have the same widths.
-character_widths <- remembered(function() {
+character_widths <- remembered(read_character_widths)
+
+read_character_widths <- function() {
   lapply(c(plain = "Helvetica", bold = "Helvetica-Bold"), face_widths)
-})
+}
 
 face_widths <- function(face) {
   file <- function(...) system.file(..., package = "grDevices", mustWork = TRUE)

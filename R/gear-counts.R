@@ -196,10 +196,13 @@ taken_up <- function(section, before, path) {
   section
 }
 
-# Whether a tree has a field of this name anywhere.
+# Whether a tree has a field of this name anywhere. All fields of one depth are looked through
+# together.
 has_field <- function(tree, name) {
-  if (name %in% names(tree)) return(TRUE)
-  for (part in tree) if (is.list(part) && has_field(part, name)) return(TRUE)
+  while (length(tree)) {
+    if (name %in% names(tree)) return(TRUE)
+    tree <- unlist(unname(tree[vapply(tree, is.list, NA)]), recursive = FALSE)
+  }
   FALSE
 }
 

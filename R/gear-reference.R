@@ -97,6 +97,14 @@ find_run <- function(texts, path, known) {
   list(kind = "chain", edges = find_chain(texts, path, known))
 }
 
+# What places and chains know of a panel: the fields that its edges, their lengths and its division
+# go by. Twine, knots and drag are not among them.
+panel_shape_fields <- c(
+  "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation", "straight_bar"
+)
+
+panel_shapes <- function(panels) lapply(panels, `[`, panel_shape_fields)
+
 # Stretched length (m) of an edge: the shortest way along its twines. Across i and down j meshes
 # that is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square;
 # hexagonal meshes are shorter across their straight bars.

@@ -18,7 +18,7 @@ error_text <- function(error) {
   size <- floor(log10(pmax(error[known], 1e-300)))
   unit <- 10^ifelse(error[known] < 2 * 10^size, size - 1, size)
   up <- pmax(ceiling(error[known] / unit * (1 - 1e-9)) * unit, 1e-4)
-  text[known] <- paste(if (cli::is_utf8_output()) "\u00b1" else "+-",
+  text[known] <- paste(if (shows_unicode()) "\u00b1" else "+-",
     format_each(up, decimals = pmin(pmax(-round(log10(unit)), 0), 4)))
   text[known & error == 0] <- ""
   text

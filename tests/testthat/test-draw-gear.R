@@ -1,3 +1,7 @@
+plan_of_net <- function(name) {
+  read_gear(system.file("extdata", paste0(name, ".yaml"), package = "codend", mustWork = TRUE))
+}
+
 layout_of <- function(plan) {
   flat_layout(gear_si(if (is.character(plan)) read_gear(plan) else as_gear(plan)))
 }
@@ -114,6 +118,49 @@ test_that("the rigging runs from the towing points to the netting, both sides as
   expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
 })
 
+test_that("a rope to its like ends open, and places along ropes and stiff pieces are joined", {
+  rigging <- plan_figure(read_gear("beam_trawl"))$rigging
+  ropes <- rigging$ropes
+  # three tickler chains from shoe to shoe; the two halves of the beam are alike
+  expect_identical(sum(ropes$from == ropes$to), 3L)
+  expect_identical(sum(ropes$length %in% 4), 1L)
+  beam <- ropes[ropes$length %in% 4, ]
+  middle <- ropes[ropes$length %in% 5.9, ]
+  expect_length(intersect(c(beam$from, beam$to), c(middle$from, middle$to)), 1L)
+  # a shoe's three edges, and no place that nothing joins
+  expect_identical(sum(is.na(ropes$item)), 3L)
+  expect_setequal(c(ropes$from, ropes$to), seq_len(nrow(rigging$nodes)))
+  texts <- unlist(lapply(gear_sheet(read_gear("beam_trawl"), "A4")$items, `[[`, "text"))
+  expect_true(all(c("5 m to the next", "6 m to the next", "7 m to the next") %in% texts))
+})
+
+test_that("ropes between layers are ordered so that the fewest cross", {
+  layer <- c(0, 1, 1, 2, 2)
+  edges <- data.frame(from = c(1, 1, 2, 3), to = c(2, 3, 5, 4))
+  order <- c(0, -0.5, 0.5, -0.5, 0.5)
+  expect_identical(crossings(order, layer, edges), 1)
+  expect_identical(crossings(uncrossed_layer(order, 4:5, layer, edges), layer, edges), 0)
+  # two of each side, each joined to both: one crossing whatever the order
+  all <- data.frame(from = c(2, 2, 3, 3), to = c(4, 5, 4, 5))
+  expect_identical(uncrossed_layer(order, 4:5, layer, all), order)
+})
+
+test_that("a liner stands beside what it lies in, once where both panels have the same", {
+  columns <- net_columns(plan_figure(plan_of_net("eastern_trawl")))
+  expect_identical(vapply(columns, `[[`, "", "heading"),
+    c("upper panel", "lower panel", "codend liner"))
+  expect_identical(columns[[3]]$remark, "upper, lower")
+  codend <- columns[[1]]$panels[columns[[1]]$panels$name == "back_codend", ]
+  expect_equal(columns[[3]]$panels$y, codend$y)
+})
+
+test_that("a wing and its jib are told apart", {
+  columns <- net_columns(plan_figure(read_gear("poly_noreastern_trawl")))
+  side <- columns[[match("side panel", vapply(columns, `[[`, "", "heading"))]]
+  expect_setequal(side$words["part", ], c("jib", "wing", "body", "intermediate", "codend"))
+  expect_true("wings" %in% columns[[1]]$words["part", ])
+})
+
 test_that("labels keep their distance and stay near their places", {
   y <- c(5, 4.99, 4.98, 1)
   spread <- spread_labels(y, 0.1, 0, 10)
@@ -135,14 +182,20 @@ test_that("lines through a box are told from those beside it", {
 })
 
 test_that("nothing overlaps on any shipped gear, and the letters are those of ISO 3098", {
-  for (name in gears()$name) {
+  nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl")
+  gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net))
+  for (gear in gears) {
     for (page in names(sheet_sizes)) {
-      sheet <- gear_sheet(read_gear(name), page)
-      told <- paste(name, page)
+      sheet <- gear_sheet(gear, page)
+      told <- paste(gear$plan$name, page)
       expect_identical(overlaps(sheet), character(), label = told)
       sizes <- vapply(Filter(function(item) item$kind == "text", sheet$items), `[[`, 0, "size")
-      expect_gte(min(sizes), 1.8, label = told)
+      expect_gte(min(sizes), c(A4 = 1.8, A3 = 1.8, A2 = 2.5, A1 = 2.5)[[page]], label = told)
       expect_setequal(sheet$page, sheet_sizes[[page]])
+      said <- as.character(unlist(lapply(sheet$items, function(item) {
+        if (item$component == "piece") item$text
+      })))
+      expect_false(any(endsWith(said, "...")), label = told)
     }
   }
 })
@@ -222,8 +275,7 @@ test_that("a rope laid straight has wing, bosom and wing, and its floats along i
 })
 
 test_that("discs stand on the ground gear as the plan has them, in proportion", {
-  file <- system.file("extdata", "four_seam_trawl.yaml", package = "codend", mustWork = TRUE)
-  gear <- read_gear(file)
+  gear <- plan_of_net("four_seam_trawl")
   figure <- plan_figure(gear)
   rope <- Find(function(r) r$item$name == "ground gear", straight_ropes(figure))
   expect_equal(rope$pieces$diameter, c(0.406, 0.356, 0.356))
