@@ -23,7 +23,9 @@ flume_gallery <- function() {
 }
 
 # list(name, title, kind, size, about) of every shipped gear.
-gallery_gears <- remembered(function(version = 1) {
+gallery_gears <- remembered(read_gallery)
+
+read_gallery <- function(version = 1) {
   table <- gears()
   lapply(seq_len(nrow(table)), function(k) {
     gear <- read_gear(table$name[k])
@@ -32,7 +34,7 @@ gallery_gears <- remembered(function(version = 1) {
       size = gear_size_words(gear)
     )
   })
-})
+}
 
 # How large a gear is, as far as its plan says: "19 panels, 2 otter boards, 100 floats".
 gear_size_words <- function(gear) {

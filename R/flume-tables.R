@@ -47,9 +47,11 @@ measure_changes <- function(now, pinned) {
   )
 }
 
-# Numbers as text with given decimals, thousands apart. (formatC would take as long as settling.)
+# Numbers as text with given decimals, thousands apart, "0" where nothing but zeros would show.
+# (formatC would take as long as settling.)
 fixed_decimals <- function(x, decimals) {
   text <- sprintf("%.*f", as.integer(decimals), x)
+  text[is.finite(x) & !grepl("[1-9]", text)] <- "0"
   long <- which(abs(x) >= 1e4)
   text[long] <- vapply(text[long], format_thousands, "")
   text[is.na(x)] <- ""
@@ -65,7 +67,7 @@ format_thousands <- function(text) {
 # Differences as text, "+3.2" or "\u2212" for minus; "0" where nothing that shows has changed.
 signed <- function(x, decimals) {
   text <- fixed_decimals(abs(x), decimals)
-  text <- ifelse(grepl("[1-9]", text), paste0(ifelse(x < 0, "\u2212", "+"), text), "0")
+  text <- ifelse(text == "0", "0", paste0(ifelse(x < 0, "\u2212", "+"), text))
   text[is.na(x)] <- ""
   text
 }

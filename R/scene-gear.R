@@ -56,7 +56,9 @@ scene_fixed <- function(shape) {
 }
 
 # What joins the points that are drawn, of ropes and of panels.
-scene_joints <- remembered(function(ropes, panels, drawn) {
+scene_joints <- remembered(new_scene_joints)
+
+new_scene_joints <- function(ropes, panels, drawn) {
   point <- function(number) packed_integers(match(number, drawn) - 1L)
   list(
     ropes = list(ends = point(ropes$ends), part = packed_integers(ropes$part - 1L)),
@@ -67,7 +69,7 @@ scene_joints <- remembered(function(ropes, panels, drawn) {
       )
     })
   )
-})
+}
 
 # Of every part its words and, where it has such, its thickness (m), length of a bar and of a mesh
 # (m) and strength (N).

@@ -63,11 +63,13 @@ what_clouds_are_of <- function(state) {
 }
 
 # The clouds of the panels of bars of what what_clouds_are_of() gives, by panel.
-netting_clouds <- remembered(function(of, part, places) {
+netting_clouds <- remembered(new_netting_clouds)
+
+new_netting_clouds <- function(of, part, places) {
   lapply(seq_along(of$lattice$panels), function(p) {
     if (of$lattice$panels[[p]]$netting == "bars") cloud_frame(of, p, part[p], places)
   })
-})
+}
 
 # The knots and middles of bars of a panel, with the nodes on its edges: what a surface has that
 # does not move, and for u and v the bars that end at its points, list(bar, at = at which).

@@ -17,4 +17,17 @@ withCallingHandlers(
 pkgdown::build_reference(site, devel = FALSE)
 pkgdown::build_articles(site, quiet = TRUE)
 pkgdown::build_news(site)
+
+# What CONTRIBUTING.md names of the sources is not on the site: words there, no links.
+for (page in list.files(site$dst_path, "[.]html$", full.names = TRUE)) {
+  text <- paste(readLines(page, encoding = "UTF-8", warn = FALSE), collapse = "\n")
+  links <- unique(regmatches(text, gregexpr('<a href="[^"#:]+">', text))[[1]])
+  aims <- sub('<a href="([^"]*)">', "\\1", links)
+  for (link in links[!file.exists(file.path(site$dst_path, aims))]) {
+    parts <- strsplit(text, link, fixed = TRUE)[[1]]
+    parts[-1] <- sub("</a>", "", parts[-1], fixed = TRUE)
+    text <- paste(parts, collapse = "")
+  }
+  writeLines(text, page, useBytes = TRUE)
+}
 cat("Built", file.path(site$dst_path, "index.html"), "\n")

@@ -562,8 +562,8 @@ window.codendView.gear = function (materials) {
     return { opening: one('opening'), angle: one('angle') };
   };
 
-  // Ranges of the whole gear and of its netting at all times: {low, high}, the latter null without
-  // netting.
+  // Ranges of the whole gear and of its netting with the pieces beside it at all times: {low, high},
+  // the latter null without netting.
   gear.ranges = function () {
     function of(chosen, source) {
       var low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -584,9 +584,18 @@ window.codendView.gear = function (materials) {
     }
     var all = Array.from({ length: gear.points.length / 3 }, function (_, i) { return i; });
     var marks = gear.marks.map(function (_, i) { return i; });
+    var net = of(Array.from(new Set(gear.netting.point)), gear.source.points);
+    // what stands no further away than a sixth of the net belongs to it, as the shoes of a beam do
+    var near = net && Math.max.apply(null, net.high.map(function (v, k) { return v - net.low[k]; })) / 6;
+    var beside = marks.filter(function (i) {
+      var one = net && of([i], gear.source.places);
+      return one && [0, 1, 2].every(function (k) {
+        return one.low[k] > net.low[k] - near && one.high[k] < net.high[k] + near;
+      });
+    });
     return {
       whole: join(of(all, gear.source.points), of(marks, gear.source.places)),
-      net: of(Array.from(new Set(gear.netting.point)), gear.source.points)
+      net: join(net, of(beside, gear.source.places))
     };
   };
 

@@ -49,7 +49,9 @@ window.codendView.viewer = function (host, options) {
     astern: [0, 0.06]
   };
   var camera = {
-    turn: directions.bow[0], rise: directions.bow[1], away: 1, at: [0, 0, 0], eye: null
+    turn: directions.bow[0], rise: directions.bow[1], away: 1, at: [0, 0, 0],
+    // where in the picture what is looked at stands, in halves of it from its middle
+    across: 0, up: 0
   };
   var perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
   var flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
@@ -107,7 +109,7 @@ window.codendView.viewer = function (host, options) {
   }
   function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  // Some points of what is looked at; those of a range that is held, its corners.
+  // Some points of what is looked at, pieces with their radius; of a range that is held, its corners.
   function outline(range) {
     var corners = [], found = [];
     for (var k = 0; k < 8; k++) {
@@ -119,39 +121,74 @@ window.codendView.viewer = function (host, options) {
     ['now', 'pinned'].forEach(function (name) {
       var gear = gears[name];
       if (!gear || name === 'pinned' && choice.compare === 'off') return;
-      [gear.points, choice.focus === 'whole' ? gear.at : []].forEach(function (p) {
+      [[gear.points], [gear.at, gear.told.marks.size]].forEach(function (all) {
+        var p = all[0];
         for (var i = 0; i < p.length; i += 3) {
           if ([0, 1, 2].every(function (axis) {
             return p[i + axis] >= range.low[axis] - 1e-6 && p[i + axis] <= range.high[axis] + 1e-6;
-          })) found.push([p[i], p[i + 1], p[i + 2]]);
+          })) found.push([p[i], p[i + 1], p[i + 2], all[1] ? all[1][i / 3] / 2 : 0]);
         }
       });
     });
     return found.length ? found : corners;
   }
 
-  // From where the eye sees all of a range: {at: the middle of the picture, away}.
-  function sight(range, turn, rise, aspect) {
+  // The part of the picture that words and buttons leave free: half its width and height over those
+  // of the picture, and how far its middle is from the picture's middle, in halves of that. Each part
+  // takes the strip along one side that costs least; half of the picture stays free whatever they take.
+  function free_part() {
+    var width = host.clientWidth || 1, height = host.clientHeight || 1;
+    var taken = { left: 0, right: 0, top: 0, bottom: 0 }, frame = host.getBoundingClientRect();
+    if (choice.compare === 'beside') return { wide: 0.9, tall: 0.7, across: 0, up: 0 };
+    [title, bar, legend, scaleBar].concat(Array.from(host.querySelectorAll('.view-time, .view-graph')))
+      .forEach(function (part) {
+        var box = part.getBoundingClientRect(), best = null;
+        if (!box.width || !box.height) return;
+        var strips = {
+          left: box.right - frame.left, right: frame.right - box.left,
+          top: box.bottom - frame.top, bottom: frame.bottom - box.top
+        };
+        Object.keys(strips).forEach(function (side) {
+          var across = side === 'left' || side === 'right';
+          var cost = Math.max(0, strips[side] - taken[side]) * (across ? height : width);
+          if (!best || cost < best[0]) best = [cost, side];
+        });
+        taken[best[1]] = Math.max(taken[best[1]], strips[best[1]]);
+      });
+    [['left', 'right', width], ['top', 'bottom', height]].forEach(function (pair) {
+      var much = (taken[pair[0]] + taken[pair[1]]) / (0.5 * pair[2]);
+      if (much > 1) { taken[pair[0]] /= much; taken[pair[1]] /= much; }
+    });
+    return {
+      wide: 0.94 * (1 - (taken.left + taken.right) / width),
+      tall: 0.94 * (1 - (taken.top + taken.bottom) / height),
+      across: (taken.left - taken.right) / width, up: (taken.bottom - taken.top) / height
+    };
+  }
+
+  // From where the eye sees all of a range in the part of the picture that is free: {at: the middle of
+  // that, away}.
+  function sight(range, turn, rise, aspect, free) {
     var way = axes(turn, rise), at = middle(range), away = 0, points = outline(range);
     var tall = Math.tan(perspective.fov * Math.PI / 360), wide = tall * aspect;
-    var free = { wide: host.clientWidth < 640 ? 0.9 : 0.88, tall: host.clientHeight < 460 ? 0.6 : 0.7 };
     for (var turnOver = 0; turnOver < 3; turnOver++) {
       var low = [Infinity, Infinity], high = [-Infinity, -Infinity];
       away = 0;
       points.forEach(function (point) {
-        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]];
+        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]], radius = point[3] || 0;
         away = Math.max(away, dot(d, way.eye) + Math.max(
-          Math.abs(dot(d, way.right)) / (free.wide * wide), Math.abs(dot(d, way.up)) / (free.tall * tall)
+          (Math.abs(dot(d, way.right)) + radius) / (free.wide * wide),
+          (Math.abs(dot(d, way.up)) + radius) / (free.tall * tall)
         ));
       });
       away = Math.max(away, 1e-3);
       // where they lie in the picture decides on its middle
       points.forEach(function (point) {
-        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]];
+        var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]], radius = point[3] || 0;
         var near = 1 - dot(d, way.eye) / away;
-        [dot(d, way.right) / near, dot(d, way.up) / near].forEach(function (v, k) {
-          low[k] = Math.min(low[k], v);
-          high[k] = Math.max(high[k], v);
+        [dot(d, way.right), dot(d, way.up)].forEach(function (v, k) {
+          low[k] = Math.min(low[k], (v - radius) / near);
+          high[k] = Math.max(high[k], (v + radius) / near);
         });
       });
       at = at.map(function (v, k) {
@@ -169,22 +206,35 @@ window.codendView.viewer = function (host, options) {
 
   // Looks at the focus from where the eye is, from as far as is needed.
   function aim() {
-    var found = sight(focus(), camera.turn, camera.rise, aspect());
+    var free = free_part(), found = sight(focus(), camera.turn, camera.rise, aspect(), free);
     camera.at = found.at;
     camera.away = camera.fit = found.away;
+    camera.across = free.across;
+    camera.up = free.up;
   }
 
-  // From the bow, unless another side shows much more of the gear.
+  // From the bow, unless from another side the eye can come much nearer: from ahead, where a trawl
+  // hides most of itself, only if it comes nearer still. From high above for what hangs deep and
+  // narrow, which leaves a picture empty beside it.
   function first_look() {
-    var range = focus(), a = aspect(), best = null;
-    [['bow', directions.bow, 1], ['quarter', [-1.2, 0.3], 1.4], ['front', [-2.75, 0.22], 1.4],
-      ['side', [-Math.PI / 2, 0.16], 1.5]].forEach(function (one) {
-      var far = sight(range, one[1][0], one[1][1], a).away * one[2];
+    var range = focus(), a = aspect(), free = free_part(), best = null;
+    [['bow', directions.bow, 1], ['quarter', [-1.2, 0.3], 1.4], ['front', [-2.75, 0.22], 1.8],
+      ['side', [-Math.PI / 2, 0.16], 1.5], ['high', [-1.3, 0.95], 1.5]].forEach(function (one) {
+      var far = sight(range, one[1][0], one[1][1], a, free).away * one[2];
       if (!best || far < best[0]) best = [far, one];
     });
     camera.turn = best[1][1][0];
     camera.rise = best[1][1][1];
     press('from', best[1][0]);
+  }
+
+  // Anew, as at first; the scale's own words take room that is known only then.
+  function look_again() {
+    held = {};
+    first_look();
+    aim();
+    tell_scale();
+    aim();
   }
 
   // ---- drawing ----------------------------------------------------------------------------------
@@ -250,6 +300,9 @@ window.codendView.viewer = function (host, options) {
     perspective.near = Math.max(camera.away * 0.02, far * 1e-4);
     perspective.far = far;
     perspective.updateProjectionMatrix();
+    perspective.projectionMatrix.elements[8] -= camera.across;
+    perspective.projectionMatrix.elements[9] -= camera.up;
+    perspective.projectionMatrixInverse.copy(perspective.projectionMatrix).invert();
     perspective.updateMatrixWorld();
     shared.pixel.value = 2 * Math.tan(perspective.fov * Math.PI / 360) / height;
     shared.flat.value = 0;
@@ -711,7 +764,8 @@ window.codendView.viewer = function (host, options) {
     if (x !== undefined) {
       var way = axes(camera.turn, camera.rise), up = canvas.clientHeight;
       var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) / up * (before - camera.away);
-      shift((x - canvas.clientWidth / 2) * metres, (up / 2 - y) * metres, way);
+      shift((x - canvas.clientWidth / 2 * (1 + camera.across)) * metres,
+        (up / 2 * (1 - camera.up) - y) * metres, way);
     }
     repaint();
   }
@@ -820,7 +874,7 @@ window.codendView.viewer = function (host, options) {
     1: [choose, 'from', 'bow'], 2: [choose, 'from', 'above'], 3: [choose, 'from', 'side'],
     4: [choose, 'from', 'astern'], n: [choose, 'focus', 'net'], g: [choose, 'focus', 'whole'],
     c: [next_colour], h: [function () { help.click(); }],
-    0: [function () { held = {}; first_look(); aim(); repaint(); }]
+    0: [function () { look_again(); repaint(); }]
   };
   host.addEventListener('keydown', function (event) {
     if (event.ctrlKey || event.altKey || event.metaKey || !gears.now) return;
@@ -960,16 +1014,14 @@ window.codendView.viewer = function (host, options) {
       if (!colours.querySelector('[value="' + choice.colour + '"]')) choice.colour = 'tension';
       colours.value = choice.colour;
       recolour();
-      if (first) {
-        held = {};
-        first_look();
-        aim();
-      } else {
-        follow();
-      }
       write_legend();
       if (moment && now.times) { moment.end(); moment = null; }
       if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told, options);
+      if (first) {
+        look_again();
+      } else {
+        follow();
+      }
       repaint();
       if (options.still !== false) later();
     },
@@ -994,10 +1046,22 @@ window.codendView.viewer = function (host, options) {
     focus: function () { return focus(); },
     gear: function () { return gears.now; },
     choice: choice,
-    // What tests and measurements read: a position, pictures painted, and whether one waits.
+    // What tests and measurements read: a position, pictures painted, and whether one waits;
     point: function (k) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
     waits: function () { return waiting || hasty !== null; },
     painted: function () { return drawn; },
+    // where in the picture what is looked at lies: left, top, right and bottom, pixels
+    reach: function () {
+      var box = boxes(canvas.clientWidth, canvas.clientHeight)[0], found = [Infinity, Infinity, -Infinity, -Infinity];
+      outline(focus()).forEach(function (point) {
+        var p = project(point, box);
+        for (var k = 0; k < 2; k++) {
+          found[k] = Math.min(found[k], p[k]);
+          found[k + 2] = Math.max(found[k + 2], p[k]);
+        }
+      });
+      return found;
+    },
     under: function (x, y) { return under(x, y); }
   };
 

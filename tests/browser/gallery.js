@@ -13,7 +13,7 @@ const folder = path.join(__dirname, '..', '..', 'inst', 'app', 'gears');
   await page.goto(tank.url);
   await page.waitForSelector('.gear-card', { state: 'visible' });
   await page.addStyleTag({ content: '#tank { width: 400px !important; height: 250px !important; }' +
-    '#tank > :not(canvas) { visibility: hidden !important; }' });
+    '#tank > :not(canvas) { display: none !important; }' });
   const asked = process.argv.slice(2);
   const gears = asked.length ? asked : await page.$$eval('.gear-card', (all) => all.map((e) => e.dataset.gear));
   fs.mkdirSync(folder, { recursive: true });

@@ -16,6 +16,11 @@ test_that("changes show a sign and no more decimals than their values", {
     c("+1.3", "0", "+0.04", "", "\u221212\u202f346"))
 })
 
+test_that("what shows no figure but zeros is 0, without a sign", {
+  expect_identical(fixed_decimals(c(-2e-8, 4e-5, 0, -6e-5, NA, Inf), 4L),
+    c("0", "0", "0", "-0.0001", "", "Inf"))
+})
+
 test_that("tables hold text as text", {
   skip_if_not_installed("shiny")
   html <- html_table("A <b>", c("x", "y"), list(list("<script>", "1 & 2")))
