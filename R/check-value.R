@@ -8,7 +8,9 @@ is_map <- function(value) {
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
 
-# A function that keeps its last result: gears of a study have most of their parts in common.
+# A function that keeps its last result: gears of a study have most of their parts in common. `make`
+# is given by its name: R compiles functions that have one when the package is installed, any other
+# while it runs, which takes longer than a gear takes to settle.
 remembered <- function(make) {
   last <- result <- NULL
   function(...) {

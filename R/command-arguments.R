@@ -22,7 +22,9 @@ parse_command <- function(name, command, arguments) {
   )
   given <- length(found$args)
   wrong <- switch(command$takes,
-    "KIND [NAME=VALUE...]" = if (!given) "a KIND is needed",
+    "KIND [NAME=VALUE...]" = if (!given) {
+      paste("a KIND is needed, one of", paste(names(new_plan_kinds()), collapse = ", "))
+    },
     "PLAN FILE..." = if (given < 2L) "a PLAN and a FILE are needed",
     "PLAN" = if (given != 1L) "one PLAN is needed",
     "ACTION STORE [PLAN]" = if (!given %in% 2:3) "an ACTION and a STORE are needed",

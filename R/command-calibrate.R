@@ -37,8 +37,8 @@ run_calibrate <- function(plan, options) {
     }
     stats::as.formula(found, env = baseenv())
   })
-  data <- read_designs(options$data)
-  others <- if (!is.null(options$predict)) read_designs(options$predict)
+  data <- read_csv_option(options$data, "--data")
+  others <- if (!is.null(options$predict)) read_csv_option(options$predict, "--predict")
   arguments <- list(read_changed(plan, options), data, option_ranges(options$change), match)
   found <- do.call(calibrate, c(arguments, lattice_arguments(options)))
   print(summary(found))

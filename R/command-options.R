@@ -94,6 +94,14 @@ changed_fields <- function(text, what, values, form, read) {
   setNames(lapply(sub("^[^=]+=", "", parts), read), trimws(sub("=.*", "", parts)))
 }
 
+# A table that an option names.
+read_csv_option <- function(file, option) {
+  if (!file.exists(file) || dir.exists(file)) {
+    abort_usage(option, " is ", file, "; it must be a CSV file that exists.")
+  }
+  read_designs(file)
+}
+
 check_csv_out <- function(out, option = "--out") {
   if (!is.null(out) && out != "-" && !may_place(out)) {
     abort_usage(option, " is ", out, "; it must be a file in a folder that can be written.")

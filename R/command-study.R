@@ -100,7 +100,7 @@ study_designs <- function(options) {
   if (is.null(options$designs) == is.null(options$change)) {
     abort_usage("new needs either --designs FILE.csv or --change RANGES.")
   }
-  if (!is.null(options$designs)) return(designs(options$designs))
+  if (!is.null(options$designs)) return(designs(read_csv_option(options$designs, "--designs")))
   seed <- count_option(options, "seed", 1)
   number <- count_option(options, "number", NULL)
   do.call(designs, c(study_axes(options$change), list(how = options$how, number = number,

@@ -21,10 +21,7 @@ gear_structure <- function(si) {
     ropes = lapply(si$ropes, `[`, c("along", "shares", "through", "from", "to")),
     pieces = lapply(si$pieces, `[[`, "along"),
     boards = lapply(si$otter_boards, `[[`, "points"),
-    panels = lapply(si$panels, `[`, c(
-      "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation",
-      "straight_bar"
-    ))
+    panels = panel_shapes(si$panels)
   ))
 }
 

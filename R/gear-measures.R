@@ -30,6 +30,11 @@ si_measure <- function(measure, path, known) {
 
 asks_place <- function(asked, path, known) list(place = find_place(asked, path, known))
 
+# A place, or several.
+asks_places <- function(asked, path, known) {
+  list(place = vapply(unlist(asked), find_place, "", path = path, known = known, USE.NAMES = FALSE))
+}
+
 # Two places.
 asks_pair <- function(asked, path, known) {
   list(pairs = list(lapply(as.list(asked), find_place, path, known)))

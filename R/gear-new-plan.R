@@ -57,7 +57,8 @@ new_plan_kinds <- function() {
 #' @param ... What the plan is asked for, by name, as text with a unit (`head_line = "32 m"`); what
 #'   is left out is as usual.
 #' @param file `NULL`, or the path of the plan file to write.
-#' @param ask Whether to ask for each value at the console, with the usual one in brackets.
+#' @param ask Whether to ask for each value at the console, with the usual one in brackets; a number
+#'   that is typed without a unit has that one's.
 #' @return The gear, checked; invisibly where a file is written. Its text is `format(gear, remarks =
 #'   TRUE)`.
 #' @seealso [read_gear()] to read it after changes, [settle()] for its shape.
@@ -85,22 +86,44 @@ new_plan <- function(kind, ..., file = NULL, ask = FALSE) {
   invisible(gear)
 }
 
-# Values typed at the console for what is not given; an empty answer takes the usual one.
+# Values typed at the console for what is not given; an empty answer takes the usual one, a bare
+# number its unit, and what is no such quantity is asked for again.
 # from: a connection that is read instead of the console where R is not interactive.
 asked_values <- function(asks, given, from = NULL) {
   if (is.null(from) && !interactive()) {
     from <- base::file("stdin", "r")
     on.exit(close(from))
   }
-  for (name in setdiff(names(asks), names(given))) {
-    prompt <- sprintf("%s [%s]: ", gsub("[._]", " ", name), asks[[name]])
-    typed <- if (is.null(from)) readline(prompt) else {
-      cat(prompt, file = stderr())
-      readLines(from, 1L)
+  asked <- setdiff(names(asks), names(given))
+  if (length(asked)) cat("An empty answer takes what stands in brackets.\n", file = stderr())
+  for (name in asked) {
+    words <- gsub("[._]", " ", name)
+    repeat {
+      typed <- typed_answer(sprintf("%s [%s]: ", words, asks[[name]]), from)
+      if (!length(typed) || !nzchar(typed)) break
+      given[[name]] <- answer_with_unit(typed, asks[[name]])
+      dimension <- quantity_dimension(asks[[name]])
+      number <- quantity_si(given[[name]], dimension)
+      if (!is.na(number) && number >= 0) break
+      cat(sprintf("\"%s\" is no %s; it must be one such as %s.\n", typed, dimension, asks[[name]]),
+        file = stderr())
     }
-    if (length(typed) && nzchar(trimws(typed))) given[[name]] <- trimws(typed)
   }
   given
+}
+
+# One line from the console or a connection, or nothing where that has ended.
+typed_answer <- function(prompt, from) {
+  if (is.null(from)) return(trimws(readline(prompt)))
+  cat(prompt, file = stderr())
+  trimws(readLines(from, 1L))
+}
+
+# "32" as "32 m" where "25 m" is usual.
+answer_with_unit <- function(typed, usual) {
+  found <- split_quantity(typed)
+  if (is.null(found) || nzchar(found[2])) return(typed)
+  paste(typed, split_quantity(usual)[2])
 }
 
 # about: of new_plan_kinds(), with a maker.

@@ -3,7 +3,7 @@
 # A gear from a tree of lists: put into its plain form and checked in full.
 # like: a gear, parts of which are checked already where this one is the same.
 # source: the text that it was read from, whose remarks a file of it keeps.
-# changed: names of the fields of the tree that are not known to be in plain form; NULL: all.
+# changed: paths, as their steps, of what in the tree is not known to be in plain form; NULL: all.
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
   structure(
@@ -47,11 +47,12 @@ read_gear <- function(plan) {
   shipped <- shipped_plans()
   file <- if (plan %in% names(shipped)) shipped[[plan]] else plan
   if (!file.exists(file)) {
-    near <- nearest(plan, names(shipped))
+    written <- paste0(plan, c(".yaml", ".yml"))
+    near <- c(written[file.exists(written)], nearest(plan, names(shipped)), NA)[1L]
     abort_plan(
       paste0(
         "There is no plan file \"", plan, "\" and no shipped plan of that name",
-        if (length(near)) paste0("; did you mean `", near, "`?") else ".",
+        if (is.na(near)) "." else paste0("; did you mean `", near, "`?"),
         " Shipped: ", word_list(names(shipped)), "."
       ),
       NULL, plan
@@ -128,7 +129,7 @@ update.codend_gear <- function(object, ...) {
   }
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
-  as_gear(plan, file = object$file, like = object, changed = changed_groups(object, names(fields)))
+  as_gear(plan, file = object$file, like = object, changed = changed_steps(object, names(fields)))
 }
 
 #' @export
@@ -150,11 +151,10 @@ update.codend_trajectory <- function(object, ...) {
 # The gear with one field changed (NULL: taken out), checked in full again.
 set_field <- function(gear, path, value) {
   as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear,
-    changed = changed_groups(gear, path))
+    changed = changed_steps(gear, path))
 }
 
-# The fields of a gear's plan that hold these paths; NULL where somebody changed the plan by hand.
-changed_groups <- function(gear, paths) {
-  if (!identical(gear$checked$plan, gear$plan)) return(NULL)
-  unique(vapply(paths, function(path) path_steps(path)[1], ""))
+# The steps of paths in a gear's plan; NULL where somebody changed the plan by hand.
+changed_steps <- function(gear, paths) {
+  if (identical(gear$checked$plan, gear$plan)) lapply(paths, path_steps)
 }

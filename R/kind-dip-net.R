@@ -41,7 +41,8 @@ expand_dip_net <- function(fields, plan) {
     net_volume = list(volume = panels),
     volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
     net_drag = list(drag = panels), net_lift = list(lift = panels),
-    frame_depth = list(depth = "collar_1"),
+    # a frame that leans may hang by any of its corners foremost
+    frame_depth = list(depth = as.list(paste0("collar_", seq_len(fields$panels)))),
     bottom_depth = list(depth = if (is.null(fields[["bottom"]])) "foot_1" else "bottom_centre"),
     lift_tension = list(tension = "lift_line.start"),
     lift_angle = list(angle = list(lift_line.start = "declination"))

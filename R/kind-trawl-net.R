@@ -53,7 +53,9 @@ covers_of <- function(section, panel, name) {
 # cover is joined to its panel along every edge. Returns list(panels, seams, points).
 trawl_sections <- function(plan, around) joined_sections(plan$sections, around)
 
-joined_sections <- remembered(function(given, around) {
+joined_sections <- remembered(join_sections)
+
+join_sections <- function(given, around) {
   panels <- seams <- list()
   n <- length(around)
   after <- panel_after(around)
@@ -90,7 +92,7 @@ joined_sections <- remembered(function(given, around) {
     edges = unlist(lapply(around, edges, section = last, edge = "lower")), gathered_at = "codline"
   )
   list(panels = panels, seams = seams, points = list(codline = nothing))
-})
+}
 
 # Two wings ahead of the front edge of a panel, one at each end.
 #

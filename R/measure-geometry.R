@@ -38,12 +38,14 @@ define_measure("length", "m", "Straight distance between two places.",
 
 measure_length <- function(state, measure) sqrt(sum(apart(state, measure$pairs[[1]])^2))
 
-define_measure("depth", "m", "Depth of a place below the water surface.",
+define_measure("depth", "m", "Depth of a place below the water surface, or the mean over several.",
   sensor = "A pressure sensor, its zero set at the surface.",
-  asks_place, function(state, measure) measure_depth(state, measure)
+  asks_places, function(state, measure) measure_depth(state, measure)
 )
 
-measure_depth <- function(state, measure) -place_position(state, measure$place)[3]
+measure_depth <- function(state, measure) {
+  -mean(vapply(measure$place, function(place) place_position(state, place)[3], 0))
+}
 
 define_measure("sinking_speed", "m/s", "Downward speed of a place; 0 in a settled state.",
   sensor = "The change of a depth sensor's reading in time.",

@@ -16,7 +16,7 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   lattice <- state$lattice
   frame <- if (lattice$nodes > most_remembered_nodes) mesh_frame else mesh_frame_again
   at <- frame(
-    panel_table(state$si$panels), match(names, base::names(state$si$panels)),
+    panel_table(state$si$panels)[panel_shape_fields], match(names, base::names(state$si$panels)),
     lattice[c("nodes", "division", "panels")]
   )
   all <- between_places(state_points(state), at$rows)
@@ -57,7 +57,7 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
 }
 
 # What mesh_places() needs of a lattice (list(nodes, division, panels)) whatever its shape. panels:
-# the table of all; numbers: of those asked for.
+# the table of all, no more of it than where their meshes lie; numbers: of those asked for.
 mesh_frame <- function(panels, numbers, lattice) {
   rows <- row_places(panels, lattice)
   kept <- which(rows$panel[rows$row] %in% numbers)

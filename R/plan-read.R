@@ -220,10 +220,19 @@ plain_tree <- function(tree, depth = 0) {
   plain(tree, depth)
 }
 
-# A plan of which all but these fields is in plain form.
+# A plan of which all but what lies at these paths, as their steps, is in plain form. Of a group
+# that is a map the part alone is looked at: a net has a hundred of them.
 plain_again <- function(plan, changed) {
-  for (name in intersect(changed, names(plan))) {
-    plan[name] <- list(plain_tree(plan[[name]], depth = 1))
+  for (steps in changed) {
+    name <- steps[1]
+    group <- plan[[name]]
+    part <- steps[2]
+    if (length(steps) > 1L && is.list(group) && part %in% names(group)) {
+      group[part] <- list(plain_tree(group[[part]], depth = 2))
+    } else {
+      group <- plain_tree(group, depth = 1)
+    }
+    if (name %in% names(plan)) plan[name] <- list(group)
   }
   plan
 }

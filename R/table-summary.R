@@ -60,9 +60,9 @@ print.codend_summary <- function(x, ...) {
 format.codend_summary <- function(x, ...) with_plain_numbers(summary_lines(x))
 
 summary_lines <- function(x) {
-  section <- function(title, lines) if (length(lines)) c("", cli::style_bold(title), lines)
+  section <- function(title, lines) if (length(lines)) c("", bold(title), lines)
   c(
-    cli::style_bold(x$name), x$conditions,
+    bold(x$name), x$conditions,
     section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
     section("Worth a look", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),

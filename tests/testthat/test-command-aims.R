@@ -113,6 +113,10 @@ test_that("wrong options are one message", {
   expect_match(wrong("study", "new", "x.study", "towed_cable"), "either --designs", all = FALSE)
   expect_match(wrong("study", "new", "x.study", "towed_cable", "--change", "towing.speed"),
     "FIELD = A, B", all = FALSE)
+  expect_match(wrong("study", "new", "x.study", "towed_cable", "--designs", "missing.csv"),
+    "--designs is missing.csv; it must be a CSV file that exists", all = FALSE)
+  expect_match(wrong("calibrate", "--data", "missing.csv", "--match", "Depth ~ depth",
+    "towed_cable"), "--data is missing.csv", all = FALSE)
   expect_match(wrong("study", "fly", "x.study"), "the actions are new, run", all = FALSE)
   expect_match(wrong("study", "plot", "x.study"), "--out FILE.png", all = FALSE)
   expect_match(wrong("sensitivities", "--of", "depth", "--nodes", "50", "towed_cable"), "depth",

@@ -116,7 +116,7 @@ test_that("files hold the same bytes whatever the session's settings are", {
     lapply(written, function(file) readBin(file, "raw", file.size(file)))
   }
   usual <- bytes("usual")
-  kept <- options(OutDec = ",", scipen = -20, digits = 3, encoding = "latin1")
+  kept <- options(OutDec = ",", scipen = -9, digits = 3, encoding = "latin1")
   zone <- Sys.getenv("TZ", NA)
   collate <- Sys.getlocale("LC_COLLATE")
   on.exit({

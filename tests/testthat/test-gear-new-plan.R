@@ -52,3 +52,16 @@ test_that("values are asked for, and an empty answer takes the usual one", {
   capture.output(given <- asked_values(asks, list(speed = "2 knot"), answers), type = "message")
   expect_identical(given, list(speed = "2 knot", head_line = "22 m", codend_mesh_size = "60 mm"))
 })
+
+test_that("a typed number has the unit of the usual value, and what is none is asked for again", {
+  answers <- textConnection(c("32", "80", "wide", "3 knot", "-1", "60 mm", "2.5", "-4 m"))
+  on.exit(close(answers))
+  asks <- new_plan_kinds()$bottom_trawl$asks
+  said <- capture.output(given <- asked_values(asks, list(), answers), type = "message")
+  # what was typed last stands where answers end, for its own error
+  expect_identical(given, list(head_line = "32 m", mesh_size = "80 mm", codend_mesh_size = "60 mm",
+    speed = "2.5 knot", depth = "-4 m"))
+  expect_match(said, "\"wide\" is no length; it must be one such as 80 mm", fixed = TRUE,
+    all = FALSE)
+  expect_length(grep("is no length", said), 4L)
+})

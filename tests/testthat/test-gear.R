@@ -143,3 +143,34 @@ test_that("a plan that was changed by hand is checked again", {
   gear$plan$towing$speed <- -1
   expect_error(gear_si(gear), class = "codend_error_plan")
 })
+
+test_that("places and edges of a gear know its panels by their shape alone", {
+  gear <- assembly(read_gear("midwater_trawl"))
+  path <- "panels.belly_section_2.twine.diameter"
+  thicker <- do.call(update, c(list(gear), setNames(list("4.1 mm"), path)))
+  expect_identical(thicker$checked, as_gear(thicker$plan)$checked)
+  expect_identical(gear_structure(gear_si(thicker)), gear_structure(gear_si(gear)))
+  # edges are taken over where shapes are the same, and only there
+  si <- gear_si(gear)
+  marked <- gear$checked
+  marked$si$seams[[1]]$edges[[1]][[1]]$mark <- TRUE
+  of <- function(gear) check_whole(gear$plan, marked)$si$seams[[1]]$edges[[1]][[1]]$mark
+  expect_true(of(thicker))
+  panel <- si$seams[[1]]$edges[[1]][[1]]$panel
+  finer <- do.call(update, c(list(gear), setNames(list(gear$plan$panels[[panel]]$meshes$deep + 1),
+    paste0("panels.", panel, ".meshes.deep"))))
+  expect_null(of(finer))
+})
+
+test_that("a part that changes is put into its plain form wherever it stands", {
+  gear <- assembly(read_gear("midwater_trawl"))
+  changed <- update(gear,
+    panels.belly_section_2.twine = list(diameter = 0.004, material = factor("PA"), double = FALSE),
+    points = c(gear$plan$points, list(spare = list(position = list(1L, 2L, 3L), held = "moved"))),
+    points.spare.load = 1:3
+  )
+  expect_identical(changed$plan, as_gear(changed$plan)$plan)
+  expect_identical(changed$plan$points$spare,
+    list(position = c(1, 2, 3), held = "moved", load = c(1, 2, 3)))
+  expect_identical(changed$plan$panels$belly_section_2$twine$material, "PA")
+})

@@ -150,3 +150,20 @@ test_that("fixed boards lift upwards too", {
   plan$pieces$board$lift_direction <- "up"
   expect_error(as_gear(plan), "vertical_lift_coefficient", class = "codend_error_plan")
 })
+
+test_that("what bars and cells differ by is that 16 m of twine bow, which cells hold straight", {
+  plan <- read_gear("midwater_trawl")$plan
+  bowed <- as_gear(unclass(plan))
+  plan$wings$bar_segments <- 1
+  for (section in names(plan$sections)) plan$sections[[section]]$bar_segments <- 1
+  straight <- as_gear(unclass(plan))
+  main <- c("door_spread_m", "wing_end_spread_m", "net_mouth_height_m", "wing_end_height_m",
+    "mouth_area_m2", "total_drag_kN")
+  found <- function(gear, netting) {
+    plain_measures(measures(settle(gear, nodes = 10000, netting = netting)))[main]
+  }
+  cells <- found(bowed, "cells")
+  # 1 % is asked of the two nettings
+  expect_lt(max(abs(found(straight, "bars") / cells - 1)), 0.01)
+  expect_gt(found(bowed, "bars")[["total_drag_kN"]] / cells[["total_drag_kN"]], 1.03)
+})

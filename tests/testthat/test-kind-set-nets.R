@@ -80,6 +80,19 @@ test_that("a dip net hangs upright in still water, is swept aside by a current, 
   expect_equal(depth[1] - depth[3], 6, tolerance = 0.25)
 })
 
+test_that("a dip net's frame is as deep whichever of its corners leans foremost", {
+  net <- read_gear("dip_net")
+  settled <- lapply(c(1000, 1250), function(nodes) settle(net, nodes = nodes))
+  # by 45 degrees, between two bridles and at one, and either is stable: where the one lattice puts
+  # its first corner has nothing to do with how deep the frame hangs
+  corner <- vapply(settled, function(state) {
+    -state$position[3, state$lattice$place("collar_1")]
+  }, 0)
+  expect_gt(diff(range(corner)), 0.1)
+  mean_depth <- vapply(settled, function(state) measures(state)[["frame_depth_m"]], 0)
+  expect_lt(diff(range(mean_depth)), 1e-3 * mean(mean_depth))
+})
+
 test_that("what is wrong with set nets is told", {
   wrong <- function(plan, field, ...) {
     expect_error(update(read_gear(plan), ...), field, class = "codend_error_plan")

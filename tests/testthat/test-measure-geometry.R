@@ -19,6 +19,10 @@ test_that("spread, height, length and depth are differences of coordinates", {
     measure_length(state, list(pairs = list(list("p1", "p2")))), sqrt(7^2 + 24^2 + 12^2)
   )
   expect_equal(measure_depth(state, list(place = "p2")), 62)
+  expect_equal(
+    measure_depth(state, list(place = c("p1", "p2"))),
+    mean(vapply(c("p1", "p2"), function(p) measure_depth(state, list(place = p)), 0))
+  )
 })
 
 test_that("ropes in any order and direction enclose the area of their polygon", {

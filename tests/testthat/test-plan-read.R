@@ -51,6 +51,12 @@ test_that("an edge's mesh range inside brackets asks for quotes", {
 test_that("no file and no shipped plan of a name", {
   expect_error(read_gear("towed_cabel"), "towed_cable", class = "codend_error_plan")
   expect_error(read_gear(tempdir()), class = "codend_error_plan")
+  # a file without its ending
+  file <- tempfile("trawl", fileext = ".yaml")
+  on.exit(unlink(file))
+  writeLines("codend: 1", file)
+  expect_error(read_gear(sub("[.]yaml$", "", file)), paste0("did you mean `", file, "`"),
+    fixed = TRUE, class = "codend_error_plan")
   expect_error(read_gear(1), class = "codend_error_argument")
 })
 

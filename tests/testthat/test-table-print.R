@@ -22,7 +22,7 @@ test_that("prints are the same whatever R's options for numbers are", {
     lapply(shown, function(one) capture.output(print(one)))
   }
   expect_identical(printed(OutDec = ","), printed(OutDec = "."))
-  expect_identical(printed(scipen = -10), printed(scipen = 0))
+  expect_identical(printed(scipen = -9), printed(scipen = 0))
 })
 
 test_that("conditions are told in words", {
