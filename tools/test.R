@@ -1,5 +1,6 @@
-# Runs the engine's tests and then the package's, and ends with "N passed, N failed, N skipped",
-# where a test is a doctest test case or a test_that() block. Fails when any test does.
+# Runs the engine's tests and then the package's, and ends with what failed, again, and
+# "N passed, N failed, N skipped", where a test is a doctest test case or a test_that() block. Fails
+# when any test does.
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
@@ -24,10 +25,15 @@ slow <- c(
   "validation-published-cases", "validation-refinement"
 )
 
+# What failed, to be said once more at the end: a log may keep its end alone.
+failures <- character()
+fails <- function(lines) failures <<- c(failures, lines)
+
 checks <- function() {
   said <- suppressWarnings(system2("Rscript", "tools/checks.R", stdout = TRUE, stderr = TRUE))
   cat(said, sep = "\n")
   count <- as.numeric(regmatches(tail(said, 1L), gregexpr("[0-9]+", tail(said, 1L)))[[1]])
+  if (length(count) != 3L || count[2] > 0) fails(tail(said, 40L))
   if (length(count) != 3L) return(c(passed = 0, failed = 1, skipped = 0))
   stats::setNames(count, c("passed", "failed", "skipped"))
 }
@@ -38,6 +44,7 @@ engine <- function() {
     stdout = TRUE, stderr = TRUE
   ))
   cat(said, sep = "\n")
+  if (!is.null(attr(said, "status"))) fails(tail(said, 40L))
   line <- grep("test cases:", said, value = TRUE)
   # no summary: the tests did not build or did not live to their end
   if (length(line) != 1L) return(c(passed = 0, failed = 1, skipped = 0))
@@ -51,11 +58,19 @@ quick_files <- function() {
 }
 
 package <- function() {
-  found <- as.data.frame(testthat::test_dir(
+  results <- testthat::test_dir(
     "tests/testthat", package = "codend", load_package = "installed",
     filter = if (lane == "fast") quick_files(),
     reporter = testthat::CheckReporter$new(), stop_on_failure = FALSE
-  ))
+  )
+  for (test in results) {
+    for (result in test$results) {
+      if (inherits(result, c("expectation_failure", "expectation_error"))) {
+        fails(sprintf("%s, %s: %s", test$file, test$test, conditionMessage(result)))
+      }
+    }
+  }
+  found <- as.data.frame(results)
   failed <- found$failed > 0 | found$error
   skipped <- found$skipped & !failed
   c(passed = sum(!failed & !skipped), failed = sum(failed), skipped = sum(skipped))
@@ -68,6 +83,7 @@ fuzz <- function() {
   ))
   cat(said, sep = "\n")
   failed <- !is.null(attr(said, "status"))
+  if (failed) fails(tail(said, 40L))
   c(passed = !failed, failed = failed, skipped = 0)
 }
 
@@ -77,7 +93,7 @@ total <- engine()
 if (lane == "ci") {
   beside <- parallel::mcparallel({
     said <- utils::capture.output(count <- checks() + fuzz())
-    list(said = said, count = count)
+    list(said = said, count = count, failures = failures)
   })
 }
 total <- total + package()
@@ -87,8 +103,10 @@ if (lane == "ci") {
     beside <- list(said = beside, count = c(passed = 0, failed = 1, skipped = 0))
   }
   cat(beside$said, sep = "\n")
+  fails(beside$failures)
   total <- total + beside$count
 }
+if (length(failures)) cat("What failed:", failures, sep = "\n")
 cat(sprintf("%d %s", total, names(total)), sep = ", ")
 cat("\n")
 quit(status = total[["failed"]] > 0)
