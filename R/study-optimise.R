@@ -182,7 +182,7 @@ run_slsqp <- function(task, search, place, held, most) {
   if (!length(free)) return("all fields are held")
   at <- function(x) {
     # where conditions cannot be kept a newer NLopt goes on to no place at all
-    if (anyNA(x)) cli::cli_abort("There is no place to try.", class = "codend_error_no_place")
+    if (anyNA(x)) abort_as("no_place", "There is no place to try.", envir = environment())
     try_point(task, search, replace(place, free, x))
   }
   equal <- vapply(task$keep, `[[`, NA, "equal")
