@@ -41,6 +41,7 @@ class Settling {
         if (!go_back()) return;
       }
       if (control_.watch && !control_.watch({report_.iterations, report_.residual})) return;
+      follow_wake();
       report_.converged = iteration_.balanced();
       if (report_.converged && wake_is_due()) {
         renew_wake();
@@ -98,14 +99,31 @@ class Settling {
            !(from_settled_ && report_.iterations == 0 && !assembly_.model().wake.empty());
   }
 
+  // Before balance: the wake of a shape that is not found yet costs no steps of its own.
+  void follow_wake() {
+    if (from_settled_ || !assembly_.has_wake()) return;
+    const bool close = iteration_.nearly_balanced();
+    const bool far = control_.start == Start::near && wake_searches_ == 0 &&
+                     far_searches_ < control_.wake.far_searches && iteration_.far_on_path();
+    if (!close && !far) return;
+    const bool search = far || wake_searches_ < most_wake_searches();
+    const double change = assembly_.renew_wake(search, control_.wake.tolerance);
+    if (search) ++(close ? wake_searches_ : far_searches_);
+    if (change > control_.wake.tolerance) iteration_.measure();
+  }
+
+  int most_wake_searches() const {
+    if (control_.start == Start::near) return control_.wake.near_searches;
+    const bool settled = from_settled_ && !assembly_.model().wake.empty();
+    return settled ? control_.wake.settled_searches : control_.wake.searches;
+  }
+
   // Where the wake changes the shape is not yet found.
   void renew_wake() {
-    const int searches = from_settled_ && !assembly_.model().wake.empty()
-                             ? control_.wake.settled_searches
-                             : control_.wake.searches;
-    report_.wake_change =
-        assembly_.renew_wake(report_.wake_renewals < searches, control_.wake.tolerance);
+    const bool search = wake_searches_ < most_wake_searches();
+    report_.wake_change = assembly_.renew_wake(search, control_.wake.tolerance);
     ++report_.wake_renewals;
+    if (search) ++wake_searches_;
     if (report_.wake_change <= control_.wake.tolerance) return;
     report_.converged = false;
     iteration_.measure();
@@ -153,6 +171,7 @@ class Settling {
   std::size_t attempt_ = 0;
   int steps_ = 0;  // of this attempt
   int here_ = 0;   // perturbations of this attempt
+  int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
   const bool from_settled_;
   bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.

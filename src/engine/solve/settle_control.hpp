@@ -143,6 +143,13 @@ struct AttemptControl {
 struct WakeControl {
   double tolerance = wake_tolerance;
   int renewals = 20, searches = 4, settled_searches = 1;
+  // From other than a settled state they are followed before: where lines turn and the residual is by
+  // less than these. A shape that is carried over has its wake from the start, which is searched at every
+  // step as long as the path's mu is at least far_parameter (later a point that comes into a wake costs as
+  // many steps as a start) and once when it is nearly found.
+  double rotation = 2e-3, residual = 1e-3;
+  double far_parameter = 1e-6;
+  int far_searches = 20, near_searches = 1;
 };
 
 // Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's

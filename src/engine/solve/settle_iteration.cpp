@@ -116,6 +116,15 @@ bool SettleIteration::balanced() {
          report_.parts.rounding <= control_.greatest_rounding;
 }
 
+bool SettleIteration::nearly_balanced() const {
+  return pseudo_time_.rotation() < control_.wake.rotation &&
+         report_.residual < control_.wake.residual;
+}
+
+bool SettleIteration::far_on_path() const {
+  return !on_law_ && path_.parameter() >= control_.wake.far_parameter;
+}
+
 void SettleIteration::judge_parts() { report_.parts = parts_.worst(force_.data(), scale()); }
 
 // Whether the net forces are no more than what rounding of the positions makes.

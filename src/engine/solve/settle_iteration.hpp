@@ -40,6 +40,10 @@ class SettleIteration {
 
   // Whether the shape is found and its net forces are no more than is allowed, or than rounding makes.
   bool balanced();
+  // Whether it is so near to that that its wake is worth following.
+  bool nearly_balanced() const;
+  // Whether tensions are still so far from the law that lines give way to other loads.
+  bool far_on_path() const;
   // Tells of every part's balance, as measured.
   void judge_parts();
   // Whether steps from a settled shape do not close in.

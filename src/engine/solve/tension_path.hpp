@@ -29,6 +29,7 @@ class TensionPath {
   // are nearly settled (near_parameter) or were under other loads (settled_parameter), instead of
   // pulling every line taut.
   static constexpr double near_parameter = 1e-4, settled_parameter = 1e-9;
+  double parameter() const { return parameter_; }
   void follow(const std::vector<double>& strain, double parameter);
   // The same for one line at the present mu.
   void follow(std::size_t k, double strain);
