@@ -45,7 +45,7 @@ class Settling {
       report_.converged = iteration_.balanced();
       if (report_.converged && wake_is_due()) {
         renew_wake();
-        if (report_.wake_renewals == control_.wake.renewals && !report_.converged) return;
+        if (wake_rounds_ == control_.wake.renewals && !report_.converged) return;
       }
       if (report_.converged) leave_if_unstable();
       if (report_.converged || report_.iterations >= control_.iterations) return;
@@ -108,6 +108,7 @@ class Settling {
     if (!close && !far) return;
     const bool search = far || wake_searches_ < most_wake_searches();
     const double change = assembly_.renew_wake(search, control_.wake.tolerance);
+    ++report_.wake_renewals;
     if (search) ++(close ? wake_searches_ : far_searches_);
     if (change > control_.wake.tolerance) iteration_.measure();
   }
@@ -123,6 +124,7 @@ class Settling {
     const bool search = wake_searches_ < most_wake_searches();
     report_.wake_change = assembly_.renew_wake(search, control_.wake.tolerance);
     ++report_.wake_renewals;
+    ++wake_rounds_;
     if (search) ++wake_searches_;
     if (report_.wake_change <= control_.wake.tolerance) return;
     report_.converged = false;
@@ -172,6 +174,7 @@ class Settling {
   int steps_ = 0;  // of this attempt
   int here_ = 0;   // perturbations of this attempt
   int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
+  int wake_rounds_ = 0;                       // renewals of wakes in balance
   const bool from_settled_;
   bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.
