@@ -171,8 +171,8 @@ class Settling {
   double* x_;
   const std::vector<double> start_;
   std::size_t attempt_ = 0;
-  int steps_ = 0;  // of this attempt
-  int here_ = 0;   // perturbations of this attempt
+  int steps_ = 0;                             // of this attempt
+  int here_ = 0;                              // perturbations of this attempt
   int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
   int wake_rounds_ = 0;                       // renewals of wakes in balance
   const bool from_settled_;
