@@ -386,13 +386,20 @@ TEST_CASE("derivatives of tensions that a solver carries") {
       dual.tension.push_back(random.between(0.5, 2.0));
       dual.modulus.push_back(random.between(0.1, 5.0));
     }
-    // Dual tensions follow their strain with the modulus.
+    assembly.bow_to(dual);
+    assembly.strain(start);
+    // Dual tensions follow their strain with the modulus, and bows the tensions: some rounds bring
+    // them together.
     auto force = [&](std::vector<double>& out) {
       DualTension moved = dual;
       assembly.move_to(s.x.data(), s.v.data());
-      assembly.strain(strain);
-      for (std::size_t k = 0; k < strain.size(); ++k) {
-        moved.tension[k] += moved.modulus[k] * (strain[k] - start[k]);
+      for (int round = 0; round < 300; ++round) {
+        assembly.bow_to(moved);
+        assembly.strain(strain);
+        for (std::size_t k = 0; k < strain.size(); ++k) {
+          moved.tension[k] +=
+              0.5 * (dual.tension[k] + dual.modulus[k] * (strain[k] - start[k]) - moved.tension[k]);
+        }
       }
       assembly.residual(out.data(), &moved);
     };
@@ -435,7 +442,14 @@ TEST_CASE("strains change as their first-order change says") {
   std::vector<double> dx, up, down;
   for (std::size_t k = 0; k < s.x.size(); ++k) dx.push_back(random.between(-1.0, 1.0));
   assembly.move_to(s.x.data(), s.v.data());
-  const std::vector<double> change = assembly.line_change(dx.data()).strain;
+  std::vector<double> change = assembly.line_change(dx.data()).strain;
+  DualTension law;
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    law.tension.push_back(assembly.lines().tension[k]);
+    law.modulus.push_back(law.tension[k] > 0.0 ? assembly.lines().stiffness[k] : 0.0);
+  }
+  const std::vector<double> given = change;
+  assembly.share_bows(law, nullptr, given.data(), change.data());
   // Second order at h = 1e-5: h^2/6 of the third derivative, 2e-11, and 2e-16/h = 2e-11.
   const double h = 1e-5;
   auto moved = [&](double share, std::vector<double>& out) {

@@ -22,6 +22,22 @@ TriangleShape triangle_shape(const double* twine, const int* corner) {
           0.5 * std::abs(d)};
 }
 
+// What bows of the twines make of kappa, u and v: of the parallelogram whose sides are the means of
+// opposite ones.
+void bow_weights(const double* twine, double of_h, double* weight) {
+  double across[2], down[2];  // half sides, of u and v
+  for (int f = 0; f < 2; ++f) {
+    const double* c = twine + f;
+    across[f] = 0.25 * (-c[0] + c[2] + c[4] - c[6]);
+    down[f] = 0.25 * (-c[0] - c[2] + c[4] + c[6]);
+  }
+  const double area = across[0] * down[1] - across[1] * down[0];
+  for (int f = 0; f < 2; ++f) {
+    const double bend = 2.0 * across[1 - f] * down[1 - f] / (area * area * of_h);
+    weight[f] = bend * bend * (across[f] * across[f] + down[f] * down[f]) / 3.0;
+  }
+}
+
 }  // namespace
 
 CellShape cell_shape(const double* twine) {
@@ -54,10 +70,12 @@ CellShape cell_shape(const double* twine) {
       s.twist_weight[f] += third * weight * c * c;
     }
   }
+  bow_weights(twine, of_h, s.bow_weight);
+  for (int f = 0; f < 2; ++f) s.bow_weight[f] = std::min(s.bow_weight[f], s.twist_weight[f]);
   s.amplitude = 1.0 / of_h;
   if (u[4] == u[6] && v[4] == v[6]) {  // three corners have no twist
     std::fill(s.twist, s.twist + 4, 0.0);
-    s.twist_weight[0] = s.twist_weight[1] = 0.0;
+    s.twist_weight[0] = s.twist_weight[1] = s.bow_weight[0] = s.bow_weight[1] = 0.0;
     s.amplitude = 0.0;
   }
   return s;

@@ -21,6 +21,7 @@ struct CellShape {
   double along[2][4];      // a, b, 1
   double twist[4];         // g, 1
   double twist_weight[2];  // kappa of u and v
+  double bow_weight[2];    // what bows make of it
   double share[4];         // of what is spread evenly over the cell, of each corner; their sum is 1
   double amplitude;        // 1/(g.h): of the motion h_k w, of which the twist is w/amplitude
 };

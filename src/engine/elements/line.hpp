@@ -44,7 +44,9 @@ struct Line {
     double sum = 0.0;
     for (int c = 0; c < 3; ++c) {
       sum += lines.e[c][index] * e_rate[c];
-      if (twist_weight > 0.0) sum += twist_weight * lines.twist[c][index] * twist_rate[c];
+      if (twist_weight > 0.0) {
+        sum += lines.twist_weight[index] * lines.twist[c][index] * twist_rate[c];
+      }
     }
     return lines.inverse_length[index] * sum;
   }

@@ -22,6 +22,9 @@ struct LineArrays {
   // Null where there are no cells:
   double* twist_weight;     // kappa, by which L^2 = |e|^2 + kappa |q|^2
   double* twist_stiffness;  // by which a twist is held besides, N/m
+  double* held_pull;        // the same of one bar over kappa, N/m
+  double* bow_slope;        // dL/ds by the bow s of a cell's twines (bows.hpp), m
+  double* bow_stiffness;    // of a cell's u line: d2E/ds2 of one bar pair at given lengths' slopes, N m
   double* damping;          // c, N s; null where no line has any
   double* rest_rate;        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.

@@ -426,7 +426,35 @@ struct CellFamily {
   Triple pull[4];    // G_k
   Triple answer[4];  // by which the tension answers to a move of point k
   Pack weight;       // kappa
+  // With l and A of bows.hpp, the law's without dampers: A l, the pull's loss at point k as the bow
+  // grows, by_pull G_k + by_twist g_k q, and A l^2.
+  Pack bow, by_pull, by_twist, bow_stiffness;
 };
+
+INLINE void cell_bow(const LineArrays& lines, const LineRequest& request, std::int64_t i, Pack rate,
+                     CellFamily& out) {
+  const Pack slope = load(lines.bow_slope + i);
+  const Pack by_law = (out.k.modulus - out.k.tension) * slope;
+  out.bow = out.by_pull = by_law;
+  out.by_twist = Pack{};
+  if (lines.damping && !request.modulus) {
+    const Pack many = request.stiffness * load(lines.multiplicity + i);
+    const Pack inverse_length = load(lines.inverse_length + i);
+    const Pack stiffness = load(lines.stiffness + i);
+    Pack tension = stiffness * load(lines.strain + i);
+    if (lines.load_law) tension = tension + load(lines.offset + i);
+    const Pack pull = many * inverse_length * (tension > 0.0 ? tension : Pack{});
+    const Pack modulus = tension > 0.0 ? many * stiffness * load(lines.inverse_rest + i) : Pack{};
+    out.bow = (modulus - pull) * slope;
+    const Triple q = load(lines.twist, i);
+    const Pack by_square = 2.0 * slope * inverse_or_zero(dot(q, q));  // d kappa/ds over L
+    out.by_pull = by_law + request.stiffness * out.k.by_rate *
+                               (by_square * dot(q, load(lines.twist_rate, i)) -
+                                slope * inverse_length * rate);
+    out.by_twist = (out.k.tension - pull) * by_square / inverse_length;
+  }
+  out.bow_stiffness = out.bow * slope;
+}
 
 template <bool with_everywhere>
 INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std::int64_t i,
@@ -445,6 +473,7 @@ INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std
     rate = dot(e, e_rate) + dot(q, q_rate);
     q_rate = out.weight * q_rate;
   }
+  cell_bow(lines, request, i, rate, out);
   for (int k = 0; k < 4; ++k) {
     const Pack a = load(shape.along[which][k] + cell), g = load(shape.twist[k] + cell);
     out.pull[k] = a * e + g * q;
@@ -466,6 +495,19 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
     CellFamily u, v;
     cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
     cell_family<with_everywhere>(lines, request, at_v, i, shape, 1, v);
+    // The bow gives way (bows.hpp).
+    const Pack give =
+        inverse_or_zero(u.bow_stiffness + v.bow_stiffness +
+                        request.stiffness * load(lines.multiplicity + at_u) *
+                            load(lines.bow_stiffness + at_u));
+    const Triple q = load(lines.twist, at_u);
+    Triple lost[4], moved[4];
+    for (int k = 0; k < 4; ++k) {
+      const Pack g = load(shape.twist[k] + i);
+      lost[k] = give * (u.by_pull * u.pull[k] + v.by_pull * v.pull[k] +
+                        (g * (u.by_twist + v.by_twist)) * q);
+      moved[k] = u.bow * u.pull[k] + v.bow * v.pull[k];
+    }
     const Pack twisted = u.k.tension * u.weight + v.k.tension * v.weight +
                          request.stiffness * (load(lines.twist_stiffness + at_u) +
                                               load(lines.twist_stiffness + at_v));
@@ -492,7 +534,7 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
         const Pack a_l = load(shape.along[0][l] + i), b_l = load(shape.along[1][l] + i);
         const Pack g_l = load(shape.twist[l] + i);
         Tensor sum = outer(u.pull[k], u.answer[l]) + outer(v.pull[k], v.answer[l]) -
-                     s_k * (a_l * u.drag.turn + b_l * v.drag.turn);
+                     outer(lost[k], moved[l]) - s_k * (a_l * u.drag.turn + b_l * v.drag.turn);
         Pack same = u.k.tension * a_k * a_l + v.k.tension * b_k * b_l + twisted * g_k * g_l;
         if (with_everywhere) {
           const Pack s_l = load(shape.share[l] + i);

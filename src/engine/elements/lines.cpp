@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bows.hpp"
+
 namespace codend {
 namespace {
 
@@ -76,6 +78,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   }
   if (cells.count() > 0) {
     columns.insert(columns.end(), {&a.inverse_length, &a.twist_weight, &a.twist_stiffness,
+                                   &a.held_pull, &a.bow_slope, &a.bow_stiffness,
                                    &a.twist[0], &a.twist[1], &a.twist[2], &a.twist_rate[0],
                                    &a.twist_rate[1], &a.twist_rate[2]});
   }
@@ -112,8 +115,8 @@ void Lines::describe(const Line<N>& line) {
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (arrays_.twist_weight) {
     arrays_.twist_weight[k] = line.twist_weight;
-    arrays_.twist_stiffness[k] = 0.5 * water_.density * m.diameter * twist_speed * twist_speed *
-                                 line.multiplicity * line.twist_weight;
+    arrays_.held_pull[k] = 0.5 * water_.density * m.diameter * twist_speed * twist_speed;
+    arrays_.twist_stiffness[k] = arrays_.held_pull[k] * line.multiplicity * line.twist_weight;
   }
   if (arrays_.damping) {
     arrays_.damping[k] = line.multiplicity > 0.0 ? m.damping * line.rest : 0.0;
@@ -284,6 +287,7 @@ void Lines::move_to(const double* position) {
     double* const q[3] = {a.twist[0] + u, a.twist[1] + u, a.twist[2] + u};
     cells_.vectors(position, begin, end, e_u, e_v, q);
     for (double* twist : q) std::copy_n(twist, size, twist + cells);
+    set_bows(cells_, a, begin, end, nullptr);
     kernels_.evaluate(a, u, u + size);
     kernels_.evaluate(a, v, v + size);
   }
@@ -295,6 +299,17 @@ void Lines::move_to(const double* position) {
       hexagons_.vectors(which, position, begin, end, e);
       kernels_.evaluate(a, i, i + end - begin);
     });
+  }
+}
+
+void Lines::bow_to(const double* tension) {
+  for (const auto [begin, end] : moving_cells_) set_bows(cells_, arrays_, begin, end, tension);
+}
+
+void Lines::share_bows(const double* tension, const double* modulus, const double* mismatch,
+                       const double* change, double* strain) const {
+  for (const auto [begin, end] : moving_cells_) {
+    add_bow_strains(cells_, arrays_, begin, end, {tension, modulus, mismatch, change}, strain);
   }
 }
 

@@ -47,6 +47,13 @@ class Lines {
   // Vectors and what follows from them.
   void move_to(const double* position);
 
+  // Bows of cells' twines by given tensions of one line each (N) instead of the law's, until the next
+  // move_to(): lengths and strains are those of these bows, tensions are not.
+  void bow_to(const double* tension);
+  // Changes of strain that bows add, as they follow (bows.hpp).
+  void share_bows(const double* tension, const double* modulus, const double* mismatch,
+                  const double* change, double* strain) const;
+
   // Adds drag, and pull by given tensions of one line each (N), to force (N, 3 per point).
   void add_force(const double* tension, double* force) const;
   // Adds blocks; tension and modulus (N) of one line each, modulus null for the law's.

@@ -10,7 +10,10 @@ void NettingCells::prepare() {
     clear(twist[k]);
     clear(share[k]);
   }
-  for (int f = 0; f < 2; ++f) clear(twist_weight[f]);
+  for (int f = 0; f < 2; ++f) {
+    clear(twist_weight[f]);
+    clear(bow_weight[f]);
+  }
   clear(bars);
   clear(amplitude);
   for (std::size_t e = 0; e < cells; ++e) {
@@ -20,7 +23,10 @@ void NettingCells::prepare() {
       twist[k][e] = s.twist[k];
       share[k][e] = s.share[k];
     }
-    for (int f = 0; f < 2; ++f) twist_weight[f][e] = s.twist_weight[f];
+    for (int f = 0; f < 2; ++f) {
+      twist_weight[f][e] = s.twist_weight[f];
+      bow_weight[f][e] = s.bow_weight[f];
+    }
     bars[e] = s.bars;
     amplitude[e] = s.amplitude;
   }
@@ -75,7 +81,7 @@ void NettingCells::add_force(const LineArrays& lines, const double* tension, int
     const int u = first_line + e, v = u + cells;
     const double pull_u = lines.multiplicity[u] * tension[u] * lines.inverse_length[u];
     const double pull_v = lines.multiplicity[v] * tension[v] * lines.inverse_length[v];
-    const double pull_q = pull_u * twist_weight[0][e] + pull_v * twist_weight[1][e];
+    const double pull_q = pull_u * lines.twist_weight[u] + pull_v * lines.twist_weight[v];
     const double held = pull_q + lines.twist_stiffness[u] + lines.twist_stiffness[v];
     const double damped = (lines.loose[u] + lines.loose[v]) * amplitude[e] * amplitude[e] / 9.0;
     const int* n = &node[4 * static_cast<std::size_t>(e)];

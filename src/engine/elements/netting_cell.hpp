@@ -38,7 +38,8 @@ class NettingCells {
   int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
 
   // Of cell_shape(), one array each with room for 7 cells more; from prepare().
-  std::vector<double> along[2][4], twist[4], share[4], twist_weight[2], bars, amplitude;
+  std::vector<double> along[2][4], twist[4], share[4], twist_weight[2], bow_weight[2], bars,
+      amplitude;
 
   // Call once after filling.
   void prepare();

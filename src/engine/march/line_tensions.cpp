@@ -62,9 +62,11 @@ double LineTensions::change(std::size_t k, double strain_change, double p) const
 }
 
 void LineTensions::advance(const std::vector<double>& strain_change, double p, double share) {
+  strain_change_ = strain_change;
+  assembly_.share_bows(current_, nullptr, strain_change.data(), strain_change_.data());
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
-    const double tension = linear_[k] + change(k, strain_change[k], p);
+    const double tension = linear_[k] + change(k, strain_change_[k], p);
     const double least = lines.least_tension[k];
     taut_[k] = tension > least;
     current_.tension[k] += share * (std::max(tension, least) - current_.tension[k]);

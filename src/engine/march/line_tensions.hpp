@@ -46,6 +46,7 @@ class LineTensions {
   std::size_t lines_;
   std::vector<char> taut_;
   DualTension right_, current_;
+  std::vector<double> strain_change_;
   std::vector<double> linear_;  // tensions of the law before it is clipped, N
 };
 

@@ -70,6 +70,15 @@ class Assembly {
   void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
+  // Takes the bows of cells' twines by the tensions of `dual`, instead of the law's, until the next
+  // move_to(): strains and derivatives are then those that a solver of these tensions needs.
+  void bow_to(const DualTension& dual) { lines_.bow_to(dual.tension.data()); }
+  // Adds to `strain` (per line) what bows change of strains (Lines::share_bows()).
+  void share_bows(const DualTension& dual, const double* mismatch, const double* change,
+                  double* strain) const {
+    lines_.share_bows(dual.tension.data(), dual.modulus.data(), mismatch, change, strain);
+  }
+
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // dual: tensions that are unknowns of a solver, instead of the law's.
   void residual(double* force, const DualTension* dual = nullptr);

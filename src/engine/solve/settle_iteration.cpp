@@ -174,8 +174,9 @@ void SettleIteration::step() {
   choose_law();
   if (!on_law_) {
     Stopwatch watch(report_.seconds_forces, control_.timed);
+    assembly_.bow_to(path_.current());
     assembly_.strain(strain_);
-    path_.prepare(strain_, reduction());
+    path_.prepare(assembly_, strain_, reduction());
     assembly_.residual(force_.data(), &path_.predicted());
     if (closing_in_) add_loads_by_parts();
   }
@@ -290,7 +291,7 @@ void SettleIteration::move() {
   const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
   turned_ = share * rotation;
   from_x_.assign(x_, x_ + dx_.size());
-  if (!on_law_) path_.advance(strain_change_, share);
+  if (!on_law_) path_.advance(assembly_, strain_change_, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
   settle_swinging();
   double counted = tangent ? share * rotation : rotation;
@@ -315,10 +316,12 @@ void SettleIteration::correct() {
   {
     Stopwatch watch(report_.seconds_forces, control_.timed);
     assembly_.move_to(x_, v_);
+    assembly_.bow_to(path_.current());
     assembly_.strain(strain_);
-    path_.correct(strain_);
+    path_.correct(assembly_, strain_);
     assembly_.residual(force_.data(), &path_.current());
     assembly_.move_to(from_x_.data(), v_);
+    assembly_.bow_to(path_.current());
     pull_.resize(force_.size());
     assembly_.pull_of(path_.correction(), pull_.data());
     for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
@@ -336,7 +339,7 @@ void SettleIteration::correct() {
   const LineChange& change = without_swinging(assembly_.line_change(dx_.data()));
   if (!(change.rotation < turned_)) return;
   has_corrected_ = true;
-  path_.advance(strain_change_, 1.0);
+  path_.advance(assembly_, strain_change_, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
   settle_swinging();
   pseudo_time_.assume_rotation(change.rotation);

@@ -34,6 +34,7 @@ TensionPath::TensionPath(const Model& model, double load)
   ratio_.resize(lines);
   centring_.resize(lines);
   mismatch_.resize(lines);
+  bow_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = model.material(line).axial_stiffness;
     strut_[line.index] = model.material(line).strut;
@@ -91,7 +92,7 @@ void TensionPath::rest_contact(std::size_t k, double penetration) {
   current_.tension[k] = parameter_ * scale_[k] / slack_[k];
 }
 
-void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
+void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& strain, double reduction) {
   parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;  // carries no tension, from the start
@@ -111,6 +112,20 @@ void TensionPath::prepare(const std::vector<double>& strain, double reduction) {
     predicted_.tension[k] = t + current_.modulus[k] * mismatch_[k];
   }
   begun_ = true;
+  add_bows(assembly);
+}
+
+// To tensions of the right side what bows make of the strains that are missed.
+void TensionPath::add_bows(const Assembly& assembly) {
+  std::fill(bow_.begin(), bow_.end(), 0.0);
+  assembly.share_bows(current_, mismatch_.data(), nullptr, bow_.data());
+  const LineArrays& lines = assembly.lines();
+  for (std::size_t k = 0; k < lines_; ++k) {
+    if (bow_[k] == 0.0) continue;
+    predicted_.tension[k] += (current_.modulus[k] - current_.tension[k] * lines.inverse_length[k] /
+                                                        lines.inverse_rest[k]) *
+                             bow_[k];
+  }
 }
 
 void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
@@ -119,7 +134,7 @@ void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
   mismatch_[k] = strain - stretched + s + centring_[k];
 }
 
-void TensionPath::correct(const std::vector<double>& strain) {
+void TensionPath::correct(const Assembly& assembly, const std::vector<double>& strain) {
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     predicted_.tension[k] = 0.0;
     if (stiffness_[k] == 0.0) continue;
@@ -132,14 +147,18 @@ void TensionPath::correct(const std::vector<double>& strain) {
     }
     predicted_.tension[k] = current_.modulus[k] * mismatch_[k];
   }
+  add_bows(assembly);
 }
 
-void TensionPath::advance(const std::vector<double>& strain_change, double share) {
+void TensionPath::advance(const Assembly& assembly, const std::vector<double>& strain_change,
+                          double share) {
+  std::fill(bow_.begin(), bow_.end(), 0.0);
+  assembly.share_bows(current_, mismatch_.data(), strain_change.data(), bow_.data());
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;
     double& t = current_.tension[k];
     double& s = slack_[k];
-    const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k]);
+    const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k] + bow_[k]);
     if (strut_[k]) {
       t += share * t_change;
       continue;

@@ -36,7 +36,7 @@ class TensionPath {
 
   // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
-  void prepare(const std::vector<double>& strain, double reduction);
+  void prepare(const Assembly& assembly, const std::vector<double>& strain, double reduction);
   const DualTension& current() const { return current_; }
   const DualTension& predicted() const { return predicted_; }
 
@@ -48,16 +48,17 @@ class TensionPath {
 
   // The same at the strains that a step with this matrix has led to, for another one with it and the same
   // mu: correction() holds the tensions that answer to what strains miss, current() the others.
-  void correct(const std::vector<double>& strain);
+  void correct(const Assembly& assembly, const std::vector<double>& strain);
   const DualTension& correction() const { return predicted_; }
 
   // After the step: tensions and slack variables follow the strains' first-order changes, taken `share`
   // of the way, and stay positive.
-  void advance(const std::vector<double>& strain_change, double share);
+  void advance(const Assembly& assembly, const std::vector<double>& strain_change, double share);
 
  private:
+  void add_bows(const Assembly& assembly);
   // ratio_: of slack to tension, in the step's matrix.
-  std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_;
+  std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_, bow_;
   void rest_contact(std::size_t k, double penetration);
   // What a line's strain misses of that of its tension and slack variable, on the way to mu.
   void mismatch(std::size_t k, double strain, double stretched);

@@ -1,0 +1,151 @@
+#include "bows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace codend {
+namespace {
+
+constexpr int most_iterations = 60;
+constexpr double smallest_change = 1e-15;
+
+// Two families of one cell; f = 0: u, 1: v.
+struct Cell {
+  double straight[2];  // |e|^2 + (kappa - b) |q|^2
+  double bow[2];       // b |q|^2
+  double rest, held;   // held: what holds the twist besides, N/m
+  double length[2], tension[2], modulus[2];
+
+  static double side(int f, double s) { return f == 0 ? 1.0 - s : 1.0 + s; }
+  void set_lengths(double s) {
+    for (int f = 0; f < 2; ++f) {
+      length[f] = std::sqrt(straight[f] + bow[f] * side(f, s) * side(f, s));
+    }
+  }
+  double pull(int f) const { return length[f] > 0.0 ? tension[f] / length[f] : 0.0; }
+  // By given tensions.
+  double balance() const {
+    const double u = (pull(0) + held) * bow[0], v = (pull(1) + held) * bow[1];
+    return u + v > 0.0 ? (u - v) / (u + v) : 0.0;
+  }
+};
+
+void follow_law(const LineArrays& lines, int line, const TwineMaterial* table, double strain,
+                double& tension, double& modulus) {
+  if (table) {
+    double found[2];
+    load_coefficients(*table, strain, found);
+    tension = found[0] + found[1] * strain;
+    modulus = found[1];
+  } else {
+    modulus = lines.stiffness[line];
+    tension = modulus * strain;
+  }
+  if (tension <= 0.0) tension = modulus = 0.0;
+}
+
+// Where the law's tensions balance the bow: the root of a function that grows, by Newton's method
+// within bounds.
+double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
+  double low = -1.0, high = 1.0, s = 0.0;
+  for (int k = 0; k < most_iterations; ++k) {
+    cell.set_lengths(s);
+    double out = 0.0, slope = 0.0;
+    for (int f = 0; f < 2; ++f) {
+      const TwineMaterial* table = lines.load_law ? lines.load_law[line[f]] : nullptr;
+      follow_law(lines, line[f], table, cell.length[f] / cell.rest - 1.0, cell.tension[f],
+                 cell.modulus[f]);
+      const double side = Cell::side(f, s), pull = cell.pull(f);
+      out += (f == 0 ? -1.0 : 1.0) * (pull + cell.held) * cell.bow[f] * side;
+      slope += (pull + cell.held) * cell.bow[f];
+      if (cell.tension[f] > 0.0) {
+        const double by_s = cell.bow[f] * side / cell.length[f];
+        slope += (cell.modulus[f] / cell.rest - pull) * by_s * by_s;
+      }
+    }
+    if (!(slope > 0.0)) return s;
+    (out > 0.0 ? high : low) = s;
+    double next = s - out / slope;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double change = std::abs(next - s);
+    s = next;
+    if (change <= smallest_change) break;
+  }
+  cell.set_lengths(s);
+  for (int f = 0; f < 2; ++f) {
+    const TwineMaterial* table = lines.load_law ? lines.load_law[line[f]] : nullptr;
+    follow_law(lines, line[f], table, cell.length[f] / cell.rest - 1.0, cell.tension[f],
+               cell.modulus[f]);
+  }
+  return s;
+}
+
+}  // namespace
+
+void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
+              const double* tension) {
+  for (int e = begin; e < end; ++e) {
+    const std::size_t c = static_cast<std::size_t>(e);
+    if (cells.bow_weight[0][c] == 0.0 && cells.bow_weight[1][c] == 0.0) continue;
+    const int line[2] = {cells.first_line + e, cells.first_line + cells.count() + e};
+    double square = 0.0;
+    for (int k = 0; k < 3; ++k) square += a.twist[k][line[0]] * a.twist[k][line[0]];
+    Cell cell;
+    cell.rest = 1.0 / a.inverse_rest[line[0]];
+    cell.held = a.held_pull[line[0]];
+    for (int f = 0; f < 2; ++f) {
+      double span = 0.0;
+      for (int k = 0; k < 3; ++k) span += a.e[k][line[f]] * a.e[k][line[f]];
+      cell.bow[f] = cells.bow_weight[f][c] * square;
+      cell.straight[f] = span + (cells.twist_weight[f][c] - cells.bow_weight[f][c]) * square;
+    }
+    double s = 0.0;
+    if (tension) {
+      for (int f = 0; f < 2; ++f) cell.tension[f] = std::max(tension[line[f]], 0.0);
+      // Lengths hardly change with the bow.
+      for (int k = 0; k < most_iterations; ++k) {
+        const double before = s;
+        cell.set_lengths(s);
+        s = cell.balance();
+        if (std::abs(s - before) <= smallest_change) break;
+      }
+      cell.set_lengths(s);
+    } else {
+      s = balance_by_law(a, line, cell);
+    }
+    for (int f = 0; f < 2; ++f) {
+      const int i = line[f];
+      const double side = Cell::side(f, s);
+      const double weight = cells.twist_weight[f][c] + cells.bow_weight[f][c] * (side * side - 1.0);
+      a.twist_weight[i] = weight;
+      a.twist_stiffness[i] = a.held_pull[i] * a.multiplicity[i] * weight;
+      const double inverse =
+          cell.length[f] > 1e-12 * cell.rest ? 1.0 / cell.length[f] : a.inverse_rest[i];
+      a.bow_slope[i] = (f == 0 ? -1.0 : 1.0) * cell.bow[f] * side * inverse;
+      if (!tension) continue;
+      a.inverse_length[i] = inverse;
+      a.strain[i] = cell.length[f] * a.inverse_rest[i] - 1.0;
+    }
+    a.bow_stiffness[line[0]] =
+        (cell.pull(0) + cell.held) * cell.bow[0] + (cell.pull(1) + cell.held) * cell.bow[1];
+  }
+}
+
+void add_bow_strains(const NettingCells& cells, const LineArrays& a, int begin, int end,
+                     const BowRequest& request, double* strain) {
+  for (int e = begin; e < end; ++e) {
+    const int line[2] = {cells.first_line + e, cells.first_line + cells.count() + e};
+    double driven = 0.0, stiffness = a.bow_stiffness[line[0]];
+    for (const int i : line) {
+      const double own = request.modulus[i] * a.inverse_rest[i] -
+                         std::max(request.tension[i], 0.0) * a.inverse_length[i];
+      stiffness += own * a.bow_slope[i] * a.bow_slope[i];
+      if (request.mismatch) driven += a.bow_slope[i] * request.modulus[i] * request.mismatch[i];
+      if (request.change) driven += a.bow_slope[i] * own * request.change[i] / a.inverse_rest[i];
+    }
+    if (!(stiffness > 0.0)) continue;
+    for (const int i : line) strain[i] -= a.bow_slope[i] * a.inverse_rest[i] * driven / stiffness;
+  }
+}
+
+}  // namespace codend
