@@ -1,10 +1,13 @@
-// The shape of netting cells against integrals of bilinear places, and cells against what is known of
-// uniform netting.
+// The shape of netting cells against integrals of bilinear places, cells against what is known of
+// uniform netting, and the bows of their twines against the least of their energy.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "elements/cell_shape.hpp"
+#include "model/assembly.hpp"
 #include "random_model.hpp"
 
 namespace {
@@ -15,9 +18,13 @@ constexpr double signs[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.
 
 // Mean square over the cell of the derivative by u (0) or v (1) of bilinear places x of its corners,
 // over a parallelogram in twine coordinates: by Gauss's rule of two by two points, exact of squares.
-double mean_square(const double* twine, const Vector* x, int family) {
+// bow: set to the mean square of what of it changes along the twines of that family.
+double mean_square(const double* twine, const Vector* x, int family, double& bow) {
   const double at = 1.0 / std::sqrt(3.0);
   double sum = 0.0;
+  bow = 0.0;
+  Vector warp = Vector::Zero();  // d2x/(ds dt)
+  for (int k = 0; k < 4; ++k) warp += 0.25 * signs[k][0] * signs[k][1] * x[k];
   for (const auto& place : signs) {
     const double s = at * place[0], t = at * place[1];
     Eigen::Matrix2d twine_by = Eigen::Matrix2d::Zero();  // (u, v) by (s, t)
@@ -28,19 +35,62 @@ double mean_square(const double* twine, const Vector* x, int family) {
       twine_by += Eigen::Vector2d(twine[2 * k], twine[2 * k + 1]) * by;
       x_by += x[k] * by;
     }
-    sum += 0.25 * (x_by * twine_by.inverse()).col(family).squaredNorm();
+    const Eigen::Matrix2d place_by = twine_by.inverse();  // (s, t) by (u, v)
+    sum += 0.25 * (x_by * place_by).col(family).squaredNorm();
+    const double along = twine_by(family, 0) * s + twine_by(family, 1) * t;
+    bow += 0.25 * (2.0 * place_by(0, family) * place_by(1, family) * along * warp).squaredNorm();
   }
   return sum;
 }
 
-double square_length(const CellShape& shape, const Vector* x, int family) {
+struct SquareLength {
+  double straight, twisted, bowed;  // |e|^2, kappa |q|^2, b |q|^2
+};
+SquareLength square_length(const CellShape& shape, const Vector* x, int family) {
   Vector e = Vector::Zero(), q = Vector::Zero();
   for (int k = 0; k < 4; ++k) {
     e += shape.along[family][k] * x[k];
     q += shape.twist[k] * x[k];
   }
-  return e.squaredNorm() + shape.twist_weight[family] * q.squaredNorm();
+  return {e.squaredNorm(), shape.twist_weight[family] * q.squaredNorm(),
+          shape.bow_weight[family] * q.squaredNorm()};
 }
+
+// Cells alone, and where they are.
+struct Cells {
+  explicit Cells(Random& random)
+      : specimen(random,
+                 [] {
+                   Ingredients wanted;
+                   wanted.cells = 8;
+                   wanted.axial_stiffness = 30.0;
+                   return wanted;
+                 }()),
+        assembly(specimen.model) {
+    assembly.move_to(specimen.x.data(), specimen.v.data());
+  }
+  int lines() const { return 2 * specimen.model.cells.count(); }
+  CellShape shape(int cell) const { return cell_shape(&specimen.model.cells.twine[8 * cell]); }
+  SquareLength square(int cell, int family) const {
+    Vector x[4];
+    for (int k = 0; k < 4; ++k) {
+      x[k] = at(assembly.field().position,
+                specimen.model.cells.node[4 * static_cast<std::size_t>(cell) + k]);
+    }
+    return square_length(shape(cell), x, family);
+  }
+  // Of the weight that the engine gives a line's twist: 1 - s of u, 1 + s of v, squared.
+  double side(int cell, int family) const {
+    const CellShape s = shape(cell);
+    const int line = family * specimen.model.cells.count() + cell;
+    return (assembly.lines().twist_weight[line] - s.twist_weight[family]) / s.bow_weight[family] +
+           1.0;
+  }
+  bool bows(int cell) const { return shape(cell).bow_weight[0] > 0.01; }
+
+  Specimen specimen;
+  Assembly assembly;
+};
 
 }  // namespace
 
@@ -59,9 +109,13 @@ TEST_CASE("a cell's length is the root mean square of bilinear bars over a paral
     }
     const CellShape shape = cell_shape(twine);
     for (int family = 0; family < 2; ++family) {
+      double bow;
+      const double square = mean_square(twine, x, family, bow);
+      const SquareLength found = square_length(shape, x, family);
       // sums of some dozen terms
-      CHECK(square_length(shape, x, family) ==
-            doctest::Approx(mean_square(twine, x, family)).epsilon(1e-12));
+      CHECK(found.straight + found.twisted == doctest::Approx(square).epsilon(1e-12));
+      // of a skew cell bows may take from what else changes: no more than all is theirs
+      CHECK(found.bowed == doctest::Approx(std::min(bow, square - found.straight)).epsilon(1e-9));
     }
   }
 }
@@ -116,6 +170,79 @@ TEST_CASE("cells of any shape know uniform netting exactly") {
       CHECK(shape.share[0] == doctest::Approx(1.0 / 3.0));
       CHECK(shape.share[2] + shape.share[3] == doctest::Approx(1.0 / 3.0));
       CHECK(shape.twist_weight[0] == 0.0);
+    }
+  }
+}
+
+TEST_CASE("twines of a cell bow to where its energy is least") {
+  Random random(20261123);
+  int taut = 0, slack = 0;
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    const Cells net(random);
+    const NettingCells& cells = net.specimen.model.cells;
+    const double stiffness = net.specimen.model.materials[0].axial_stiffness;
+    for (int e = 0; e < cells.count(); ++e) {
+      if (!net.bows(e)) continue;
+      const SquareLength square[2] = {net.square(e, 0), net.square(e, 1)};
+      const CellShape shape = net.shape(e);
+      const double held = net.assembly.lines().held_pull[e];
+      auto energy = [&](double s) {
+        double sum = 0.0;
+        for (int f = 0; f < 2; ++f) {
+          const double side = f == 0 ? 1.0 - s : 1.0 + s;
+          const double bow = square[f].bowed * (side * side - 1.0);
+          const double length = std::sqrt(square[f].straight + square[f].twisted + bow);
+          const double stretch = std::max(length - cells.rest[e], 0.0);
+          sum += 0.5 * stiffness / cells.rest[e] * stretch * stretch +
+                 0.5 * held * (square[f].twisted + bow);
+        }
+        return sum;
+      };
+      const double s = 1.0 - std::sqrt(std::max(net.side(e, 0), 0.0));
+      CHECK(net.side(e, 1) == doctest::Approx((1.0 + s) * (1.0 + s)).epsilon(1e-6).scale(1.0));
+      double least = energy(-1.0);
+      for (int k = 1; k <= 400; ++k) least = std::min(least, energy(-1.0 + k / 200.0));
+      // rounding of the energy, and of s as it is read back
+      CHECK(energy(s) <= least + 1e-9 * (std::abs(least) + energy(0.0)));
+      for (int f = 0; f < 2; ++f) {
+        (net.assembly.lines().tension[f * cells.count() + e] > 0.0 ? taut : slack) += 1;
+      }
+    }
+  }
+  CHECK(taut > 50);
+  CHECK(slack > 50);
+}
+
+TEST_CASE("twines that pull alike bow alike, and where one is slack the other is straight") {
+  Random random(20261124);
+  Cells net(random);
+  const int cells = net.specimen.model.cells.count();
+  DualTension given;
+  auto pull = [&](double u, double v) {
+    given.tension.assign(static_cast<std::size_t>(net.lines()), u);
+    std::fill(given.tension.begin() + cells, given.tension.end(), v);
+    net.assembly.move_to(net.specimen.x.data(), net.specimen.v.data());
+    net.assembly.bow_to(given);
+  };
+  for (int e = 0; e < cells; ++e) {
+    if (!net.bows(e)) continue;
+    const CellShape shape = net.shape(e);
+    // so taut that what else holds the twist, some N/m, is nothing
+    pull(1e9, 0.0);
+    CHECK(net.side(e, 0) == doctest::Approx(0.0).scale(1.0).epsilon(1e-5));
+    pull(0.0, 1e9);
+    CHECK(net.side(e, 1) == doctest::Approx(0.0).scale(1.0).epsilon(1e-5));
+    // In proportion to length both pull alike; u five times as much leaves 4 5/6 of 6.
+    pull(1e9, 1e9);
+    const LineArrays& lines = net.assembly.lines();
+    for (const double ratio : {1.0, 5.0}) {
+      for (int round = 0; round < 100; ++round) {
+        given.tension[e] = 1e9 * ratio / (lines.inverse_length[e] * shape.bow_weight[0]);
+        given.tension[cells + e] = 1e9 / (lines.inverse_length[cells + e] * shape.bow_weight[1]);
+        net.assembly.bow_to(given);
+      }
+      const double cost = ratio * net.side(e, 0) + net.side(e, 1);
+      CHECK(cost == doctest::Approx(4.0 * ratio / (1.0 + ratio)).epsilon(1e-5));
     }
   }
 }

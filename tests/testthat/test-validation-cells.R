@@ -26,23 +26,21 @@ hung_diamonds <- function(stiffness, ...) {
 }
 
 test_that("cells of stiff twine hang as netting does mesh by mesh", {
-  # Bars mesh by mesh in two pieces each (58,000 nodes), computed once: at EA of 3 kN the foot is
-  # 3.372 m wide, the drag 0.4716 kN and no twine is slack. Kinks run along the twines from the
-  # upper corners, so the width closes in slowly: it is to be within 3 % at 1,000 nodes, where
-  # triangles were 21 % off, and 1.5 % at 3,000.
-  within <- c(0.03, 0.015)
-  for (k in 1:2) {
-    state <- settle(hung_diamonds(3000), nodes = c(1000, 3000)[k])
-    found <- measures(state)
-    expect_lt(abs(found[["foot_width_m"]] / 3.372 - 1), within[k])
-    expect_lt(abs(found[["net_drag_kN"]] / 0.4716 - 1), 0.005)
-    expect_lt(found[["slack_netting_percent"]], 1.5)
+  # Bars mesh by mesh (29,051 nodes; in two pieces each, 58,000, the width is the same to 4 digits),
+  # computed once by bench/netting.R: foot width, m, and drag, kN, at EA of 3 kN and, nearly as rigid
+  # as steel wire, 200 kN; no twine is slack. Asked: 2 % at 1,000 nodes and 1 % at 5,000; with
+  # twines that bow alike, whatever they pull, the width was 2.4 and 1.4 % off, of triangles 21 %.
+  mesh_by_mesh <- list("3000" = c(3.372, 0.4716), "2e+05" = c(3.412, 0.4747))
+  for (stiffness in c(3000, 2e5)) {
+    for (nodes in c(1000, 3000)) {
+      found <- measures(settle(hung_diamonds(stiffness), nodes = nodes))
+      known <- mesh_by_mesh[[as.character(stiffness)]]
+      # what is asked at 5,000
+      expect_lt(abs(found[["foot_width_m"]] / known[1] - 1), 0.01)
+      expect_lt(abs(found[["net_drag_kN"]] / known[2] - 1), 0.005)
+      expect_lt(found[["slack_netting_percent"]], 1)
+    }
   }
-  # 200 kN, as nearly rigid as steel wire: the net of inextensible twine is that of 3 kN but for its
-  # stretch of up to 0.6 % (T of 16 N), and does not lock
-  rigid <- measures(settle(hung_diamonds(2e5), nodes = 1000))
-  expect_lt(abs(rigid[["foot_width_m"]] / 3.372 - 1), 0.04)
-  expect_lt(rigid[["slack_netting_percent"]], 2.5)
 })
 
 test_that("hexagonal netting of stiff twine does not lock", {

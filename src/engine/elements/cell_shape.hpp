@@ -12,6 +12,12 @@
 // over the four triangles t of its corners, of areas A_t and shapes a_t: their mean square at a third,
 // which is exact of a bilinear parallelogram: (1/p^2 + 1/q^2)/3 of both families, of a cell whose
 // sides run across p and q bars of each; 4/(3 p^2) of u and 4/(3 q^2) of v, of one of p by q bars.
+//
+// What of kappa changes along a family's own twines, b, is their bow (bows.hpp): all of it in a cell
+// whose sides run across p by q meshes, nothing where they run along the twines. With half sides
+// (u_s, v_s) and (u_t, v_t) and J = u_s v_t - v_s u_t it is for u
+//   b = (2 v_s v_t/(J^2 g.h))^2 (u_s^2 + u_t^2)/3, and no more than kappa
+// and for v the same with u and v exchanged.
 #pragma once
 
 namespace codend {
@@ -21,7 +27,7 @@ struct CellShape {
   double along[2][4];      // a, b, 1
   double twist[4];         // g, 1
   double twist_weight[2];  // kappa of u and v
-  double bow_weight[2];    // what bows make of it
+  double bow_weight[2];    // b of u and v
   double share[4];         // of what is spread evenly over the cell, of each corner; their sum is 1
   double amplitude;        // 1/(g.h): of the motion h_k w, of which the twist is w/amplitude
 };

@@ -20,11 +20,11 @@ struct LineArrays {
   double *added_normal, *added_tangential;  // added mass in the water, a point's share, kg
   double *normal, *tangential, *skin;       // C_n, C_t, C_f
   // Null where there are no cells:
-  double* twist_weight;     // kappa, by which L^2 = |e|^2 + kappa |q|^2
+  double* twist_weight;     // kappa with the present bow, by which L^2 = |e|^2 + kappa |q|^2
   double* twist_stiffness;  // by which a twist is held besides, N/m
   double* held_pull;        // the same of one bar over kappa, N/m
-  double* bow_slope;        // dL/ds by the bow s of a cell's twines (bows.hpp), m
-  double* bow_stiffness;    // of a cell's u line: d2E/ds2 of one bar pair at given lengths' slopes, N m
+  double* bow_slope;        // dL/ds, s the bow of a cell's twines (bows.hpp), m
+  double* bow_stiffness;    // |q|^2 sum k b of bows.hpp, at a cell's u line, N m
   double* damping;          // c, N s; null where no line has any
   double* rest_rate;        // dL0/dt over L0, 1/s; with damping
   // Materials of lines whose coefficients depend on speed, null for others; null if there are none.

@@ -3,7 +3,8 @@
 //
 // One length stands for all bars of a family, the root mean square of their vectors over the cell:
 //   len^2 = |e|^2 + kappa |q|^2,  e the mean bar vector, q the cell's twist
-// So a cell has two constraints of length where its twines are stiff, and as there are as many cells as
+// with a kappa that tells how far its twines bow (bows.hpp).
+// A cell has two constraints of length where its twines are stiff, and as there are as many cells as
 // points, netting keeps one freedom a point: it does not lock. A triangle has two constraints too, but
 // there are two triangles a point. The energy is W(len) of every bar, as of a line (twine.hpp); drag is
 // that of all bars along e. A cell of three corners is a triangle of parallel, equally long bars

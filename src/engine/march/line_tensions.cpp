@@ -36,9 +36,13 @@ void LineTensions::prepare() {
     double tension = lines.stiffness[k] * lines.strain[k];
     if (lines.load_law) tension += lines.offset[k];
     if (lines.damping) {
-      const double stretching = lines.e[0][k] * lines.e_rate[0][k] +
-                                lines.e[1][k] * lines.e_rate[1][k] +
-                                lines.e[2][k] * lines.e_rate[2][k];
+      double stretching = 0.0;
+      for (int c = 0; c < 3; ++c) {
+        stretching += lines.e[c][k] * lines.e_rate[c][k];
+        if (lines.twist_weight) {
+          stretching += lines.twist_weight[k] * lines.twist[c][k] * lines.twist_rate[c][k];
+        }
+      }
       tension += lines.damping[k] * (lines.inverse_length[k] * lines.inverse_rest[k] * stretching -
                                      (lines.strain[k] + 1.0) * lines.rest_rate[k]);
     }
@@ -55,6 +59,12 @@ void LineTensions::prepare() {
   }
 }
 
+const std::vector<double>& LineTensions::with_bows(const std::vector<double>& strain_change) {
+  strain_change_ = strain_change;
+  assembly_.share_bows(current_, nullptr, strain_change.data(), strain_change_.data());
+  return strain_change_;
+}
+
 double LineTensions::change(std::size_t k, double strain_change, double p) const {
   const LineArrays& lines = assembly_.lines();
   const double damping = lines.damping ? lines.damping[k] * (p - lines.rest_rate[k]) : 0.0;
@@ -62,11 +72,10 @@ double LineTensions::change(std::size_t k, double strain_change, double p) const
 }
 
 void LineTensions::advance(const std::vector<double>& strain_change, double p, double share) {
-  strain_change_ = strain_change;
-  assembly_.share_bows(current_, nullptr, strain_change.data(), strain_change_.data());
+  const std::vector<double>& whole = with_bows(strain_change);
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
-    const double tension = linear_[k] + change(k, strain_change_[k], p);
+    const double tension = linear_[k] + change(k, whole[k], p);
     const double least = lines.least_tension[k];
     taut_[k] = tension > least;
     current_.tension[k] += share * (std::max(tension, least) - current_.tension[k]);

@@ -38,6 +38,9 @@ class LineTensions {
   // of position makes of velocity, 1/s.
   void advance(const std::vector<double>& strain_change, double p, double share);
 
+  // Changes of strain, to first order, with what bows of cells' twines add; valid until the next call.
+  const std::vector<double>& with_bows(const std::vector<double>& strain_change);
+
   // Change of the tension (N) of line k of the last prepare() by a change of its strain.
   double change(std::size_t k, double strain_change, double p) const;
 

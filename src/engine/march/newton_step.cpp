@@ -221,12 +221,12 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
       at(dx_.data(), node) = rule.error * (change / h - before / h_before);
     }
   }
-  const LineChange& change = assembly_.line_change(dx_.data());
+  const std::vector<double>& change = tensions_.with_bows(assembly_.line_change(dx_.data()).strain);
   const std::size_t lines = static_cast<std::size_t>(assembly_.model().lines());
   const std::vector<double>& modulus = tensions_.current().modulus;
   std::fill(pull_.tension.begin(), pull_.tension.end(), 0.0);
   assembly_.residual(force_.data(), &pull_);
-  for (std::size_t k = 0; k < lines; ++k) pull_.tension[k] = modulus[k] * change.strain[k];
+  for (std::size_t k = 0; k < lines; ++k) pull_.tension[k] = modulus[k] * change[k];
   assembly_.residual(answer_.data(), &pull_);
   for (std::size_t i = 0; i < free.size(); ++i) {
     at(right_.data(), static_cast<int>(i)) =
@@ -244,14 +244,14 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
   }
   if (!std::isfinite(accuracy_.tension)) return most;
   // Of bars against the largest pull of a bar, of netting against the largest of one twine.
-  const LineChange& left = assembly_.line_change(dx_.data());
+  const std::vector<double>& left = tensions_.with_bows(assembly_.line_change(dx_.data()).strain);
   const LineArrays& arrays = assembly_.lines();
   const std::size_t bars = static_cast<std::size_t>(assembly_.model().bars.count());
   double bar_error = 0.0, twine_error = 0.0, bar_pull = 0.0, twine_pull = 0.0;
   for (std::size_t k = 0; k < lines; ++k) {
     const double tension = arrays.tension[k];
     const double off =
-        modulus[k] > 0.0 ? std::abs(tensions_.change(k, left.strain[k], rule.p)) : 0.0;
+        modulus[k] > 0.0 ? std::abs(tensions_.change(k, left[k], rule.p)) : 0.0;
     if (k < bars) {
       bar_error = std::max(bar_error, arrays.multiplicity[k] * off);
       bar_pull = std::max(bar_pull, arrays.multiplicity[k] * std::abs(tension));
