@@ -27,9 +27,9 @@ hung_diamonds <- function(stiffness, ...) {
 
 test_that("cells of stiff twine hang as netting does mesh by mesh", {
   # Bars mesh by mesh (29,051 nodes; in two pieces each, 58,000, the width is the same to 4 digits),
-  # computed once by bench/netting.R: foot width, m, and drag, kN, at EA of 3 kN and, nearly as rigid
-  # as steel wire, 200 kN; no twine is slack. Asked: 2 % at 1,000 nodes and 1 % at 5,000; with
-  # twines that bow alike, whatever they pull, the width was 2.4 and 1.4 % off, of triangles 21 %.
+  # computed once by bench/netting.R: foot width, m, and drag, kN, at EA of 3 kN and, nearly as
+  # rigid as steel wire, 200 kN; no twine is slack. With twines that bow alike, whatever they pull,
+  # the width was 2.4 % off at 1,000 nodes and 1.4 at 5,000; of triangles 21 %.
   mesh_by_mesh <- list("3000" = c(3.372, 0.4716), "2e+05" = c(3.412, 0.4747))
   for (stiffness in c(3000, 2e5)) {
     for (nodes in c(1000, 3000)) {

@@ -496,10 +496,9 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
     cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
     cell_family<with_everywhere>(lines, request, at_v, i, shape, 1, v);
     // The bow gives way (bows.hpp).
-    const Pack give =
-        inverse_or_zero(u.bow_stiffness + v.bow_stiffness +
-                        request.stiffness * load(lines.multiplicity + at_u) *
-                            load(lines.bow_stiffness + at_u));
+    const Pack give = inverse_or_zero(u.bow_stiffness + v.bow_stiffness +
+                                      request.stiffness * load(lines.multiplicity + at_u) *
+                                          load(lines.bow_stiffness + at_u));
     const Triple q = load(lines.twist, at_u);
     Triple lost[4], moved[4];
     for (int k = 0; k < 4; ++k) {

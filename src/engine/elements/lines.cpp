@@ -77,10 +77,10 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
     columns.insert(columns.end(), {&a.e_rate[0], &a.e_rate[1], &a.e_rate[2]});
   }
   if (cells.count() > 0) {
-    columns.insert(columns.end(), {&a.inverse_length, &a.twist_weight, &a.twist_stiffness,
-                                   &a.held_pull, &a.bow_slope, &a.bow_stiffness,
-                                   &a.twist[0], &a.twist[1], &a.twist[2], &a.twist_rate[0],
-                                   &a.twist_rate[1], &a.twist_rate[2]});
+    columns.insert(columns.end(),
+                   {&a.inverse_length, &a.twist_weight, &a.twist_stiffness, &a.held_pull,
+                    &a.bow_slope, &a.bow_stiffness, &a.twist[0], &a.twist[1], &a.twist[2],
+                    &a.twist_rate[0], &a.twist_rate[1], &a.twist_rate[2]});
   }
   const std::size_t length = column_length(count_);
   numbers_.assign(columns.size() * length, 0.0);

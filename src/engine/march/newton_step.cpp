@@ -250,8 +250,7 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
   double bar_error = 0.0, twine_error = 0.0, bar_pull = 0.0, twine_pull = 0.0;
   for (std::size_t k = 0; k < lines; ++k) {
     const double tension = arrays.tension[k];
-    const double off =
-        modulus[k] > 0.0 ? std::abs(tensions_.change(k, left[k], rule.p)) : 0.0;
+    const double off = modulus[k] > 0.0 ? std::abs(tensions_.change(k, left[k], rule.p)) : 0.0;
     if (k < bars) {
       bar_error = std::max(bar_error, arrays.multiplicity[k] * off);
       bar_pull = std::max(bar_pull, arrays.multiplicity[k] * std::abs(tension));

@@ -92,7 +92,8 @@ void TensionPath::rest_contact(std::size_t k, double penetration) {
   current_.tension[k] = parameter_ * scale_[k] / slack_[k];
 }
 
-void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& strain, double reduction) {
+void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& strain,
+                          double reduction) {
   parameter_ = std::max(parameter_ * reduction, least_parameter);
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;  // carries no tension, from the start
