@@ -8,6 +8,8 @@ namespace {
 
 constexpr int most_iterations = 60;
 constexpr double smallest_change = 1e-15;
+// Of led bows.
+constexpr double longest_step = 0.2, shortest_step = 1e-3, step_growth = 1.5, step_return = 0.5;
 
 // Two families of one cell; f = 0: u, 1: v.
 struct Cell {
@@ -30,18 +32,17 @@ struct Cell {
   }
 };
 
-void follow_law(const LineArrays& lines, int line, const TwineMaterial* table, double strain,
-                double& tension, double& modulus) {
-  if (table) {
-    double found[2];
-    load_coefficients(*table, strain, found);
-    tension = found[0] + found[1] * strain;
-    modulus = found[1];
-  } else {
-    modulus = lines.stiffness[line];
-    tension = modulus * strain;
+// Lengths at the bow s, and tensions and moduli that the law gives them.
+void follow_law(const LineArrays& lines, const int* line, double s, Cell& cell) {
+  cell.set_lengths(s);
+  for (int f = 0; f < 2; ++f) {
+    const double strain = cell.length[f] / cell.rest - 1.0;
+    const TwineMaterial* table = lines.load_law ? lines.load_law[line[f]] : nullptr;
+    double found[2] = {0.0, lines.stiffness[line[f]]};
+    if (table) load_coefficients(*table, strain, found);
+    cell.tension[f] = std::max(found[0] + found[1] * strain, 0.0);
+    cell.modulus[f] = cell.tension[f] > 0.0 ? found[1] : 0.0;
   }
-  if (tension <= 0.0) tension = modulus = 0.0;
 }
 
 // Where the law's tensions balance the bow: the root of a function that grows, by Newton's method
@@ -49,12 +50,9 @@ void follow_law(const LineArrays& lines, int line, const TwineMaterial* table, d
 double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
   double low = -1.0, high = 1.0, s = 0.0;
   for (int k = 0; k < most_iterations; ++k) {
-    cell.set_lengths(s);
+    follow_law(lines, line, s, cell);
     double out = 0.0, slope = 0.0;
     for (int f = 0; f < 2; ++f) {
-      const TwineMaterial* table = lines.load_law ? lines.load_law[line[f]] : nullptr;
-      follow_law(lines, line[f], table, cell.length[f] / cell.rest - 1.0, cell.tension[f],
-                 cell.modulus[f]);
       const double side = Cell::side(f, s), pull = cell.pull(f);
       out += (f == 0 ? -1.0 : 1.0) * (pull + cell.held) * cell.bow[f] * side;
       slope += (pull + cell.held) * cell.bow[f];
@@ -71,63 +69,96 @@ double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
     s = next;
     if (change <= smallest_change) break;
   }
-  cell.set_lengths(s);
-  for (int f = 0; f < 2; ++f) {
-    const TwineMaterial* table = lines.load_law ? lines.load_law[line[f]] : nullptr;
-    follow_law(lines, line[f], table, cell.length[f] / cell.rest - 1.0, cell.tension[f],
-               cell.modulus[f]);
-  }
+  follow_law(lines, line, s, cell);
   return s;
+}
+
+// Nothing bows in cells whose sides lie along the twines.
+bool bows(const NettingCells& cells, std::size_t cell) {
+  return cells.bow_weight[0][cell] > 0.0 || cells.bow_weight[1][cell] > 0.0;
+}
+
+Cell cell_of(const NettingCells& cells, const LineArrays& a, std::size_t e, const int* line) {
+  double square = 0.0;
+  for (int k = 0; k < 3; ++k) square += a.twist[k][line[0]] * a.twist[k][line[0]];
+  Cell cell;
+  cell.rest = 1.0 / a.inverse_rest[line[0]];
+  cell.held = a.held_pull[line[0]];
+  for (int f = 0; f < 2; ++f) {
+    double span = 0.0;
+    for (int k = 0; k < 3; ++k) span += a.e[k][line[f]] * a.e[k][line[f]];
+    cell.bow[f] = cells.bow_weight[f][e] * square;
+    cell.straight[f] = span + (cells.twist_weight[f][e] - cells.bow_weight[f][e]) * square;
+  }
+  return cell;
+}
+
+double inverse_length(const Cell& cell, int f) {
+  return cell.length[f] > 1e-12 * cell.rest ? 1.0 / cell.length[f] : 1.0 / cell.rest;
+}
+
+void put(const NettingCells& cells, const LineArrays& a, std::size_t e, const int* line,
+         const Cell& cell, double s) {
+  for (int f = 0; f < 2; ++f) {
+    const int i = line[f];
+    const double side = Cell::side(f, s);
+    a.twist_weight[i] = cells.twist_weight[f][e] + cells.bow_weight[f][e] * (side * side - 1.0);
+    a.twist_stiffness[i] = a.held_pull[i] * a.multiplicity[i] * a.twist_weight[i];
+    a.bow_slope[i] = (f == 0 ? -1.0 : 1.0) * cell.bow[f] * side * inverse_length(cell, f);
+  }
+  a.bow_stiffness[line[0]] =
+      (cell.pull(0) + cell.held) * cell.bow[0] + (cell.pull(1) + cell.held) * cell.bow[1];
 }
 
 }  // namespace
 
-void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
-              const double* tension) {
-  for (int e = begin; e < end; ++e) {
-    const std::size_t c = static_cast<std::size_t>(e);
-    if (cells.bow_weight[0][c] == 0.0 && cells.bow_weight[1][c] == 0.0) continue;
-    const int line[2] = {cells.first_line + e, cells.first_line + cells.count() + e};
-    double square = 0.0;
-    for (int k = 0; k < 3; ++k) square += a.twist[k][line[0]] * a.twist[k][line[0]];
-    Cell cell;
-    cell.rest = 1.0 / a.inverse_rest[line[0]];
-    cell.held = a.held_pull[line[0]];
-    for (int f = 0; f < 2; ++f) {
-      double span = 0.0;
-      for (int k = 0; k < 3; ++k) span += a.e[k][line[f]] * a.e[k][line[f]];
-      cell.bow[f] = cells.bow_weight[f][c] * square;
-      cell.straight[f] = span + (cells.twist_weight[f][c] - cells.bow_weight[f][c]) * square;
-    }
-    double s = 0.0;
-    if (tension) {
-      for (int f = 0; f < 2; ++f) cell.tension[f] = std::max(tension[line[f]], 0.0);
-      // Lengths hardly change with the bow.
-      for (int k = 0; k < most_iterations; ++k) {
-        const double before = s;
-        cell.set_lengths(s);
-        s = cell.balance();
-        if (std::abs(s - before) <= smallest_change) break;
-      }
+void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end) {
+  for (int c = begin; c < end; ++c) {
+    const std::size_t e = static_cast<std::size_t>(c);
+    if (!bows(cells, e)) continue;
+    const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
+    Cell cell = cell_of(cells, a, e, line);
+    const double s = balance_by_law(a, line, cell);
+    put(cells, a, e, line, cell, s);
+  }
+}
+
+void LedBows::go_by_steps() { step.assign(bow.size(), longest_step); }
+
+void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
+               const double* tension, LedBows& led) {
+  for (int c = begin; c < end; ++c) {
+    const std::size_t e = static_cast<std::size_t>(c);
+    if (!bows(cells, e)) continue;
+    const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
+    Cell cell = cell_of(cells, a, e, line);
+    for (int f = 0; f < 2; ++f) cell.tension[f] = std::max(tension[line[f]], 0.0);
+    // Lengths hardly change with the bow.
+    double s = led.bow[e];
+    for (int k = 0; k < most_iterations; ++k) {
+      const double before = s;
       cell.set_lengths(s);
-    } else {
-      s = balance_by_law(a, line, cell);
+      s = cell.balance();
+      if (std::abs(s - before) <= smallest_change) break;
     }
+    bool held = false;
+    if (!led.step.empty()) {
+      const double left = s - led.bow[e];
+      const bool back = left * led.step[e] < 0.0;
+      const double step = std::clamp(std::abs(led.step[e]) * (back ? step_return : step_growth),
+                                     shortest_step, longest_step);
+      led.step[e] = std::copysign(step, left);
+      held = std::abs(left) > step;
+      if (held) s = led.bow[e] + led.step[e];
+    }
+    led.bow[e] = s;
+    cell.set_lengths(led.bow[e]);
+    put(cells, a, e, line, cell, led.bow[e]);
     for (int f = 0; f < 2; ++f) {
-      const int i = line[f];
-      const double side = Cell::side(f, s);
-      const double weight = cells.twist_weight[f][c] + cells.bow_weight[f][c] * (side * side - 1.0);
-      a.twist_weight[i] = weight;
-      a.twist_stiffness[i] = a.held_pull[i] * a.multiplicity[i] * weight;
-      const double inverse =
-          cell.length[f] > 1e-12 * cell.rest ? 1.0 / cell.length[f] : a.inverse_rest[i];
-      a.bow_slope[i] = (f == 0 ? -1.0 : 1.0) * cell.bow[f] * side * inverse;
-      if (!tension) continue;
-      a.inverse_length[i] = inverse;
-      a.strain[i] = cell.length[f] * a.inverse_rest[i] - 1.0;
+      if (held) a.bow_slope[line[f]] = 0.0;
+      a.inverse_length[line[f]] = inverse_length(cell, f);
+      a.strain[line[f]] = cell.length[f] * a.inverse_rest[line[f]] - 1.0;
     }
-    a.bow_stiffness[line[0]] =
-        (cell.pull(0) + cell.held) * cell.bow[0] + (cell.pull(1) + cell.held) * cell.bow[1];
   }
 }
 

@@ -18,15 +18,27 @@
 // and the cell's stiffness is less by z_k z_l^T/D with z_k = sum A l G_k (netting_cell.hpp).
 #pragma once
 
+#include <vector>
+
 #include "netting_cell.hpp"
 
 namespace codend {
 
-// Sets the bows of cells [begin, end) by tensions of one line each (N), or where that is null by the
-// law: their weights of twist, what holds it, lengths and strains, and slopes. Vectors and twists of
-// the lines are given.
-void set_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end,
-              const double* tension);
+// Sets the bows of cells [begin, end) by the law, and what follows from them: weights of twist, what
+// holds it, slopes. Vectors and twists of the lines are given.
+void set_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end);
+
+// Bows that a solver's tensions lead, per cell. Where a tension comes and goes from step to step, bows
+// that go all the way may keep it so. By steps a bow goes a step at most, which halves where it turns
+// back, and one that has not got there is held in the solver's matrix.
+struct LedBows {
+  std::vector<double> bow, step;  // step: with the sign of the last; empty: all the way
+
+  void go_by_steps();
+};
+// Leads them by tensions of one line each (N), and sets lengths and strains too.
+void lead_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end,
+               const double* tension, LedBows& led);
 
 // Per line: tension and modulus (N), strain by which the tension misses the law (or null), change of
 // strain at given bows (or null).

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bows.hpp"
-
 namespace codend {
 namespace {
 
@@ -88,6 +86,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (!a.inverse_length) a.inverse_length = a.inverse_span;
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
+  led_bows_.bow.assign(static_cast<std::size_t>(cells.count()), 0.0);
   in_strips(cells.count(), [&](int begin, int end) { all_cells_.push_back({begin, end}); });
   moving_cells_ = all_cells_;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
@@ -287,7 +286,7 @@ void Lines::move_to(const double* position) {
     double* const q[3] = {a.twist[0] + u, a.twist[1] + u, a.twist[2] + u};
     cells_.vectors(position, begin, end, e_u, e_v, q);
     for (double* twist : q) std::copy_n(twist, size, twist + cells);
-    set_bows(cells_, a, begin, end, nullptr);
+    set_bows(cells_, a, begin, end);
     kernels_.evaluate(a, u, u + size);
     kernels_.evaluate(a, v, v + size);
   }
@@ -302,8 +301,15 @@ void Lines::move_to(const double* position) {
   }
 }
 
+void Lines::bow_by_steps(bool steps) {
+  led_bows_.step.clear();
+  if (steps) led_bows_.go_by_steps();
+}
+
 void Lines::bow_to(const double* tension) {
-  for (const auto [begin, end] : moving_cells_) set_bows(cells_, arrays_, begin, end, tension);
+  for (const auto [begin, end] : moving_cells_) {
+    lead_bows(cells_, arrays_, begin, end, tension, led_bows_);
+  }
 }
 
 void Lines::share_bows(const double* tension, const double* modulus, const double* mismatch,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bar.hpp"
+#include "bows.hpp"
 #include "hexagonal_triangle.hpp"
 #include "kind.hpp"
 #include "netting_cell.hpp"
@@ -47,8 +48,10 @@ class Lines {
   // Vectors and what follows from them.
   void move_to(const double* position);
 
-  // Bows of cells' twines by given tensions of one line each (N) instead of the law's, until the next
-  // move_to(): lengths and strains are those of these bows, tensions are not.
+  // Whether bow_to() goes by steps (LedBows); at first it does not.
+  void bow_by_steps(bool steps);
+  // Leads the bows of cells' twines by given tensions of one line each (N) to where these
+  // balance; until the next move_to() lengths and strains are those of these bows, tensions are not.
   void bow_to(const double* tension);
   // Changes of strain that bows add, as they follow (bows.hpp).
   void share_bows(const double* tension, const double* modulus, const double* mismatch,
@@ -101,6 +104,7 @@ class Lines {
   std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
+  LedBows led_bows_;
   std::vector<char> still_;                          // per line; empty: none
   std::vector<CellRange> all_cells_, moving_cells_;  // in strips
   bool renew_ = true;

@@ -70,8 +70,9 @@ class Assembly {
   void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
-  // Takes the bows of cells' twines by the tensions of `dual`, instead of the law's, until the next
-  // move_to(): strains and derivatives are then those that a solver of these tensions needs.
+  // Bows of cells' twines by the tensions of a solver (Lines), all the way or by steps, until the next
+  // move_to(): strains and derivatives are then those that the solver needs.
+  void bow_by_steps(bool steps) { lines_.bow_by_steps(steps); }
   void bow_to(const DualTension& dual) { lines_.bow_to(dual.tension.data()); }
   // Adds to `strain` (per line) what bows change of strains (Lines::share_bows()).
   void share_bows(const DualTension& dual, const double* mismatch, const double* change,

@@ -83,11 +83,12 @@ class Settling {
     return true;
   }
 
-  // At the start, at another pace; false after the last attempt.
+  // At the start, at another pace, and every other time with bows that go by steps; false after the last
+  // attempt.
   bool begin_again() {
     if (++attempt_ == control_.attempts.first_step.size()) return false;
     std::copy(start_.begin(), start_.end(), x_);
-    iteration_.begin(control_.attempts.first_step[attempt_]);
+    iteration_.begin(control_.attempts.first_step[attempt_], attempt_ % 2 == 1);
     iteration_.measure();
     steps_ = here_ = 0;
     return true;

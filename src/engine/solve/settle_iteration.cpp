@@ -58,8 +58,9 @@ double SettleIteration::scale() const {
   return scale;
 }
 
-void SettleIteration::begin(double pseudo_step) {
+void SettleIteration::begin(double pseudo_step, bool by_steps) {
   path_ = TensionPath(assembly_.model(), load_);
+  assembly_.bow_by_steps(by_steps);
   pseudo_time_.begin(pseudo_step);
   on_law_ = begun_ = closing_in_ = false;
   loaded_ = 1.0;

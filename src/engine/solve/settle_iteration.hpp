@@ -26,7 +26,8 @@ class SettleIteration {
   void measure();
 
   // Back to a crude start that the caller has put into x, with this pseudo time step (s).
-  void begin(double pseudo_step);
+  // by_steps: whether bows of cells' twines go by steps (bows.hpp).
+  void begin(double pseudo_step, bool by_steps = false);
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   // law: whether the law may be tried at once.
   void begin_near(bool law);
