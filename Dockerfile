@@ -1,0 +1,13 @@
+# codend in a container of Debian's, with its command:
+#   docker build -t codend .
+#   docker run --rm codend settle midwater_trawl
+# Plans and results go through a folder: docker run --rm -v "$PWD":/data codend settle /data/plan.yaml --out /data/out
+FROM debian:trixie
+COPY . /src
+RUN /src/tools/setup && rm -rf /src
+RUN useradd --create-home codend && \
+  ln -s "$(Rscript -e 'cat(system.file("exec", "codend", package = "codend"))')" /usr/local/bin/codend
+USER codend
+WORKDIR /data
+ENTRYPOINT ["codend"]
+CMD ["--help"]
