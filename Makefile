@@ -20,10 +20,12 @@
 # make bench-loops  what a change of a settled gear takes, to bench/results/
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make netting  what netting's lattice leaves: against known answers, between lattices, and cost
-# make errors  whether the errors that measures tell hold, to bench/results/
+# make errors  whether the errors of measures hold, to bench/results/; ERRORS="gears=100 nodes=1500"
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
 # make validate  codend beside closed forms, flume tests and hauls: validation/book.md
+#
+# make wasm    the engine as WebAssembly, into inst/share, for pages that share() writes, and codend with it
 #
 # make site    help, guides and pictures as a site, into site/, by pkgdown without the network
 #
@@ -34,7 +36,7 @@
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test soak bench \
-  bench-loops bench-tow netting errors robust validate site schema schema-check
+  bench-loops bench-tow netting errors robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -112,7 +114,7 @@ netting:
 
 errors:
 	@tools/setup --tests
-	@Rscript bench/errors.R $(NODES)
+	@Rscript bench/errors.R $(ERRORS)
 
 robust:
 	@tools/setup --tests
@@ -121,6 +123,15 @@ robust:
 validate:
 	@tools/setup --tests
 	@Rscript validation/book.R
+
+condition:
+	@tools/setup --tests
+	@Rscript validation/condition.R $(if $(FIT),--fit)
+
+wasm:
+	@tools/setup --wasm
+	@$(MAKE) -C tools/wasm
+	@tools/setup
 
 site:
 	@tools/setup --site

@@ -18,8 +18,9 @@
 #' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`, of a
 #' pole `codend_warning_pole_unstable` and of netting full of catch `codend_warning_catch_unstable`.
 #'
-#' A study has `codend_warning_conditions_not_kept` ([optimise()]),
-#' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws` ([posterior()]).
+#' A study has `codend_warning_conditions_not_kept` ([optimise_gear()]),
+#' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws`
+#' ([sample_posterior()]).
 #'
 #' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full
 #' disk too, the old file stays.

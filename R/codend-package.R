@@ -9,9 +9,9 @@
 #' |---|---|
 #' | find a plan | [gears()], [new_plan()], [read_gear()], [gear()] |
 #' | find its shape | [settle()], [measures()], [summary()][summary.codend_state], [findings()] |
-#' | see it | [plot()][plot.codend_state], [view()], [report()], [flume()] |
-#' | change it | [update()][update.codend_gear], [vary()], [sensitivities()], [optimise()] |
-#' | set it beside hauls | [read_sensor_log()], [calibrate()], [explain()] |
+#' | see it | [plot()][plot.codend_state], [view_3d()], [report()], [flume()] |
+#' | change it | [update()][update.codend_gear], [vary()], [sensitivities()], [optimise_gear()] |
+#' | set it beside hauls | [read_sensor_log()], [calibrate()], [explain_misfit()] |
 #' | move it | [tow()] |
 #' | hand it on | [write_gear()], [write_state()], [write_vtk()], [write_gltf()] |
 #'

@@ -8,7 +8,7 @@ specimen <- function(points, materials = twine_materials(list())) {
   n <- ncol(points)
   bare <- gear("Nothing",
     water = list(density = specimen_density, viscosity = specimen_viscosity),
-    held_point = point(position = list(0, 0, 0), held = "fixed")
+    held_point = gear_point(position = list(0, 0, 0), held = "fixed")
   )
   engine <- build_lattice(gear_si(bare))$engine
   engine$nodes <- n

@@ -45,14 +45,14 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   degree <- seq(0, 90, by = 2.5)
   radian <- function(x) from_unit(x, "deg")
   table <- c(
-    lapply(twine_laws, function(law) {
+    lapply(law_names("twine"), function(law) {
       found <- twine_specimens(law, radian(degree), reynolds, solidity[1])
       coefficient_rows("twine", law, "angle", degree, reynolds,
         if (law == "cifuentes_kim") solidity[1] else NA, found)
     }),
-    lapply(twine_laws, function(law) twine_by_reynolds(law, solidity[1])),
+    lapply(law_names("twine"), function(law) twine_by_reynolds(law, solidity[1])),
     unlist(lapply(solidity, function(sn) {
-      lapply(c("twines", "blended", screen_laws()), function(law) {
+      lapply(law_names("netting"), function(law) {
         found <- netting_specimens(law, radian(degree), reynolds, sn)
         coefficient_rows("netting", law, "angle", degree, reynolds, sn, found)
       })
@@ -67,7 +67,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
     coefficient_rows("sphere", "smooth_sphere", "reynolds", NA, reynolds_range(-1, 6), NA,
       sphere_specimens(reynolds_range(-1, 6), smooth = TRUE)["drag"])),
     unlist(lapply(solidity, function(sn) {
-      lapply(c("loland", "cheng"), function(law) {
+      lapply(law_names("wake"), function(law) {
         speed <- engine_speed_reduction(
           law, rep(sn, length(degree)), cos(radian(degree))
         )
@@ -78,10 +78,6 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   table <- rbind(do.call(rbind, table), published_coefficients(solidity))
   structure(table, class = c("codend_coefficients", "data.frame"))
 }
-
-twine_laws <- c(
-  "hoerner", "bessonneau_marichal", "wan", "takagi", "choo_casarella", "cifuentes_kim"
-)
 
 # Ten a decade, between powers of ten.
 reynolds_range <- function(from, to) 10^seq(from, to, by = 0.1)

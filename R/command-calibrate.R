@@ -42,7 +42,7 @@ run_calibrate <- function(plan, options) {
   arguments <- list(read_changed(plan, options), data, option_ranges(options$change), match)
   found <- do.call(calibrate, c(arguments, lattice_arguments(options)))
   print(summary(found))
-  if (options$explain) print(explain(found))
+  if (options$explain) print(explain_misfit(found))
   if (!is.null(others)) give_csv(stats::predict(found, others), options$predicted)
   write_found(found$gear, options$out)
 }

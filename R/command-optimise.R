@@ -11,7 +11,7 @@ command_optimise <- function() {
       )),
       change_option(),
       optparse::make_option("--starts", metavar = "N", help = paste(
-        "from how many places to begin, the gear's own and others [1]"
+        "from how many places to begin, the gear's own and others [1, at kinks 3]"
       )),
       optparse::make_option("--and", metavar = "FORMULA", help = paste(
         "a second aim: print the curve of gears of which none is better in both, as CSV"
@@ -35,7 +35,7 @@ change_option <- function() {
 run_optimise <- function(plan, options) {
   check_lattice_options(options)
   if (is.null(options$minimise)) abort_usage("--minimise must say what is to be small.")
-  starts <- count_option(options, "starts", 1)
+  starts <- if (!is.null(options$starts)) count_option(options, "starts", 1)
   points <- count_option(options, "points", 7)
   if (is.null(options$and)) check_plan_out(options$out) else check_csv_out(options$out)
   keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
@@ -49,7 +49,7 @@ run_optimise <- function(plan, options) {
     return(give_csv(do.call(trade_off, c(arguments, lattice_arguments(options))), options$out))
   }
   arguments <- list(gear, aim, keep, change, starts = starts)
-  found <- do.call(optimise, c(arguments, lattice_arguments(options)))
+  found <- do.call(optimise_gear, c(arguments, lattice_arguments(options)))
   print(found)
   write_found(found$gear, options$out)
 }

@@ -3,6 +3,9 @@ command_settle <- function() {
     takes = "PLAN", does = "Find the steady shape of a gear and print its measures and forces.",
     options = list(
       set_option(), aimed_nodes_option(), netting_option(),
+      optparse::make_option("--uncertainty", action = "store_true", default = FALSE, help = paste(
+        "also how far each measure may be from the truth, with 90 %, and where that comes from"
+      )),
       optparse::make_option("--json", metavar = "FILE", help = paste(
         "write the measures as JSON; - is standard output, which then holds nothing else"
       )),
@@ -28,9 +31,26 @@ run_settle <- function(plan, options) {
     write(e$report[c("converged", "iterations", "residual")])
     stop(e)
   })
-  if (!identical(json, "-")) print(summary(state))
-  write(state_record(state))
+  how_sure <- if (options$uncertainty) uncertainty(state)
+  if (!identical(json, "-")) print_settled(state, how_sure)
+  write(c(state_record(state), uncertainty_record(how_sure)))
   if (!is.null(options$out)) write_settled(state, options$out)
+}
+
+print_settled <- function(state, how_sure) {
+  print(summary(state, uncertainty = how_sure))
+  for (name in if (!is.null(how_sure)) main_rows(how_sure, NULL)) {
+    cat("", bold(paste0(name, ": largest sources")), source_lines(how_sure, name),
+      narrow_lines(how_sure, name), sep = "\n")
+  }
+}
+
+# What JSON has of it: the interval and the standard uncertainties of every measure.
+uncertainty_record <- function(how_sure) {
+  if (is.null(how_sure)) return(NULL)
+  table <- how_sure$measures
+  table$freedom[!is.finite(table$freedom)] <- NA
+  list(uncertainty = setNames(row_records(table[-1L]), table$measure))
 }
 
 # file: a path, or "-" for standard output.
@@ -45,7 +65,7 @@ write_settled <- function(state, folder) {
   planes <- c("xy", "xz", "yz")
   pictures <- paste0(planes, ".png")
   for (k in 1:3) plot(state, planes = planes[k], file = file.path(folder, pictures[k]))
-  view(state, file = file.path(folder, "view.html"))
+  view_3d(state, file = file.path(folder, "view.html"))
   tell(0L, "Written to ", folder, ": ",
     paste(c(tables, pictures, "view.html"), collapse = ", "))
 }

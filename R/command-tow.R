@@ -55,7 +55,7 @@ write_towed <- function(trajectory, folder, recorded) {
   dir.create(folder, showWarnings = FALSE, recursive = TRUE)
   tables <- write_tables(trajectory, c("measures", "conditions", "tensions"), folder)
   plot(trajectory, file = file.path(folder, "measures.png"))
-  view(trajectory, file = file.path(folder, "view.html"))
+  view_3d(trajectory, file = file.path(folder, "view.html"))
   tell(0L, "Written to ", folder, ": ",
     paste(c(tables, "measures.png", "view.html", recorded), collapse = ", "))
 }

@@ -44,8 +44,8 @@ run_command <- function(arguments) {
 commands <- function() {
   list(
     check = command_check, gears = command_gears, settle = command_settle, tow = command_tow,
-    report = command_report, export = command_export, draw = command_draw, study = command_study,
-    optimise = command_optimise, calibrate = command_calibrate,
+    report = command_report, share = command_share, export = command_export, draw = command_draw,
+    study = command_study, optimise = command_optimise, calibrate = command_calibrate,
     sensitivities = command_sensitivities, flume = command_flume, expand = command_expand,
     new = command_new
   )
@@ -62,14 +62,4 @@ command_usage <- function() {
     "\ncodend COMMAND --help   the options of a command\n",
     "codend --version"
   )
-}
-
-tell <- function(status, ...) {
-  cat(..., "\n", sep = "", file = stderr())
-  status
-}
-
-cat_and <- function(status, ...) {
-  cat(..., sep = "")
-  status
 }

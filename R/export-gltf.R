@@ -13,7 +13,7 @@
 #' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
 #' up and z to port.
 #'
-#' Colours are those of [view()]: ropes and netting by tension, each on a scale of its own, pink
+#' Colours are those of [view_3d()]: ropes and netting by tension, each on a scale of its own, pink
 #' where slack or pushing; or one colour for every part, in turns. Netting of cells is drawn as
 #' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
 #' of its height, spread pieces stand for what is between them.
@@ -24,12 +24,13 @@
 #' @param colours `"tension"` or `"part"`.
 #' @return `file`, invisibly. A path that cannot be written is an error of class
 #'   `codend_error_file`.
-#' @seealso [write_vtk()] for all numbers, [view()] for a page of its own.
+#' @seealso [write_vtk()] for all numbers, [view_3d()] for a page of its own.
 #' @export
 #' @examples
 #' file <- tempfile(fileext = ".glb")
 #' write_gltf(settle("towed_cable"), file)
 write_gltf <- function(state, file, colours = c("tension", "part")) {
+  check_given("state", "file")
   check_is_state(state)
   colours <- chosen(colours, c("tension", "part"))
   extension <- check_file_path(file, c(".glb", ".gltf"))

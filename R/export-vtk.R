@@ -44,6 +44,7 @@
 #' file <- tempfile(fileext = ".vtu")
 #' write_vtk(settle("towed_cable"), file)
 write_vtk <- function(x, file) {
+  check_given("x", "file")
   check_exported(x, c("state", "trajectory"))
   if (inherits(x, "codend_state")) {
     check_file_path(file, ".vtu")

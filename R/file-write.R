@@ -1,5 +1,6 @@
 # The one way to write a file: the path is checked before anything is computed; the file is written
-# beside its place, forced to the disk and renamed. On any failure the old file stays.
+# next to its place, forced to the disk and renamed. On any failure the old file stays. A link is
+# followed: what it leads to is written.
 
 # Stops unless file is one path with one of the extensions (such as ".png"; none for any name) in a
 # folder that can be written. Returns the extension in lower case.
@@ -22,7 +23,9 @@ check_file_path <- function(file, extensions = character()) {
 # write: a function(path) that writes a file, or a folder of files, at that path. Returns file,
 # invisibly.
 write_file <- function(file, write) {
-  path <- tempfile(".codend-", tmpdir = dirname(file))
+  given <- file
+  file <- linked_file(file)
+  path <- unwritten_path(file)
   on.exit(unlink(path, recursive = TRUE))
   check_all <- function() {
     written <- if (dir.exists(path)) list.files(path, full.names = TRUE) else path
@@ -37,7 +40,7 @@ write_file <- function(file, write) {
   check_all()
   if (dir.exists(path) && dir.exists(file)) {
     # no folder can be renamed onto one that holds files
-    old <- tempfile(".codend-", tmpdir = dirname(file))
+    old <- unwritten_path(file)
     check_written(file, file_replace(file, old))
     on.exit({
       if (!dir.exists(file)) file_replace(old, file)
@@ -45,7 +48,48 @@ write_file <- function(file, write) {
     }, add = TRUE)
   }
   check_written(file, file_replace(path, file))
-  invisible(file)
+  invisible(given)
+}
+
+# Where a file is that is given by a link, or the file itself. A link to nothing is followed too.
+linked_file <- function(file) {
+  for (step in 1:40) {
+    target <- Sys.readlink(path.expand(file))
+    if (is.na(target) || !nzchar(target)) return(file)
+    absolute <- grepl("^(/|[A-Za-z]:)", target)
+    file <- if (absolute) target else file.path(dirname(file), target)
+  }
+  abort_file(file, "is a link that leads round in a circle.")
+}
+
+# A name next to a file for what is being written; it says who writes.
+unwritten_path <- function(file) {
+  remove_leftovers(dirname(file))
+  tempfile(sprintf(".codend-%s-%d-", this_host(), Sys.getpid()), tmpdir = dirname(file))
+}
+
+this_host <- function() gsub("[^A-Za-z0-9]+", "-", Sys.info()[["nodename"]])
+
+# Folders in which this session has looked for leftovers, and how old (s) these must be.
+searched_folders <- new.env(parent = emptyenv())
+leftover_seconds <- 3600
+
+# Removes what processes of this machine left in a folder that were killed as they wrote.
+remove_leftovers <- function(folder) {
+  key <- normalizePath(folder, mustWork = FALSE)
+  if (!is.null(searched_folders[[key]])) return(invisible())
+  searched_folders[[key]] <- TRUE
+  begin <- sprintf(".codend-%s-", this_host())
+  left <- list.files(folder, "^[.]codend-", full.names = TRUE, all.files = TRUE)
+  left <- left[startsWith(basename(left), begin)]
+  writer <- sub("-.*", "", substring(basename(left), nchar(begin) + 1L))
+  left <- left[grepl("^[0-9]{1,9}$", writer)]
+  writer <- as.integer(writer[grepl("^[0-9]{1,9}$", writer)])
+  age <- as.double(Sys.time()) - as.double(file.mtime(left))
+  old <- !is.na(age) & age > leftover_seconds
+  # signal 0 is sent to nobody: it says whether the process is there
+  gone <- vapply(writer, function(id) !isTRUE(tools::pskill(id, 0L)), NA)
+  unlink(left[old & gone], recursive = TRUE)
 }
 
 write_text <- function(text, file) {

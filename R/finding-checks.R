@@ -6,15 +6,57 @@
 finding_checks <- new.env(parent = emptyenv())
 
 # name: of the check, in words; words: what is worth a look, in one sentence, with the bounds and
-# where they come from; of: "plan" where the plan alone tells it, "state" where a settled shape is
-# needed; test(gear, state): a list of finding(), `state` being NULL for a check of a plan.
-define_finding <- function(name, of, words, test) {
-  finding_checks[[name]] <- list(name = name, words = words, of = of, test = test)
+# where they come from, or a function that gives it; of: "plan" where the plan alone tells it,
+# "state" where a settled shape is needed; test(gear, state): a list of finding(), `state` being
+# NULL for a check of a plan; rank: 1 where the gear breaks or does not fish so, 2 where it is
+# out of proportion, 3 where the model is
+# used outside what it is known for.
+define_finding <- function(name, of, words, test, rank = 2L) {
+  finding_checks[[name]] <- list(name = name, words = words, of = of, test = test, rank = rank)
 }
 
 # place: the plan's field, or the parts of the gear; value: the number, as it is told with its unit
-# in `shown`; words: what is odd; advice: what to try.
-finding <- function(place, value, shown, words, advice) {
+# in `shown`; words: what is odd; advice: what to try; field: the field to change: of the plan where
+# there is such a one, else of the part at `place`; NULL for the place itself.
+finding <- function(place, value, shown, words, advice, field = NULL) {
   list(place = place, value = value, shown = shown, words = one_line(words),
-    advice = one_line(advice))
+    advice = one_line(advice), field = field)
+}
+
+# The plan's field that a finding is about: of a place such as "rope bridle_upper_port" where its
+# part is described ("bridles.upper"), with the part's field where that is given.
+finding_field <- function(plan, place, field) {
+  has <- function(path) !is.null(tryCatch(plan_field(plan, path), error = function(e) NULL))
+  # what a plan may have it may lack
+  known <- names(plan_node(plan)$properties)
+  if (!is.null(field) && (field %in% known || has(field))) return(field)
+  if (grepl("^[a-z_]+([.][a-z_]+)*$", place) && has(place)) return(place)
+  part <- part_field(plan, sub("^(rope|panel|piece|netting) ", "", place), has)
+  if (is.null(part)) return(NA_character_)
+  within <- if (!is.null(field)) paste(part, field, sep = ".")
+  if (!is.null(within) && has(within)) within else part
+}
+
+# Where a plan describes a part of the gear: by its name in an assembly, else by the words of its
+# name, of which the first are the group's ("hand_ropes.upper" for hand_rope_upper_port).
+part_field <- function(plan, name, has) {
+  name <- gsub(" ", "_", name)
+  for (group in names(plan)) {
+    if (name %in% names(plan[[group]])) return(paste(group, name, sep = "."))
+  }
+  words <- strsplit(name, "_", fixed = TRUE)[[1L]]
+  for (first in rev(seq_along(words))) {
+    head <- paste(words[seq_len(first)], collapse = "_")
+    for (group in paste0(head, c("s", ""))) {
+      if (!group %in% names(plan)) next
+      inner <- words[-seq_len(first)]
+      path <- if (length(inner)) paste(group, inner[1L], sep = ".")
+      return(if (!is.null(path) && has(path)) path else group)
+    }
+  }
+  # panels are named by where they are and then by their section
+  section <- Filter(function(one) endsWith(name, paste0("_", one)), names(plan$sections))
+  if (length(section)) return(paste0("sections.", section[1L]))
+  if (grepl("_wing", name) && "wings" %in% names(plan)) return("wings")
+  NULL
 }

@@ -5,47 +5,51 @@
 steep_angle <- 70
 # Share of a towed gear's netting that lies steeper than that.
 greatest_steep_share <- 0.5
-constant_screens <- c("loland", "aarsnes")
+# Screens' laws with a least drag: those that are not taken below a least solidity.
+constant_screens <- function() {
+  least <- law_column("least_solidity", "netting", "screen")
+  names(least)[least > 0]
+}
 
 define_finding("drag law", "state",
-  "More than half of a towed gear's netting with `netting_drag` `loland` or `aarsnes` lies more than
-  70 deg from across the flow. Both have a least drag, fitted to cage netting across the flow, that
-  gives trawls up to four times the drag they have.",
+  function() {
+    paste0("More than half of a towed gear's netting with `netting_drag` ",
+      paste0("`", constant_screens(), "`", collapse = " or "), " lies more than ", steep_angle,
+      " deg from across the flow. They have a least drag, fitted to cage netting across the flow,
+      that gives trawls up to four times the drag they have.")
+  },
   function(gear, state) {
     if (!has_towing(state)) return(list())
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-    if (!any(law %in% constant_screens)) return(list())
-    cells <- cells_with_drag(state$si, state$lattice, constant_screens)
+    if (!any(law %in% constant_screens())) return(list())
+    cells <- cells_with_drag(state$si, state$lattice, constant_screens())
     if (!length(cells)) return(list())
     lies <- netting_to_flow(state, cells)
     share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
     if (share <= greatest_steep_share) return(list())
     shown <- sprintf("%.0f %%", 100 * share)
-    used <- intersect(constant_screens, law)[1]
+    used <- intersect(constant_screens(), law)[1]
     list(finding("netting_drag", 100 * share, shown,
       sprintf("%s was fitted to netting across the flow; %s of it lies along the flow here, and has
         too much drag.", used, shown),
       "Use blended, or twines."))
-  }
+  },
+  rank = 3L
 )
 
-# Solidity of the netting that a screen's law was fitted to: cage netting of up to 0.35, for
-# Kristiansen and Faltinsen (2012) up to 0.5. Below 0.1 codend takes the first two in proportion to
-# the solidity, which is a choice made here.
-greatest_solidity <- c(loland = 0.35, aarsnes = 0.35, kristiansen_faltinsen = 0.5)
-least_solidity <- c(loland = 0.1, aarsnes = 0.1, kristiansen_faltinsen = 0)
-# Reynolds numbers U d / (nu (1 - Sn)) that the cylinder drag of Kristiansen and Faltinsen is for.
-fitted_reynolds <- c(32, 1e4)
-
 define_finding("solidity", "state",
-  "More than half of the panels of a part whose `netting_drag` is a screen's stand so closed that
-  their solidity is above that of the netting which the law was fitted to, 0.35 (`loland`,
-  `aarsnes`) or 0.5 (`kristiansen_faltinsen`), or so open that it is below 0.1 (`loland`,
-  `aarsnes`).",
+  function() {
+    paste0("More than half of the panels of a part whose `netting_drag` is a screen's stand so
+    closed or so open that their solidity is outside that of the netting which the law was fitted
+    to: ",
+      screen_ranges(), ".")
+  },
   function(gear, state) {
     law <- screened_panels(state)
     if (!length(law)) return(list())
     solidity <- solidity_of_panels(state, names(law))
+    greatest_solidity <- law_column("most_solidity", "netting", "screen")
+    least_solidity <- law_column("least_solidity", "netting", "screen")
     # what has no area has no solidity
     solidity[is.na(solidity)] <- least_solidity[law[is.na(solidity)]]
     # Where a current folds a part, some of its panels close.
@@ -61,48 +65,65 @@ define_finding("solidity", "state",
     } else {
       paste("at least", format(least_solidity[[used]]))
     }
+    wider <- names(which.max(greatest_solidity))
     advice <- if (!closed) {
       "Use twines: there one twine hardly shields another."
-    } else if (used == "kristiansen_faltinsen") {
-      "Check mesh size and twine; its drag may be off by tens of percent."
+    } else if (greatest_solidity[[wider]] >= solidity[[worst]]) {
+      sprintf("Check mesh size and twine, or use %s, fitted up to %s.", wider,
+        format(greatest_solidity[[wider]]))
     } else {
-      "Check mesh size and twine, or use kristiansen_faltinsen, fitted up to 0.5."
+      "Check mesh size and twine; its drag may be off by tens of percent."
     }
     list(finding(paste("panel", names(law)[worst]), solidity[[worst]], shown,
       sprintf("its solidity is %s; %s was fitted to %s.", shown, used, bound), advice))
-  }
+  },
+  rank = 3L
 )
 
 define_finding("Reynolds number", "state",
-  "More than half of the panels of a part with `netting_drag` `kristiansen_faltinsen` have twine
-  whose Reynolds number, that of the free flow, is below 32 or above 10000: the law's drag of a
-  cylinder is held at its ends there.",
+  function() {
+    rows <- screens_by_reynolds()
+    paste0("More than half of the panels of a part whose `netting_drag` goes by a Reynolds number
+    have twine whose Reynolds number, that of the free flow, is outside the law's range, at whose
+    ends its drag of a cylinder is held: ", paste0("`", rows$name, "` from ",
+    rows$least_reynolds, " to ",
+      rows$most_reynolds, collapse = ", "), ".")
+  },
   function(gear, state) {
+    rows <- screens_by_reynolds()
     law <- screened_panels(state)
-    law <- law[law == "kristiansen_faltinsen"]
+    law <- law[law %in% rows$name]
     current <- state$si$water$current
     speed <- max(state$si$towing$speed, sqrt(current$x^2 + current$y^2))
     if (!length(law) || speed == 0) return(list())
+    rows <- rows[match(law, rows$name), ]
     diameter <- vapply(state$si$panels[names(law)], `[[`, 0, "twine_diameter")
     solidity <- solidity_of_panels(state, names(law))
     solidity[is.na(solidity)] <- 0
-    reynolds <- speed * diameter / state$si$water$viscosity / (1 - pmin(solidity, 0.35))
+    reynolds <- speed * diameter / state$si$water$viscosity /
+      (1 - pmin(solidity, rows$most_solidity))
     off <- mostly_of_part(state, names(law),
-      pmax(reynolds / fitted_reynolds[2], fitted_reynolds[1] / reynolds))
+      pmax(reynolds / rows$most_reynolds, rows$least_reynolds / reynolds))
     worst <- which.max(off)
     if (off[worst] <= 1) return(list())
     shown <- figures(reynolds[[worst]])
     list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], shown,
-      sprintf("its twine has a Reynolds number of %s; kristiansen_faltinsen is for 32 to 10000.",
-        shown),
+      sprintf("its twine has a Reynolds number of %s; %s is for %s to %s.", shown, law[[worst]],
+        format(rows$least_reynolds[worst]), format(rows$most_reynolds[worst])),
       "Check speed, viscosity and twine, or use twines with choo_casarella."))
-  }
+  },
+  rank = 3L
 )
+
+# The rows of the screens' laws that have a range of Reynolds numbers.
+screens_by_reynolds <- function() {
+  laws[laws$of == "netting" & laws$form == "screen" & !is.na(laws$most_reynolds), ]
+}
 
 # The screens' laws of a state's panels by name, where they have one.
 screened_panels <- function(state) {
   law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-  law[law %in% names(greatest_solidity)]
+  law[law %in% screen_laws()]
 }
 
 # What is above 1 in these panels (by name), but 0 in parts of which no more than half is.

@@ -22,5 +22,6 @@ define_finding("cells finer than meshes", "state",
     list(finding(paste("panel", name), min(held), figures(min(held)),
       sprintf("each of its cells holds %s meshes.", figures(min(held))),
       "Divide its netting into bars, which are its meshes (netting: bars)."))
-  }
+  },
+  rank = 3L
 )

@@ -30,9 +30,10 @@ define_finding("twine", "plan",
       finding(paste("panel", x$panel), thick, paste(figures(thick), "mm"),
         sprintf("its twine is %s mm thick in meshes of %s.", figures(thick),
           format_si(x$mesh, "length")),
-        "Check the unit: a number without one is in metres.")
+        "Check the unit: a number without one is in metres.", field = "twine")
     })
-  }
+  },
+  rank = 1L
 )
 
 # The largest ropes (m) in use on gear; discs, bobbins and poles are larger.
@@ -54,9 +55,11 @@ define_finding("rope diameter", "plan",
     lapply(odd, function(name) {
       shown <- format_si(ropes[[name]]$diameter, "length")
       finding(paste("rope", name), in_unit(ropes[[name]]$diameter, "mm"), shown,
-        sprintf("its diameter is %s.", shown), "Check the unit: a number without one is in metres.")
+        sprintf("its diameter is %s.", shown), "Check the unit: a number without one is in metres.",
+        field = "diameter")
     })
-  }
+  },
+  rank = 1L
 )
 
 # m/s: no fishing gear is towed at 10 knot; survey instruments are, up to about 12.
@@ -65,13 +68,14 @@ greatest_current <- 3
 
 define_finding("speed", "plan",
   "The towing speed is above 12 knot, or a current above 3 m/s: fishing
-  gear is towed at up to 6 knot.",
+  gear is towed at up to 7 knot.",
   function(gear, state) {
     si <- gear_si(gear)
     in_knots <- si$towing$speed / plan_units$speed[["knot"]]
     knots <- paste(figures(in_knots), "knot")
     out <- list()
-    if (si$towing$speed > greatest_speed) {
+    # of kinds with a band that has its own finding
+    if (si$towing$speed > greatest_speed && is.null(band_of("towing speed", gear))) {
       out <- list(finding("towing.speed", in_knots, knots,
         sprintf("the gear is towed at %s.", knots),
         "Check the unit: a number without one is in m/s."))
@@ -84,7 +88,8 @@ define_finding("speed", "plan",
         "Check the unit: a number without one is in m/s.")))
     }
     out
-  }
+  },
+  rank = 1L
 )
 
 # Of boards the largest published is 2.54 (high_lift), of lifting canvas 1.2 and of kites about 1.5.

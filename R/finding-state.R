@@ -19,19 +19,90 @@ define_finding("net off the bed", "state",
     shown <- paste(figures(least), "m")
     list(finding(paste("rope", low[which.min(height)]), least, shown,
       sprintf("it hangs %s above the sea bed.", shown),
-      "Pay out more warp, tow more slowly, or weigh the footrope or the boards more."))
+      "Pay out more warp, tow more slowly, or weigh the footrope or the boards more.",
+      field = "warps.length"))
+  },
+  rank = 1L
+)
+
+# Share of a rope's breaking load. Half of it is the most that towing lines of ships are loaded
+# with; trawl warps are chosen for a third to a fifth.
+greatest_load_percent <- 50
+
+define_finding("rope load", "state",
+  "A rope carries more than half of its breaking load: that of its material, or `strength`.",
+  function(gear, state) {
+    table <- tension_table(state)
+    table <- table[which(table$strength_percent > greatest_load_percent), ]
+    table <- table[order(-table$strength_percent), ]
+    lapply(seq_len(nrow(table)), function(k) {
+      shown <- paste(figures(table$strength_percent[k]), "%")
+      finding(paste("rope", table$part[k]), table$strength_percent[k], shown,
+        sprintf("it carries %s kN, %s of its breaking load.", figures(table$max_kN[k]), shown),
+        "Use a thicker or a stronger rope, or check what pulls so hard.", field = "diameter")
+    })
+  },
+  rank = 1L
+)
+
+define_finding("opening", "state",
+  "A measure of a height, an opening, an area or a volume is zero or negative: the net is closed or
+  upside down there. Not during a tow.",
+  function(gear, state) {
+    if (!is.null(state$time)) return(list())
+    opening <- Filter(function(one) one$kind %in% c("height", "area", "volume"), state$si$measures)
+    opening <- opening[grepl("height|opening|area|volume", names(opening))]
+    found <- lapply(names(opening), function(name) {
+      value <- measure_kinds[[opening[[name]]$kind]]$value(state, opening[[name]])
+      if (!is.finite(value) || value > 0) return(NULL)
+      unit <- c(height = "m", area = "m2", volume = "m3")[[opening[[name]]$kind]]
+      shown <- paste(figures(value), unit)
+      finding(gsub("_", " ", name), value, shown, sprintf("it is %s: it must be positive.", shown),
+        "Give more floats above, more weight below, or other lengths of bridles.",
+        field = "floats")
+    })
+    Filter(Negate(is.null), found)
+  },
+  rank = 1L
+)
+
+# Share of the largest rope tension, and of the gear's drag, below which a rope that leads from
+# point to point does nothing.
+idle_share <- 0.001
+
+define_finding("idle rope", "state",
+  "A rope of a towed gear that leads from point to point, not along netting or over the sea bed,
+  carries, weighs and drags less than a thousandth of the others: its fields change nothing.",
+  function(gear, state) {
+    if (!has_towing(state)) return(list())
+    table <- tension_table(state)
+    drag <- drag_table(state)
+    counts <- abs(drag$drag_kN) + abs(drag$lift_kN) + abs(drag$weight_in_water_kN)
+    table$counts <- counts[match(table$part, drag$part)]
+    free <- names(Filter(function(rope) is.null(rope$along) && !rope$strut, state$si$ropes))
+    idle <- table$kind == "rope" & table$part %in% free &
+      table$max_kN < idle_share * max(table$max_kN) &
+      table$counts < idle_share * in_unit(abs(total_drag(state)), "kN")
+    lapply(which(idle), function(k) {
+      shown <- paste(figures(1000 * table$max_kN[k]), "N")
+      finding(paste("rope", table$part[k]), 1000 * table$max_kN[k], shown,
+        sprintf("it carries %s at most, so that its fields change nothing.", shown),
+        "Shorten it, or leave it out.", field = "length")
+    })
   }
 )
 
-# Share of the tension of the bridles of one side. Two bridles of shipped gear share it 79 to 21,
-# three 52 to 10 at the least.
-greatest_bridle_share <- 0.8
-least_bridle_share <- 0.05
+# Share of the tension of the bridles of one side. Two bridles of shipped gear share it 76 to 24.
+greatest_bridle_share <- 0.85
+# ... and what one must have of its equal part.
+least_bridle_part <- 0.27
 
 define_finding("bridles", "state",
-  "Of the bridles or hand ropes that start at one place, one carries more than 80 % or less than 5 %
-  of their tension.",
+  "Of the bridles or hand ropes that start at one place, one carries more than 85 % of their tension
+  or less than 0.27 of its equal part (9 % of three). Not of beam trawls, whose middle one only
+  keeps the beam straight.",
   function(gear, state) {
+    if (identical(gear$plan$kind, "beam_trawl")) return(list())
     si <- state$si
     names <- ropes_of_role(si, c("bridle", "hand_rope"))
     start <- vapply(names, function(name) bridle_start(si, si$ropes[[name]]$from), "")
@@ -42,13 +113,18 @@ define_finding("bridles", "state",
       }, 0)
       if (sum(pull) <= 0) return(list())
       share <- pull / sum(pull)
+      least <- least_bridle_part / length(share)
       odd <- if (max(share) > greatest_bridle_share) which.max(share) else which.min(share)
-      if (share[odd] <= greatest_bridle_share && share[odd] >= least_bridle_share) return(list())
+      if (share[odd] <= greatest_bridle_share && share[odd] >= least) return(list())
       percent <- 100 * share[[odd]]
       shown <- paste(figures(percent), "%")
       list(finding(paste("rope", together[odd]), percent, shown,
         sprintf("it carries %s of the tension of the bridles there.", shown),
-        "Lengthen the bridle that carries most, or shorten the others."))
+        if (share[odd] < least) {
+          "Shorten it, or lengthen the others."
+        } else {
+          "Lengthen it, or shorten the others."
+        }, field = "length"))
     }), recursive = FALSE, use.names = FALSE)
   }
 )
@@ -144,34 +220,6 @@ loose_netting <- function(state) {
   long <- (engine$bars$multiplicity * engine$bars$rest)[bars]
   (sum(twine[loose]) + sum(long[state$bar_tension[bars] == 0])) / (sum(twine) + sum(long))
 }
-
-# Spread between the upper wing ends over head line length. Trawls in practice have 0.35 to 0.6; a
-# net whose wings are pulled straight has no room to open upward.
-least_spread_ratio <- 0.25
-greatest_spread_ratio <- 0.7
-
-define_finding("spread over head line", "state",
-  "The spread between a trawl's upper wing ends is below 0.25 or above 0.7 of its head line's length
-  (practice: 0.35 to 0.6). Not of beam trawls.",
-  function(gear, state) {
-    si <- state$si
-    line <- ropes_of_role(si, "head_line")
-    if (!has_towing(state) || length(line) != 1L || identical(gear$plan$kind, "beam_trawl")) {
-      return(list())
-    }
-    node <- state$lattice$ropes[[line]]$node
-    ends <- state$position[1:2, c(node[1L], node[length(node)])]
-    ratio <- sqrt(sum((ends[, 2L] - ends[, 1L])^2)) / si$ropes[[line]]$length
-    if (ratio >= least_spread_ratio && ratio <= greatest_spread_ratio) return(list())
-    list(finding(paste("rope", line), ratio, figures(ratio),
-      sprintf("its ends are %s of its length apart.", figures(ratio)),
-      if (ratio < least_spread_ratio) {
-        "Give the boards more area or lift, or shorten the head line."
-      } else {
-        "Give the boards less area or lift, shorten the warp, or lengthen the head line."
-      }))
-  }
-)
 
 # Height (m) above the surface that a wave may lift a float to.
 greatest_freeboard <- 0.5

@@ -12,10 +12,14 @@
 #'
 #' @param x A gear ([read_gear()]), of which the plan alone is looked at, or a state ([settle()],
 #'   [state_at()]).
-#' @return A data frame with a row per finding and the columns `check` (its name), `place` (a field
-#'   of the plan, or parts of the gear), `value` (the number that is odd, in the unit of `shown`),
-#'   `shown` (the number with its unit), `words` (what is odd) and `advice` (what to try); without
-#'   rows where nothing is. A wrong `x` is an error of class `codend_error_argument`.
+#' @return A data frame with a row per finding, most important first, and the columns `check` (its
+#'   name), `place` (a field of the plan, or parts of the gear), `value` (the number that is odd, in
+#'   the unit of `shown`), `shown` (the number with its unit), `words` (what is odd), `advice` (what
+#'   to try), `field` (the plan's field to change, `NA` where the plan has no one field for it),
+#'   `rank` (1: the gear breaks or does not fish so; 2: it is out of proportion; 3: the model is
+#'   used outside what it is known for) and `alike` (how many more of the same check concern the
+#'   same field; the row is of the one that is farthest out); without rows where nothing is. A wrong
+#'   `x` is an error of class `codend_error_argument`.
 #' @examples
 #' findings(read_gear("towed_cable"))
 #' findings(update(read_gear("towed_cable"), ropes.cable.diameter = 17.3))
@@ -35,27 +39,43 @@ findings_by <- function(x, checks) {
   rows <- do.call(rbind, unlist(unname(found), recursive = FALSE))
   if (!is.null(rows)) return(rows)
   data.frame(check = character(), place = character(), value = double(), shown = character(),
-    words = character(), advice = character())
+    words = character(), advice = character(), field = character(), rank = integer(),
+    alike = integer())
 }
 
 sorted_checks <- function() {
   checks <- mget(sort(ls(finding_checks), method = "radix"), finding_checks)
   # what the plan tells is the cause of what the shape shows
-  checks[order(vapply(checks, `[[`, "", "of"))]
+  checks[order(vapply(checks, `[[`, 0L, "rank"), vapply(checks, `[[`, "", "of"))]
 }
 
+# What a check finds, as data frames of one row: of many that concern one field the first.
 found_by <- function(check, gear, state) {
-  lapply(check$test(gear, state), function(one) data.frame(check = check$name, one))
+  found <- lapply(check$test(gear, state), function(one) {
+    one["field"] <- finding_field(gear$plan, one$place, one$field)
+    data.frame(check = check$name, one, rank = check$rank)
+  })
+  about <- vapply(found, function(one) if (is.na(one$field)) one$place else one$field, "")
+  unname(lapply(split(found, factor(about, unique(about))), function(group) {
+    data.frame(group[[1L]], alike = length(group) - 1L)
+  }))
 }
 
 # One line a finding, for prints and pages.
-finding_sentences <- function(found) sprintf("%s: %s %s", found$place, found$words, found$advice)
+finding_sentences <- function(found) {
+  named <- !is.na(found$field) & found$field != found$place
+  sprintf("%s%s: %s %s%s", found$place,
+    ifelse(found$alike > 0, sprintf(" and %d more", found$alike), ""), found$words, found$advice,
+    ifelse(named, sprintf(" (%s)", found$field), ""))
+}
 
 finding_help <- function() {
   checks <- sorted_checks()
   c(
     "@section What is looked at:",
     sprintf("- %s: %s", vapply(checks, `[[`, "", "name"),
-      one_line(vapply(checks, `[[`, "", "words")))
+      one_line(vapply(checks, function(check) {
+        if (is.function(check$words)) check$words() else check$words
+      }, "")))
   )
 }

@@ -102,6 +102,7 @@ settled_start <- function(gear, nodes) {
 # said: list(format, file).
 save_state <- function(state, said) {
   if (said$format == "report") return(report(state, said$file))
+  if (said$format == "share") return(share(state, said$file))
   if (said$format == "drawing") return(plot(state$gear, file = said$file, page = drawing_page))
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }

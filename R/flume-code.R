@@ -8,7 +8,7 @@ flume_code <- function(loaded, pinned, design, nodes) {
   differ <- !identical(pinned$plan, design$plan)
   lines <- c(
     "library(codend)", "", gear_code("gear", loaded, design, "loaded"),
-    paste("state <-", settle_call("gear")), "", "summary(state)", "plot(state)", "view(state)"
+    paste("state <-", settle_call("gear")), "", "summary(state)", "plot(state)", "view_3d(state)"
   )
   if (differ) {
     lines <- c(

@@ -8,13 +8,15 @@ form_rooms <- list(
     "length", "mouth", "selvedges", "seams", "grids", "catch"
   ),
   Ropes = c(
-    "head_line", "footrope", "footrope_extensions", "side_lines", "belly_lines", "cross_ropes",
-    "float_line", "lead_line", "collar", "frame", "bottom_rope", "side_ropes", "ropes",
+    "head_line", "head_line_extensions", "footrope", "footrope_extensions", "side_lines",
+    "belly_lines", "cross_ropes", "float_line", "lead_line", "collar", "frame", "bottom_rope",
+    "side_ropes", "ropes",
     "main_line", "branch_lines", "float_lines", "shortening_ratio", "baskets", "hooks"
   ),
   Floats = c("floats", "canvas", "kites", "pieces"),
   `Ground gear and weights` = c(
-    "ground_gear", "ticklers", "weights", "sinkers", "hammers", "centre_weight", "anchors"
+    "ground_gear", "ticklers", "weights", "sinkers", "hammers", "danlenos",
+    "wing_end_weights", "centre_weight", "anchors"
   ),
   `Boards and beams` = c(
     "otter_boards", "backstrops", "towing_points", "beam", "shoes", "upper_beam", "lower_beam"
@@ -27,12 +29,12 @@ form_rooms <- list(
   `Tow and water` = c("towing", "tow", "water", "seabed", "shooting", "pursing"),
   `Name and method` = c(
     "name", "materials", "method", "netting", "coefficients", "netting_drag", "slack_twine",
-    "shielding", "measures"
+    "shielding", "multipliers", "measures"
   )
 )
 
 # Fields of a plan that the form leaves to the plan's text.
-form_leaves <- c("codend", "kind", "notes", "sources")
+form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
 # The form of a plan: a list of groups of list(title, parts), a part list(path, title, help, fields
 # (controls), open (whether the schema allows fields that it lacks), like (a part of it that another

@@ -270,6 +270,10 @@ flume_downloads <- function() {
   tags$ul(
     class = "downloads",
     save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
+    if (can_share()) {
+      save("save_share", "Living page (HTML)",
+        "settles by itself as its sliders move, for anyone with a browser")
+    },
     save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
     tags$li(
       tags$button(type = "button", id = "save_picture", class = "btn btn-outline-secondary btn-sm",

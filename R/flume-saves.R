@@ -45,6 +45,7 @@ flume_saves <- function(output, tank, clerk) {
     })
   }
   output$save_report <- save("", "html", of_state("report"))
+  output$save_share <- save("-living", "html", of_state("share"))
   output$save_slopes <- save("-slopes", "csv", function(file) {
     write <- function(slopes) write_csv(as.data.frame(unclass(slopes)), file)
     if (!is.null(tank$slopes)) return(write(tank$slopes))

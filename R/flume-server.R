@@ -14,6 +14,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
   pages <- 0L
   function(input, output, session) {
     said <- function(what, ...) session$sendCustomMessage(what, list(...))
+    if (!same_origin(session$request)) return(session$close())
     if (pages >= flume_sessions) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL,
         message = "The tank has as many visitors as it can serve; try again later.")
@@ -190,6 +191,21 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     flume_tows(input, output, tank, clerk, ask_clerk, said)
     flume_saves(output, tank, clerk)
   }
+}
+
+# Whether a connection comes from the tank's own page. Browsers let any page open one to any server,
+# and name the page's origin with it; other programs name none.
+same_origin <- function(request) {
+  origin <- request$HTTP_ORIGIN
+  if (is.null(origin)) return(TRUE)
+  host <- request$HTTP_HOST
+  if (!is_text(origin) || !is_text(host)) return(FALSE)
+  plain <- function(place, scheme) {
+    sub(if (scheme == "https") ":443$" else ":80$", "", tolower(place))
+  }
+  scheme <- tolower(sub("://.*", "", origin))
+  grepl("^https?://", tolower(origin)) &&
+    plain(sub("^[^/]*//", "", origin), scheme) == plain(host, scheme)
 }
 
 # Designs that are kept: input$keep = list(name), input$kept = list(id, act, name), and the words of

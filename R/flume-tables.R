@@ -106,7 +106,7 @@ ranked_tensions <- function(state) {
   rows <- do.call(rbind, lapply(names(groups), function(name) {
     group <- groups[[name]]
     rope <- group$kind[1] == "rope"
-    height <- if (rope) group$max_kN else group$exceeded_by_1_percent_kN
+    height <- if (rope) group$max_kN else group$most_loaded_kN
     at <- which.max(height)
     data.frame(
       part = name, kind = group$kind[1], highest_kN = height[at], mean_kN = max(group$mean_kN),
@@ -143,7 +143,7 @@ tensions_html <- function(state) {
     shiny::tags$p(class = "note", "Margin: breaking load over the largest tension, for new rope
       without knots or splices."),
     table("netting", "Netting, by the tension of one twine", "N",
-      c("1 % of twine above (N)", "Mean (N)"), FALSE)
+      c("Tenth loaded most (N)", "Mean (N)"), FALSE)
   )
 }
 

@@ -94,7 +94,7 @@ tow_saves <- list(
   ),
   motion = list(
     extension = "html", title = "Page that plays", about = "one file, to send on",
-    write = function(x, file) view(x, file)
+    write = function(x, file) view_3d(x, file)
   ),
   trajectory = list(
     extension = "nc", title = "Trajectory", about = "for codend and readers of NetCDF",

@@ -18,6 +18,31 @@ flume_seconds <- 30
 clerk_seconds <- 300
 flume_memory <- 4e9
 
+# Bytes that all workers of this process may take together: a share of the machine's, or of what the
+# system gives to a service or container.
+tank_memory_share <- 0.75
+tank_memory <- function() {
+  all <- ps::ps_system_memory()[["total"]]
+  group <- "/sys/fs/cgroup/memory.max"
+  bound <- if (file.exists(group)) suppressWarnings(as.double(readLines(group, 1L, warn = FALSE)))
+  tank_memory_share * min(all, bound, na.rm = TRUE)
+}
+
+# The workers that have a process, by their names, and how often their memory is summed up, s.
+tank_workers <- new.env(parent = emptyenv())
+memory_every <- 0.5
+memory_clock <- new.env(parent = emptyenv())
+memory_clock$next_look <- 0
+
+# Where all workers together take more than they may, the one that takes most ends what it is about.
+bound_memory <- function(most = tank_memory()) {
+  now <- proc.time()[["elapsed"]]
+  if (now < memory_clock$next_look) return(invisible())
+  memory_clock$next_look <- now + memory_every
+  taken <- vapply(as.list(tank_workers), function(worker) worker$memory(), 0)
+  if (sum(taken) > most) tank_workers[[names(taken)[which.max(taken)]]]$give_up()
+}
+
 # Seconds that a process may take to start.
 start_seconds <- 120
 
@@ -63,6 +88,7 @@ direct_worker <- function(...) {
 # late: whether its process starts with the first request.
 process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late = FALSE) {
   worker <- new.env(parent = emptyenv())
+  id <- basename(tempfile("worker-"))
   process <- NULL
   idle <- FALSE
   waiting <- list()
@@ -72,6 +98,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
 
   start <- function() {
     process <<- answering_process(bytes)
+    tank_workers[[id]] <- worker
     worker$holds <- 0
     worker$turn <- -1L
     idle <<- FALSE
@@ -101,7 +128,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     end_pause()
     if (stopped) return()
     # one that was ended from elsewhere has lost nothing but time
-    if (idle && length(waiting) && !process$is_alive()) return(start())
+    if (idle && length(waiting) && (is.null(process) || !process$is_alive())) return(start())
     while (idle && length(waiting)) {
       job <- waiting[[1L]]
       early <- job$from - now()
@@ -129,16 +156,37 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   # did not even start.
   replace_process <- function(message) replace_with(list(problem = list(message = message)))
   replace_with <- function(answer) {
-    process$kill()
-    process <<- NULL
+    end_process()
     unlink(current$file)
     jobs <- if (is.null(current$then)) waiting else list(current)
     if (is.null(current$then)) waiting <<- list() else start()
     for (job in jobs) tell(job, answer)
   }
+  end_process <- function() {
+    if (!is.null(process)) process$kill()
+    process <<- NULL
+    remove(list = intersect(id, names(tank_workers)), envir = tank_workers)
+  }
+  # Bytes that its process takes.
+  worker$memory <- function() {
+    if (is.null(process)) return(0)
+    tryCatch(process$get_memory_info()[["rss"]], error = function(e) 0)
+  }
+  # Frees its memory; what it was about is answered so.
+  worker$give_up <- function() {
+    if (!idle) {
+      return(replace_process("The tank's users need more memory than it has; try again later."))
+    }
+    end_process()
+    worker$holds <- 0
+    worker$turn <- -1L
+  }
   look <- function() {
     if (stopped || idle || is.null(process)) return()
     if (has_answered(process)) return(finish())
+    bound_memory()
+    # it may have been the one that gave up
+    if (stopped || idle || is.null(process)) return()
     if (!process$is_alive()) {
       return(replace_process("The process that settles ended at this; a new one takes its place."))
     }
@@ -169,7 +217,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   worker$stop <- function() {
     stopped <<- TRUE
     end_pause()
-    if (!is.null(process)) process$kill()
+    end_process()
   }
   worker$process <- function() process
   if (!late) start()

@@ -67,7 +67,8 @@ field_help <- function(node) {
 #' [netting], `shielding` in [settle()] and a `polar` in [board_polar()].
 #'
 #' @param name Name of the gear.
-#' @param ... Components made by `point()`, `rope()`, `panel()`, `piece()`, `otter_board()`,
+#' @param ... Components made by `gear_point()`, `rope()`, `netting_panel()`, `piece()`,
+#'   `otter_board()`,
 #'   `kite()`, `seam()` and `measure()`, each under its name; and further fields of the plan
 #'   (`water`, `towing`, `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch`
 #'   ([catch]), `shooting`, `tow`, `materials`, `notes`, `sources`) as lists or text.
@@ -79,13 +80,14 @@ field_help <- function(node) {
 #' @examples
 #' gear(
 #'   "A weight on a line",
-#'   top = point(position = c(0, 0, 0), held = "moved"), bottom = point(),
+#'   top = gear_point(position = c(0, 0, 0), held = "moved"), bottom = gear_point(),
 #'   line = rope("top", "bottom", length = "20 m", diameter = "8 mm", material = "polyamide"),
 #'   weight = piece(at = "bottom", mass = "5 kg", material = "steel_wire"),
 #'   depth = measure(depth = "bottom"),
 #'   towing = list(speed = "2 knot")
 #' )
 gear <- function(name, ..., kind = "assembly") {
+  check_given("name")
   given <- list(...)
   if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
     abort_argument("Every argument of {.fn gear} after the first must be named.")
@@ -108,7 +110,7 @@ gear <- function(name, ..., kind = "assembly") {
 
 #' @rdname gear
 #' @export
-point <- constructor("point", "points")
+gear_point <- constructor("point", "points")
 
 #' @rdname gear
 #' @export
@@ -116,7 +118,7 @@ rope <- constructor("rope", "ropes")
 
 #' @rdname gear
 #' @export
-panel <- constructor("panel", "panels")
+netting_panel <- constructor("panel", "panels")
 
 #' @rdname gear
 #' @export

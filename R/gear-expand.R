@@ -35,6 +35,7 @@ plain_groups <- function(tree, last = NULL, plain = NULL) {
 #' @examples
 #' assembly(read_gear("towed_cable"))
 assembly <- function(gear) {
+  check_given("gear")
   check_is_gear(gear)
   checked <- gear_checked(gear)
   if (checked$fields$kind == "assembly") return(gear)

@@ -2,7 +2,7 @@
 
 #' Netting
 #'
-#' How a panel's netting is modelled, by fields of the panel in a plan (or of [panel()]).
+#' How a panel's netting is modelled, by fields of the panel in a plan (or of [netting_panel()]).
 #'
 #' @section Meshes:
 #' `orientation` is how meshes stand between the upper and the lower edge of a panel:
@@ -32,12 +32,7 @@
 #'
 #' | name | across the axis | along it |
 #' |---|---|---|
-#' | `hoerner` | 1.1 | 0, and 0.02 along the flow (S. F. Hoerner, Fluid-Dynamic Drag, 1965) |
-#' | `bessonneau_marichal` | 1.2 | 0.1 (J. S. Bessonneau and D. Marichal, Ocean Engineering, 1998) |
-#' | `wan` | 1.3 | 0 (R. Wan et al., 2002) |
-#' | `takagi` | 10^0.7 Re^-0.3, at least 1.2 | 0.1 (T. Takagi et al., Fisheries Research 66, 2004) |
-#' | `choo_casarella` | by Re, five ranges | by Re (Choo and Casarella, J. Hydronautics 5, 1971) |
-#' | `cifuentes_kim` | by Re and solidity | 0 (C. Cifuentes and M. H. Kim, 2017) |
+#' `r twine_law_rows()`
 #'
 #' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
 #' nearly along the flow, is the part along the axis: [summary()][summary.codend_state] of a state
@@ -50,12 +45,10 @@
 #'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
-#' normal and the flow and its solidity as the meshes stand open: `loland` (G. Loland, Current
-#' Forces on and Flow through Fish Farms, NTH Trondheim, 1991), `aarsnes` (J. V. Aarsnes, H. Rudi
-#' and G. Loland, Current forces on cage, net deflection, 1990) or `kristiansen_faltinsen` (T.
-#' Kristiansen and O. M. Faltinsen, Journal of Fluids and Structures 34, 2012, by Reynolds number).
-#' They were fitted to square netting of solidity up to 0.35 and are held at that beyond it; the
-#' last one's cylinder drag is held at its ends outside Reynolds numbers of 32 to 10000. Below a
+#' normal and the flow and its solidity as the meshes stand open:
+#' `r law_sources("netting", "screen")`.
+#' They were fitted to square netting of these solidities: `r screen_ranges()`; and are held at the
+#' ends beyond them; so is the cylinder drag of a law by Reynolds number (32 to 10000). Below a
 #' solidity of 0.1 `loland` and `aarsnes`, whose least drag is that of 0.04 of the netting's area
 #' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
 #' of a midwater trawl they still give far too much. Solidity counts knots by their spheres, and the

@@ -110,21 +110,6 @@ engine_board <- function(board, nodes, density) {
   )
 }
 
-# Struts of the boards of a gear in its lattice; part: number of the part before the first
-# board; material: number of the material before the first board's struts.
-add_otter_boards <- function(build, si, division, part, material) {
-  for (k in seq_along(si$otter_boards)) {
-    board <- si$otter_boards[[k]]
-    nodes <- unname(division$points[board$points])
-    pairs <- rbind(c(1L, 2L), c(2L, 3L), c(3L, 1L))
-    apart <- board$attachment[, pairs[, 2]] - board$attachment[, pairs[, 1]]
-    long <- sqrt(colSums(apart^2))
-    build$add("bars", node = as.vector(t(matrix(nodes[pairs], 3L))), rest = long,
-      multiplicity = rep(1, 3L), height = long, material = rep(material + k, 3L),
-      part = rep(part + k, 3L))
-  }
-}
-
 # Angle of attack of a first shape, rad: of a kite half that of its largest lift.
 first_attack <- function(board) {
   from_unit(if (is_kite(board)) stall_angle(board) / 2 else 25, "deg")

@@ -82,6 +82,7 @@ published_polars <- list(
 #' @examples
 #' board_polar("krill_cambered")
 board_polar <- function(polar, aspect_ratio = 2) {
+  check_given("polar")
   if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
     given <- published_polars[[polar]]$values
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {

@@ -120,7 +120,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   si <- list(
     name = fields$name, kind = "assembly",
     water = si_water(fields$water, fields$seabed), towing = fields$towing,
-    netting = fields$netting, slack_twine = fields$slack_twine
+    netting = fields$netting, slack_twine = fields$slack_twine, multipliers = fields$multipliers
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
   # what a group's parts were made to in the last gear, where all else that they are made from is
@@ -213,21 +213,16 @@ si_water <- function(water, seabed = NULL) {
 }
 
 # Coefficients on diameter times length: list(law, normal, tangential, skin); a law that depends on
-# the Reynolds number or solidity has NA for numbers. Values: hoerner after Hoerner (1965) 3-11,
-# bessonneau_marichal after Bessonneau and Marichal (1998), wan after Wan et al. (2002).
+# the Reynolds number or solidity has NA for numbers.
 drag_law <- function(coefficients) {
-  constant <- function(normal, tangential, skin) {
-    list(law = "constant", normal = normal, tangential = tangential, skin = skin)
+  constant <- function(numbers) {
+    list(law = "constant", normal = numbers$normal, tangential = numbers$tangential,
+      skin = numbers$skin)
   }
-  if (is.list(coefficients)) {
-    return(constant(coefficients$normal, coefficients$tangential, coefficients$skin))
-  }
-  switch(coefficients,
-    hoerner = constant(1.1, 0, 0.02),
-    bessonneau_marichal = constant(1.2, 0.1, 0),
-    wan = constant(1.3, 0, 0),
-    list(law = coefficients, normal = NA_real_, tangential = NA_real_, skin = NA_real_)
-  )
+  if (is.list(coefficients)) return(constant(coefficients))
+  row <- law_of("twine", coefficients)
+  if (row$form == "numbers") return(constant(row))
+  list(law = coefficients, normal = NA_real_, tangential = NA_real_, skin = NA_real_)
 }
 
 # The coefficients of a rope or twine: its own, those of its material where the plan gives them, or

@@ -6,6 +6,11 @@
 # changed: paths, as their steps, of what in the tree is not known to be in plain form; NULL: all.
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
+  if (!is.null(changed)) plan <- without_gone(plan, like$plan)
+  if (is.null(changed) || any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))) {
+    plan <- split_uncertain(plan)
+    uncertain_shares(plan)
+  }
   structure(
     list(plan = plan, file = file, source = source, checked = check_whole(plan, like$checked)),
     class = "codend_gear"
@@ -39,6 +44,7 @@ gear_si <- function(gear) gear_checked(gear)$si
 #' @examples
 #' read_gear("towed_cable")
 read_gear <- function(plan) {
+  check_given("plan")
   if (!is_text(plan)) {
     abort_argument(
       "{.arg plan} must be one path or the name of a shipped plan, not {.cls {class(plan)}}."

@@ -96,15 +96,20 @@ check_wing_ends <- function(fields) {
   }
   depth <- front_depth(fields)
   long <- function(x) format_si(x, "length")
+  # how many of a wing's meshes are that long
+  meshes_of <- function(x, wing) {
+    format(round(x / wing$mesh_size + first_of(wing$flying, 0)))
+  }
   alike <- function(a, b) abs(a - b) <= 0.05 * max(a, b)
   lower <- if (sides) depth[["side"]] else depth[["upper"]]
   if (!alike(depth[["lower"]], lower)) {
     abort_field("wings.lower.meshes.deep", fields$wings$lower$meshes$deep, sprintf(
       paste(
-        "such that the lower wings are as deep as %s, %s, within 5 %%; stretched they are %s"
+        "such that the lower wings are as deep as %s, %s, within 5 %% (%s meshes); stretched they",
+        "are %s"
       ),
       if (sides) "the side wings" else "upper wings and square together",
-      long(lower), long(depth[["lower"]])
+      long(lower), meshes_of(lower, wings$lower), long(depth[["lower"]])
     ))
   }
   if (sides) {
@@ -113,9 +118,9 @@ check_wing_ends <- function(fields) {
       abort_field("wings.side.meshes.deep", wings$side$meshes$deep, sprintf(
         paste(
           "such that the side wings are as deep as upper wings and square together, %s, within",
-          "5 %% (a jib may reach further); stretched they are %s"
+          "5 %% (%s meshes; a jib may reach further); stretched they are %s"
         ),
-        long(depth[["upper"]]), long(depth[["side"]])
+        long(depth[["upper"]]), meshes_of(depth[["upper"]], wings$side), long(depth[["side"]])
       ))
     }
     if (!is.null(wings$jib)) {
@@ -123,10 +128,10 @@ check_wing_ends <- function(fields) {
       if (ahead < -0.05 * depth[["side"]] || ahead >= reach) {
         abort_field("wings.jib.deep", wings$jib$deep, sprintf(
           paste(
-            "more than the %s by which upper wings and square together are deeper than the side",
-            "wings, which must not be negative; stretched the jib is %s"
+            "more than the %s (%s meshes) by which upper wings and square together are deeper than",
+            "the side wings, which must not be negative; stretched the jib is %s"
           ),
-          long(ahead), long(reach)
+          long(ahead), meshes_of(ahead, wings$side), long(reach)
         ))
       }
     }
@@ -135,7 +140,12 @@ check_wing_ends <- function(fields) {
 
 check_middle_bridle <- function(fields) {
   if (!is.null(fields$bridles$middle) && is.null(fields$wings$jib)) {
-    abort_field("bridles.middle", "given", "left out where there is no `wings.jib` for it to pull")
+    # as far as half of the side wing reaches
+    deep <- ceiling(fields$wings$side$meshes$deep / 2)
+    words <- "left out where there is no `wings.jib` for it to pull"
+    if (length(deep)) words <- sprintf("%s, such as `jib: {deep: %s}`", words, format(deep))
+    if (fields$panels == 2) words <- paste(words, "(in a trawl of 4 panels)")
+    abort_field("bridles.middle", "given", words)
   }
 }
 
@@ -329,7 +339,7 @@ bottom_trawl_rig <- function(fields, plan) {
     tow <- fields$towing_points
     points <- towing_points(paste0("board_", trawl_sides), tow$spread,
       fields$seabed$depth - tow$height)
-    return(trawl_legs(plan, list(points = points), paste0("board_", trawl_sides)))
+    return(trawl_legs(plan, fields, list(points = points), paste0("board_", trawl_sides)))
   }
   free <- fields$otter_boards$attitude == "free"
   boards <- trawl_boards(plan, free)
@@ -351,7 +361,7 @@ bottom_trawl_rig <- function(fields, plan) {
       }
     }
   }
-  trawl_legs(plan, rig, start)
+  trawl_legs(plan, fields, rig, start)
 }
 
 # joint: what the points where warp and sweep or bridles meet are named after, and measure: what

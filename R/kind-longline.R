@@ -62,7 +62,8 @@ expand_longline <- function(fields, plan) {
   }
 
   out <- plan[intersect(
-    c("codend", "name", "notes", "sources", "water", "coefficients", "materials", "tow"),
+    c("codend", "name", "notes", "sources", "water", "coefficients", "multipliers", "materials",
+      "tow"),
     names(plan)
   )]
   if (drift) out$water$free_surface <- TRUE

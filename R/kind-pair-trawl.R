@@ -15,7 +15,7 @@ expand_pair_trawl <- function(fields, plan) {
     ),
     ropes = trawl_warps(plan, to = "warp_end")
   )
-  rig <- trawl_legs(plan, rig, ends)
+  rig <- trawl_legs(plan, fields, rig, ends)
   if (!is.null(plan$weights)) {
     for (side in trawl_sides) {
       rig$pieces[[paste0("weight_", side)]] <- c(

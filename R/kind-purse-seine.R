@@ -15,7 +15,7 @@ expand_purse_seine <- function(fields, plan) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
-      "coefficients", "netting_drag", "slack_twine", "shielding", "materials"
+      "coefficients", "netting_drag", "slack_twine", "shielding", "multipliers", "materials"
     ),
     names(plan)
   )]

@@ -13,8 +13,8 @@ shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
       "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
-      "coefficients", "netting_drag", "slack_twine", "shielding", "materials", "towing", "tow",
-      "vessel"
+      "coefficients", "netting_drag", "slack_twine", "shielding", "multipliers", "materials",
+      "towing", "tow", "vessel"
     ),
     names(plan)
   )]

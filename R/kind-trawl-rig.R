@@ -87,14 +87,20 @@ check_boards <- function(fields) {
 }
 
 # Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
-# points: sweep, bridles to the wing ends, and extensions of the footrope.
-trawl_legs <- function(plan, rig, from) {
+# points: sweep, bridles to the wing ends with what they begin and end at, and extensions of head
+# line and footrope. fields: the plan's, checked, in SI.
+trawl_legs <- function(plan, fields, rig, from) {
   for (name in names(plan$ticklers)) {
     rig$ropes[[name]] <- c(list(from = "lower_port", to = "lower_starboard"),
       plan$ticklers[[name]], list(role = "tickler"))
   }
   tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
-  extended <- !is.null(plan$footrope_extensions)
+  extensions <- list(
+    upper = plan[["head_line_extensions"]], lower = plan[["footrope_extensions"]]
+  )
+  points <- c(upper = "head_line_extension", lower = "extension")
+  roles <- c(upper = "head_line_extension", lower = "footrope_extension")
+  weights <- function(given, at) c(list(at = at), given, list(role = "weight"))
   for (k in 1:2) {
     side <- trawl_sides[k]
     named <- function(...) paste(..., side, sep = "_")
@@ -108,22 +114,34 @@ trawl_legs <- function(plan, rig, from) {
       start <- named("sweep_end")
     }
     for (tier in tiers) {
-      end <- if (tier == "lower" && extended) "extension" else tier
+      extended <- !is.null(extensions[[tier]])
       rig$ropes[[named("bridle", tier)]] <- c(
-        list(from = start, to = named(end)), of_side(plan$bridles[[tier]], side),
-        list(role = "bridle")
+        list(from = start, to = named(if (extended) points[[tier]] else tier)),
+        set_back(plan$bridles[[tier]], fields$bridles[[tier]], side), list(role = "bridle")
+      )
+      if (!extended) next
+      rig$points[[named(points[[tier]])]] <- nothing
+      rig$ropes[[named(roles[[tier]])]] <- c(
+        list(from = named(points[[tier]]), to = named(tier)), of_side(extensions[[tier]], side),
+        list(role = roles[[tier]])
       )
     }
-    if (extended) {
-      rig$points[[named("extension")]] <- nothing
-      rig$ropes[[named("footrope_extension")]] <- c(
-        list(from = named("extension"), to = named("lower")),
-        of_side(plan$footrope_extensions, side),
-        list(role = "footrope_extension")
-      )
+    if (!is.null(plan$danlenos)) {
+      rig$pieces[[named("danleno")]] <- weights(plan$danlenos, start)
+    }
+    if (!is.null(plan$wing_end_weights)) {
+      rig$pieces[[named("wing_end_weight")]] <- weights(plan$wing_end_weights, named("lower"))
     }
   }
   rig
+}
+
+# A bridle on one side, with its setback as more of it.
+set_back <- function(given, fields, side) {
+  own <- of_side(given[names(given) != "setback"], side)
+  # as written where nothing is set back
+  if (isTRUE(fields$setback > 0)) own$length <- of_side(fields, side)$length + fields$setback
+  own
 }
 
 # A group of floats as a piece along the head line. fields: the group, checked; given: as in the

@@ -1,43 +1,6 @@
 # Carries a shape from one lattice to another of the same parts: to a finer division, or to a design
 # with other lengths. Every node goes where its place on its rope or panel is on the old shape.
 
-# Positions (3 x nodes, m) of a lattice's nodes.
-#
-# panels: the new lattice's table; to, from: of both lattices list(nodes, division, ropes, points,
-# panels), see build_lattice(); position: 3 x points of the old one, tied points last.
-carry_positions <- function(panels, to, from, position) {
-  start <- matrix(NA_real_, 3L, to$nodes)
-  on_ropes <- along_ropes(rope_runs(to$ropes), rope_runs(from$ropes))
-  start[, on_ropes$node] <- between_places(position, on_ropes)
-  if (length(to$panels)) {
-    places <- panel_places(panels, to$division, to$panels)
-    start[, places$node] <- on_rows(places, panel_rows(panels, from, position))
-  }
-  # A point in the middle of a rope lies where the rope does: where that has one bar, it has no node
-  # of its own.
-  inside <- to$points %in% on_ropes$node[on_ropes$from != on_ropes$to & on_ropes$share > 0 &
-    on_ropes$share < 1]
-  ends <- to$points[!inside]
-  start[, ends] <- position[, from$points[names(ends)]]
-  start
-}
-
-# Nodes of all ropes, one rope after the other, as those of edges (see divide()).
-rope_runs <- function(ropes) {
-  count <- as.integer(lengths(lapply(ropes, `[[`, "node")))
-  list(
-    node = as.integer(unlist(lapply(ropes, `[[`, "node"))),
-    fraction = as.double(unlist(lapply(ropes, `[[`, "at"))),
-    count = count, before = cumsum(count) - count
-  )
-}
-
-# Nodes of ropes on old ones: list(node, from, to = the old nodes on both sides, share).
-along_ropes <- function(ropes, old) {
-  on <- along_runs(ropes$fraction, rep.int(seq_along(ropes$count), ropes$count), old)
-  c(list(node = ropes$node), on)
-}
-
 # Places at these fractions of runs of nodes (edges or ropes): list(from, to, share).
 along_runs <- function(at, run, runs) {
   cell <- cell_of(at, run, runs)
@@ -215,3 +178,30 @@ between_values <- function(group, x, groups, values) {
   share <- pmin(pmax((x - values[low]) / pmax(width, 1e-12), 0), 1)
   list(low = low, high = high, share = share)
 }
+
+# Which of all nodes on edges begins the stretch between two nodes of its edge that each x (fraction
+# of the edge) lies in.
+cell_of <- function(x, edge, on) {
+  cell <- on$before[edge] + 1L
+  # Edges of one stretch need no search.
+  many <- which(on$count[edge] > 2L)
+  if (!length(many)) return(cell)
+  ends <- seq_along(on$fraction)
+  order <- order(
+    c(rep.int(seq_along(on$count), on$count), edge[many]), c(on$fraction, x[many]),
+    rep.int(0:1, c(length(ends), length(many)))
+  )
+  reached <- integer(length(order))
+  reached[order] <- cumsum(order <= length(ends))
+  found <- reached[-ends]
+  last <- (on$before + on$count - 1L)[edge[many]]
+  beyond <- found > last
+  found[beyond] <- last[beyond]
+  sooner <- found < cell[many]
+  found[sooner] <- cell[many][sooner]
+  cell[many] <- found
+  cell
+}
+
+# What is larger than any lattice stays a whole number.
+at_least_one <- function(x) as.integer(pmin(pmax(x, 1), most_nodes))

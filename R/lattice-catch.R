@@ -8,99 +8,24 @@
 # node = 3 x these, depth, across = 3 x these, meshes from the lower edge and along it, real = share
 # of each that is real, weight = the same signed, with the circle's share: negative where its normal
 # points inward), or nothing; and to its engine the pressure, behind the front that the plan gives
-# or a first guess.
-add_catch <- function(si, lattice) {
+# or a first guess. bag: what the engine found of it.
+add_catch <- function(si, lattice, bag) {
   lattice$engine$pressure <- list(
     node = integer(), weight = numeric(),
     drag_coefficient = first_of(si$catch$drag_coefficient, 0)
   )
   if (is.null(si$catch)) return(lattice)
-  cells <- lattice$engine$cells
-  sheets <- lattice$sheets
-  part <- length(si$ropes) + match(si$catch$panels, names(si$panels))
-  some <- which(lattice$cell_part %in% part)
-  other <- which(sheets$part %in% part)
-  panel <- c(lattice$cell_part[some], sheets$part[other])
-  orientation <- vapply(si$panels, `[[`, "", "orientation")[panel - length(si$ropes)]
-  at <- Map(cbind, cell_twine_places(cells, some), cell_twine_places(sheets, other))
-  corner <- cbind(cell_corners(lattice, some), matrix(sheets$node, 4L)[, other, drop = FALSE])
-  multiplicity <- c(cells$multiplicity[some], rep(1, length(other)))
-  v <- at$v * rep(ifelse(orientation == "hexagonal_turned", -1, 1), each = 4L)
-  square <- matrix(rep(orientation == "square", each = 4L), 4L)
-  depth <- si$catch$deep - ifelse(square, v, (at$u + v) / 2)
-  across <- ifelse(square, at$u, (at$u - v) / 2)
-  round <- circle_share(around_at(si, colMeans(depth)) / (apply(across, 2L, max) -
-    apply(across, 2L, min)))
-  triangles <- cell_triangles(has_three_corners(corner))
-  place <- triangles$corner + 4L * rep(triangles$cell - 1L, each = 3L)
-  panel <- panel[triangles$cell]
-  lattice$catch <- list(
-    cell = c(some, rep(NA, length(other)))[triangles$cell],
-    node = matrix(corner[place], 3L), depth = matrix(depth[place], 3L),
-    across = matrix(across[place], 3L), real = multiplicity[triangles$cell] * triangles$weight,
-    weight = (multiplicity * round)[triangles$cell] * triangles$weight
-  )
-  # Panels are laid out round the catch from the start, whichever way round.
-  outward <- panel_volumes(lattice, lattice$start, panel)
-  if (any(outward == 0)) {
+  if (!bag$encloses) {
     abort_plan(
       "The netting around the catch encloses nothing; all panels in `catch.panels` must be joined.",
       "catch.panels", si$catch$panels
     )
   }
-  lattice$catch$weight <- lattice$catch$weight * sign(outward)
-  guess <- if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked
-  set_catch_front(lattice, guess)
-}
-
-# Meshes around the catch so many meshes (depth) from the lower edges of its panels.
-around_at <- function(si, depth) {
-  panels <- si$panels[si$catch$panels]
-  sum_of <- function(edge) sum(vapply(panels, `[[`, 0, edge))
-  sum_of("lower") + (sum_of("upper") - sum_of("lower")) * depth / si$catch$deep
-}
-
-# Area of a circle over that of a polygon of n equal sides with its girth.
-circle_share <- function(n) {
-  n <- pmax(n, 3)
-  n * tan(pi / n) / pi
-}
-
-# The start with the netting around the catch as a bag that hangs open at the nominal ratio and
-# closes over its last third: from a slender cone the solver may pull its twines through each other.
-round_start <- function(si, lattice) {
-  start <- lattice$start
-  free <- !lattice$engine$held
-  node <- as.vector(lattice$catch$node)
-  # points tied between nodes follow them
-  first <- !duplicated(node) & node <= ncol(start)
-  depth <- round(as.vector(lattice$catch$depth)[first], 6)
-  node <- node[first]
-  around <- sum(vapply(si$panels[si$catch$panels], function(p) p$upper * mesh_unit(p), 0))
-  radius <- nominal_hanging_ratio * around / (2 * pi)
-  for (row in split(seq_along(node), depth)) {
-    ring <- node[row]
-    left <- depth[row[1]] / si$catch$deep
-    closing <- max(0, 1 - 3 * left)
-    share <- min(1, 3 * (1 - left))
-    middle <- rowMeans(start[, ring, drop = FALSE])
-    out <- start[, ring, drop = FALSE] - middle
-    size <- mean(sqrt(colSums(out^2)))
-    wanted <- share * radius * sqrt(1 - closing^2) + (1 - share) * size
-    if (size == 0 || wanted <= size) next
-    moved <- middle + out * (wanted / size)
-    start[, ring[free[ring]]] <- moved[, free[ring]]
-  }
-  start
-}
-
-# The volume (m3) between each triangle's whole panel and the middle of all, by triangle.
-panel_volumes <- function(lattice, position, panel) {
-  position <- lattice_points(lattice, position)
-  middle <- rowMeans(position[, as.vector(lattice$catch$node), drop = FALSE])
-  corner <- function(k) position[, lattice$catch$node[k, ], drop = FALSE] - middle
-  volume <- triple_product(corner(1L), corner(2L), corner(3L)) / 6 * lattice$catch$weight
-  unname(rowsum(volume, panel)[as.character(panel), 1])
+  lattice$catch <- c(
+    list(cell = replace(bag$cell, bag$cell == 0L, NA)),
+    lapply(bag[c("node", "depth", "across")], matrix, 3L), bag[c("real", "weight")]
+  )
+  set_catch_front(lattice, if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked)
 }
 
 triple_product <- function(a, b, c) {

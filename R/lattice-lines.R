@@ -30,24 +30,6 @@ cell_bars <- function(cells, which = seq_along(cells$rest)) {
 # The four triangles of a cell's corners, in order around it.
 corner_triangles <- cbind(c(1L, 2L, 3L), c(1L, 3L, 4L), c(1L, 2L, 4L), c(2L, 3L, 4L))
 
-# Shares of the corners (4 x cells) in what is spread evenly over cells: the mean over both ways to
-# halve them of triangles that share equally (src/engine/elements/cell_shape.hpp).
-corner_shares <- function(u, v) {
-  whole <- cell_area(u, v)
-  share <- matrix(0, 4L, ncol(u))
-  for (t in seq_len(4L)) {
-    k <- corner_triangles[, t]
-    area <- triangle_area(u[k, , drop = FALSE], v[k, , drop = FALSE])
-    share[k, ] <- share[k, ] + rep(area / (6 * whole), each = 3L)
-  }
-  share
-}
-
-# Area of triangles, 3 x n.
-triangle_area <- function(u, v) {
-  abs((u[2L, ] - u[1L, ]) * (v[3L, ] - v[1L, ]) - (u[3L, ] - u[1L, ]) * (v[2L, ] - v[1L, ])) / 2
-}
-
 # Whether cells (4 x n nodes or places) have three corners.
 has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
 
@@ -104,3 +86,21 @@ rope_bar <- function(lattice, rope, place) {
 rope_bars <- function(lattice, rope) {
   which(lattice$bar_part == which(lattice$parts$kind == "rope" & lattice$parts$name == rope))
 }
+
+# A line of a lattice stands for all the material around it, so it leaves the water over at least
+# this share of its length. What is thinner would come and go with every millimetre, and a net that
+# lies at the surface would not settle; the finer the lattice, the less it matters.
+surface_share <- 0.05
+
+# Height (m) over which lines of these diameters and lengths leave the water.
+surface_height <- function(diameter, length) pmax(diameter, surface_share * length)
+
+# Numbers among all points, nodes first: tied ones are drawn as -1, -2, ...
+point_number <- function(node, nodes) {
+  tied <- node < 0L
+  node[tied] <- nodes - node[tied]
+  node
+}
+
+# Sums of x over groups 1..n, numbered by `group`.
+sum_by <- function(x, group, n) group_sums(as.double(x), as.integer(group), as.integer(n))

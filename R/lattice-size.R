@@ -11,11 +11,7 @@ check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be at most {.val {most}}.")
   }
   if (divided_at_most(si) <= most) return(invisible())
-  bars <- panels_of_bars(si, netting)
-  panels <- panel_table(si$panels)
-  frame <- division_frame(gear_chains(si), linked = !bars)
-  resolution <- resolution_table(si, panels, frame$pieces, bars)
-  count <- node_counts(resolution, element_length(resolution, nodes))
+  count <- engine_node_counts(gear_numbers(si, netting), nodes)$nodes
   total <- sum(count)
   if (total <= most) return(invisible())
   fields <- c(prefixed("panels.", names(si$panels)), prefixed("ropes.", names(si$ropes)))

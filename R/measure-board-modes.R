@@ -32,9 +32,9 @@ slowest_told <- 0.002
 #'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
 #' }
 #' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
-#'   block_port = point(position = c(0, -0.6, -100), held = "moved"),
-#'   block_starboard = point(position = c(0, 0.6, -100), held = "moved"),
-#'   port = point(), starboard = point(), tail = point(),
+#'   block_port = gear_point(position = c(0, -0.6, -100), held = "moved"),
+#'   block_starboard = gear_point(position = c(0, 0.6, -100), held = "moved"),
+#'   port = gear_point(), starboard = gear_point(), tail = gear_point(),
 #'   front_port = on_lines("block_port", "port", "0.99 m"),
 #'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
 #'   rear_port = on_lines("block_port", "tail", "1.293 m"),
@@ -45,6 +45,7 @@ slowest_told <- 0.002
 #' board_modes(settle(flown))
 #' @export
 board_modes <- function(state) {
+  check_given("state")
   check_is_state(state)
   found <- if (length(state$si$otter_boards)) {
     engine_body_modes(state$lattice$engine, as.double(state$position), as.double(state$velocity))

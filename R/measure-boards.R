@@ -19,9 +19,9 @@ fallen_heel <- 45
 #'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
 #' }
 #' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
-#'   block_port = point(position = c(0, -0.6, -100), held = "moved"),
-#'   block_starboard = point(position = c(0, 0.6, -100), held = "moved"),
-#'   port = point(), starboard = point(), tail = point(),
+#'   block_port = gear_point(position = c(0, -0.6, -100), held = "moved"),
+#'   block_starboard = gear_point(position = c(0, 0.6, -100), held = "moved"),
+#'   port = gear_point(), starboard = gear_point(), tail = gear_point(),
 #'   front_port = on_lines("block_port", "port", "0.99 m"),
 #'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
 #'   rear_port = on_lines("block_port", "tail", "1.293 m"),
@@ -32,6 +32,7 @@ fallen_heel <- 45
 #' board_table(settle(flown))
 #' @export
 board_table <- function(state) {
+  check_given("state")
   check_is_state(state)
   boards <- state$si$otter_boards
   found <- state$boards
@@ -56,8 +57,9 @@ board_table <- function(state) {
 }
 
 define_measure("attitude", "deg",
-  "Angle of attack of a free otter board, its heel (positive where its upper edge leans outward, so
-  that its lift points down) or trim (positive where its leading edge is high).",
+  "Angle of attack of a free otter board or kite, its heel (positive where its upper edge leans
+  outward, so that its lift points down; of a kite where its starboard end is high) or trim
+  (positive where its leading edge is high).",
   sensor = "Heel (roll) and trim (pitch): an inclinometer in a door sensor, each maker with its own
   signs and its zero as it is mounted. Attack: none at sea.",
   asks_board_angle, function(state, measure) measure_attitude(state, measure)

@@ -1,19 +1,48 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
 define_measure("tension", "kN",
-  "Tension of a rope at a place, or the largest along it. At its start or end it is that of its
-  outermost bar.",
+  "Tension of a rope at a place, or the largest along it. At its start or end it is that at the
+  very end: that of the middle of the outermost element, and what pulls at the half beyond.",
   sensor = "A load cell in the line. What a winch tells has the friction of the blocks in it.",
   asks_rope_place, function(state, measure) measure_tension(state, measure)
 )
 
 measure_tension <- function(state, measure) {
-  bar <- if (measure$place == "max") {
-    rope_bars(state$lattice, measure$rope)
-  } else {
-    rope_bar(state$lattice, measure$rope, measure$place)
+  if (measure$place == "max") {
+    return(max(end_tensions(state, rope_bars(state$lattice, measure$rope))))
   }
-  max(state$bar_tension[bar])
+  bar <- rope_bar(state$lattice, measure$rope, measure$place)
+  if (measure$place == "middle") return(state$bar_tension[bar])
+  at <- end_tensions(state, bar)
+  at[if (measure$place == "start") 1L else 2L]
+}
+
+# Tension at both ends of bars of ropes, N, 2 x bars. A bar's own tension is that of its middle; at
+# an end it carries what water and weight pull at the half between, which the lattice gathers in
+# the node. Where they push a bar together its own is kept.
+end_tensions <- function(state, bars) {
+  engine <- state$lattice$engine
+  node <- bar_ends(state, bars)
+  along <- state$position[, node[2L, ], drop = FALSE] - state$position[, node[1L, ], drop = FALSE]
+  along <- along / rep(sqrt(colSums(along^2)), each = 3L)
+  tension <- state$bar_tension[bars]
+  pull <- along * rep(tension, each = 3L)
+  ropes <- state$si$ropes[state$lattice$bar_part[bars]]
+  of <- function(field) vapply(ropes, `[[`, 0, field, USE.NAMES = FALSE)
+  half <- gear_gravity * engine$bars$rest[bars] / 2
+  force <- flow_force(state, "bars")[, bars, drop = FALSE] / 2
+  at <- vapply(1:2, function(end) {
+    # half of what lies in the surface is wet
+    wet <- if (engine$water$free_surface) (1 - sign(state$position[3, node[end, ]])) / 2 else 1
+    force[3, ] <- force[3, ] - half * (of("mass_per_length") -
+      wet * engine$water$density * of("volume_per_length"))
+    # the bar pulls its start along itself, its end the other way
+    sqrt(colSums((pull + c(1, -1)[end] * force)^2))
+  }, numeric(length(bars)))
+  at <- t(matrix(at, length(bars), 2L))
+  loose <- tension <= 0
+  at[, loose] <- rep(tension[loose], each = 2L)
+  at
 }
 
 # Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
@@ -168,33 +197,42 @@ balance_table <- function(state) {
   data.frame(force = rownames(forces), forces, row.names = NULL)
 }
 
-# Tensions by rope and panel, of one line, kN: largest, exceeded by 1 % of its length, and mean over
-# its length; breaking load where the plan knows it (kN) and the largest tension's share of it
-# (percent). Where a point pulls at netting the largest grows with every refinement; what 1 % of the
-# twine exceeds does not, but only the mean closes in on a value.
+# Tensions by rope and panel, of one line, kN: largest, mean of the tenth of its length that is
+# loaded most, and mean over its length; breaking load where the plan knows it (kN) and the largest
+# tension's share of it (percent). Where a point pulls at netting the largest grows with every
+# refinement; the means close in on a value.
 tension_table <- function(state) {
   parts <- state$lattice$parts
   lines <- state_lines(state)
   part <- sort(unique(lines$part))
   strength <- vapply(state$si$ropes, function(rope) as.double(rope$strength), 0)
   strength <- c(strength, rep(NA_real_, length(state$si$panels)))[part]
-  by_part <- mapply(
-    function(tension, long) c(max(tension), exceeded_tension(tension, long)),
-    split(lines$tension, lines$part), split(lines$lines * lines$rest, lines$part)
-  )
-  mean <- mean_by_part(lines$tension, lines$lines * lines$rest, lines$part)
+  long <- lines$lines * lines$rest
+  largest <- lines$tension
+  rope <- parts$kind[lines$part] == "rope"
+  ends <- end_tensions(state, lines$element[rope])
+  largest[rope] <- pmax(ends[1L, ], ends[2L, ])
+  largest <- vapply(split(largest, lines$part), max, 0)
+  most_loaded <- mapply(most_loaded_tension, split(lines$tension, lines$part),
+    split(long, lines$part))
+  mean <- mean_by_part(lines$tension, long, lines$part)
   data.frame(
     part = parts$name[part], kind = parts$kind[part], role = parts$role[part],
-    max_kN = in_unit(by_part[1, ], "kN"), exceeded_by_1_percent_kN = in_unit(by_part[2, ], "kN"),
+    max_kN = in_unit(unname(largest), "kN"), most_loaded_kN = in_unit(unname(most_loaded), "kN"),
     mean_kN = in_unit(unname(mean), "kN"), strength_kN = in_unit(unname(strength), "kN"),
-    strength_percent = in_unit(by_part[1, ] / unname(strength), "%"), row.names = NULL
+    strength_percent = in_unit(unname(largest / strength), "%"), row.names = NULL
   )
 }
 
-# The tension that 1 % of the length exceeds.
-exceeded_tension <- function(tension, long) {
+# Share of the length that counts as loaded most.
+loaded_most <- 0.1
+
+# Mean tension over the tenth of the length that is loaded most.
+most_loaded_tension <- function(tension, long) {
   falling <- order(tension, decreasing = TRUE)
-  tension[falling][which(cumsum(long[falling]) >= 0.01 * sum(long))[1]]
+  whole <- loaded_most * sum(long)
+  before <- cumsum(long[falling]) - long[falling]
+  sum(tension[falling] * pmin(long[falling], pmax(whole - before, 0))) / whole
 }
 
 # Mean tension by part, over its length.

@@ -160,7 +160,7 @@ twine_shadow <- function(state) {
   # derivatives of the place by meshes across and down
   both <- rep(square, each = 2L)
   by_i <- u - v * !both
-  by_j <- u * !both + v
+  by_j <- u * (!both) + v
   # parts as long across as they are deep, on the mean
   long <- function(by) sqrt(by[1L, ]^2 + by[2L, ]^2)
   reach <- rbind(of("port"), of("starboard"), of("fore"), of("aft"))
@@ -194,7 +194,7 @@ solidity_of_panels <- function(state, names) {
   of <- function(what) vapply(panels, what, 0)
   twine <- sums[, "bars"] * of(twine_width) / sums[, "area"]
   knots <- sums[, "cells"] * pi / 4 * of(function(panel) panel$knot_diameter^2) / sums[, "area"]
-  overlap <- of(function(panel) crossing_overlap(list(panel)))
+  overlap <- of(crossing_overlap)
   stats::setNames(twine - overlap * twine^2 + knots, names)
 }
 
@@ -226,6 +226,7 @@ solidity_of_panels <- function(state, names) {
 #' state <- settle("t90_codend")
 #' head(mesh_openings(state))
 mesh_openings <- function(state, parts = NULL) {
+  check_given("state")
   check_is_state(state)
   panels <- state$si$panels
   part <- vapply(panels, `[[`, "", "part")

@@ -2,25 +2,47 @@
 
 # values: SI, by name; kinds: their entries in the registries; nodes: of the lattice; levels: a
 # function of the values as shown that gives the lattices that it is compared with, see
-# estimate_errors(), or NULL.
-new_measures <- function(values, kinds, nodes = NA, levels = NULL) {
+# estimate_errors(), or NULL; light: whether the gear's drag is little next to its weights.
+new_measures <- function(values, kinds, nodes = NA, levels = NULL, light = FALSE) {
   units <- measure_units(kinds)
   shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
   error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
-    forces = which(units %in% names(plan_units$force)), drag = which(kind == "total_drag"),
-    slack = which(kind == "slack_netting"))
+    error_classes(kind, units), which(kind == "slack_netting"))
   structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
-    error = error, class = c("codend_measures", "numeric"))
+    error = error, main = setNames(main_measures(kind, units, light), names(values)),
+    class = c("codend_measures", "numeric"))
 }
 
 plain_measures <- function(x) setNames(as.double(x), names(x))
 
 #' @export
 `[.codend_measures` <- function(x, i) {
+  if (!missing(i) && is.character(i)) check_measure_names(i, names(x))
   some <- plain_measures(x)[i]
   structure(some, unit = attr(x, "unit")[names(some)], kind = attr(x, "kind")[names(some)],
-    error = attr(x, "error")[names(some)], class = class(x))
+    error = attr(x, "error")[names(some)], main = attr(x, "main")[names(some)], class = class(x))
+}
+
+#' @export
+`[[.codend_measures` <- function(x, i, ...) {
+  if (is.character(i)) check_measure_names(i, names(x))
+  plain_measures(x)[[i]]
+}
+
+#' @rawNamespace S3method(base::"$",codend_measures)
+`$.codend_measures` <- function(x, name) x[[name]]
+
+# Stops at the first that is no measure. In formulas a name may go without its unit; here it has it.
+check_measure_names <- function(wanted, known) {
+  wrong <- setdiff(wanted, known)
+  if (!length(wrong)) return(invisible())
+  wrong <- wrong[1L]
+  with_unit <- known[startsWith(known, paste0(wrong, "_"))]
+  near <- c(with_unit, nearest(wrong, known))
+  hint <- if (length(near)) " Did you mean {.val {near[1]}}?"
+  abort_argument(paste0("There is no measure {.val {wrong}}.", hint,
+    " Known here: {.val {known}}."))
 }
 
 #' @export

@@ -12,6 +12,7 @@
 #' @examples
 #' plot(tensions_along(settle("crossing_cables")))
 tensions_along <- function(state, ropes = NULL) {
+  check_given("state")
   check_is_state(state)
   parts <- state$lattice$parts
   every <- which(parts$kind == "rope")

@@ -120,7 +120,9 @@ standard_measures <- c(
   standard_measure("largest_rope_tension", "kN",
     "The largest tension in any rope.",
     sensor = "A load cell, where it sits in that rope.",
-    function(state, found) if (nrow(found$lines$ropes)) max(found$lines$ropes$tension)
+    function(state, found) {
+      if (nrow(found$lines$ropes)) max(end_tensions(state, found$lines$ropes$element))
+    }
   ),
   standard_measure("largest_panel_twine_tension", "N",
     "Of the panel whose twine is loaded most, the mean tension of one twine (of both when double)
@@ -132,14 +134,13 @@ standard_measures <- c(
       if (nrow(twine)) max(mean_by_part(twine$tension, twine$lines * twine$rest, twine$part))
     }
   ),
-  standard_measure("twine_tension_exceeded_by_1_percent", "N",
-    "Tension of one twine (of both when double) that 1 % of the netting's length of twine exceeds.
-    Tension runs along few twines from the tips of wings and corners: 1 % more length of twine there
-    has about 0.8 % less. Which elements carry it depends on how the netting is divided, so that
-    this differs by a tenth or two between lattices, with bars most.",
+  standard_measure("most_loaded_twine_tension", "N",
+    "Mean tension of one twine (of both when double) over the tenth of the netting's length of twine
+    that is loaded most. Tension runs along few twines from the tips of wings and corners; what the
+    single mesh there carries grows as the netting is divided further, this converges.",
     function(state, found) {
       twine <- found$lines$netting
-      if (nrow(twine)) exceeded_tension(twine$tension, twine$lines * twine$rest)
+      if (nrow(twine)) most_loaded_tension(twine$tension, twine$lines * twine$rest)
     }
   ),
   standard_measure("slack_netting", "%",
@@ -179,6 +180,11 @@ standard_measures <- c(
     function(state, found) -min(state$position[3, ]) + 0
   )
 )
+
+# Whether a gear's drag is negligible next to its weights in water. found: of measured_once().
+is_drag_light <- function(state, found) {
+  abs(found$drag) < light_drag * sum(abs(state$lattice$engine$load))
+}
 
 has_towing <- function(state) state$si$towing$speed != 0
 

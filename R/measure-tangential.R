@@ -9,9 +9,10 @@ tangential_sensitivity <- function(state) {
   engine <- state$lattice$engine
   still <- numeric(length(state$position))
   flow <- flow_axes(state$si)[, "flow"]
+  own <- list(engine$materials$tangential_share, engine$blended$materials$tangential_share)
   along <- function(share) {
-    engine$materials$tangential_share[] <- share
-    engine$blended$materials$tangential_share[] <- share
+    engine$materials$tangential_share <- share * own[[1L]]
+    engine$blended$materials$tangential_share <- share * own[[2L]]
     forces <- engine_evaluate(engine, as.vector(state$position), still)$forces
     in_unit(sum(flow * total_force(list(forces = lapply(forces, matrix, 3L)), "flow")), "kN")
   }

@@ -37,9 +37,22 @@ panel_facets <- function(state, names) {
 }
 
 # Lids over the openings that panels leave, as facets seen from the same side as theirs: three
-# matrices of their corners (3 x facets). Openings are bounded by edges that no seam joins to
-# another of these panels or gathers.
+# matrices of their corners (3 x facets).
 panel_lids <- function(state, names) {
+  lids <- panel_lid_nodes(state, names)
+  x <- state$position
+  middles <- vapply(split(seq_along(lids$from), lids$opening), function(k) {
+    rowMeans(x[, lids$from[k], drop = FALSE])
+  }, numeric(3))
+  list(
+    middles[, as.character(lids$opening), drop = FALSE], x[, lids$from, drop = FALSE],
+    x[, lids$to, drop = FALSE]
+  )
+}
+
+# The nodes that lids have two by two on their rims: list(from, to, opening = which lid each is of).
+# Openings are bounded by edges that no seam joins to another of these panels or gathers.
+panel_lid_nodes <- function(state, names) {
   joined <- unlist(lapply(state$si$seams, function(seam) {
     edges <- unlist(seam$edges, recursive = FALSE)
     edges <- Filter(function(edge) edge$panel %in% names, edges)
@@ -57,12 +70,35 @@ panel_lids <- function(state, names) {
   turned <- rep((open - 1L) %% 4L %in% c(1L, 2L), count - 1L)
   from <- ifelse(turned, second, first)
   to <- ifelse(turned, first, second)
-  opening <- joined_labels(state$lattice$nodes, from, to)[from]
-  x <- state$position
-  middles <- vapply(split(seq_along(from), opening), function(k) {
-    rowMeans(x[, from[k], drop = FALSE])
-  }, numeric(3))
-  list(
-    middles[, as.character(opening), drop = FALSE], x[, from, drop = FALSE], x[, to, drop = FALSE]
-  )
+  list(from = from, to = to, opening = joined_labels(state$lattice$nodes, from, to)[from])
+}
+
+# Facets (3 x n) between the places of each row (in order of s) and the next one of the same panel.
+# In the order of s each place of two rows makes one with the last ones met of its own and of the
+# other row.
+row_facets <- function(panel, row, s) {
+  number <- cumsum(c(TRUE, diff(panel) != 0 | diff(row) != 0))
+  of <- panel[!duplicated(number)]
+  # strips between two rows, by the number of the upper one
+  has_lower <- c(of[-1L] == of[-length(of)], FALSE)
+  has_upper <- c(FALSE, has_lower[-length(of)])
+  upper <- which(has_lower[number])
+  lower <- which(has_upper[number])
+  all <- c(upper, lower)
+  strip <- c(number[upper], number[lower] - 1L)
+  order <- order(strip, s[all])
+  is_upper <- (seq_along(all) <= length(upper))[order]
+  strip <- strip[order]
+  all <- all[order]
+  place <- seq_along(all)
+  # the last place of a row before each, in its strip; 0: none
+  first <- place[match(strip, strip)]
+  last <- function(mine) {
+    found <- c(0L, cummax(place * mine))[place]
+    found * (found >= first)
+  }
+  before_upper <- last(is_upper)
+  before_lower <- last(!is_upper)
+  some <- which(before_upper > 0L & before_lower > 0L)
+  rbind(all[before_upper[some]], all[before_lower[some]], all[some])
 }

@@ -4,17 +4,19 @@
 most_growth <- 7
 least_growth <- 2
 
-# The lattices that a state's measures may be compared with. They are measured when their errors are
-# first asked for: a change of a gear that is looked at once needs neither.
+# The lattices that a state's measures may be compared with. They are measured, and one more is
+# settled where these say too little, when their errors are first asked for: a change of a gear that
+# is looked at once needs neither.
 #
-# found: as settle_level() gives it, through levels of this gear; from: the state it began from, or
-# NULL.
-# Returns list(own = function() that gives them coarse to fine, as list(nodes, values)) and, where
-# they are another gear's, values = function() that gives its measures; NULL where there are none.
-# See levels_of().
-state_levels <- function(state, found, from) {
-  if (!is.null(found$from$si)) return(levels_through(state, found$from))
-  if (is.null(from$levels)) return(NULL)
+# found: as settle_level() gives it, through levels of this gear; netting: as in settle(); from: the
+# state it began from, or NULL.
+# Returns list(own = function() that gives them coarse to fine, as list(nodes, values), extra =
+# function() that gives the one more, a state, or NULL) and, where they are another gear's, values =
+# function() that gives its measures. See levels_of().
+state_levels <- function(state, found, netting, from) {
+  if (!is.null(found$from$si) || is.null(from$levels)) {
+    return(levels_through(state, found$from, netting))
+  }
   growth <- state$lattice$nodes / from$lattice$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
     return(levels_and(from))
@@ -23,26 +25,73 @@ state_levels <- function(state, found, from) {
 }
 
 # shape: the last of the coarser levels, each with the one before.
-levels_through <- function(state, shape) {
+levels_through <- function(state, shape, netting) {
   gear <- state$gear
-  many <- state$lattice$nodes > many_nodes
-  rm(state)
-  own <- once(function() {
-    levels <- list()
-    while (!is.null(shape$si)) {
-      level <- new_state(
-        gear, shape$si, shape$lattice,
-        as.vector(shape$position[, seq_len(shape$lattice$nodes)]), list()
-      )
-      level <- list(nodes = shape$lattice$nodes, values = plain_measures(measures(level)))
-      levels <- c(list(level), levels)
-      shape <- shape$coarser
-    }
-    levels
+  nodes <- state$lattice$nodes
+  shapes <- list()
+  while (!is.null(shape$si)) {
+    shapes <- c(list(shape), shapes)
+    shape <- shape$coarser
+  }
+  state_of <- function(shape) {
+    new_state(gear, shape$si, shape$lattice,
+      as.vector(shape$position[, seq_len(shape$lattice$nodes)]), list(converged = TRUE))
+  }
+  level_of <- function(state) {
+    list(nodes = state$lattice$nodes, values = plain_measures(measures(state)))
+  }
+  many <- nodes > many_nodes
+  # such a lattice is neither kept nor settled once more
+  wanted <- if (!many) extra_nodes(state$si, nodes, vapply(shapes, level_nodes, 0))
+  whole <- if (length(wanted)) list(si = state$si, shape = state_shape(state))
+  rm(state, shape)
+  extra <- once(function() {
+    found <- if (length(wanted)) extra_level(whole$si, wanted, netting, whole$shape)
+    whole <<- NULL
+    if (!is.null(found)) state_of(found)
   })
-  # large lattices are not kept for it
+  own <- once(function() {
+    levels <- lapply(shapes, function(shape) level_of(state_of(shape)))
+    shapes <<- NULL
+    one_more <- extra()
+    if (!is.null(one_more)) levels <- c(levels, list(level_of(one_more)))
+    levels[order(vapply(levels, `[[`, 0, "nodes"))]
+  })
   if (many) own()
-  list(own = own)
+  list(own = own, extra = extra)
+}
+
+level_nodes <- function(level) as.double(level$lattice$nodes)
+
+# Nodes of the lattice that is settled to know the error of one of so many, in the order in which
+# they are tried; none where the levels that there are do. Coarser lattices of netting share what
+# all coarse ones have: of `enough_nodes` and less they report a fifth of what is left.
+extra_nodes <- function(si, nodes, levels) {
+  levels <- levels[pmax(levels / nodes, nodes / levels) >= least_ratio]
+  enough <- if (length(si$panels)) min(enough_nodes, nodes) else 0
+  if (any(levels >= enough)) return(numeric())
+  finer <- nodes * extra_ratio * c(1, 1.5, 0.7)
+  coarser <- nodes / extra_ratio * c(1, 0.7)
+  if (nodes <= most_made_finer) c(finer, coarser) else c(coarser, finer)
+}
+
+enough_nodes <- 1200
+# A lattice of more nodes is compared with a coarser one, which takes less time.
+most_made_finer <- 2500
+extra_ratio <- 2.6
+
+# The first of lattices of so many nodes that settles, from a shape: as coarse_shape() gives it, or
+# NULL.
+extra_level <- function(si, wanted, netting, shape) {
+  for (nodes in wanted) {
+    found <- tryCatch(
+      coarse_shape(si, nodes, netting, settle_progress(), shape, nodes),
+      codend_error = function(e) NULL
+    )
+    if (is.null(found$si)) next
+    ratio <- level_nodes(found) / level_nodes(shape)
+    if (max(ratio, 1 / ratio) >= least_ratio) return(found)
+  }
 }
 
 # A state's levels, and the state itself as the last of them.
@@ -106,11 +155,9 @@ settle_accurately <- function(state, accuracy, netting) {
   }
 }
 
-# Nodes that settle() begins with, and most that it goes on to, where it is asked for neither nodes
-# nor accuracy: with 4,000 all shipped gears together take twice as long as at 1,500
-# (bench/results/netting.md). What misses the usual accuracy is told.
+# Nodes that settle() begins with where it is asked for neither nodes nor accuracy. It goes on to
+# extra_ratio times as many; what misses the usual accuracy then is reported.
 usual_nodes <- 1500
-most_usual_nodes <- 4000
 # An error so many times the usual one is of netting that hangs in folds, which no lattice settles.
 hopeless_error <- 20
 
@@ -121,27 +168,35 @@ nodes_of <- function(state) {
   first_of(state$lattice$counts$asked$nodes, usual_nodes)
 }
 
-# Divides a gear once more where its main measures miss the usual accuracy, and notes in the report
-# what was aimed at.
+# Divides a gear once more where its main measures miss the usual accuracy, as finely as the lattice
+# that their error was found with, and notes in the report what was aimed at.
 aim_accuracy <- function(state, netting) {
   error <- main_error(measures(state))
   nodes <- state$lattice$nodes
-  wanted <- min(nodes_for(nodes, error, usual_accuracy), most_usual_nodes,
-    fixed_nodes(state$si, netting))
-  if (is.finite(error) && !is_reached(error, usual_accuracy) && wanted >= least_ratio * nodes &&
+  if (is.finite(error) && !is_reached(error, usual_accuracy) &&
     error < hopeless_error * usual_accuracy) {
-    finer <- tryCatch(
-      settled_state(state$gear, wanted, netting, state, settle_iterations),
-      codend_error_not_converged = function(e) NULL
-    )
+    finer <- finer_state(state, netting)
     # a plan may divide itself
     if (!is.null(finer) && finer$lattice$nodes >= least_ratio * nodes) {
       finer$report$cpu_seconds <- finer$report$cpu_seconds + state$report$cpu_seconds
+      finer$levels <- levels_and(state)
       state <- finer
     }
   }
   state$report$accuracy_aimed_at <- usual_accuracy
   state
+}
+
+# The gear on the lattice that its error was found with, from there; NULL where that is no finer or
+# does not settle.
+finer_state <- function(state, netting) {
+  extra <- state$levels$extra()
+  wanted <- min(usual_nodes * extra_ratio, fixed_nodes(state$si, netting))
+  if (is.null(extra) || wanted < least_ratio * state$lattice$nodes) return(NULL)
+  tryCatch(
+    settled_state(state$gear, wanted, netting, extra, settle_iterations),
+    codend_error_not_converged = function(e) NULL
+  )
 }
 
 # An error is known to a tenth at best.

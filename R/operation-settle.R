@@ -34,9 +34,8 @@
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param nodes About how many nodes the lattice should have. `NULL` aims at an error of 1 % in the
-#'   main measures: it begins with 1,500 nodes and, where the error that is told is over 1 %, goes
-#'   on to as many as should give it, 4,000 at most; the state prints what was reached. With `from`
-#'   it is as many as were asked for there.
+#'   main measures: it begins with 1,500 nodes and, where the estimated error is over 1 %, goes on
+#'   to 3,900; the state prints what was reached. With `from` it is as many as were asked for there.
 #' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
@@ -46,9 +45,10 @@
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag, the spreads, heights, areas and volumes that the plan asks for, and the
-#'   volume and surface of a catch, each as a share of the largest of its kind. What 100,000 nodes
-#'   or the plan's own division do not reach is a warning of class `codend_warning_accuracy`. `NULL`
-#'   with `nodes` settles at these and tells the error that is left.
+#'   volume and surface of a catch, each as a share of the largest of its kind; not a drag of less
+#'   than 1 % of the gear's weights in water; of a gear without any of them its forces. What 100,000
+#'   nodes or the plan's own division do not reach is a warning of class `codend_warning_accuracy`.
+#'   `NULL` with `nodes` settles at these and tells the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -68,6 +68,7 @@
 #' summary(state)
 #' @export
 settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = NULL) {
+  check_given("gear")
   if (is.character(gear)) gear <- read_gear(gear)
   aims <- is.null(nodes) && is.null(from) && is.null(accuracy)
   if (is.null(nodes)) nodes <- nodes_of(from)
@@ -112,32 +113,17 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   report$cpu_seconds <- cpu_clock() - started
   if (!report$converged) abort_unsettled(report, found$lattice, found$position)
   state <- new_state(gear, si, found$lattice, found$position, report)
-  state$levels <- state_levels(state, found, from)
+  state$levels <- state_levels(state, found, netting, from)
   state
 }
 
 # Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
-# free board may fall over on few nodes: their coarser level only tells of the error. Where a plan
-# divides netting into few nodes, fewer still are too few to tell: more tell of the error, settled
-# from the shape that is found.
+# free board may fall over on few nodes.
 settle_from_coarse <- function(si, nodes, netting, steps, progress) {
-  fixed <- fixed_nodes(si, netting)
-  few <- length(si$panels) && fixed <= 2 * coarsest_nodes
-  if (length(si$panels) && !few) {
-    coarse <- coarse_shape(si, nodes, netting, progress)
-    return(settle_level(si, nodes, netting, coarse, steps, progress))
-  }
-  found <- settle_level(si, nodes, netting, NULL, steps, progress)
-  found$from <- if (few) {
-    shape <- list(lattice = found$lattice,
-      position = lattice_points(found$lattice, found$position), strain = found$strain)
-    if (found$report$converged) {
-      coarse_shape(si, nodes, netting, progress, shape, fixed * finer_told)
-    }
-  } else {
+  coarse <- if (length(si$panels) && fixed_nodes(si, netting) > 2 * coarsest_nodes) {
     coarse_shape(si, nodes, netting, progress)
   }
-  found
+  settle_level(si, nodes, netting, coarse, steps, progress)
 }
 
 check_settle_arguments <- function(gear, nodes, netting) {
@@ -149,7 +135,7 @@ check_settle_arguments <- function(gear, nodes, netting) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
-    netting %in% c("cells", "bars", "triangles"))) {
+    netting %in% c("cells", "bars"))) {
     abort_argument(
       "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
     )

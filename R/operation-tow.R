@@ -127,6 +127,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
                 vessel_motion = NULL, catch = NULL, breaking = NULL, scheme = NULL,
                 accuracy = NULL, step = NULL,
                 nodes = 1500, netting = NULL, file = NULL) {
+  check_given("gear")
   if (!is.null(file)) {
     check_netcdf()
     check_file_path(file, ".nc")

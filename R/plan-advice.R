@@ -20,10 +20,12 @@ plan_advice <- c(
     "netting within the net cannot be said; as `covers` it has its weight and drag.",
   "dropper|toggle" =
     "a plan cannot say it: the ground gear hangs on the same edge of netting as the footrope.",
-  "danleno|butterfly|dan_leno" = paste(
-    "a plan of this kind cannot say it: `codend expand` gives the assembly, where it is a rope",
-    "that `pushes`, or a piece."
-  ),
+  "danleno|butterfly|dan_leno|delta_?plate|triangle" =
+    "danlenos, butterflies and delta plates are described by `danlenos`: their mass and drag.",
+  "set_?back|settings|adjust" =
+    "what sets a wing end back is described by the `setback` of its bridle.",
+  "(wing|toe|clump)_?(end_?)?(weight|chain|clump)" =
+    "weights at the lower wing ends are described by `wing_end_weights`.",
   "half_?mesh" = "half meshes are written as counts such as 60.5."
 )
 

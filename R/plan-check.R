@@ -102,9 +102,12 @@ check_field <- function(value, node, path) {
 check_quantity <- function(value, node, path) {
   if (length(value) == 1 && (is_text(value) || (is.numeric(value) && !is.na(value)))) {
     si <- quantity_si(value, node[["x-dimension"]])
-    if (is.finite(si) && in_bounds(si, node)) return(si)
+    if (is.finite(si) && in_bounds(si, node)) {
+      check_size(value, si, node[["x-dimension"]], path)
+      return(si)
+    }
   }
-  abort_field(path, value, describe(node))
+  abort_field(path, value, describe(node, value))
 }
 
 check_number <- function(value, node, path) {
@@ -114,7 +117,15 @@ check_number <- function(value, node, path) {
     (node$shape == "number" || value == round(value)) &&
     (is.null(node$const) || value == node$const)
   if (!good) abort_field(path, value, describe(node))
+  check_size(value, as.double(value), "number", path)
   as.double(value)
+}
+
+# No number so large that forces could overflow.
+check_size <- function(value, si, dimension, path) {
+  most <- plan_largest[[dimension]]
+  if (abs(si) > most) abort_field(path, value, paste("at most", format_like(most, dimension,
+    value)))
 }
 
 check_text <- function(value, node, path) {

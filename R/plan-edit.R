@@ -5,6 +5,7 @@
 # reads back as `plan`: the source with the changed fields put in; else with its changed groups
 # written anew; else all of it anew.
 edited_text <- function(source, plan) {
+  plan <- join_uncertain(plan)
   anew <- paste0(c(yaml_lines(plan, 0), ""), collapse = "\n")
   if (is.null(source)) return(anew)
   old <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(source)), "plan"), error = function(e) NULL)

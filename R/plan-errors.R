@@ -61,8 +61,8 @@ show_value <- function(value) {
   paste0("\"", value, "\"")
 }
 
-# What a schema node allows, in words.
-describe <- function(node) {
+# What a schema node allows, in words; bounds of a quantity in the unit of the value that was given.
+describe <- function(node, value = NULL) {
   if (!is.null(node$enum)) return(paste("one of", word_list(node$enum)))
   if (!is.null(node$const)) return(show_const(node$const))
   switch(node$shape,
@@ -70,7 +70,7 @@ describe <- function(node) {
       dimension <- node[["x-dimension"]]
       paste0(
         noun(gsub("_", " ", dimension)),
-        bounds_text(node, function(bound) format_si(bound, dimension)),
+        bounds_text(node, function(bound) format_like(bound, dimension, value)),
         if (dimension != "number") paste0(" (units: ", unit_examples(dimension), ")")
       )
     },
@@ -84,7 +84,7 @@ describe <- function(node) {
       paste(" with fields such as", paste0("`", utils::head(names(node$properties), 4), "`",
         collapse = ", "))
     }),
-    any = paste(unique(vapply(node$choices, describe, "")), collapse = "; or ")
+    any = paste(unique(vapply(node$choices, describe, "", value = value)), collapse = "; or ")
   )
 }
 

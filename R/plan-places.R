@@ -18,7 +18,7 @@ plan_places <- function(text) {
   done <- tryCatch(
     {
       scanner$skip()
-      if (!scanner$ended()) scanner$block(scanner$column(), "")
+      if (!scanner$ended()) scanner$value("", 0L, nests = TRUE)
       scanner$skip()
       scanner$ended()
     },
@@ -35,6 +35,19 @@ unplaced <- function() {
     list(message = "unplaced", call = NULL)))
 }
 
+# What a scanner takes at once, as regular expressions that always fit; each sees the one character
+# before it. A key ends where its colon can be, the line ends or, in { } and [ ], it cannot be one.
+plan_tokens <- list(
+  line_blanks = "(?:[ \\t\\r]|(?<=\\s)#[^\\n]*+)*+",
+  blanks = "(?:\\s|(?<=\\s)#[^\\n]*+|(?<=\\n)---[^\\n]*+|(?<=\\n)\ufeff)*+",
+  quoted = "\"(?:[^\"\\\\]++|\\\\.)*+(?:\"|\\z)|'(?:[^']++|'')*+(?:'|\\z)",
+  key = "[^\\n]*?(?=:(?:\\s|\\z)|\\n|\\z)",
+  flow_key = "[^\\n,\\]}{\\[]*?(?=:(?:[\\s,\\]}{\\[]|\\z)|[\\n,\\]}{\\[]|\\z)",
+  line = "(?:[^\\n#]|(?<!\\s)#)*+",
+  folded_line = "[^\\n]*+",
+  flow_text = "(?:[^,\\]}{\\[:#]|:(?![\\s,\\]}{\\[]|\\z)|(?<!\\s)#)*+"
+)
+
 # A scanner of a text: list of the functions that plan_places() goes by. What has been found before
 # it stops stays found.
 new_scanner <- function(text) {
@@ -43,269 +56,165 @@ new_scanner <- function(text) {
   starts <- c(1L, which(ch == "\n") + 1L)
   at <- 1L
   found <- list()
+  none <- c(NA_integer_, NA_integer_)
   here <- function(k = 0L) if (at + k <= n) ch[at + k] else ""
   ended <- function() at > n
-  column <- function(place = at) place - starts[findInterval(place, starts)] + 1L
-  blank <- function(x) x == " " || x == "\n" || x == "\r" || x == ""
-  comment_here <- function() {
-    here() == "#" && (at == 1L || blank(ch[at - 1L]) || ch[at - 1L] == "\t")
+  column <- function() at - starts[findInterval(at, starts)] + 1L
+  # Past a token; window: how many characters are looked at, as long as it does not fill them.
+  take <- function(token, window = 400L) {
+    to <- min(n, at + window)
+    piece <- paste(c(if (at > 1L) ch[at - 1L] else "\n", if (!ended()) ch[at:to]), collapse = "")
+    fit <- regexpr(paste0("(?s)\\A.\\K(?:", plan_tokens[[token]], ")"), piece, perl = TRUE)
+    length <- attr(fit, "match.length")
+    if (to < n && length > window - 4L) return(take(token, 8L * window))
+    at <<- at + length
   }
-  to_line_end <- function() while (!ended() && ch[at] != "\n") at <<- at + 1L
-  # Past blanks and remarks; within one line where asked.
-  skip <- function(one_line = FALSE) {
-    while (!ended()) {
-      if (comment_here()) {
-        to_line_end()
-      } else if (ch[at] == " " || ch[at] == "\r" || ch[at] == "\t") {
-        at <<- at + 1L
-      } else if (ch[at] == "\n" && !one_line) {
-        at <<- at + 1L
-      } else if (at == 1L && ch[1] == "\ufeff") {
-        at <<- 2L
-      } else if (column() == 1L && here() == "-" && here(1L) == "-" && here(2L) == "-") {
-        to_line_end()
-      } else {
-        break
-      }
-    }
-  }
-  note <- function(path, key, from, to, flow) {
-    found[[length(found) + 1L]] <<- list(path = path, key = key, from = from, to = to, flow = flow)
-  }
-  # Reserves the place of a field before what it holds, so that places keep the order of the text.
-  open <- function(path, key, flow) {
-    note(path, key, NA_integer_, NA_integer_, flow)
-    length(found)
-  }
-  close <- function(k, from, to) {
-    found[[k]]$from <<- from
-    found[[k]]$to <<- to
+  # From a place to before the scanner's, less blanks at its end.
+  range_from <- function(from) {
+    last <- at - 1L
+    while (last >= from && grepl("\\s", ch[last])) last <- last - 1L
+    if (last < from) none else c(from, last)
   }
   quoted <- function() {
-    mark <- here()
-    at <<- at + 1L
-    repeat {
-      if (ended()) unplaced()
-      if (mark == "\"" && here() == "\\") {
-        at <<- at + 2L
-      } else if (here() == mark) {
-        if (mark == "'" && here(1L) == "'") {
-          at <<- at + 2L
-        } else {
-          break
-        }
-      } else {
-        at <<- at + 1L
-      }
-    }
-    at <<- at + 1L
-  }
-  # A key up to its colon; the name it gives.
-  key_text <- function(stops) {
     from <- at
-    if (here() %in% c("\"", "'")) {
+    take("quoted")
+    if (at - from < 2L || ch[at - 1L] != ch[from]) unplaced()
+    c(from, at - 1L)
+  }
+  is_quoted <- function() here() %in% c("\"", "'")
+  is_dash <- function() here() == "-" && grepl("^\\s?$", here(1L))
+  # Past a key and its colon: the name that it gives, or NULL where there is none.
+  key <- function(flow) {
+    from <- at
+    if (is_quoted()) {
       quoted()
       name <- paste(ch[seq(from, at - 1L)], collapse = "")
       name <- tryCatch(yaml::yaml.load(name), error = function(e) name)
-      while (here() == " ") at <<- at + 1L
+      take("line_blanks")
     } else {
-      if (here() %in% c("&", "*", "!", "?", "%", "@", "`")) unplaced()
-      while (!ended() && !(here() == ":" && (blank(here(1L)) || here(1L) %in% stops))) {
-        if (here() == "\n" || here() %in% stops) unplaced()
-        at <<- at + 1L
-      }
-      name <- trimws(paste(ch[seq(from, max(from, at - 1L))], collapse = ""))
+      if (here() %in% c("&", "*", "!", "?", "%", "@", "`")) return(NULL)
+      take(if (flow) "flow_key" else "key")
+      name <- trimws(paste(ch[seq_len(at - from) + from - 1L], collapse = ""))
     }
-    if (here() != ":") unplaced()
+    if (here() != ":") return(NULL)
     at <<- at + 1L
     as.character(name)
   }
-  # Past an anchor before a value; whether there was one.
-  past_anchor <- function() {
-    if (here() != "&") return(FALSE)
-    while (!blank(here())) at <<- at + 1L
-    TRUE
-  }
-  join_step <- function(path, step) join(path, as.character(step))
   # Whether a key of a block map begins here.
-  key_here <- function() {
+  is_key <- function() {
     was <- at
-    held <- tryCatch({
-      key_text(character())
-      TRUE
-    }, codend_unplaced = function(e) FALSE)
-    line <- findInterval(c(was, at), starts)
+    held <- !is.null(tryCatch(key(FALSE), codend_unplaced = function(e) NULL))
+    lines <- findInterval(c(was, at), starts)
     at <<- was
-    held && line[1] == line[2]
+    held && lines[1] == lines[2]
   }
-  flow <- function(path) {
-    if (here() == "{") return(flow_map(path))
-    if (here() == "[") return(flow_list(path))
-    from <- at
-    if (here() %in% c("\"", "'")) {
-      quoted()
-      return(c(from, at - 1L))
-    }
-    if (here() %in% c("&", "!")) unplaced()
-    last <- from - 1L
-    while (!ended() && !here() %in% c(",", "]", "}", "[", "{") && !comment_here() &&
-      !(here() == ":" && (blank(here(1L)) || here(1L) %in% c(",", "}", "]")))) {
-      if (!blank(here())) last <- at
-      at <<- at + 1L
-    }
-    if (here() %in% c(":", "[", "{")) unplaced()
-    if (last < from) c(NA_integer_, NA_integer_) else c(from, last)
+  # Notes a field before what it holds, so that places keep the order of the text. hold(): goes past
+  # what it holds and gives its range.
+  note <- function(path, key, flow, hold) {
+    k <- length(found) + 1L
+    found[[k]] <<- list(path = path, key = key, from = NA_integer_, to = NA_integer_, flow = flow)
+    range <- hold()
+    found[[k]][c("from", "to")] <<- as.list(range)
+    range
   }
-  flow_map <- function(path) {
+  # The value that begins here. above: the column that the further lines of a text lie right of;
+  # nests: whether a block map or list may begin here.
+  value <- function(path, above, nests, flow = FALSE) {
+    if (here() %in% c("{", "[")) return(flow_items(path))
+    if (nests && is_dash()) return(block_items(path, listed = TRUE))
+    if (nests && !here() %in% c("|", ">") && is_key()) return(block_items(path, listed = FALSE))
+    if (is_quoted()) return(quoted())
+    if (here() == "!" || (flow && here() == "&")) unplaced()
     from <- at
-    at <<- at + 1L
-    repeat {
-      skip()
-      if (ended()) unplaced()
-      if (here() == "}") break
-      if (here() == ",") {
-        at <<- at + 1L
-        next
-      }
-      key <- at
-      name <- key_text(c(",", "}", "]", "{", "["))
-      one <- join_step(path, name)
-      k <- open(one, key, TRUE)
-      skip()
-      range <- if (here() %in% c(",", "}")) c(NA_integer_, NA_integer_) else flow(one)
-      close(k, range[1], range[2])
+    if (flow) {
+      take("flow_text")
+      if (here() %in% c(":", "[", "{")) unplaced()
+      return(range_from(from))
     }
-    at <<- at + 1L
-    c(from, at - 1L)
-  }
-  flow_list <- function(path) {
-    from <- at
-    at <<- at + 1L
-    item <- 0L
-    repeat {
-      skip()
-      if (ended()) unplaced()
-      if (here() == "]") break
-      if (here() == ",") {
-        at <<- at + 1L
-        next
-      }
-      item <- item + 1L
-      one <- join_step(path, item)
-      k <- open(one, at, TRUE)
-      range <- flow(one)
-      close(k, range[1], range[2])
-    }
-    at <<- at + 1L
-    c(from, at - 1L)
-  }
-  # A plain or a folded scalar; above: the column that its further lines must lie right of.
-  scalar <- function(above) {
-    from <- at
-    if (here() == "!") unplaced()
     folded <- here() %in% c("|", ">")
-    last <- at
     repeat {
-      while (!ended() && here() != "\n" && !(!folded && comment_here())) {
-        if (!blank(here())) last <- at
-        at <<- at + 1L
-      }
-      if (!folded && comment_here()) break
+      take(if (folded) "folded_line" else "line")
+      range <- range_from(from)
+      if (here() == "#") return(range)
       was <- at
-      while (!ended() && blank(here())) at <<- at + 1L
+      while (grepl("\\s", here())) at <<- at + 1L
       if (ended() || column() <= above || (!folded && here() == "#")) {
         at <<- was
-        break
+        return(range)
       }
     }
-    c(from, last)
   }
-  # The value that begins here at a column; above: that of the map or list that it stands in.
-  block <- function(col, path, above = 0L) {
-    # the column is where the scanner stands now, not where it will
-    force(col)
-    if (here() %in% c("{", "[")) return(flow(path))
-    if (here() == "-" && blank(here(1L))) return(block_list(col, path))
-    if (!here() %in% c("|", ">") && key_here()) return(block_map(col, path))
-    if (here() %in% c("\"", "'")) {
-      from <- at
-      quoted()
-      return(c(from, at - 1L))
-    }
-    scalar(above)
-  }
-  block_map <- function(col, path) {
+  flow_items <- function(path) {
     from <- at
-    to <- at
+    close <- if (here() == "{") "}" else "]"
+    item <- 0L
+    at <<- at + 1L
     repeat {
-      key <- at
-      name <- key_text(character())
-      to <- at - 1L
-      one <- join_step(path, name)
-      k <- open(one, key, FALSE)
-      range <- value(col, one, listed = TRUE)
-      close(k, range[1], range[2])
-      if (!is.na(range[2])) to <- range[2]
-      skip()
-      if (ended() || column() < col) break
-      if (column() > col) unplaced()
+      take("blanks")
+      if (ended()) unplaced()
+      if (here() == close) break
+      if (here() == ",") {
+        at <<- at + 1L
+        next
+      }
+      first <- at
+      item <- item + 1L
+      step <- if (close == "}") key(TRUE) else item
+      if (is.null(step)) unplaced()
+      one <- join(path, as.character(step))
+      note(one, first, TRUE, function() {
+        take("blanks")
+        if (here() %in% c(",", close)) none else value(one, 0L, nests = FALSE, flow = TRUE)
+      })
     }
-    c(from, to)
+    at <<- at + 1L
+    c(from, at - 1L)
   }
-  block_list <- function(col, path) {
+  # listed: a list, by its dashes; else a map.
+  block_items <- function(path, listed) {
     from <- at
-    to <- at
+    column_of <- column()
     item <- 0L
     repeat {
+      first <- at
       item <- item + 1L
-      key <- at
-      at <<- at + 1L
-      one <- join_step(path, item)
-      k <- open(one, key, FALSE)
-      range <- value(col, one, listed = FALSE)
-      close(k, range[1], range[2])
+      if (listed) at <<- at + 1L
+      step <- if (listed) item else key(FALSE)
+      if (is.null(step)) unplaced()
+      to <- at - 1L
+      one <- join(path, as.character(step))
+      range <- note(one, first, FALSE, function() block_value(one, column_of, listed))
       if (!is.na(range[2])) to <- range[2]
-      skip()
-      if (ended() || column() < col || !(here() == "-" && blank(here(1L)))) break
-      if (column() > col) unplaced()
+      take("blanks")
+      if (ended() || column() < column_of || (listed && !is_dash())) return(c(from, to))
+      if (column() > column_of) unplaced()
     }
-    c(from, to)
   }
-  # What follows a key's colon or an item's dash. listed: whether a list may stand at that column.
-  value <- function(col, path, listed) {
-    skip(one_line = TRUE)
-    if (past_anchor()) skip(one_line = TRUE)
-    on_line <- !ended() && here() != "\n"
-    if (on_line) {
-      if (!listed) return(block(column(), path, col))
-      if (here() %in% c("{", "[")) return(flow(path))
-      if (here() %in% c("\"", "'")) {
-        from <- at
-        quoted()
-        return(c(from, at - 1L))
-      }
-      return(scalar(col))
+  # What follows a key's colon or an item's dash at a column, on its line or below.
+  block_value <- function(path, above, listed) {
+    take("line_blanks")
+    if (here() == "&") {
+      while (!grepl("^\\s?$", here())) at <<- at + 1L
+      take("line_blanks")
     }
+    if (!here() %in% c("", "\n")) return(value(path, above, nests = listed))
     was <- at
-    skip()
-    inside <- !ended() && (column() > col ||
-      (listed && column() == col && here() == "-" && blank(here(1L))))
-    if (!inside) {
-      at <<- was
-      return(c(NA_integer_, NA_integer_))
-    }
-    block(column(), path, col)
+    take("blanks")
+    inside <- !ended() && (column() > above || (!listed && column() == above && is_dash()))
+    if (inside) return(value(path, above, nests = TRUE))
+    at <<- was
+    none
   }
   places <- function() {
     pick <- function(field, as) vapply(found, `[[`, as, field)
-    key <- as.integer(pick("key", 0L))
+    key <- pick("key", 0L)
     line <- findInterval(key, starts)
     list(
       path = pick("path", ""), key = key, from = pick("from", 0L), to = pick("to", 0L),
       flow = pick("flow", NA), line = line, column = key - starts[line] + 1L
     )
   }
-  list(skip = skip, ended = ended, column = column, block = block, places = places)
+  list(skip = function() take("blanks"), ended = ended, value = value, places = places)
 }
 
 # Line and column of the field at a path, of the nearest one around it where it is missing; NULL

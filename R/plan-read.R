@@ -4,7 +4,8 @@
 plan_bytes_limit <- 2 * 1024^2
 plan_depth_limit <- 20
 plan_values_limit <- 5e4
-plan_marks_limit <- 2e4
+# a plan of a hundred panels has two thousand
+plan_marks_limit <- 5e3
 
 # The tree of a YAML plan file.
 read_plan <- function(file) plan_of_bytes(plan_bytes(file), file)
@@ -66,6 +67,7 @@ plan_text_of <- function(bytes, file) {
   }
   check_marks(bytes, text, file)
   check_one_document(text, file)
+  check_no_merge(text, file)
   sub("^\ufeff", "", text)
 }
 
@@ -103,6 +105,22 @@ check_one_document <- function(text, file) {
       sprintf("Plan file \"%s\" holds several YAML documents; a plan is one.", file), NULL
     )
   }
+}
+
+# A merge key, `<<`, or its tag: which of two values then counts depends on their order.
+check_no_merge <- function(text, file) {
+  lines <- strsplit(text, "\r\n|\r|\n", perl = TRUE)[[1]]
+  # without remarks and quoted texts
+  bare <- gsub("(^|[[:space:]])#.*$|\"[^\"]*\"|'[^']*'", "", lines)
+  merges <- grep("(^|[[:space:]{,?\\[-])<<[[:space:]]*(:|$)|![^[:space:]]*merge", bare)
+  if (!length(merges)) return(invisible())
+  abort_plan(
+    sprintf(
+      "Plan file \"%s\", line %d, has a merge key `<<`; %s.", file, merges[1],
+      "a plan must give each of its fields itself"
+    ),
+    NULL, line = merges[1]
+  )
 }
 
 # Stops with what is wrong in a file that YAML cannot read, its line and its column.

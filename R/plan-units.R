@@ -42,6 +42,13 @@ plan_units <- list(
   number = c("%" = 0.01, percent = 0.01)
 )
 
+# The largest quantity that a plan may hold, SI: far beyond any gear, so that no force overflows.
+plan_largest <- c(
+  length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e12, speed = 1e12, density = 1e6,
+  mass_per_length = 1e9, bending_stiffness = 1e15, viscosity = 1e3, power = 1e12,
+  consumption = 1, stress = 1e15, angle = 1e3, time = 1e10, number = 1e12
+)
+
 quantity_pattern <- paste0(
   "^[[:space:]]*([-+]?(?:[0-9]+[.]?[0-9]*|[.][0-9]+)(?:[eE][-+]?[0-9]+)?)",
   "[[:space:]]*([^[:space:]0-9].*?)?[[:space:]]*$"
@@ -90,4 +97,12 @@ quantity_dimension <- function(text) {
 format_si <- function(value, dimension) {
   unit <- if (dimension == "number") "" else paste0(" ", names(plan_units[[dimension]])[1])
   paste0(with_plain_numbers(format(value, digits = 6, trim = TRUE)), unit)
+}
+
+# A bound (SI) in the unit of a value that was given, or in SI where it has none.
+format_like <- function(bound, dimension, value) {
+  unit <- if (is_text(value)) plain_unit(first_of(split_quantity(value)[2L], ""))
+  factor <- if (length(unit) && nzchar(unit)) plan_units[[dimension]][unit]
+  if (is.null(factor) || is.na(factor)) return(format_si(bound, dimension))
+  paste(with_plain_numbers(format(bound / factor[[1L]], digits = 6, trim = TRUE)), unit)
 }

@@ -13,6 +13,7 @@
 #' write_gear(read_gear("towed_cable"), file)
 #' cat(readLines(file), sep = "\n")
 write_gear <- function(gear, file) {
+  check_given("gear", "file")
   check_is_gear(gear)
   check_file_path(file)
   write_text(format(gear, remarks = TRUE), file)

@@ -57,6 +57,25 @@ slope_columns <- function(slopes) {
   )
 }
 
+uncertainty_columns <- function(uncertainty) {
+  table <- uncertainty$measures
+  table <- table[table$uncertainty > 0, ]
+  interval <- trimws(paste(figures(table$low), "to", figures(table$high)))
+  groups <- c("coefficients", "plan", "conditions", "lattice", "model")
+  columns <- lapply(table[c("uncertainty", groups)], function(x) {
+    ifelse(x > 0, two_figures(x), "")
+  })
+  c(
+    list(` measure` = words_of(table$measure, table$unit), value = figures(table$value),
+      ` unit` = table$unit),
+    setNames(list(interval), sprintf("%g %%", 100 * uncertainty$level)),
+    setNames(columns, c("standard uncertainty", "from coefficients", groups[-1L]))
+  )
+}
+
+# Two figures each.
+two_figures <- function(x) vapply(signif(x, 2), format, "", scientific = FALSE)
+
 finding_columns <- function(found) {
   list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
 }
@@ -99,8 +118,8 @@ netting_columns <- function(netting, slack) {
   list(
     ` part` = names(groups),
     `mean N` = figures(vapply(groups, function(g) from_unit(mean(g$mean_kN), "kN"), 0)),
-    `1 % above N` = single_numbers(
-      vapply(groups, function(g) from_unit(max(g$exceeded_by_1_percent_kN), "kN"), 0)
+    `most loaded N` = single_numbers(
+      vapply(groups, function(g) from_unit(max(g$most_loaded_kN), "kN"), 0)
     ),
     `slack %` = one_decimal(share)
   )

@@ -19,21 +19,30 @@
 #' @param file The HTML file to write. It is written whole or not at all.
 #' @param slopes What more of each field would do: slopes of the state's measures, from
 #'   [sensitivities()], as a table beside the measures; `NULL` for none.
+#' @param uncertainty How far the measures may be from the truth, from [uncertainty()], as a table
+#'   after the measures; `NULL` for none.
 #' @return `file`, invisibly. See [codend-conditions] for errors.
-#' @seealso [view()] for the three dimensions alone, [summary()][summary.codend_state] for the
+#' @seealso [view_3d()] for the three dimensions alone, [summary()][summary.codend_state] for the
 #'   numbers.
 #' @examples
 #' file <- tempfile(fileext = ".html")
 #' report(settle("towed_cable"), file)
 #' @export
-report <- function(state, file, slopes = NULL) {
+report <- function(state, file, slopes = NULL, uncertainty = NULL) {
+  check_given("state", "file")
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_file_path(file, ".html")
   if (!is.null(slopes) && (moves || !inherits(slopes, "codend_sensitivities"))) {
     abort_argument("{.arg slopes} must be what {.fn sensitivities} returns, of a settled state.")
   }
-  body <- with_plain_numbers(if (moves) trajectory_report(state) else state_report(state, slopes))
+  if (!is.null(uncertainty) && moves) {
+    abort_argument("{.arg uncertainty} is of a settled state, not of a tow.")
+  }
+  check_is_uncertainty(uncertainty)
+  body <- with_plain_numbers(if (moves) trajectory_report(state) else {
+    state_report(state, slopes, uncertainty)
+  })
   write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
       style = view_file("report.css"), script = view_file("report.js"))
@@ -43,7 +52,7 @@ report <- function(state, file, slopes = NULL) {
 
 tag <- htmltools::tags
 
-state_report <- function(state, slopes = NULL) {
+state_report <- function(state, slopes = NULL, uncertainty = NULL) {
   said <- summary(state)
   tag$main(
     report_header(state, paste0(said$conditions, ".")),
@@ -53,6 +62,7 @@ state_report <- function(state, slopes = NULL) {
     },
     report_section("Measures", report_table(measures_columns(said$measures),
       "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
+    uncertainty_section(uncertainty),
     slope_section(slopes),
     finding_section(said$findings),
     conditions_section(state),
@@ -182,6 +192,14 @@ slope_section <- function(slopes) {
   report_section("What more would do", report_table(slope_columns(slopes), "Changes of measures by
     10 % more of a field, or ten more of what is counted, as far as the slope at this state holds.
     In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
+}
+
+uncertainty_section <- function(uncertainty) {
+  if (is.null(uncertainty)) return(NULL)
+  report_section("How sure these numbers are", report_table(uncertainty_columns(uncertainty),
+    "Intervals that hold the truth with the probability in their head, and standard uncertainties by
+    where they come from: coefficients of force, numbers of the plan, conditions, the
+    discretisation (lattice), and what no number of the plan covers (model)."))
 }
 
 plan_section <- function(gear) {

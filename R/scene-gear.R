@@ -31,15 +31,20 @@ scene_shape <- function(state, limit = scene_limit, meshes = TRUE) {
 # Hydrodynamic force along the flow over length (of ropes, N/m) or over the area of taut netting at
 # its mesh size squared (N/m2) of every part; 0 of others.
 part_drag_over_size <- function(state) {
-  si <- state$si
-  parts <- state$lattice$parts
-  size <- numeric(nrow(parts))
+  size <- part_sizes(state$si, state$lattice)
+  drag <- drop(flow_axes(state$si)[, "flow"] %*% part_drag(state))
+  ifelse(size > 0, pmax(drag, 0) / pmax(size, 1e-9), 0)
+}
+
+# Length (m) of ropes and area (m2) of taut netting at its mesh size squared, of every part; 0 of
+# others.
+part_sizes <- function(si, lattice) {
+  size <- numeric(nrow(lattice$parts))
   size[seq_along(si$ropes)] <- vapply(si$ropes, `[[`, 0, "length")
   size[length(si$ropes) + seq_along(si$panels)] <- vapply(si$panels, function(panel) {
     panel_bars(panel) * (panel$mesh_size / 2)^2
   }, 0)
-  drag <- drop(flow_axes(si)[, "flow"] %*% part_drag(state))
-  ifelse(size > 0, pmax(drag, 0) / pmax(size, 1e-9), 0)
+  size
 }
 
 # What joins the points of a shape, and what its parts and marks are.

@@ -1,5 +1,5 @@
 # A state as what a picture shows: straight lines with tensions, and marks where pieces and supports
-# sit. Both plot() and view() draw from here.
+# sit. Both plot() and view_3d() draw from here.
 
 # At most about as many lines of netting, or of ropes, as a page or a screen can show.
 drawn_lines <- 20000L
@@ -129,6 +129,14 @@ panel_cell_lines <- function(state, points, name, part, block) {
 # Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's
 # bound them, u, v = mean tension (N) of the lattice's cells inside, across first).
 panel_blocks <- function(state, name, part, block) {
+  of <- block_cells(state, name, part, block)
+  mean <- function(tension) weighted_means(tension[of$cell], of$weight, of$block, of$count)
+  c(of[c("columns", "rows")], list(u = mean(state$u_tension), v = mean(state$v_tension)))
+}
+
+# The cells in these blocks: list(columns, rows, count = blocks, cell = numbers of cells, block = the
+# block of each, weight = its bars).
+block_cells <- function(state, name, part, block) {
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L
   mine <- which(state$lattice$cell_part == part)
@@ -136,10 +144,11 @@ panel_blocks <- function(state, name, part, block) {
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L
   deep <- length(rows) - 1L
-  group <- cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L
-  weight <- cell_bars(state$lattice$engine$cells, mine)
-  mean <- function(tension) weighted_means(tension[mine], weight, group, across * deep)
-  list(columns = columns, rows = rows, u = mean(state$u_tension), v = mean(state$v_tension))
+  list(
+    columns = columns, rows = rows, count = across * deep, cell = mine,
+    block = cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L,
+    weight = cell_bars(state$lattice$engine$cells, mine)
+  )
 }
 
 block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))

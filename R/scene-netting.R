@@ -4,7 +4,7 @@
 
 # limit: of cells and points of clouds together.
 # Returns list(panels = a list of list(part, columns, rows (0 of a cloud), point = numbers of the
-# state's points, mesh = twine coordinates u and v of each (see cell_elements())), u, v = mean
+# state's points, mesh = twine coordinates u and v of each (see netting.hpp)), u, v = mean
 # tension (N) of the twines along u and v, of every cell of grids (across first) and every point of
 # clouds (NA where no twine of the family ends), panel after panel, at = the corners of those places
 # (4 x places; of a point four times itself), panel = their panel's number).

@@ -4,10 +4,6 @@
 # How many times as many nodes the next finer level has, and how many the coarsest.
 level_ratio <- 7
 coarsest_nodes <- 250
-# How many times as many nodes tell of the error of a gear of few. (Of a T90 codend of 401 nodes
-# half as many tell 10 % in drag and 4 in volume, twice as many 5 and 6, these 2 and 7; true are 0.8
-# and 4.)
-finer_told <- 2.5
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
 # The same from a state, beside which to settle anew takes about as many.
@@ -57,10 +53,8 @@ fixed_nodes <- function(si, netting) {
   }
   own <- Filter(function(rope) is.null(rope$along) && !length(rope$through), si$ropes)
   if (open(own, "segments") || open(si$panels, "columns", "rows")) return(Inf)
-  bars <- panels_of_bars(si, netting)
-  frame <- division_frame(gear_chains(si), linked = !bars)
-  of <- resolution_table(si, panel_table(si$panels), frame$pieces, bars)
-  if (is_divided(of)) count_nodes(of, element_length(of, 1)) else Inf
+  count <- engine_node_counts(gear_numbers(si, netting), 1)
+  if (count$divided) sum(count$nodes) else Inf
 }
 
 # A gear whose plan says nothing of how finely it is divided. Poles keep their segments: divided
@@ -170,11 +164,9 @@ shape_for <- function(si, from) {
     rope$length <- old$length
     rope
   }, si$ropes, from$si$ropes)
-  chains <- gear_chains(si)
-  panels <- panel_table(si$panels)
-  frame <- division_frame(chains, linked = rep(TRUE, length(si$panels)))
-  moved <- lay_out(si, shape$lattice, panels, chains, frame) -
-    lay_out(before, shape$lattice, panels, chains, frame)
+  map <- part_map(si, shape$lattice)
+  first_shape <- function(si) matrix(engine_first_shape(gear_numbers(si), map), 3L)
+  moved <- first_shape(si) - first_shape(before)
   shape$position <- shape$position + lattice_points(shape$lattice, moved)
   shape
 }

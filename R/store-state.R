@@ -36,6 +36,7 @@
 #' faster <- update(read_gear("towed_cable"), towing.speed = "5 knot")
 #' settle(faster, from = read_state(file))
 write_state <- function(state, file) {
+  check_given("state", "file")
   check_is_state(state)
   check_netcdf()
   check_file_path(file, ".nc")
@@ -69,6 +70,7 @@ write_state <- function(state, file) {
 #' @rdname write_state
 #' @export
 read_state <- function(file) {
+  check_given("file")
   nc <- open_kept(file, "state", state_file_version)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)

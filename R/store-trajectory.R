@@ -42,6 +42,7 @@
 #' tow(read_trajectory(file), until = 40)
 #' @export
 write_trajectory <- function(trajectory, file) {
+  check_given("trajectory", "file")
   check_is_trajectory(trajectory)
   check_netcdf()
   check_file_path(file, ".nc")
@@ -55,6 +56,7 @@ write_trajectory <- function(trajectory, file) {
 #' @rdname write_trajectory
 #' @export
 read_trajectory <- function(file) {
+  check_given("file")
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
@@ -148,7 +150,7 @@ define_trajectory <- function(nc, what, frame) {
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), cell = length(frame$u_tension),
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
-    catch = length(frame$catch_front), energy = length(energy_parts),
+    catch = length(frame$catch_front), energy = length(engine_energy_parts()),
     part = length(names), growing_part = length(frame$done$length),
     rupture = length(frame$done$broken), anchor = length(frame$done$anchor),
     component = 3L * engine$nodes,
@@ -183,7 +185,7 @@ define_trajectory <- function(nc, what, frame) {
   }
   text("time", "axis", "T")
   text("z", "positive", "up")
-  text("energy", "energy_parts", paste(energy_parts, collapse = " "))
+  text("energy", "energy_parts", paste(engine_energy_parts(), collapse = " "))
   text("end", "flag_meanings", paste(file_ends, collapse = " "))
   RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
   text("NC_GLOBAL", "Conventions", "CF-1.10")

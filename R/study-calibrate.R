@@ -19,8 +19,11 @@
 #' @param data A data frame with a row per haul or run. Columns that are named by the path of a
 #'   field (`towing.speed`, `warps.length`, `seabed.depth`) set it, as
 #'   [update()][update.codend_gear] does: numbers in SI, or texts with a unit.
-#' @param change The fields that may change, with ranges, [between()] or [normal()], as in
-#'   [optimise()]; a normal distribution is a prior as well.
+#' @param change The fields that may change, with ranges, [value_range()] or [normal_value()], as in
+#'   [optimise_gear()]; a normal distribution is a prior as well. Paths alone, as in
+#'   `c("multipliers.board_lift", "bridles.upper.length")`, begin from what [uncertainty()] knows of
+#'   them: multipliers from the posterior of the validation book, others from the plan or the table
+#'   of kinds. They are a character vector, or items of the list without a name.
 #' @param match What is measured: a formula or a list of formulas, columns at the left and measures
 #'   at the right: `list(DoorSpread ~ door_spread, (Port + Starboard) / 2 ~ warp_tension_kN)`. A
 #'   measure without the unit in its name is in SI, and so is the column. Rows with `NA` there are
@@ -45,7 +48,8 @@
 #'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken.
 #'
 #'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,
-#'   `summary()` and `plot()` know it; see [calibration_methods], [posterior()] and [explain()].
+#'   `summary()` and `plot()` know it; see [calibration_methods], [sample_posterior()] and
+#'   [explain_misfit()].
 #'   Wrong arguments are an error of class `codend_error_argument`, a wrong value of a field in the
 #'   data one of class `codend_error_plan`; rows that do not settle are left out with a warning of
 #'   class `codend_warning_hauls_left_out`.
@@ -62,6 +66,7 @@
 #' fit
 #' confint(fit, level = 0.9)
 calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, netting = NULL) {
+  check_given("gear", "data", "change")
   task <- new_calibration(gear, data, change, match, error, nodes, netting)
   fit <- fit_fields(task, points_scaled(task$points, own_values(task$points$fields)))
   finish_calibration(task, fit)
@@ -76,6 +81,7 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
     abort_argument("{.arg data} must be a data frame with a row per haul.")
   }
   data <- as.data.frame(data)
+  change <- change_with_priors(gear, change)
   points <- new_points(gear, free_fields(gear, change), nodes, netting)
   set <- condition_columns(gear, data, points$fields)
   cases <- new_cases(points, data, set)

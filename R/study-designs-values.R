@@ -3,7 +3,7 @@
 #' What a field of a plan may be in a study, in the plan's words and units, for [designs()].
 #'
 #' @param low,high Ends of the range: texts with a unit, such as `"3 knot"`, or numbers in SI. Of
-#'   `normal()`: what is cut off, so that all of the distribution lies between them.
+#'   `normal_value()`: what is cut off, so that all of the distribution lies between them.
 #' @param mean,sd Mean and standard deviation of a normal distribution (of what it is cut from), in
 #'   units of one dimension.
 #' @param log Whether equal ratios are equally likely, not equal differences.
@@ -12,14 +12,15 @@
 #'   `codend_error_argument`.
 #' @name codend_distributions
 #' @examples
-#' between("3 knot", "5 knot")
-#' between(40, 120, whole = TRUE)
-#' normal("600 m", "20 m", low = "550 m")
+#' value_range("3 knot", "5 knot")
+#' value_range(40, 120, whole = TRUE)
+#' normal_value("600 m", "20 m", low = "550 m")
 NULL
 
 #' @rdname codend_distributions
 #' @export
-between <- function(low, high, log = FALSE, whole = FALSE) {
+value_range <- function(low, high, log = FALSE, whole = FALSE) {
+  check_given("low", "high")
   ends <- alike_numbers(list(low = low, high = high))
   if (ends$value[1L] >= ends$value[2L]) {
     abort_argument("{.arg low} is {.val {low}} and {.arg high} is {.val {high}}; the first must be
@@ -35,7 +36,8 @@ between <- function(low, high, log = FALSE, whole = FALSE) {
 
 #' @rdname codend_distributions
 #' @export
-normal <- function(mean, sd, low = NULL, high = NULL, whole = FALSE) {
+normal_value <- function(mean, sd, low = NULL, high = NULL, whole = FALSE) {
+  check_given("mean", "sd")
   given <- Filter(Negate(is.null), list(mean = mean, sd = sd, low = low, high = high))
   numbers <- alike_numbers(given)
   value <- setNames(numbers$value, names(given))

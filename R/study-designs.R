@@ -28,7 +28,7 @@
 #'
 #' @param ... Fields by their path in the plan, as in [update()][update.codend_gear]: values, such
 #'   as `c("500 m", "600 m")`, which are equally likely where they are drawn, or a distribution,
-#'   such as [between()]`("3 knot", "5 knot")`. Columns of a data frame without a name change
+#'   such as [value_range()]`("3 knot", "5 knot")`. Columns of a data frame without a name change
 #'   together. A table of one's own is one such data frame, or the path of a CSV file.
 #' @param how How designs are chosen, see below. `NULL` is `"table"` for one data frame or file,
 #'   `"grid"` where all is values and `"sobol"` where there is a distribution.
@@ -42,13 +42,13 @@
 #'   A. B. Owen (1995), in Monte Carlo and Quasi-Monte Carlo Methods in Scientific Computing, 299.
 #'   M. D. McKay, R. J. Beckman, W. J. Conover (1979), Technometrics 21:239. A. Saltelli et al.
 #'   (2010), Computer Physics Communications 181:259.
-#' @seealso [vary()], [between()] and [normal()].
+#' @seealso [vary()], [value_range()] and [normal_value()].
 #' @export
 #' @examples
 #' designs(towing.speed = c("3 knot", "4 knot"), ropes.cable.length = c("500 m", "700 m"))
 #' if (requireNamespace("spacefillr", quietly = TRUE)) {
-#'   designs(towing.speed = between("3 knot", "5 knot"),
-#'     ropes.cable.length = normal("600 m", "20 m"), how = "sobol", number = 8)
+#'   designs(towing.speed = value_range("3 knot", "5 knot"),
+#'     ropes.cable.length = normal_value("600 m", "20 m"), how = "sobol", number = 8)
 #' }
 designs <- function(..., how = NULL, number = NULL, seed = 1) {
   given <- list(...)
@@ -157,7 +157,7 @@ design_axis <- function(values, path) {
     if (is_distribution(values)) return(setNames(list(values), path))
     if (is.list(values) || !is.atomic(values)) {
       abort_argument("{.arg {path}} must be a vector of numbers or texts, or a distribution such as
-        {.code between(\"3 knot\", \"5 knot\")}.")
+        {.code value_range(\"3 knot\", \"5 knot\")}.")
     }
     values <- setNames(data.frame(values), path)
     if (anyNA(values)) values <- values[0L, , drop = FALSE]

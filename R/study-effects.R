@@ -51,6 +51,7 @@ NULL
 #' @rdname study_effects
 #' @export
 main_effects <- function(x, measures = NULL, groups = 5) {
+  check_given("x")
   study <- effects_study(x, measures, groups)
   rows <- lapply(study$measures, function(name) {
     do.call(rbind, lapply(study$fields, function(field) {
@@ -71,6 +72,7 @@ main_effects <- function(x, measures = NULL, groups = 5) {
 #' @rdname study_effects
 #' @export
 pair_effects <- function(x, measures = NULL, groups = 5) {
+  check_given("x")
   study <- effects_study(x, measures, groups)
   if (length(study$fields) < 2L) abort_argument("{.arg x} must have two fields that change.")
   pairs <- utils::combn(study$fields, 2L, simplify = FALSE)
@@ -126,6 +128,7 @@ group_values <- function(study, field) {
 #' @rdname study_effects
 #' @export
 sobol_indices <- function(x, measures = NULL, confidence = 0.9, resamples = 1000, seed = 1) {
+  check_given("x")
   study <- attr(x, "study")
   if (!identical(study$how, "indices")) {
     abort_argument("{.arg x} must be of {.code designs(how = \"indices\")}.")
@@ -236,9 +239,10 @@ summary.codend_variations <- function(object, ...) {
       value <- object[[name]]
       c(
         least = min(value, na.rm = TRUE), median = stats::median(value, na.rm = TRUE),
-        largest = max(value, na.rm = TRUE)
+        largest = max(value, na.rm = TRUE),
+        error = stats::median(as.double(object[[error_columns(name)]]), na.rm = TRUE)
       )
-    }, numeric(3))), row.names = NULL
+    }, numeric(4))), row.names = NULL
   )
   problems <- sort(table(object$problem), decreasing = TRUE)
   structure(
@@ -256,9 +260,10 @@ summary.codend_variations <- function(object, ...) {
 print.codend_study_summary <- function(x, ...) {
   cat(x$designs, " designs of \"", x$name, "\": ", x$done, " done, ", x$settled, " settled, ",
     x$warned, " with a warning\n", sep = "")
-  cells <- lapply(x$measures[c("least", "median", "largest")], figures)
+  columns <- c("least", "median", "largest", "error")
+  cells <- lapply(x$measures[columns], figures)
   lines <- align_columns(c(list(c("", words_of(x$measures$measure, x$measures$unit))),
-    Map(c, c("least", "median", "largest"), cells), list(c("", x$measures$unit))), left = c(1L, 5L))
+    Map(c, columns, cells), list(c("", x$measures$unit))), left = c(1L, 6L))
   cat(paste0(lines, "\n"), sep = "")
   if (nrow(x$problems)) {
     cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")

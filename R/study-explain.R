@@ -35,8 +35,9 @@
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
 #' fit <- calibrate("towed_cable", runs,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
-#' explain(fit, to = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
-explain <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
+#' explain_misfit(fit, to = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
+explain_misfit <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
+  check_given("fit")
   if (!inherits(fit, "codend_calibration")) {
     abort_argument("{.arg fit} must be a calibration, as {.fn calibrate} returns, not
       {.cls {class(fit)}}.")

@@ -1,4 +1,4 @@
-# Formulas of measures: what is minimised and kept by optimise(), and matched by calibrate(). A
+# Formulas of measures: what is minimised and kept by optimise_gear(), and matched by calibrate(). A
 # measure is named as measures() has it, and is then a number in the unit that its name ends in, or
 # without that unit, and is then SI as texts with units are: `~ headline_height >= "5 m"`. Fields
 # that may change stand by their paths, in the plan's unit of SI.
@@ -37,6 +37,7 @@ read_formula <- function(given, what, words, paths = character()) {
 
 # within: where values stand that are named and are neither measures nor fields.
 ready_expression <- function(call, what, words, paths, within = NULL) {
+  call <- with_bounds(call, words, what, within)
   call <- walk_call(call, function(leaf) {
     name <- if (is.name(leaf)) as.character(leaf) else return(leaf)
     if (name %in% c(words$name, paths) || is.null(within)) return(leaf)
@@ -161,4 +162,42 @@ evaluate_formula <- function(formula, at) {
     Reduce(`+`, parts, numeric(ncol(at$slopes)))
   }
   list(value = value, slope = slope)
+}
+
+# lower(measure, probability) and upper() in a formula: the measure times 1 less, or more, its
+# relative standard uncertainty times the quantile. words$share: of every measure, where bounds are
+# known.
+with_bounds <- function(call, words, what, within = NULL) {
+  if (!is.call(call)) return(call)
+  head <- call[[1L]]
+  if (!(is.name(head) && as.character(head) %in% c("lower", "upper"))) {
+    call[-1L] <- lapply(as.list(call)[-1L], with_bounds, words, what, within)
+    return(call)
+  }
+  text <- paste(deparse(call), collapse = " ")
+  level <- 0.9
+  if (length(call) > 2L) level <- tryCatch(eval(call[[3L]], within), error = function(e) NULL)
+  name <- if (length(call) > 1L && is.name(call[[2L]])) as.character(call[[2L]])
+  row <- if (!is.null(name)) match(name, words$name)
+  good <- length(call) <= 3L && isTRUE(!is.na(row)) && is.numeric(level) && length(level) == 1L &&
+    isTRUE(level > 0.5 && level < 1)
+  if (!good) {
+    abort_argument("{.arg {what}} has {.code {text}}; it must be a measure of this gear and a
+      probability above 0.5, such as {.code lower(net_mouth_height, 0.9)}.")
+  }
+  if (is.null(words$share)) {
+    abort_argument("{.arg {what}} has {.code {text}}; bounds are for what
+      {.fn optimise_gear} keeps.")
+  }
+  reach <- stats::qt(level, pmax(1, words$freedom[row])) * words$share[row]
+  sign <- if (identical(as.character(head), "lower")) -1 else 1
+  call("*", call[[2L]], 1 + sign * reach)
+}
+
+# Whether a formula has bounds.
+has_bounds <- function(keep) {
+  formulas <- if (inherits(keep, "formula")) list(keep) else keep
+  any(vapply(formulas, function(one) {
+    inherits(one, "formula") && any(c("lower", "upper") %in% all.names(one))
+  }, NA))
 }

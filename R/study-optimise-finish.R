@@ -1,12 +1,8 @@
 # From searches to the optimum that is returned: whole numbers, the last check, the tables.
 
 finish_optimum <- function(task, runs) {
-  kept <- Filter(function(run) !is.null(run$best), runs)
-  if (!length(kept)) {
-    abort_not_converged("No gear of the search settles.", report = NULL)
-  }
-  best <- kept[[1L]]
-  for (run in kept[-1L]) if (is_better(run$best$values, best$best$values)) best <- run
+  best <- best_run(runs)
+  if (is.null(best)) abort_not_converged("No gear of the search settles.", report = NULL)
   ended <- best$ended
   whole <- which(whole_fields(task$points$fields))
   if (length(whole)) best <- round_optimum(task, best, whole)
@@ -59,13 +55,27 @@ round_optimum <- function(task, run, whole) {
     found$held <- whole
     found
   })
-  runs <- Filter(function(one) !is.null(one$best), runs)
-  if (!length(runs)) {
+  best <- best_run(runs)
+  if (is.null(best)) {
     abort_not_converged("No gear with whole numbers beside the optimum settles.", report = NULL)
   }
-  best <- runs[[1L]]
-  for (one in runs[-1L]) if (is_better(one$best$values, best$best$values)) best <- one
   best
+}
+
+# Share of the aim by which rounding may make an end worse than its start.
+worse_share <- 1e-6
+
+# Stops where the gear as it was keeps the conditions and is better than what was found.
+check_not_worse <- function(task, tried) {
+  if (is.null(tried)) return(invisible())
+  begun <- task_values(task, task$base)
+  if (begun$worst > keep_tolerance || tried$values$worst > keep_tolerance) return(invisible())
+  if (tried$values$scaled <= begun$scaled + worse_share) return(invisible())
+  abort_not_converged(
+    c("The search ended with a gear that is worse than the one it began with:
+      {.code {task$aim$text}} is {signif(tried$values$aim, 4)}, and was {signif(begun$aim, 4)}.",
+      "i" = "More {.arg starts} or a larger {.arg most} may help."), report = NULL
+  )
 }
 
 # Measures of the aim and the conditions that are not smooth at the optimum by a field.

@@ -20,7 +20,7 @@ print.codend_optimum <- function(x, ...) {
         paste0(", at its limit; ", slope_figures(keep$price), " % of the aim per % of it")
       }, "\n", sep = "")
   }
-  cat("  ", if (x$optimal) "optimal" else "not optimal", ": ",
+  cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
     if (!all(x$keep$holds)) "not all conditions are kept, and ", "slopes leave ",
     slope_figures(100 * x$optimality), " % of the aim per range of a field",
     if (!x$smooth) "; kinks near, see `kinks`", "\n", sep = "")

@@ -27,12 +27,20 @@
 #' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
 #'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
 #'   text with a unit beside measures named without theirs, or a variable that holds either.
+#'   `~ lower(net_mouth_height, 0.9) >= "4 m"` keeps what holds with a probability of 90 %, and
+#'   `upper()` likewise: the measure less, or more, its standard uncertainty times Student's t. It
+#'   is found once, by [uncertainty()] of the gear as it is, and taken as the same share of the
+#'   measure in every design.
 #' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
-#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [between()] them.
+#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [value_range()]
+#'   them.
 #'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
 #'   value lies within.
 #' @param nodes,netting As in [settle()].
 #' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
+#'   `NULL` begins from the gear's own and, where that search ends at a kink, from two others. From
+#'   the best end at a kink a search without slopes, over both sides of every field (COBYLA of
+#'   NLopt, Powell 1994), goes on.
 #' @param most Settled gears at most, for each start.
 #' @return An object of class `codend_optimum`, a list of
 #'
@@ -59,23 +67,85 @@
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' # The cable that holds its sphere 450 m deep with the least drag by speed
-#' found <- optimise("towed_cable",
+#' found <- optimise_gear("towed_cable",
 #'   minimise = ~ total_drag / towing.speed,
 #'   keep = ~ body_depth >= "450 m",
 #'   change = list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot"))
 #' )
 #' found
-optimise <- function(gear, minimise, keep = NULL, change, nodes = 1500, netting = NULL, starts = 1,
-                     most = 200) {
+optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = 1500, netting = NULL,
+                          starts = NULL, most = 200) {
+  check_given("gear", "minimise", "change")
   task <- new_task(gear, minimise, keep, change, nodes, netting)
-  check_count("starts", starts)
+  if (!is.null(starts)) check_count("starts", starts)
   check_count("most", most)
-  places <- spread_points(starts - 1, length(task$points$fields))
-  runs <- lapply(seq_len(starts), function(k) {
-    if (k == 1L) return(find_optimum(task, task$first, most))
-    find_optimum(task, places[k - 1L, ], most)
-  })
+  dimensions <- length(task$points$fields)
+  places <- rbind(task$first, spread_points(max(starts, kinked_starts) - 1, dimensions))
+  runs <- lapply(seq_len(max(starts, 1)), function(k) find_optimum(task, places[k, ], most))
+  if (is_kinked(task, runs)) {
+    if (is.null(starts)) {
+      others <- seq_len(kinked_starts)[-1L]
+      runs <- c(runs, lapply(others, function(k) find_optimum(task, places[k, ], most)))
+    }
+    runs <- leave_kink(task, runs, most)
+  }
+  check_not_worse(task, best_run(runs)$best)
   finish_optimum(task, runs)
+}
+
+# Starts where nobody gives a number and the first search ends at a kink.
+kinked_starts <- 3L
+# Gears settled at most to leave one, and how far from it, as a share of the ranges.
+settles_kink <- 40L
+kink_reach <- 0.15
+
+# The best of some searches, or NULL.
+best_run <- function(runs) {
+  kept <- Filter(function(run) !is.null(run$best), runs)
+  if (!length(kept)) return(NULL)
+  best <- kept[[1L]]
+  for (run in kept[-1L]) if (is_better(run$best$values, best$best$values)) best <- run
+  best
+}
+
+# Whether the best of some searches is no optimum by its slopes, or lies where measures bend.
+is_kinked <- function(task, runs) {
+  best <- best_run(runs)
+  if (is.null(best)) return(FALSE)
+  optimality_of(task, best$best)$left > most_optimality || nrow(kinks_at(task, best$best)) > 0L
+}
+
+# Searches on from the best of some searches without slopes, which at a kink are those of one side:
+# by linear models over both sides of every field (COBYLA of NLopt; Powell 1994), and with slopes
+# again from where that leads. Returns the searches with the best one gone on with.
+leave_kink <- function(task, runs, most) {
+  at_best <- which(vapply(runs, identical, NA, best_run(runs)))[1L]
+  from <- runs[[at_best]]$best
+  search <- new.env(parent = emptyenv())
+  search$tried <- list(from)
+  search$near <- from$point
+  search$best <- from
+  begun <- task$points$count$settles
+  at <- function(x) try_point(task, search, x)
+  equal <- vapply(task$keep, `[[`, NA, "equal")
+  gaps <- function(which) if (any(which)) function(x) at(x)$gap[which]
+  tryCatch(
+    nloptr::nloptr(
+      from$scaled, function(x) min(at(x)$scaled, 1e6),
+      lb = pmax(from$scaled - kink_reach, 0), ub = pmin(from$scaled + kink_reach, 1),
+      eval_g_ineq = gaps(!equal), eval_g_eq = gaps(equal),
+      opts = list(
+        algorithm = "NLOPT_LN_COBYLA", xtol_abs = rep(1e-3, length(from$scaled)), ftol_rel = 1e-5,
+        maxeval = settles_kink
+      )
+    ),
+    codend_error_no_place = function(e) NULL
+  )
+  run <- find_optimum(task, search$best$scaled, most, from = search$best$point)
+  if (is.null(run$best) || is_better(search$best$values, run$best$values)) run$best <- search$best
+  run$settles <- runs[[at_best]]$settles + task$points$count$settles - begun
+  if (is_better(run$best$values, from$values)) runs[[at_best]] <- run
+  runs
 }
 
 # What is looked for: list(points, words, aim, keep, of (measures needed), base (the gear settled as
@@ -90,6 +160,7 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   points$count$settles <- 1L
   base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
   words <- formula_words(base$measures)
+  if (has_bounds(keep) || has_bounds(minimise)) words <- words_with_bounds(words, base$state)
   paths <- vapply(fields, function(field) field$paths[1L], "")
   aim <- read_formula(minimise, "minimise", words, paths)
   conditions <- if (is.null(keep)) list() else read_conditions(keep, words, paths)

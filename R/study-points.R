@@ -1,5 +1,6 @@
 # A gear settled at values of its free fields, with the slopes of what is asked of it by them: what
-# optimise() and calibrate() step between. Fields are scaled: 0 at the lower end of their range and
+# optimise_gear() and calibrate() step between. Fields are scaled: 0 at the lower end of their
+# range and
 # 1 at the upper.
 
 # What all points of a study share. gear: with the base plan; fields: of free_fields().
@@ -76,7 +77,8 @@ side_slopes <- function(points, point, k, of) {
     ends[side] <- point$values[k]
   }
   if (ends[1L] == ends[2L]) return(rep(NA_real_, length(of)))
-  (sides[[2L]]$measures[of] - sides[[1L]]$measures[of]) / (ends[2L] - ends[1L]) * points$width[k]
+  values <- lapply(sides, function(side) plain_measures(side$measures)[of])
+  (values[[2L]] - values[[1L]]) / (ends[2L] - ends[1L]) * points$width[k]
 }
 
 # What formulas are evaluated at: list(values, slopes) of measures by all their names and of fields

@@ -2,7 +2,8 @@
 #'
 #' Values of the fields of [calibrate()] in proportion to how probable the data make them: what the
 #' covariance and the profiles of [confint()][stats::confint] approach, without the assumption that
-#' the gear answers in straight lines. Ranges are even priors, [normal()] is a normal one, and an
+#' the gear answers in straight lines. Ranges are even priors, [normal_value()] is a normal one,
+#' and an
 #' estimated error has the prior 1 / error, over which it is integrated.
 #'
 #' A random-walk Metropolis chain (`mcmc::metrop()`) begins at the best values, its steps shaped by
@@ -28,9 +29,10 @@
 #' fit <- calibrate("towed_cable", runs, nodes = 20,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
 #' \donttest{
-#' posterior(fit, draws = 60, begin = 30)
+#' sample_posterior(fit, draws = 60, begin = 30)
 #' }
-posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
+sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
+  check_given("calibration")
   if (!inherits(calibration, "codend_calibration")) {
     abort_argument("{.arg calibration} must come from {.fn calibrate}.")
   }

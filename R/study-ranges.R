@@ -1,7 +1,7 @@
 # Fields that a study may change, within ranges.
 
 # Free fields: lists of name, paths, value (of the gear), unit, whole, dimension, lower and upper,
-# all in the plan's unit, and prior (mean and standard deviation of a normal() one, or NULL).
+# all in the plan's unit, and prior (mean and standard deviation of a normal_value() one, or NULL).
 # change: ranges or distributions by paths; paths that change together are joined by " + ".
 # what: the argument's name, for errors.
 free_fields <- function(gear, change, what = "change") {

@@ -24,7 +24,22 @@ print.codend_sensitivities <- function(x, ...) {
     ), left = c(1L, 3L, 5L))
     cat(paste0(lines, "\n"), sep = "")
   }
+  idle <- idle_fields(x)
+  if (length(idle)) {
+    cat("\n", paste(strwrap(paste("These fields change none of the measures:",
+      paste(idle, collapse = ", ")), width = 98), collapse = "\n"), "\n", sep = "")
+  }
   invisible(x)
+}
+
+# A slope of this elasticity is rounding.
+least_effect <- 1e-9
+
+# The fields by which no measure changes.
+idle_fields <- function(x) {
+  changes <- is.finite(x$slope) & x$slope != 0 &
+    (is.na(x$elasticity) | abs(x$elasticity) > least_effect)
+  setdiff(unique(x$field), x$field[changes])
 }
 
 # Slopes to four figures, small ones in powers of ten.

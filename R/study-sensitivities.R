@@ -49,6 +49,7 @@
 #' found[found$measure == "total_drag_kN", ]
 #' plot(found[found$measure %in% c("depth_m", "total_drag_kN"), ])
 sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
+  check_given("state")
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
     abort_argument("{.arg state} must be settled, not a moment of a tow.")
@@ -179,9 +180,12 @@ field_number <- function(plan, path) {
 
 # The gear with a field changed by a share of its value, or NULL where the plan does not allow it.
 scaled_gear <- function(gear, field, share) {
-  value <- field_text(field$value * (1 + share), field)
+  text <- function(one) field_text(one$value * (1 + share), one)
+  # fields of different values change by the same share
+  values <- if (is.null(field$parts)) rep(list(text(field)), length(field$paths)) else
+    lapply(field$parts, text)
   tryCatch(
-    do.call(update, c(list(gear), setNames(rep(list(value), length(field$paths)), field$paths))),
+    do.call(update, c(list(gear), setNames(values, field$paths))),
     codend_error_plan = function(e) NULL
   )
 }
@@ -224,6 +228,11 @@ balanced <- function(work, gear) {
   if (!is.null(si$catch)) {
     lattice <- set_catch_front(lattice, work$shape$lattice$catch$blocked)
   }
+  balanced_lattice(work, gear, si, lattice)
+}
+
+# The same of a lattice of the gear's.
+balanced_lattice <- function(work, gear, si, lattice) {
   start <- as.double(lattice$start)
   if (!is.null(work$position)) {
     free <- !rep(lattice$engine$held, each = 3L)
@@ -280,6 +289,8 @@ slope_scale <- function(work, slope) {
 # sides; NULL where there is none.
 tangent_slopes <- function(work, field) {
   side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
+  # the engine's numbers alone change by a multiplier: no lattice is made
+  if (!is.null(field$multiplier)) side <- function(share) multiplied_balance(work, field, share)
   for (share in tangent_shares) {
     up <- side(share)
     down <- if (!is.null(up)) side(-share)
@@ -293,6 +304,14 @@ tangent_slopes <- function(work, field) {
     slope = slope, below = NA * slope, above = NA * slope,
     smooth = turn <= kink_share * slope_scale(work, slope)
   )
+}
+
+multiplied_balance <- function(work, field, share) {
+  state <- work$state
+  lattice <- work$lattice
+  lattice$engine <- multiplied_engine(lattice, state$si, setNames(1 + share, field$multiplier),
+    first_of(state$si$multipliers$ground_gear_weight, 1))
+  balanced_lattice(work, state$gear, state$si, lattice)
 }
 
 # By gears settled at both sides: list(below, above).

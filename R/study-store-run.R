@@ -5,6 +5,10 @@
 #' number of machines that see the folder.
 #'
 #' @details
+#' Several processes that run the same designs share them: each design is settled by one of them.
+#' What a process was settling as it ended, another settles last. A store is never made in place of
+#' another file or folder.
+#'
 #' A job array of Slurm, after `codend study new boards.study PLAN --designs designs.csv`:
 #'
 #' ```sh
@@ -22,7 +26,8 @@
 #' @param store The folder of the study. It lies where all machines see it, not on one's own disk.
 #' @param task,of Which of how many tasks: design `k` is in task `(k - 1) %% of + 1`.
 #' @return `write_study()` gives `store`, invisibly; `run_study()` how many designs it ran,
-#'   invisibly: those of the task that were not done yet. `read_study()` gives what [vary()] does,
+#'   invisibly: those of the task that no other process had done. `read_study()` gives what
+#'   [vary()] does,
 #'   of the designs that are done. `study_status()` gives a list of class `codend_study_status`:
 #'   `designs`, `done`, `settled`, `warned`, `last` (when the last row was written) and `problems`,
 #'   a table of why designs did not settle.
@@ -41,6 +46,7 @@ NULL
 #' @rdname studies
 #' @export
 write_study <- function(gear, designs, store, nodes = 1500, netting = NULL) {
+  check_given("gear", "designs", "store")
   study <- new_study(gear, list(designs), nodes, netting)
   create_store(study, store)
   invisible(store)
@@ -49,32 +55,35 @@ write_study <- function(gear, designs, store, nodes = 1500, netting = NULL) {
 #' @rdname studies
 #' @export
 run_study <- function(store, task = 1, of = 1) {
+  check_given("store")
   check_count("of", of, 1)
   check_count("task", task, 1)
   if (task > of) abort_argument("{.arg task} is {task}, of {of} task{?s}.")
   read_store_text(store)
   all <- seq_len(nrow(open_store(store)$study$designs))
   mine <- setdiff(all[(all - 1) %% of == task - 1], designs_done(store))
-  if (length(mine)) run_task(store, mine, study_progress(length(mine)))
-  invisible(length(mine))
+  if (!length(mine)) return(invisible(0L))
+  invisible(run_task(store, mine, study_progress(length(mine))))
 }
 
 #' @rdname studies
 #' @export
 read_study <- function(store) {
+  check_given("store")
   read_store_text(store)
   study_table(open_study(store), read_rows(stored_rows(store)))
 }
 
 # The study of a store without its state.
 open_study <- function(store) {
-  mark <- tools::md5sum(store_file(store, "study.json"))
+  mark <- c(store = normalizePath(store), mark = store_mark(store))
   if (identical(opened_store$mark, mark)) opened_store$study else read_store(store)
 }
 
 #' @rdname studies
 #' @export
 study_status <- function(store) {
+  check_given("store")
   read_store_text(store)
   rows <- read_rows(stored_rows(store))
   times <- file.mtime(c(row_files(store), task_files(store)))

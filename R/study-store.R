@@ -1,14 +1,19 @@
 # A study on disk: a folder that any number of processes, on any number of machines, write to.
 #
-#   study.json    the gear's plan, the designs, nodes and netting; written once
-#   base.nc       the state that every run starts from; not there where the gear does not settle
-#   rows/N.json   the row of design N, as row_text() gives it
-#   tasks/*.json  rows of whole tasks, one a line; those in rows/ are then taken away
+#   study.json         the gear's plan, the designs, nodes and netting; written once
+#   base.nc, base.none the state that every run starts from, or why the gear does not settle
+#   rows/N-MARK.json   the row of design N, as row_text() gives it
+#   tasks/*-MARK.json  rows of whole tasks, one a line; those in rows/ are then taken away
+#   claims/N           an empty folder: a process is settling design N
 #
-# Every file is written whole beside its place and renamed (write_file()), so that no reader ever
-# sees part of one, whoever is killed when.
+# MARK is the beginning of the MD5 sum of study.json: rows of another study that had the same
+# folder before are passed over. Every file is written whole next to its place and renamed
+# (write_file()), so that no reader ever sees part of one, whoever is killed when. The folder itself
+# is made in the same way, and never in place of another: of two processes one makes it, and the
+# other finds it there.
 
-study_file_version <- 1L
+study_file_version <- 2L
+mark_letters <- 12L
 
 store_file <- function(store, ...) file.path(store, ...)
 
@@ -16,29 +21,39 @@ store_file <- function(store, ...) file.path(store, ...)
 
 # Makes a store, or finds one of the same study.
 open_or_create <- function(study, store) {
-  if (is_text(store) && file.exists(store_file(store, "study.json"))) {
-    check_same_study(study, store)
-  } else {
-    create_store(study, store)
-  }
+  check_netcdf()
+  check_store_path(store)
+  if (!is_store(store) && claim_store(study, store)) return(invisible(open_store(store)))
+  if (!is_store(store)) abort_file(store, "exists and is no study; choose a new name.")
+  check_same_study(study, store)
+  invisible(open_store(store))
 }
 
 create_store <- function(study, store) {
   check_netcdf()
   check_store_path(store)
-  if (file.exists(store)) {
-    abort_file(store, "exists and is no study; choose a new name.")
+  if (!claim_store(study, store)) {
+    abort_file(store, "exists already; choose a new name.")
   }
+  invisible(open_store(store))
+}
+
+is_store <- function(store) file.exists(store_file(store, "study.json"))
+
+# Makes the folder of a study at once, with study.json in it. Returns whether the name was free.
+claim_store <- function(study, store) {
+  if (file.exists(store)) return(FALSE)
   if (file.access(dirname(store), 2L) != 0L) {
     abort_file(store, "lies in no folder that can be written.")
   }
-  base <- base_state(study)
-  write_file(store, function(path) {
-    dir.create(path)
-    write_text(study_text(study), store_file(path, "study.json"))
-    if (!is.null(base)) write_state(base, store_file(path, "base.nc"))
-  })
-  for (folder in c("rows", "tasks")) dir.create(store_file(store, folder), showWarnings = FALSE)
+  path <- unwritten_path(store)
+  on.exit(unlink(path, recursive = TRUE))
+  for (folder in c("", "rows", "tasks", "claims")) dir.create(store_file(path, folder))
+  write_text(study_text(study), store_file(path, "study.json"))
+  # fails where there is a folder that is not empty, such as another study
+  if (suppressWarnings(file.rename(path, store))) return(TRUE)
+  if (!file.exists(store)) abort_file(store, "could not be made.")
+  FALSE
 }
 
 # A study as text, the same for the same study.
@@ -138,9 +153,12 @@ read_store_text <- function(store) {
 
 # Texts of all rows that are done. Rows first: a row that is gathered meanwhile is in its task.
 stored_rows <- function(store) {
-  single <- lapply(row_files(store), read_lines_of)
-  tasks <- lapply(task_files(store), read_lines_of)
+  mark <- store_mark(store)
+  single <- lapply(row_files(store, mark), read_lines_of)
+  tasks <- lapply(task_files(store, mark), read_lines_of)
   text <- unlist(c(single, tasks))
+  # a copy may have been renamed
+  text <- text[grepl(sprintf("^[{]\"design\":[0-9]+,\"study\":\"%s\",", mark), text)]
   text[!duplicated(row_designs(text))]
 }
 
@@ -158,26 +176,37 @@ read_lines_of <- function(file) {
   )
 }
 
-row_files <- function(store) {
-  list.files(store_file(store, "rows"), "^[0-9]+[.]json$", full.names = TRUE)
+# What the rows of this study are known by.
+store_mark <- function(store) {
+  substr(tools::md5sum(store_file(store, "study.json"))[[1L]], 1L, mark_letters)
 }
 
-task_files <- function(store) {
-  list.files(store_file(store, "tasks"), "^[A-Za-z0-9-]+[.]json$", full.names = TRUE)
+row_file <- function(store, design, mark) {
+  store_file(store, "rows", sprintf("%07d-%s.json", as.integer(design), mark))
+}
+
+row_files <- function(store, mark = store_mark(store)) {
+  list.files(store_file(store, "rows"), sprintf("^[0-9]+-%s[.]json$", mark), full.names = TRUE)
+}
+
+task_files <- function(store, mark = store_mark(store)) {
+  form <- sprintf("^[A-Za-z0-9-]+-%s[.]json$", mark)
+  list.files(store_file(store, "tasks"), form, full.names = TRUE)
 }
 
 # Which designs are done.
 designs_done <- function(store) done_finder(store)()
 
-# A function() that gives the designs that are done; it reads each task once.
-done_finder <- function(store) {
+# A function(single) that gives the designs that are done, without single only those in tasks; it
+# reads each task once.
+done_finder <- function(store, mark = store_mark(store)) {
   known <- list()
-  function() {
-    single <- as.integer(sub("[.]json$", "", basename(row_files(store))))
-    for (file in setdiff(task_files(store), names(known))) {
+  function(single = TRUE) {
+    rows <- if (single) as.integer(sub("-.*", "", basename(row_files(store, mark))))
+    for (file in setdiff(task_files(store, mark), names(known))) {
       known[[file]] <<- row_designs(read_lines_of(file))
     }
-    sort(unique(c(single, unlist(known, use.names = FALSE))))
+    sort(unique(c(rows, unlist(known, use.names = FALSE))))
   }
 }
 
@@ -187,11 +216,11 @@ done_finder <- function(store) {
 opened_store <- new.env(parent = emptyenv())
 
 open_store <- function(store) {
-  mark <- tools::md5sum(store_file(store, "study.json"))
+  mark <- c(store = normalizePath(store), mark = store_mark(store))
   if (!identical(opened_store$mark, mark)) {
+    opened_store$mark <- NULL
     opened_store$study <- read_store(store)
-    base <- store_file(store, "base.nc")
-    opened_store$base <- if (file.exists(base)) read_state(base)
+    opened_store$base <- store_base(store, opened_store$study)
     # of a run, about
     opened_store$seconds <- max(first_of(opened_store$base$report$cpu_seconds, 1), 0.01)
     opened_store$mark <- mark
@@ -199,24 +228,64 @@ open_store <- function(store) {
   opened_store
 }
 
-# Settles designs of a store and writes their rows. Returns how many.
+# The state that runs start from, or NULL. Whoever needs it first settles it; two that do so at the
+# same time write the same.
+store_base <- function(store, study) {
+  file <- store_file(store, "base.nc")
+  none <- store_file(store, "base.none")
+  if (!file.exists(file) && !file.exists(none)) {
+    found <- settle_one(study$gear, study$nodes, study$netting, NULL)
+    if (is.null(found$state)) write_text(c(found$problem, ""), none) else {
+      write_state(found$state, file)
+    }
+  }
+  if (file.exists(file)) read_state(file)
+}
+
+# Settles designs of a store and writes their rows, of those that no other process is settling, then
+# of those that another was settling and has not done: it may have ended, and if not, both find the
+# same row. Returns how many it settled.
 run_task <- function(store, designs, told = function(done) NULL) {
   read_store_text(store)
   opened <- open_store(store)
-  for (folder in c("rows", "tasks")) dir.create(store_file(store, folder), showWarnings = FALSE)
-  rows <- character(length(designs))
-  files <- store_file(store, "rows", sprintf("%07d.json", designs))
+  mark <- opened$mark[["mark"]]
+  for (folder in c("rows", "tasks", "claims")) {
+    dir.create(store_file(store, folder), showWarnings = FALSE)
+  }
+  done_tasks <- done_finder(store, mark)
+  is_done <- function(design) {
+    file.exists(row_file(store, design, mark)) || design %in% done_tasks(FALSE)
+  }
+  rows <- list()
+  later <- integer()
+  settle_design <- function(design) {
+    row <- run_design(opened$study, opened$base, design, mark)
+    write_text(c(row, ""), row_file(store, design, mark))
+    rows[[as.character(design)]] <<- row
+  }
   for (k in seq_along(designs)) {
-    rows[k] <- run_design(opened$study, opened$base, designs[k])
-    write_text(c(rows[k], ""), files[k])
+    design <- designs[k]
+    claim <- store_file(store, "claims", sprintf("%07d", as.integer(design)))
+    if (!file.exists(row_file(store, design, mark))) {
+      if (dir.create(claim, showWarnings = FALSE)) {
+        tryCatch(if (!is_done(design)) settle_design(design),
+          finally = unlink(claim, recursive = TRUE))
+      } else {
+        later <- c(later, design)
+      }
+    }
     told(k)
   }
-  if (length(designs) > 1L) {
-    # no other process has this name
-    name <- sprintf("%07d-%s-%d.json", designs[1L],
-      gsub("[^A-Za-z0-9]+", "-", Sys.info()[["nodename"]]), Sys.getpid())
-    write_text(c(rows, ""), store_file(store, "tasks", name))
-    unlink(files)
+  for (design in later) {
+    if (!is_done(design)) settle_design(design)
+    unlink(store_file(store, "claims", sprintf("%07d", as.integer(design))), recursive = TRUE)
   }
-  length(designs)
+  if (length(rows) > 1L) {
+    # no other process has this name
+    name <- sprintf("%07d-%s-%d-%s.json", as.integer(names(rows)[1L]), this_host(), Sys.getpid(),
+      mark)
+    write_text(c(unlist(rows, use.names = FALSE), ""), store_file(store, "tasks", name))
+    unlink(row_file(store, as.integer(names(rows)), mark))
+  }
+  length(rows)
 }

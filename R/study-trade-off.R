@@ -7,15 +7,17 @@
 #' and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each found from the
 #' one before.
 #'
-#' @inheritParams optimise
-#' @param minimise A list of the two aims, each as `minimise` of [optimise()], by the names that
+#' @inheritParams optimise_gear
+#' @param minimise A list of the two aims, each as `minimise` of [optimise_gear()], by the names
+#'   that
 #'   they are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
 #' @param points How many gears, 3 or more, the ends among them.
 #' @param most Settled gears at most, for each point.
 #' @return A data frame of class `codend_trade_off` with a row per gear, from the best for the first
 #'   aim to the best for the second: the two aims under their names, a column per field that
-#'   changes, whether conditions are `kept` and whether it is `optimal`, as [optimise()] tells. The
-#'   attribute `optima` has what [optimise()] returns for each. Wrong arguments are an error of
+#'   changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
+#'   tells. The
+#'   attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments are an error of
 #'   class `codend_error_argument`.
 #' @seealso [plot.codend_trade_off()]
 #' @export
@@ -28,6 +30,7 @@
 #' plot(found)
 trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1500, netting = NULL,
                       most = 100) {
+  check_given("gear", "minimise", "change")
   named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
     all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
   if (!named) {

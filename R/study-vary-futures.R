@@ -41,7 +41,8 @@ vary_stored <- function(store, tasks) {
     deadly <- left[deaths[left] >= most_deaths]
     for (k in deadly) {
       found <- list(problem = paste("Its worker ended", most_deaths, "times while settling it."))
-      write_text(c(row_text(k, found), ""), store_file(store, "rows", sprintf("%07d.json", k)))
+      mark <- store_mark(store)
+      write_text(c(row_text(k, found, mark), ""), row_file(store, k, mark))
     }
     left <- setdiff(left, deadly)
     idle <- if (length(left) < before) 0L else idle + 1L

@@ -31,7 +31,8 @@
 #' Each run is a file of its own in the store, written whole, when it is done; those of a whole task
 #' are gathered in one. So the progress of a study is seen from anywhere ([study_status()]), what is
 #' done can be read while the rest runs ([read_study()]), and a worker that is killed loses the run
-#' that it was at. The same call of `vary()` again goes on with what is not done. The base state is
+#' that it was at. The same call of `vary()` again goes on with what is not done; at the same time
+#' in another process it shares the work. The base state is
 #' in the store as [write_state()] has it, which takes the package RNetCDF. Without `store` a
 #' study in several processes has one in the session's temporary folder.
 #'
@@ -52,6 +53,8 @@
 #'     values were given, else the SI unit;
 #'   - `settled`, and `problem`: where there is no settled gear, why: values that do not go
 #'     together in a plan, or no balance;
+#'   - the estimated error of every measure, under `error.` and its name (`error.total_drag_kN`):
+#'     that of the gear itself, as a share (see [measures()]);
 #'   - `warning`: what [settle()] warned of, such as a stalled board;
 #'   - the [measures()], `NA` where the gear did not settle or has no such measure.
 #'
@@ -65,6 +68,7 @@
 #' found[c("towing.speed_knot", "total_drag_kN")]
 #' plot(found)
 vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = NULL) {
+  check_given("gear")
   study <- new_study(gear, list(...), nodes, netting)
   if (!is.null(tasks)) check_count("tasks", tasks, 1)
   if (!is.null(store)) {
@@ -173,8 +177,8 @@ telling_values <- function(values) {
 # The gear's own state, from which all designs start, or NULL where it does not settle.
 base_state <- function(study) settle_one(study$gear, study$nodes, study$netting, NULL)$state
 
-# Settles design k. Returns its row as text.
-run_design <- function(study, base, k) {
+# Settles design k. Returns its row as text. mark: of the study on disk, where it is on one.
+run_design <- function(study, base, k, mark = NULL) {
   # messages are the same on every machine
   kept <- options(cli.unicode = FALSE, cli.num_colors = 1L, OutDec = ".", scipen = 0, digits = 7)
   on.exit(options(kept))
@@ -187,7 +191,7 @@ run_design <- function(study, base, k) {
     },
     error = function(e) list(problem = plain_message(e))
   )
-  row_text(k, found)
+  row_text(k, found, mark)
 }
 
 settle_one <- function(gear, nodes, netting, from) {
@@ -210,22 +214,25 @@ settle_one <- function(gear, nodes, netting, from) {
 # ---- rows ----------------------------------------------------------------------------------------
 
 # A row as a line of JSON, with numbers to the last bit.
-row_text <- function(design, found) {
+row_text <- function(design, found, mark = NULL) {
   text <- function(value) {
     if (is.null(value)) return("null")
     as.character(jsonlite::toJSON(enc2utf8(value), auto_unbox = TRUE))
   }
   values <- plain_measures(found$measures)
-  number <- ifelse(is.finite(values), sprintf("%.17g", values), "null")
+  number <- function(x) ifelse(is.finite(x), sprintf("%.17g", x), "null")
   units <- attr(found$measures, "unit")
-  pairs <- if (length(values)) {
-    sprintf("%s:[%s,%s]", vapply(names(units), text, ""), number, vapply(units, text, ""))
+  parts <- if (length(values)) {
+    sprintf("%s:[%s,%s,%s]", vapply(names(units), text, ""), number(values),
+      vapply(units, text, ""), number(unname(attr(found$measures, "error"))))
   }
-  sprintf("{\"design\":%d,\"problem\":%s,\"warning\":%s,\"measures\":{%s}}", as.integer(design),
-    text(found$problem), text(found$warning), paste(pairs, collapse = ","))
+  sprintf("{\"design\":%d,%s\"problem\":%s,\"warning\":%s,\"measures\":{%s}}", as.integer(design),
+    if (is.null(mark)) "" else sprintf("\"study\":\"%s\",", mark),
+    text(found$problem), text(found$warning), paste(parts, collapse = ","))
 }
 
-# Rows by their text: list(design, problem, warning, measures = matrix with a column each, unit).
+# Rows by their text: list(design, problem, warning, measures = matrix with a column each, error =
+# the same of their errors, unit).
 read_rows <- function(text) {
   rows <- lapply(text, jsonlite::fromJSON, simplifyVector = FALSE)
   design <- vapply(rows, function(row) as.integer(row$design), 0L)
@@ -233,27 +240,35 @@ read_rows <- function(text) {
   said <- function(what) vapply(rows, function(row) first_of(row[[what]], NA_character_), "")
   known <- unique(unlist(lapply(rows, function(row) names(row$measures))))
   values <- matrix(NA_real_, length(rows), length(known), dimnames = list(NULL, known))
+  errors <- values
   unit <- setNames(character(length(known)), known)
   for (k in seq_along(rows)) {
     for (name in names(rows[[k]]$measures)) {
-      pair <- rows[[k]]$measures[[name]]
-      if (!is.null(pair[[1L]])) values[k, name] <- as.double(pair[[1L]])
-      unit[[name]] <- pair[[2L]]
+      part <- rows[[k]]$measures[[name]]
+      if (!is.null(part[[1L]])) values[k, name] <- as.double(part[[1L]])
+      unit[[name]] <- part[[2L]]
+      # stores of before have no errors
+      if (length(part) > 2L && !is.null(part[[3L]])) errors[k, name] <- as.double(part[[3L]])
     }
   }
   list(
     design = sort(design), problem = said("problem"), warning = said("warning"), measures = values,
-    unit = unit
+    error = errors, unit = unit
   )
 }
+
+# The columns with the errors of measures.
+error_columns <- function(measures) if (length(measures)) paste0("error.", measures)
 
 # What vary() returns of the rows that there are.
 study_table <- function(study, rows) {
   designs <- study$designs
   fields <- field_columns(designs, study$gear)
+  errors <- rows$error
+  colnames(errors) <- error_columns(colnames(errors))
   table <- data.frame(
     fields$values[rows$design, , drop = FALSE], settled = is.na(rows$problem),
-    problem = rows$problem, warning = rows$warning, rows$measures,
+    problem = rows$problem, errors, warning = rows$warning, rows$measures,
     row.names = NULL, check.names = FALSE
   )
   structure(table, class = c("codend_variations", "data.frame"), gear_name = study$gear$plan$name,

@@ -17,6 +17,7 @@
 #' sum(found$mass_kg)
 #' @export
 netting_table <- function(gear) {
+  check_given("gear")
   if (is.character(gear)) gear <- read_gear(gear)
   if (!inherits(gear, c("codend_state", "codend_gear"))) {
     abort_argument(

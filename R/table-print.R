@@ -79,7 +79,7 @@ print.codend_state <- function(x, ...) {
     paste0("  ", conditions_text(x$si)),
     paste0("  ", size_text(x), within_text(found, x$report$accuracy_aimed_at)),
     paste0("  ", measure_text(found[shown])),
-    paste0("  More: summary(), as.data.frame(), plot(), view()",
+    paste0("  More: summary(), as.data.frame(), plot(), view_3d()",
       aim_text(main_error(found), x$lattice$nodes)),
     sep = "\n"
   ))

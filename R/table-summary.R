@@ -4,6 +4,9 @@
 #' netting is slack, and how well all forces balance.
 #'
 #' @param object A state, from [settle()].
+#' @param uncertainty What `uncertainty()` found of it, to be shown with the measures; `NULL` for
+#' the
+#'   estimated discretisation error alone.
 #' @param ... Not used.
 #' @return A list of class `codend_summary`:
 #'
@@ -16,8 +19,8 @@
 #'     ropes `halved`, as `settled` and `doubled`, evaluated at the settled shape. They are the
 #'     largest uncertainty of a trawl's drag: published values differ by factors. With other
 #'     coefficients the gear would settle into another shape, which is not computed;
-#'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `exceeded_by_1_percent_kN`
-#'     (the tension that 1 % of its length exceeds) and `mean_kN`; `strength_kN` (breaking load) and
+#'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `most_loaded_kN` (mean over
+#'     the tenth of its length that is loaded most) and `mean_kN`; `strength_kN` (breaking load) and
 #'     `strength_percent` (largest tension as a share of it), `NA` where no breaking load is known.
 #'     Where a point pulls at netting, `max_kN` grows as the netting is divided more finely;
 #'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (share of it
@@ -25,15 +28,17 @@
 #'   - `boards`: data frame by free otter board ([board_table()]);
 #'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
 #'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
-#'   - `report`: the solver's report, with `nodes`, `bars` and `cells`.
+#'   - `report`: the solver's report, with `nodes`, `bars` and `cells`;
+#'   - `uncertainty`: as given, where it is.
 #' @examples
 #' summary(settle("towed_cable"))
 #' @export
-summary.codend_state <- function(object, ...) {
+summary.codend_state <- function(object, uncertainty = NULL, ...) {
+  check_is_uncertainty(uncertainty)
   engine <- object$lattice$engine
   drag <- drag_table(object)
   structure(
-    list(
+    c(list(
       name = object$si$name, conditions = conditions_text(object$si),
       measures = measures(object), findings = findings(object),
       drag = drag, drag_totals = drag_totals(drag),
@@ -45,7 +50,7 @@ summary.codend_state <- function(object, ...) {
         nodes = engine$nodes, bars = length(engine$bars$rest),
         cells = length(engine$cells$rest)
       ))
-    ),
+    ), if (!is.null(uncertainty)) list(uncertainty = uncertainty)),
     class = "codend_summary"
   )
 }
@@ -64,6 +69,7 @@ summary_lines <- function(x) {
   c(
     bold(x$name), x$conditions,
     section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
+    section("Uncertainty", if (!is.null(x$uncertainty)) format(x$uncertainty)),
     section("Worth a look", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
@@ -76,6 +82,12 @@ summary_lines <- function(x) {
     section("Force balance", balance_lines(x$balance)),
     section("Solution", report_lines(x$report))
   )
+}
+
+check_is_uncertainty <- function(uncertainty) {
+  if (!is.null(uncertainty) && !inherits(uncertainty, "codend_uncertainty")) {
+    abort_argument("{.arg uncertainty} must be what {.fn uncertainty} returns.")
+  }
 }
 
 # How many groups of parts a section lists.
@@ -144,13 +156,13 @@ rope_tension_lines <- function(tensions) {
 }
 
 twine_tension_lines <- function(tensions) {
-  highest <- function(group) from_unit(max(group$exceeded_by_1_percent_kN), "kN")
+  highest <- function(group) from_unit(max(group$most_loaded_kN), "kN")
   most <- largest_groups(tensions[tensions$kind == "netting", ], highest)
   if (!length(most$groups)) return(NULL)
   mean <- vapply(most$groups, function(group) from_unit(max(group$mean_kN), "kN"), 0)
   align_columns(list(
     c("", names(most$groups)), c("mean N", column_figures(mean)),
-    c("1 % of twine above N", column_figures(most$values))
+    c("most loaded tenth N", column_figures(most$values))
   ))
 }
 

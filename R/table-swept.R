@@ -14,13 +14,14 @@
 #' # two ropes side by side sweep the ground between their ends
 #' line <- function(from, to) rope(from, to, length = "20 m", diameter = "20 mm", material = "PA")
 #' pair <- gear("Two ropes", towing = list(speed = "2 knot"),
-#'   port = point(position = c(0, -5, 0), held = "moved"), end_port = point(),
-#'   starboard = point(position = c(0, 5, 0), held = "moved"), end_starboard = point(),
+#'   port = gear_point(position = c(0, -5, 0), held = "moved"), end_port = gear_point(),
+#'   starboard = gear_point(position = c(0, 5, 0), held = "moved"), end_starboard = gear_point(),
 #'   line_port = line("port", "end_port"), line_starboard = line("starboard", "end_starboard"),
 #'   wing_end_spread = measure(spread = c("end_port", "end_starboard")))
 #' swept(tow(settle(pair), until = 60, every = 20))
 #' @export
 swept <- function(trajectory) {
+  check_given("trajectory")
   check_is_trajectory(trajectory)
   time <- trajectory$time
   found <- lapply(time, function(at) measures(state_at(trajectory, at)))

@@ -44,14 +44,10 @@ frame_of_arrays <- function(arrays, k) {
   frame
 }
 
-# Of a frame's energy, J since the start (src/engine/march/energy_account.hpp): what kinetic,
-# elastic and potential energy have gained; work of supports, of winches, of the water and the
-# ground, of damping; and half of the sum of the sizes of all these.
-energy_parts <- c("kinetic", "elastic", "potential", "supports", "winches", "water", "damping",
-  "put_through")
-
 # Energy (J) by kept time that was made (positive) or removed by the scheme: what the gear has
-# gained beyond the work done on it. energy: a trajectory's.
+# gained beyond the work done on it. energy: a trajectory's, a row for each of
+# engine_energy_parts().
 energy_imbalance <- function(energy) {
-  colSums(energy[1:3, , drop = FALSE]) - colSums(energy[4:7, , drop = FALSE])
+  of <- function(parts) colSums(energy[match(parts, engine_energy_parts()), , drop = FALSE])
+  of(c("kinetic", "elastic", "potential")) - of(c("supports", "winches", "water", "damping"))
 }

@@ -90,7 +90,7 @@ add_start <- function(what, position, velocity) {
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
     wake = engine$wake, catch_front = catch_front(what$lattice, matrix(position, 3L)),
-    energy = numeric(length(energy_parts)), report = NULL
+    energy = numeric(length(engine_energy_parts())), report = NULL
   )
   gather_trajectory(what, list(frame), "reached")
 }

@@ -4,7 +4,7 @@
 #'
 #' The state of a towed gear at one of the times that its trajectory keeps, as seen from the vessel:
 #' x aft, y to starboard, from the point that was the plan's origin at the start. Everything that
-#' reads a settled state reads it: [measures()], `summary()`, `plot()`, [view()].
+#' reads a settled state reads it: [measures()], `summary()`, `plot()`, [view_3d()].
 #'
 #' @param trajectory From [tow()].
 #' @param time s, or a text with a unit; the nearest time that is kept counts.
@@ -17,8 +17,16 @@
 #' measures(state_at(faster, 40))
 #' @export
 state_at <- function(trajectory, time) {
+  check_given("trajectory", "time")
   check_is_trajectory(trajectory)
-  k <- which.min(abs(trajectory$time - schedule_number(time, "time", "time")))
+  wanted <- schedule_number(time, "time", "time")
+  ends <- range(trajectory$time)
+  # times are multiples of a step, to rounding
+  if (wanted < ends[1L] - 1e-6 || wanted > ends[2L] + 1e-6) {
+    abort_argument("{.arg time} is {.val {time}}; the tow was kept from {ends[1]} s to {ends[2]}
+      s.")
+  }
+  k <- which.min(abs(trajectory$time - wanted))
   now <- conditions_at(trajectory, trajectory$time[k], trajectory$winch_length[, k])
   now$broken <- trajectory$broken[, k]
   now$wake <- trajectory$wake[, k]

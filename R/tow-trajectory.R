@@ -23,7 +23,7 @@ gather_trajectory <- function(what, frames, end) {
   ))
   out$conditions <- conditions_table(out)
   out$conditions$energy_imbalance <- energy_imbalance(out$energy)
-  out$conditions$energy_put_through <- out$energy[8L, ]
+  out$conditions$energy_put_through <- out$energy[match("put_through", engine_energy_parts()), ]
   structure(out, class = "codend_trajectory")
 }
 

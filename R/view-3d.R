@@ -33,10 +33,11 @@
 #'   rgl the number of its device, invisibly. A wrong argument is an error of class
 #'   `codend_error_argument`.
 #' @examples
-#' page <- view(settle("towed_cable"))
+#' page <- view_3d(settle("towed_cable"))
 #' class(page)
 #' @export
-view <- function(state, file = NULL, colour = "tension", device = "html") {
+view_3d <- function(state, file = NULL, colour = "tension", device = "html") {
+  check_given("state")
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_device(device, file, moves)
@@ -77,10 +78,21 @@ viewed_scene <- function(of, colour = "tension") {
   )
 }
 
+# JSON as htmlwidgets asks for it, without any `<`: within a page's script, `<!--` and `<script` of
+# a name would hide all that follows.
+embedded_json <- function(x, ...) {
+  text <- jsonlite::toJSON(
+    I(x), dataframe = "columns", null = "null", na = "null", auto_unbox = TRUE, digits = 16,
+    use_signif = TRUE, force = TRUE, rownames = FALSE, keep_vec_names = TRUE, json_verbatim = TRUE
+  )
+  structure(gsub("<", "\\u003c", text, fixed = TRUE), class = "json")
+}
+
 # A scene as a widget that fills its place; element: its name in HTML, or NULL for a random one.
 viewer_widget <- function(scene, element = NULL, title = TRUE) {
   htmlwidgets::createWidget(
-    "codend", list(scene = scene, title = title), package = "codend", elementId = element,
+    "codend", structure(list(scene = scene, title = title), TOJSON_FUNC = embedded_json),
+    package = "codend", elementId = element,
     sizingPolicy = htmlwidgets::sizingPolicy(
       defaultWidth = "100%", defaultHeight = 640, padding = 0, browser.fill = TRUE,
       viewer.fill = TRUE, viewer.padding = 0, browser.padding = 0, knitr.figure = FALSE,

@@ -127,8 +127,8 @@ group_labels <- function(values) {
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examplesIf requireNamespace("spacefillr", quietly = TRUE)
-#' sample <- designs(towing.speed = between("3 knot", "5 knot"),
-#'   ropes.cable.length = between("400 m", "700 m"), how = "indices", number = 16)
+#' sample <- designs(towing.speed = value_range("3 knot", "5 knot"),
+#'   ropes.cable.length = value_range("400 m", "700 m"), how = "indices", number = 16)
 #' plot(sobol_indices(vary("towed_cable", sample), c("total_drag_kN", "greatest_depth_m")))
 plot.codend_sobol_indices <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                       ...) {

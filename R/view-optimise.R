@@ -4,12 +4,12 @@
 #' open where not), where each field began and ended in its range, and how far each condition is
 #' from its limit.
 #'
-#' @param x An optimum, from [optimise()].
+#' @param x An optimum, from [optimise_gear()].
 #' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
-#' plot(optimise("towed_cable", ~ -body_depth, ~ total_drag <= "9 kN",
+#' plot(optimise_gear("towed_cable", ~ -body_depth, ~ total_drag <= "9 kN",
 #'   list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot"))
 #' ))
 plot.codend_optimum <- function(x, file = NULL, width = 10, height = NULL, ...) {

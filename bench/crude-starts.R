@@ -31,9 +31,16 @@ bend <- function(position, start) {
 # argument for this, which nobody but a bench would use.
 use_start <- function(start) replace_layout(function(position) bend(position, start))
 
-crude_layout <- codend:::lay_out
+crude_lattice <- codend:::build_lattice
 
-# From here on, every crude layout of this R process goes through `change` (3 x n to 3 x n, m).
+# From here on, every crude layout of this R process goes through `change` (3 x n to 3 x n, m); what
+# is held stays.
 replace_layout <- function(change) {
-  utils::assignInNamespace("lay_out", function(...) change(crude_layout(...)), "codend")
+  changed <- function(si, nodes = 1500, netting = NULL, from = NULL) {
+    lattice <- crude_lattice(si, nodes, netting, from)
+    free <- !lattice$engine$held
+    if (is.null(from)) lattice$start[, free] <- change(lattice$start)[, free]
+    lattice
+  }
+  utils::assignInNamespace("build_lattice", changed, "codend")
 }

@@ -3,9 +3,9 @@
 #   Rscript bench/studies.R [DESIGNS]
 library(codend)
 count <- as.integer(c(commandArgs(TRUE), "200")[1])
-trawls <- designs(towing.speed = between("3.5 knot", "4.5 knot"),
-  warps.length = between("550 m", "650 m"), how = "sobol", number = count)
-cables <- designs(towing.speed = between("3 knot", "5 knot"), how = "grid", number = 50)
+trawls <- designs(towing.speed = value_range("3.5 knot", "4.5 knot"),
+  warps.length = value_range("550 m", "650 m"), how = "sobol", number = count)
+cables <- designs(towing.speed = value_range("3 knot", "5 knot"), how = "grid", number = 50)
 
 clock <- function(run) {
   taken <- system.time(run)

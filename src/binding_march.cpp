@@ -38,25 +38,33 @@ writable::list as_list(const codend::Motion& motion) {
                          "algorithmic_acceleration"_nm = as_doubles(motion.b)});
 }
 
-// In the order of energy_parts in R/tow-frame.R.
-constexpr double codend::EnergyTotals::*energy_parts[] = {
-    &codend::EnergyTotals::kinetic,   &codend::EnergyTotals::elastic,
-    &codend::EnergyTotals::potential, &codend::EnergyTotals::supports,
-    &codend::EnergyTotals::lengths,   &codend::EnergyTotals::water,
-    &codend::EnergyTotals::damping,   &codend::EnergyTotals::put_through};
+// The parts of a motion's energy account (march/energy_account.hpp) by their names in R, in the order
+// in which they are handed over. What is paid out and hauled in is the work of winches.
+struct EnergyPart {
+  const char* name;
+  double codend::EnergyTotals::*value;
+};
+constexpr EnergyPart energy_parts[] = {{"kinetic", &codend::EnergyTotals::kinetic},
+                                       {"elastic", &codend::EnergyTotals::elastic},
+                                       {"potential", &codend::EnergyTotals::potential},
+                                       {"supports", &codend::EnergyTotals::supports},
+                                       {"winches", &codend::EnergyTotals::lengths},
+                                       {"water", &codend::EnergyTotals::water},
+                                       {"damping", &codend::EnergyTotals::damping},
+                                       {"put_through", &codend::EnergyTotals::put_through}};
 
 codend::EnergyTotals read_energy(const list& from) {
   const doubles given(from["energy"]);
   check_count(given.size(), std::size(energy_parts), "energy");
   codend::EnergyTotals totals;
   R_xlen_t k = 0;
-  for (auto part : energy_parts) totals.*part = given[k++];
+  for (const auto& part : energy_parts) totals.*part.value = given[k++];
   return totals;
 }
 
 writable::doubles as_doubles(const codend::EnergyTotals& totals) {
   writable::doubles out;
-  for (auto part : energy_parts) out.push_back(totals.*part);
+  for (const auto& part : energy_parts) out.push_back(totals.*part.value);
   return out;
 }
 
@@ -202,6 +210,15 @@ double potential_of(const codend::Model& model, double error) {
       if (kept[k] == TRUE) keep(frame());
     }
     return report();
+  });
+}
+
+// The names of the parts of a motion's energy account.
+[[cpp11::register]] strings engine_energy_parts() {
+  return guarded([&]() -> strings {
+    writable::strings name;
+    for (const auto& part : energy_parts) name.push_back(part.name);
+    return name;
   });
 }
 

@@ -3,7 +3,6 @@
 
 #include "binding_model.h"
 #include "engine/solve/body_modes.hpp"
-#include "engine/solve/layout.hpp"
 #include "engine/solve/settle.hpp"
 
 using namespace binding;
@@ -96,23 +95,5 @@ using namespace binding;
     return writable::list({"growth"_nm = as_doubles(growth), "frequency"_nm = as_doubles(frequency),
                            "node"_nm = node, "certain"_nm = certain,
                            "residual"_nm = as_doubles(residual)});
-  });
-}
-
-[[cpp11::register]] doubles engine_lay_out(logicals held, doubles position, integers ends,
-                                           doubles rest, doubles tension, doubles load) {
-  return guarded([&]() -> doubles {
-    codend::StringNet net;
-    net.held = marks(held);
-    net.ends = places(ends);
-    net.rest = numbers(rest);
-    net.tension = numbers(tension);
-    net.load = numbers(load);
-    std::vector<double> x = numbers(position);
-    codend::lay_out(net, x.data(), [] {
-      check_user_interrupt();
-      return true;
-    });
-    return as_doubles(x);
   });
 }

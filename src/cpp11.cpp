@@ -5,6 +5,27 @@
 #include "cpp11/declarations.hpp"
 #include <R_ext/Visibility.h>
 
+// binding_gear.cpp
+list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
+extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_lattice(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(counts), cpp11::as_cpp<cpp11::decay_t<SEXP>>(map), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<bool>>(alike)));
+  END_CPP11
+}
+// binding_gear.cpp
+doubles engine_first_shape(list numbers, list map);
+extern "C" SEXP _codend_engine_first_shape(SEXP numbers, SEXP map) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_first_shape(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(map)));
+  END_CPP11
+}
+// binding_gear.cpp
+list engine_node_counts(list numbers, double nodes);
+extern "C" SEXP _codend_engine_node_counts(SEXP numbers, SEXP nodes) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_node_counts(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes)));
+  END_CPP11
+}
 // binding_march.cpp
 list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
 extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
@@ -17,6 +38,13 @@ list engine_tow(list lattice, list schedule, list past, list control, list stops
 extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+  END_CPP11
+}
+// binding_march.cpp
+strings engine_energy_parts();
+extern "C" SEXP _codend_engine_energy_parts() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_energy_parts());
   END_CPP11
 }
 // binding_march.cpp
@@ -59,13 +87,6 @@ list engine_body_modes(list lattice, doubles position, doubles velocity);
 extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velocity) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
-  END_CPP11
-}
-// binding_settle.cpp
-doubles engine_lay_out(logicals held, doubles position, integers ends, doubles rest, doubles tension, doubles load);
-extern "C" SEXP _codend_engine_lay_out(SEXP held, SEXP position, SEXP ends, SEXP rest, SEXP tension, SEXP load) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_lay_out(cpp11::as_cpp<cpp11::decay_t<logicals>>(held), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<integers>>(ends), cpp11::as_cpp<cpp11::decay_t<doubles>>(rest), cpp11::as_cpp<cpp11::decay_t<doubles>>(tension), cpp11::as_cpp<cpp11::decay_t<doubles>>(load)));
   END_CPP11
 }
 // binding_tangent.cpp
@@ -152,20 +173,6 @@ extern "C" SEXP _codend_group_sums(SEXP x, SEXP group, SEXP n) {
     return cpp11::as_sexp(group_sums(cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<integers>>(group), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
   END_CPP11
 }
-// group_sums.cpp
-doubles group_maxima(doubles x, integers group, int n);
-extern "C" SEXP _codend_group_maxima(SEXP x, SEXP group, SEXP n) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(group_maxima(cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<integers>>(group), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
-  END_CPP11
-}
-// group_sums.cpp
-list group_volumes(doubles volume, doubles height, integers point, int n);
-extern "C" SEXP _codend_group_volumes(SEXP volume, SEXP height, SEXP point, SEXP n) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(group_volumes(cpp11::as_cpp<cpp11::decay_t<doubles>>(volume), cpp11::as_cpp<cpp11::decay_t<doubles>>(height), cpp11::as_cpp<cpp11::decay_t<integers>>(point), cpp11::as_cpp<cpp11::decay_t<int>>(n)));
-  END_CPP11
-}
 // process_limit.cpp
 bool limit_memory(double bytes);
 extern "C" SEXP _codend_limit_memory(SEXP bytes) {
@@ -187,11 +194,14 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
+    {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,    0},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
+    {"_codend_engine_first_shape",     (DL_FUNC) &_codend_engine_first_shape,     2},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
-    {"_codend_engine_lay_out",         (DL_FUNC) &_codend_engine_lay_out,         6},
+    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
+    {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,     2},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
     {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
@@ -203,9 +213,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
     {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
-    {"_codend_group_maxima",           (DL_FUNC) &_codend_group_maxima,           3},
     {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
-    {"_codend_group_volumes",          (DL_FUNC) &_codend_group_volumes,          4},
     {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
     {"_codend_shadow_area",            (DL_FUNC) &_codend_shadow_area,            8},
     {NULL, NULL, 0}

@@ -4,11 +4,15 @@
 #
 # The first word of a file's name is its room; tools/layers.csv lists the rooms from the lowest up.
 # The run fails on a file without a room, on a call to a higher room, on rooms that call each other
-# in a cycle and on a name that is defined twice. It reads the sources: nothing has to be installed.
+# in a cycle, on more than 5 files that all reach each other, and on a name that is defined twice.
+# It reads the sources: nothing has to be installed.
 #
 # A call is any use of a name that the package defines: also as a default, in a list or handed over
 # as a value, in braces of a text that cli fills in, and in quotes where do.call(), match.fun() and
 # the like look a function up. Methods of R's generics are called by R and may stand in any room.
+
+# How many files may all reach each other.
+most_knotted <- 5L
 
 # Which argument of these is a function or the name of one.
 looks_up <- c(
@@ -72,7 +76,8 @@ defined <- name[nzchar(name)]
 home <- stats::setNames(file[nzchar(name)], defined)
 
 calls <- do.call(rbind, lapply(found, function(one) {
-  to <- setdiff(intersect(one$uses, defined), one$name)
+  # every function reads fields, by the package's own `$`
+  to <- setdiff(intersect(one$uses, defined), c(one$name, "$"))
   if (length(to) == 0) return(NULL)
   data.frame(from = one$name, to = to, from_file = one$file, to_file = unname(home[to]))
 }))
@@ -101,6 +106,9 @@ wrong <- c(
   sprintf("R/%s: %s() calls %s() of R/%s, which is higher", up$from_file, up$from, up$to,
     up$to_file),
   vapply(rings, function(ring) paste("rooms call each other:", paste(ring, collapse = ", ")), ""),
+  vapply(knots[lengths(knots) > most_knotted], function(knot) {
+    paste("files reach each other:", toString(file.path("R", knot)))
+  }, ""),
   vapply(twice, function(one) {
     sprintf("`%s` is defined twice: %s", one, toString(file.path("R", file[name == one])))
   }, "")

@@ -7,6 +7,7 @@ checks <- c(
   "order of R's rooms" = "Rscript tools/check-layers.R",
   "format of C++ (.clang-format)" = "tools/check-format",
   "objects in src/Makevars; includes, words and headers of the engine" = "tools/check-engine.sh",
+  "engine.wasm, where it is made, is of these sources" = "tools/wasm/check.sh",
   "schema of plans and its parts" = "make -s schema-check",
   "an example on every help page; help and guides grouped (_pkgdown.yml)" =
     "Rscript tools/check-help.R",

@@ -1,11 +1,15 @@
 # Makes inst/schema/plan.schema.json from the parts in tools/schema and the units of
-# R/plan-units.R (tools/schema/README.md tells how a part is written).
-#   Rscript tools/schema.R           writes the file
-#   Rscript tools/schema.R --check   fails where the file is not what the parts give
+# R/plan-units.R (tools/schema/README.md tells how a part is written), and the engine's enumerations
+# of laws from the table of laws, inst/schema/laws.csv.
+#   Rscript tools/schema.R           writes the files
+#   Rscript tools/schema.R --check   fails where the files are not what the parts give
+# What measures are it takes from the calls of define_measure() in R/measure-*.R.
 # Takes nothing but the packages jsonlite and yaml; run it in the root of the checkout.
 
 parts_folder <- "tools/schema"
 schema_file <- "inst/schema/plan.schema.json"
+laws_file <- "inst/schema/laws.csv"
+laws_header <- "src/engine/base/laws.hpp"
 
 read_part <- function(name) {
   yaml::read_yaml(file.path(parts_folder, paste0(name, ".yaml")), handlers = list(
@@ -59,6 +63,63 @@ si_number <- function(value, dimension) {
   number
 }
 
+# ---- laws -------------------------------------------------------------------------------------
+
+laws <- utils::read.csv(laws_file)
+
+law_names <- function(of, forms = NULL) {
+  laws$name[laws$of == of & (is.null(forms) | laws$form %in% forms)]
+}
+
+# An enumeration of the engine with the names of its values; before: those that no row of laws has.
+cpp_names <- function(name, of, forms = NULL, before = NULL) {
+  all <- c(before, law_names(of, forms))
+  c(
+    sprintf("enum class %s { %s };", name, toString(all)),
+    sprintf("constexpr std::array<const char*, %d> names_of(%s) {", length(all), name),
+    sprintf("  return {%s};", toString(dQuote(all, FALSE))), "}"
+  )
+}
+
+# The ranges of the laws of such an enumeration. What has no bound has 0 or infinity.
+cpp_ranges <- function(name, of, forms, before = NULL) {
+  rows <- laws[match(c(before, law_names(of, forms)), ifelse(laws$of == of, laws$name, NA)), ]
+  bound <- function(field, none) {
+    ifelse(is.na(rows[[field]]), none, format(rows[[field]], trim = TRUE, drop0trailing = TRUE))
+  }
+  values <- sprintf("      {%s, %s, %s, %s},  // %s", bound("least_solidity", "0.0"),
+    bound("most_solidity", "unbounded"), bound("least_reynolds", "0.0"),
+    bound("most_reynolds", "unbounded"), c(before, law_names(of, forms)))
+  c(
+    sprintf("inline LawRange range_of(%s law) {", name),
+    "  constexpr LawRange ranges[] = {", values, "  };",
+    "  return ranges[static_cast<std::size_t>(law)];", "}"
+  )
+}
+
+laws_text <- function() {
+  lines <- c(
+    "// Laws by name and the ranges that they are used in, made by `make schema` from",
+    sprintf("// %s: do not edit by hand.", laws_file),
+    "#pragma once", "", "// clang-format off",
+    "#include <array>", "#include <cstddef>", "#include <limits>", "",
+    "namespace codend {", "",
+    "// Solidities and Reynolds numbers beyond these are taken as the ends.",
+    "struct LawRange {", "  double least_solidity, most_solidity, least_reynolds, most_reynolds;",
+    "};", "constexpr double unbounded = std::numeric_limits<double>::infinity();", "",
+    "// Of twines; `constant` has numbers of its own.",
+    cpp_names("CylinderLawKind", "twine", "formula", "constant"), "",
+    "// Of netting as a screen.",
+    cpp_names("NettingScreenLaw", "netting", "screen"),
+    cpp_ranges("NettingScreenLaw", "netting", "screen"), "",
+    "// Of netting in all.", cpp_names("NettingDrag", "netting"), "",
+    "// Of the speed of the water behind netting.",
+    cpp_names("WakeLaw", "wake", "formula", "none"),
+    cpp_ranges("WakeLaw", "wake", "formula", "none"), "", "}  // namespace codend"
+  )
+  paste0(c(lines, ""), collapse = "\n")
+}
+
 # ---- definitions ------------------------------------------------------------------------------
 
 # Letters of all scripts, by the ranges that XML allows in names: \\p{L} is not known everywhere.
@@ -92,6 +153,9 @@ whole_node <- function(node) {
   }
   if (identical(node$type, "boolean")) {
     node <- c(node["description"], truth, node[setdiff(names(node), c("description", "type"))])
+  }
+  if (is.list(node$enum) && "$laws" %in% names(node$enum)) {
+    node$enum <- c(node$enum$and, as.list(law_names(node$enum$`$laws`)))
   }
   if (is.character(node$`$ref`)) node$`$ref` <- paste0("#/$defs/", node$`$ref`)
   if (is.character(node$pattern)) {
@@ -165,6 +229,37 @@ as_kind <- function(node, name) {
   node
 }
 
+# What a measure is and in which unit, of every kind that R/measure-*.R defines: a text, by kind.
+measure_meanings <- function() {
+  found <- character()
+  # what else a definition says is not asked for, and is not evaluated
+  define_measure <- function(kind, unit, definition, ...) {
+    unit <- if (unit == "%") "percent" else unit
+    found[kind] <<- paste0(gsub("[[:space:]]+", " ", definition), " In ", unit, ".")
+  }
+  for (file in list.files("R", "^measure-.*[.]R$", full.names = TRUE)) {
+    for (call in as.list(parse(file, keep.source = FALSE))) {
+      if (is.call(call) && identical(call[[1]], quote(define_measure))) eval(call)
+    }
+  }
+  found
+}
+
+# The definition `measure`, each of whose fields says first what is measured.
+with_meanings <- function(node) {
+  meanings <- measure_meanings()
+  kinds <- names(node$properties)
+  odd <- c(setdiff(kinds, names(meanings)), setdiff(names(meanings), kinds))
+  if (length(odd)) {
+    stop_part("measure `", odd[1], "` is not both in assembly.yaml and in an R/measure-*.R")
+  }
+  for (kind in kinds) {
+    node$properties[[kind]]$description <-
+      paste(meanings[[kind]], node$properties[[kind]]$description)
+  }
+  node
+}
+
 default_kind <- "assembly"
 fields <- read_part("fields")
 mixins <- read_part("mixins")
@@ -174,6 +269,7 @@ parts <- lapply(setdiff(names, c("fields", "mixins", "quantities")), read_part)
 parts <- do.call(c, parts)
 twice <- names(parts)[duplicated(names(parts))]
 if (length(twice)) stop_part("two definitions of `", twice[1], "`")
+parts$measure <- with_meanings(parts$measure)
 definitions <- lapply(parts, whole_node)
 kinds <- names(Filter(function(part) "$plan" %in% names(part$properties), parts))
 kinds <- c(default_kind, setdiff(sort(kinds, method = "radix"), default_kind))
@@ -217,12 +313,13 @@ text <- enc2utf8(paste0(text, "\n"))
 
 read_bytes <- function(file) if (file.exists(file)) readBin(file, "raw", file.size(file))
 
-if (identical(commandArgs(TRUE), "--check")) {
-  if (!identical(read_bytes(schema_file), charToRaw(text))) {
-    stop(schema_file, " is not what tools/schema gives: run `make schema`.", call. = FALSE)
+made <- stats::setNames(list(text, laws_text()), c(schema_file, laws_header))
+for (file in names(made)) {
+  if (!identical(commandArgs(TRUE), "--check")) {
+    beside <- tempfile(tmpdir = dirname(file))
+    writeBin(charToRaw(made[[file]]), beside)
+    invisible(file.rename(beside, file))
+  } else if (!identical(read_bytes(file), charToRaw(made[[file]]))) {
+    stop(file, " is not what its parts give: run `make schema`.", call. = FALSE)
   }
-} else {
-  beside <- tempfile(tmpdir = dirname(schema_file))
-  writeBin(charToRaw(text), beside)
-  invisible(file.rename(beside, schema_file))
 }

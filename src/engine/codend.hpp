@@ -6,7 +6,8 @@
 //
 // A model is filled field by field, then Model::prepare() called, or read from any source of named
 // arrays (read_fields(), with the checks of every array); an Assembly over it is what settle(),
-// evaluate() and March work with. tests/engine/programs/settle_file.cpp is a whole program.
+// evaluate() and March work with. tests/engine/programs/settle_file.cpp is a whole program. A Gear is read
+// in the same way; build_lattice() gives its nodes, elements and a shape to start from.
 //
 // SI units. x aft, y to starboard, z up, 0 at the surface. What makes no sense throws InputError.
 // Functions keep no state between calls: models in different threads are independent.
@@ -17,6 +18,7 @@
 #include "base/fields.hpp"
 #include "base/read_fields.hpp"
 #include "base/text_source.hpp"
+#include "gear/lattice.hpp"
 #include "march/march.hpp"
 #include "march/scheduled_conditions.hpp"
 #include "march/schemes.hpp"

@@ -50,6 +50,7 @@ struct Ingredients {
   bool struts = false;  // every other bar also pushes
   // What friction gives (m) before what sticks to the ground slips; 0: nothing sticks.
   double stick_give = 0.0;
+  bool multiplied = false;  // components of force, by multipliers
 };
 
 // Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
@@ -102,8 +103,12 @@ class Specimen {
     if (wanted.wake) {
       model.wake_sheets.node = {0, 1, 2};
       model.wake_sheets.twine_area = {0.1};
+      model.wake_sheets.overlap = {0.25};
       model.wake_sheets.law = {WakeLaw::loland};
       for (int p = 0; p < model.points(); ++p) model.wake.push_back(random.between(0.3, 1.0));
+    }
+    if (wanted.multiplied) {
+      model.multipliers = {std::vector<double>(model.materials.size(), 1.3), 0.8, 1.2, 0.7};
     }
     model.prepare();
     stretch(random);

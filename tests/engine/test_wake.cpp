@@ -9,8 +9,10 @@ namespace {
 
 using namespace codend;
 
-// A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all.
-void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& position) {
+// A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all; overlap: of its
+// crossings.
+void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& position,
+               double overlap = 0.0) {
   const int first = static_cast<int>(position.size() / 3);
   for (const double y : {-1.0, 1.0}) {
     for (const double z : {-1.0, 1.0}) position.insert(position.end(), {x, y, z});
@@ -18,6 +20,7 @@ void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& 
   for (const int k : {0, 1, 3, 0, 3, 2}) sheets.node.push_back(first + k);
   for (int k = 0; k < 2; ++k) {
     sheets.twine_area.push_back(0.5 * twine);
+    sheets.overlap.push_back(overlap);
     sheets.law.push_back(WakeLaw::loland);
   }
 }
@@ -42,6 +45,18 @@ TEST_CASE("speed behind netting is that of the published laws") {
       }
     }
   }
+}
+
+TEST_CASE("the wake's solidity counts crossings once, as the drag of a screen does") {
+  // squares of twine d over bars a, d/a = 0.2: Sn = 2 d/a - (d/a)^2
+  WakeSheets sheets;
+  std::vector<double> x;
+  add_sheet(0.0, 4.0 * 0.4, sheets, x, 0.25);
+  x.insert(x.end(), {1.0, 0.2, 0.3});
+  Wake wake(sheets, 5);
+  wake.renew(x.data(), {1.0, 0.0, 0.0}, true, 1e-5);
+  CHECK(wake.share()[4] ==
+        doctest::Approx(speed_reduction(WakeLaw::loland, 0.4 - 0.04, 1.0)).epsilon(1e-12));
 }
 
 TEST_CASE("only points behind a sheet are in its wake") {

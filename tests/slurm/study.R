@@ -6,7 +6,8 @@ stopifnot(requireNamespace("future.batchtools"))
 folder <- tempfile("slurm-")
 dir.create(folder)
 setwd(folder)
-gears <- designs(towing.speed = between("3 knot", "5 knot"), ropes.cable.length = normal("1000 m",
+gears <- designs(towing.speed = value_range("3 knot", "5 knot"),
+  ropes.cable.length = normal_value("1000 m",
   "100 m"), how = "latin", number = 50, seed = 3)
 alone <- vary("towed_cable", gears)
 stopifnot(nrow(alone) == 50L, all(alone$settled))

@@ -46,8 +46,10 @@ hung_shape <- function(x) lattice_of(x)$hung
 
 # A state or trajectory without the lattice's function that finds places, which is never identical
 # to another.
+# nor of the other lattices that its errors follow from, which are functions too
 without_places <- function(x) {
   x$lattice$place <- NULL
+  x$levels <- NULL
   x
 }
 

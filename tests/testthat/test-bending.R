@@ -1,9 +1,9 @@
 # A pole of 4 m on two supports, in vacuum, with a load in its middle.
 pole <- function(..., load = -10) {
   gear("A pole", water = list(density = 0),
-    left = point(position = c(0, 0, 0), held = "fixed"),
-    right = point(position = c(4, 0, 0), held = "fixed"),
-    middle = point(at = "pole.middle", load = c(0, 0, load)),
+    left = gear_point(position = c(0, 0, 0), held = "fixed"),
+    right = gear_point(position = c(4, 0, 0), held = "fixed"),
+    middle = gear_point(at = "pole.middle", load = c(0, 0, load)),
     pole = rope("left", "right", diameter = "40 mm", axial_stiffness = "1 MN",
       mass_per_length = 0, segments = 40, ...),
     sag = measure(depth = "middle"))
@@ -19,10 +19,10 @@ test_that("a pole bends as a beam does", {
 
 test_that("a rope that pushes is a strut", {
   tripod <- gear("A strut", water = list(density = 0),
-    foot = point(position = c(0, 0, 0), held = "fixed"),
-    stay_a = point(position = c(-1, 1, 0), held = "fixed"),
-    stay_b = point(position = c(-1, -1, 0), held = "fixed"),
-    top = point(load = c(50, 0, -100), near = c(0, 0, 2)),
+    foot = gear_point(position = c(0, 0, 0), held = "fixed"),
+    stay_a = gear_point(position = c(-1, 1, 0), held = "fixed"),
+    stay_b = gear_point(position = c(-1, -1, 0), held = "fixed"),
+    top = gear_point(load = c(50, 0, -100), near = c(0, 0, 2)),
     strut = rope("foot", "top", length = "2 m", diameter = "50 mm", axial_stiffness = "10 MN",
       mass_per_length = 0, pushes = TRUE, segments = 1),
     a = rope("stay_a", "top", length = "2.449 m", diameter = "10 mm", axial_stiffness = "1 MN",
@@ -39,7 +39,8 @@ test_that("a rope that pushes is a strut", {
 
 test_that("a point is near a place or held at one", {
   expect_error(
-    gear("x", a = point(position = c(0, 0, 0), held = "fixed", near = c(0, 0, 1)), b = point(),
+    gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed", near = c(0, 0, 1)),
+      b = gear_point(),
       r = rope("a", "b", length = 1, diameter = 0.01, material = "PA")),
     "points.a.near", class = "codend_error_plan"
   )
@@ -48,9 +49,9 @@ test_that("a point is near a place or held at one", {
 # A pole of 4 m between supports 10 mm nearer to each other.
 pressed_pole <- function(bending_stiffness) {
   gear("A pole", water = list(density = 0),
-    left = point(position = c(0, 0, 0), held = "fixed"),
-    right = point(position = c(3.99, 0, 0), held = "fixed"),
-    middle = point(at = "pole.middle", load = c(0, 0, 0)),
+    left = gear_point(position = c(0, 0, 0), held = "fixed"),
+    right = gear_point(position = c(3.99, 0, 0), held = "fixed"),
+    middle = gear_point(at = "pole.middle", load = c(0, 0, 0)),
     pole = rope("left", "right", length = "4 m", diameter = "40 mm", axial_stiffness = "1 MN",
       mass_per_length = "1e-6 kg/m", segments = 20, bending_stiffness = bending_stiffness))
 }
@@ -88,8 +89,8 @@ test_that("a pole that is divided and has no bending stiffness gives way when it
   # Two hinged halves between supports 10 mm nearer than their length: straight they would push with
   # 2.5 kN, and nothing holds the joint but 1 kg that hangs from it, which bends them down.
   pole <- gear("A pole", water = list(density = 0),
-    left = point(position = c(0, 0, 0), held = "fixed"),
-    right = point(position = c(3.99, 0, 0), held = "fixed"),
+    left = gear_point(position = c(0, 0, 0), held = "fixed"),
+    right = gear_point(position = c(3.99, 0, 0), held = "fixed"),
     weight = piece(at = "pole.middle", mass = "1 kg", volume = 0, diameter = "10 mm",
       drag_coefficient = 0),
     pole = rope("left", "right", length = "4 m", diameter = "40 mm", axial_stiffness = "1 MN",

@@ -62,7 +62,7 @@ test_that("on a full disk every writer keeps the old file and says why", {
   calls <- c(
     "gear.yaml" = "write_gear(gear, file)", "state.vtu" = "write_vtk(state, file)",
     "state.glb" = "write_gltf(state, file)", "state.gltf" = "write_gltf(state, file)",
-    "state.html" = "view(state, file)", "report.html" = "report(state, file)",
+    "state.html" = "view_3d(state, file)", "report.html" = "report(state, file)",
     "state.png" = "plot(state, file = file)", "state.pdf" = "plot(state, file = file)",
     "state.svg" = "plot(state, file = file)"
   )
@@ -131,4 +131,48 @@ test_that("files hold the same bytes whatever the session's settings are", {
     # nor may an order of names depend on the locale
     expect_identical(settle(read_gear("towed_cable"), nodes = 100)$position, state$position)
   }
+})
+
+test_that("a link is followed, and stays", {
+  skip_on_os("windows")
+  folder <- test_folder()
+  link <- file.path(folder, "link.csv")
+  target <- file.path(folder, "deeper", "target.csv")
+  dir.create(dirname(target))
+  writeLines("old", target)
+  file.symlink(file.path("deeper", "target.csv"), link)
+  write_text("new", link)
+  expect_identical(readLines(target, warn = FALSE), "new")
+  expect_identical(Sys.readlink(link), file.path("deeper", "target.csv"))
+  # to what is not there yet, and round in a circle
+  file.remove(target)
+  write_text("made", link)
+  expect_identical(readLines(target, warn = FALSE), "made")
+  file.symlink("b", file.path(folder, "a"))
+  file.symlink("a", file.path(folder, "b"))
+  expect_error(write_text("x", file.path(folder, "a")), "circle", class = "codend_error_file")
+})
+
+test_that("what killed processes left is removed, what others are writing is not", {
+  skip_on_os("windows")
+  skip_if_not_installed("callr")
+  folder <- test_folder()
+  process <- callr::r_bg(function() Sys.sleep(60))
+  on.exit(process$kill())
+  gone <- callr::r_bg(function() NULL)
+  gone$wait()
+  left <- function(id, host = this_host()) {
+    file <- file.path(folder, sprintf(".codend-%s-%d-1a2b", host, id))
+    writeLines("half", file)
+    Sys.setFileTime(file, Sys.time() - 2 * leftover_seconds)
+    file
+  }
+  of_killed <- left(gone$get_pid())
+  of_living <- left(process$get_pid())
+  of_other <- left(gone$get_pid(), "elsewhere")
+  young <- sub("1a2b$", "3c4d", of_killed)
+  writeLines("half", young)
+  write_text("x", file.path(folder, "a.txt"))
+  expect_false(file.exists(of_killed))
+  expect_true(all(file.exists(c(of_living, of_other, young))))
 })

@@ -1,6 +1,6 @@
 run_code <- function(code) {
-  # plot() and view() have files and pages of their own
-  code <- sub("view(state)", "", code, fixed = TRUE)
+  # plot() and view_3d() have files and pages of their own
+  code <- sub("view_3d(state)", "", code, fixed = TRUE)
   env <- new.env(parent = globalenv())
   grDevices::pdf(NULL)
   on.exit(grDevices::dev.off())

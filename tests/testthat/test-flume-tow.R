@@ -81,3 +81,11 @@ test_that("the plan's own tow is towed", {
     expect_equal(utils::tail(trajectory$conditions$speed, 1L), 5 * 1852 / 3600, tolerance = 1e-12)
   })
 })
+
+test_that("a plan without a tow offers none, whatever its other sections are called", {
+  beam <- read_gear("beam_trawl")
+  expect_true("towing" %in% names(beam$plan) && !"tow" %in% names(beam$plan))
+  in_flume(beam, function(session, sent, tank) {
+    expect_false(sent("flume_picture")[[1]]$towed)
+  })
+})

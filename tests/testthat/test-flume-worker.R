@@ -229,3 +229,37 @@ test_that("a page that sends too much is told from one that is used", {
   time <- time + 10
   expect_true(pass(200))
 })
+
+test_that("all workers together take no more memory than they may: who takes most gives up", {
+  memory_clock$next_look <- 0
+  one <- asking()
+  two <- asking()
+  on.exit({
+    one$worker$stop()
+    two$worker$stop()
+  })
+  one$ask("one", towed_at(5))
+  two$ask("two", towed_at(4))
+  expect_true(one$wait(1) && two$wait(1))
+  taken <- one$worker$memory() + two$worker$memory()
+  expect_gt(taken, 5e7)
+  memory_clock$next_look <- 0
+  bound_memory(1.1 * taken)
+  expect_length(ls(tank_workers), 2L)
+  memory_clock$next_look <- 0
+  bound_memory(0.9 * taken)
+  expect_length(ls(tank_workers), 1L)
+  # both go on, one in a new process
+  one$ask("one", towed_at(4.5))
+  two$ask("two", towed_at(4.5))
+  expect_true(one$wait(2) && two$wait(2))
+  expect_null(one$answers()[[2]]$answer$problem)
+  expect_null(two$answers()[[2]]$answer$problem)
+  # at work it answers so
+  two$worker$stop()
+  memory_clock$next_look <- 0
+  one$ask("one", towed_at(4.6))
+  bound_memory(1)
+  expect_true(one$wait(3))
+  expect_match(one$answers()[[3]]$answer$problem$message, "more memory", fixed = TRUE)
+})

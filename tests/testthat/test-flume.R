@@ -428,3 +428,16 @@ test_that("the page leads to what the measures mean", {
   }
   expect_true(grepl(leads, words, fixed = TRUE))
 })
+
+test_that("a page of another origin is not served", {
+  of <- function(origin, host) same_origin(list(HTTP_ORIGIN = origin, HTTP_HOST = host))
+  expect_true(of("http://127.0.0.1:3838", "127.0.0.1:3838"))
+  expect_true(of("https://tank.example.org", "tank.example.org"))
+  expect_true(of("https://Tank.example.org:443", "tank.example.org"))
+  expect_true(of(NULL, "127.0.0.1:3838"))
+  expect_false(of("http://evil.example", "127.0.0.1:3838"))
+  expect_false(of("http://127.0.0.1:8080", "127.0.0.1:3838"))
+  expect_false(of("http://127.0.0.1:3838.evil.example", "127.0.0.1:3838"))
+  expect_false(of("null", "127.0.0.1:3838"))
+  expect_false(of("file://", "127.0.0.1:3838"))
+})

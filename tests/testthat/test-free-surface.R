@@ -2,7 +2,7 @@
 
 test_that("a float swims with the draught of its weight", {
   state <- settle(gear("float",
-    anchor = point(position = c(0, 0, -10), held = "fixed"), at_float = point(),
+    anchor = gear_point(position = c(0, 0, -10), held = "fixed"), at_float = gear_point(),
     line = rope("anchor", "at_float", length = "14 m", diameter = "6 mm", material = "polyamide"),
     float = piece(at = "at_float", mass = "5 kg", diameter = "300 mm"),
     water = list(free_surface = TRUE, current = list(speed = "0.4 m/s", toward = "0 deg"))
@@ -28,8 +28,8 @@ test_that("a float swims with the draught of its weight", {
 test_that("drag fades with what is in the water", {
   rope_at <- function(height, free) {
     state <- settle(gear("a bar",
-      a = point(position = c(0, 0, height), held = "fixed"),
-      b = point(position = c(0, 1, height), held = "fixed"),
+      a = gear_point(position = c(0, 0, height), held = "fixed"),
+      b = gear_point(position = c(0, 1, height), held = "fixed"),
       bar = rope("a", "b", length = "1 m", diameter = "60 mm", axial_stiffness = "1 MN",
         mass_per_length = "3 kg/m", segments = 1),
       water = list(free_surface = free, current = list(speed = "1 m/s", toward = "0 deg"))
@@ -45,7 +45,7 @@ test_that("drag fades with what is in the water", {
 test_that("a line leaves the water over a twentieth of its bars' length, or its diameter", {
   height <- function(segments, of) {
     lattice <- build_lattice(gear_si(gear("a line",
-      a = point(position = c(0, 0, 0), held = "fixed"), b = point(),
+      a = gear_point(position = c(0, 0, 0), held = "fixed"), b = gear_point(),
       line = rope("a", "b", length = "10 m", diameter = "60 mm", material = "PA",
         segments = segments),
       water = list(free_surface = TRUE)
@@ -74,7 +74,7 @@ test_that("a free surface far above changes nothing", {
     expect_identical(settle(deep)$position, settle(cable)$position)
   }
   chain <- gear("deep",
-    top = point(position = c(0, 0, -50), held = "fixed"), end = point(),
+    top = gear_point(position = c(0, 0, -50), held = "fixed"), end = gear_point(),
     rope = rope("top", "end", length = "10 m", diameter = "10 mm", material = "steel_wire"),
     water = list(current = list(speed = "1 m/s", toward = "0 deg"))
   )

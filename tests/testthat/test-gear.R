@@ -1,9 +1,9 @@
 test_that("calls give the same tree as a file", {
   built <- gear(
     "A net on a warp",
-    ship = point(position = c(0, 0, 0), held = "fixed"), knot = point(),
+    ship = gear_point(position = c(0, 0, 0), held = "fixed"), knot = gear_point(),
     warp = rope("ship", "knot", length = "100 m", diameter = "20 mm", material = "PA"),
-    net = panel(
+    net = netting_panel(
       mesh_size = "100 mm", meshes = list(upper = 10L, lower = 5, deep = 10),
       twine = list(diameter = "2 mm", material = "PE")
     ),
@@ -20,7 +20,8 @@ test_that("calls give the same tree as a file", {
 test_that("the constructors take every field of the schema", {
   fields <- plan_schema$kinds$assembly$properties
   groups <- list(
-    points = point, ropes = rope, panels = panel, pieces = piece, seams = seam, measures = measure
+    points = gear_point, ropes = rope, panels = netting_panel, pieces = piece, seams = seam,
+    measures = measure
   )
   for (group in names(groups)) {
     known <- names(fields[[group]]$additionalProperties$properties)
@@ -52,7 +53,7 @@ test_that("a gear that was changed is checked to what its plan gives anew", {
 
 test_that("two components of one name are an error", {
   expect_error(
-    gear("x", a = point(position = c(0, 0, 0), held = "fixed"), a = point()),
+    gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed"), a = gear_point()),
     "given twice", class = "codend_error_plan"
   )
 })

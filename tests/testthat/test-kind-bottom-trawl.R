@@ -141,8 +141,8 @@ test_that("a rope is hung by edge where its lengths are given", {
   # the bosom runs between the wings' bases, 6.5 m from each end
   expect_true(any(abs(at - 6.5) < 1e-9) && any(abs(at - 10.5) < 1e-9))
   expect_error(
-    gear("x", top = point(position = c(0, 0, 0), held = "fixed"),
-      net = panel(mesh_size = 0.1, meshes = list(upper = 10, lower = 10, deep = 10),
+    gear("x", top = gear_point(position = c(0, 0, 0), held = "fixed"),
+      net = netting_panel(mesh_size = 0.1, meshes = list(upper = 10, lower = 10, deep = 10),
         twine = list(diameter = 0.002, material = "PE")),
       hung = seam(edges = "net.upper", gathered_at = "top"),
       line = rope(along = "net.lower", lengths = c(0.3, 0.4), diameter = 0.01, material = "PE")),
@@ -179,9 +179,11 @@ test_that("what a bottom trawl lacks or cannot have is told", {
 test_that("a pointed panel ends in one node, gathered or not", {
   twine <- list(diameter = 0.002, material = "PE")
   tip <- gear("x",
-    top = point(position = c(0, 0, 0), held = "moved"), end = point(at = "net.upper_left"),
+    top = gear_point(position = c(0, 0, 0), held = "moved"),
+      end = gear_point(at = "net.upper_left"),
     line = rope("top", "end", length = 5, diameter = 0.01, material = "PE"),
-    net = panel(mesh_size = 0.1, meshes = list(upper = 0, lower = 40, deep = 40), twine = twine),
+    net = netting_panel(mesh_size = 0.1, meshes = list(upper = 0, lower = 40, deep = 40),
+      twine = twine),
     towing = list(speed = 1))
   for (netting in c("cells", "bars")) {
     state <- settle(tip, nodes = 100, netting = netting)

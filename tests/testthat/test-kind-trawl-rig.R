@@ -41,7 +41,8 @@ test_that("port and starboard may differ, and only in what is said", {
 })
 
 test_that("a longer warp trails its board", {
-  trawl <- update(new_plan("bottom_trawl"), warps.starboard = list(length = "335 m"))
+  trawl <- update(new_plan("bottom_trawl"), warps.length = "325 m",
+    warps.starboard = list(length = "335 m"))
   state <- settle(trawl, nodes = 200)
   boards <- vapply(c("board_port", "board_starboard"), function(point) {
     state$position[1, state$lattice$place(point)]
@@ -55,4 +56,57 @@ test_that("ticklers hang between the lower wing ends", {
   ticklers <- list(tickler_1 = list(length = "20 m", diameter = "16 mm", material = "steel_chain"))
   rope <- changed_trawl(ticklers = ticklers)$ropes$tickler_1
   expect_identical(c(rope$from, rope$to, rope$role), c("lower_port", "lower_starboard", "tickler"))
+})
+
+test_that("a setback is more of its bridle, on both sides", {
+  set <- changed_trawl(bridles.upper.setback = "457 mm", bridles.upper.port.length = "56 m")$ropes
+  expect_equal(set$bridle_upper_starboard$length, 54.9 + 0.457)
+  expect_equal(set$bridle_upper_port$length, 56 + 0.457)
+  expect_equal(set$bridle_lower_port$length, 54.9)
+  # an upper wing end that is set back is the same gear as one with a longer bridle, and higher
+  gear <- read_gear("poly_noreastern_trawl")
+  shape <- function(...) measures(settle(update(gear, ...), nodes = 300))
+  back <- shape(bridles.upper.setback = "0.5 m")
+  expect_equal(back, shape(bridles.upper.length = "55.4 m"), tolerance = 1e-9)
+  expect_gt(back[["headline_height_m"]], shape()[["headline_height_m"]])
+})
+
+test_that("an extension of the head line leads on from the upper bridle", {
+  wire <- list(length = "2 m", diameter = "16 mm", material = "steel_wire")
+  plan <- changed_trawl(head_line_extensions = wire)
+  rope <- plan$ropes$head_line_extension_port
+  expect_identical(c(rope$from, rope$to), c("head_line_extension_port", "upper_port"))
+  expect_identical(plan$ropes$bridle_upper_port$to, "head_line_extension_port")
+  expect_identical(plan$ropes$bridle_lower_port$to, "extension_port")
+})
+
+test_that("danlenos and weights at the wing ends hang where they are fastened, on each side", {
+  steel <- list(mass = "50 kg", density = "7850 kg/m3")
+  pieces <- changed_trawl(danlenos = steel, wing_end_weights = steel)$pieces
+  # without sweeps the bridles begin at the boards
+  expect_identical(pieces$danleno_port$at, "board_port")
+  expect_identical(pieces$wing_end_weight_starboard$at, "lower_starboard")
+  swept <- update(new_plan("bottom_trawl"), danlenos = steel)
+  expect_identical(assembly(swept)$plan$pieces$danleno_port$at, "sweep_end_port")
+  # they weigh what they weigh in water, and no more
+  heavy <- settle(swept, nodes = 200)
+  table <- as.data.frame(heavy, what = "drag")
+  found <- table$weight_in_water_kN[table$part == "danleno_port"]
+  expect_equal(found, 50 * (1 - 1025 / 7850) * 9.81 / 1000, tolerance = 2e-3)
+})
+
+test_that("what does not fit is refused with the meshes that would", {
+  gear <- read_gear("poly_noreastern_trawl")
+  # a jib must reach past what the side wings lack: 80 + 45 - 46 meshes less 56
+  expect_error(update(gear, wings.jib.deep = 20), "(23 meshes)", fixed = TRUE,
+    class = "codend_error_plan")
+  expect_error(update(gear, wings.jib = NULL, bridles.middle = NULL), "(79 meshes", fixed = TRUE,
+    class = "codend_error_plan")
+  # as deep as they may be with these meshes
+  fits <- update(gear, wings.jib = NULL, bridles.middle = NULL, wings.side.meshes.deep = 79,
+    wings.lower.meshes.deep = 99)
+  expect_s3_class(fits, "codend_gear")
+  middle <- list(length = "54.9 m", diameter = "16 mm", material = "steel_wire")
+  expect_error(update(fits, bridles.middle = middle), "such as `jib: {deep:", fixed = TRUE,
+    class = "codend_error_plan")
 })

@@ -13,9 +13,9 @@ flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_
       mass_per_length = 0, volume_per_length = 0, coefficients = list(normal = 0), segments = 1)
   }
   gear(
-    "A kite", block_port = point(position = c(0, -starboard, -100), held = "moved"),
-    block_starboard = point(position = c(0, starboard, -100), held = "moved"),
-    port = point(), starboard = point(), tail = point(),
+    "A kite", block_port = gear_point(position = c(0, -starboard, -100), held = "moved"),
+    block_starboard = gear_point(position = c(0, starboard, -100), held = "moved"),
+    port = gear_point(), starboard = gear_point(), tail = gear_point(),
     front_port = line("block_port", "port", front),
     front_starboard = line("block_starboard", "starboard", front),
     rear_port = line("block_port", "tail", rear),
@@ -118,7 +118,7 @@ test_that("a stalled kite is told of as a kite, and drawn as one", {
 })
 
 # Angle (deg) between the flow, along x, and the chord of a drawn plate, whose corners (3 x 4) are
-# those of view(): leading edge, then trailing edge.
+# those of view_3d(): leading edge, then trailing edge.
 drawn_attack <- function(corners) {
   chord <- rowSums(corners[, 3:4]) - rowSums(corners[, 1:2])
   atan2(-chord[3], chord[1]) * 180 / pi
@@ -126,7 +126,7 @@ drawn_attack <- function(corners) {
 
 test_that("pages draw a free kite at its angle of attack, and the tank sends it as a plate", {
   state <- settle(flown_kite())
-  scene <- view(state)$x$scene
+  scene <- view_3d(state)$x$scene
   corners <- places_at(scene$boards, 1)
   expect_identical(ncol(corners), 4L)
   # single precision: 6e-8 of 100 m of depth, over a chord of 1 m
@@ -137,7 +137,7 @@ test_that("pages draw a free kite at its angle of attack, and the tank sends it 
 
 test_that("a page that plays turns a free kite as it turns", {
   trajectory <- tow(flown_kite(), until = 2, every = 1, speed = data.frame(time = 0:1, value = 2:1))
-  scene <- view(trajectory)$x$scene
+  scene <- view_3d(trajectory)$x$scene
   drawn <- vapply(1:3, function(k) drawn_attack(places_at(scene$boards, k)), 0)
   trim_at <- function(time) board_table(state_at(trajectory, time))$trim_deg
   trim <- vapply(trajectory$time, trim_at, 0)

@@ -38,9 +38,7 @@ test_that("shapes linear in mesh coordinates are carried exactly, whatever the n
     for (to in c("cells", "bars")) {
       coarse <- drawn_flat(si, 80, from)
       fine <- drawn_flat(si, 1000, to)
-      carried <- carry_positions(
-        panel_table(si$panels), fine$lattice, coarse$lattice, coarse$position
-      )
+      carried <- build_lattice(si, 1000, to, coarse[c("lattice", "position")])$start
       free <- !engine_array(fine, "held")
       expect_gt(engine_array(fine, "nodes"), 4 * engine_array(coarse, "nodes"))
       # Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.

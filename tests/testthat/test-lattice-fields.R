@@ -16,7 +16,7 @@ test_that("a lattice has all fields of the engine and no others", {
     engine <- engine_of(name)
     of_one <- c("", "ground", "plates", "plates.polar", "sliding")
     # of gears that have them
-    of_one <- c(of_one, "water.waves", "load_table", "line_friction")
+    of_one <- c(of_one, "water.waves", "load_table", "line_friction", "multipliers")
     for (kind in setdiff(unique(table$kind), of_one)) {
       elements <- Reduce(`[[`, strsplit(kind, ".", fixed = TRUE)[[1]], engine)
       inner <- if (kind == "blended") "materials"

@@ -1,102 +1,60 @@
-# Lattices filled again equal those built anew.
+# Lattices of gears that differ from one whose shape is known.
 
 changed_gear <- function(gear, path, value) {
   gear_si(do.call(update, c(list(gear), stats::setNames(list(value), path))))
 }
 
-test_that("a lattice filled with other conditions equals the one that is built", {
+test_that("other conditions change the water and the ground of a lattice, and nothing else", {
   changes <- list(
-    list("midwater_trawl", "towing.speed", "4.7 knot"),
-    list("poly_noreastern_trawl", "towing.speed", "3.3 knot"),
-    list("poly_noreastern_trawl", "seabed.depth", "101 m"),
-    list("model_cage", "water.current.speed", "0.3 m/s"),
-    list("t90_codend", "towing.speed", "1.3 m/s")
+    list("midwater_trawl", "towing.speed", "4.7 knot", "water"),
+    list("poly_noreastern_trawl", "seabed.depth", "101 m", "ground"),
+    list("model_cage", "water.current.speed", "0.3 m/s", "water")
   )
   for (change in changes) {
     gear <- read_gear(change[[1]])
-    shape <- state_shape(settle(gear, nodes = 300))
-    si <- changed_gear(gear, change[[2]], change[[3]])
-    filled <- fill_lattice(si, 300, NULL, shape)
+    first <- build_lattice(gear_si(gear), 300)
+    shape <- list(lattice = first, position = lattice_points(first, first$start))
+    again <- build_lattice(changed_gear(gear, change[[2]], change[[3]]), 300, NULL, shape)
     label <- paste(change[[1]], change[[2]])
-    expect_false(is.null(filled), label = label)
-    shape$settled <- NULL
-    built <- build_lattice(si, 300, NULL, shape)
-    if (!is.null(si$catch)) built <- set_catch_front(built, shape$lattice$catch$blocked)
-    expect_identical(filled$engine, built$engine, label = label)
-    expect_identical(filled$start, built$start, label = label)
-    expect_identical(names(filled), names(built), label = label)
+    same <- setdiff(names(first$engine), change[[4]])
+    expect_identical(again$engine[same], first$engine[same], label = label)
+    expect_false(identical(again$engine[[change[[4]]]], first$engine[[change[[4]]]]), label = label)
+    expect_identical(again$start, first$start, label = label)
+    parts <- setdiff(names(first), c("engine", "place"))
+    expect_identical(unclass(again)[parts], unclass(first)[parts], label = label)
+    expect_identical(lattice_places(again), lattice_places(first), label = label)
   }
 })
 
-test_that("a lattice is built anew where more than the conditions has changed", {
-  gear <- read_gear("midwater_trawl")
-  shape <- state_shape(settle(gear, nodes = 300))
-  expect_null(fill_lattice(gear_si(gear), 301, NULL, shape))
-  expect_null(fill_lattice(gear_si(gear), 300, "cells", shape))
-  for (change in list(
-    list("warps.length", "720 m"), list("otter_boards.mass", "4.1 tonne"),
-    list("water.density", "1000 kg/m3"), list("water.free_surface", FALSE)
-  )) {
-    si <- changed_gear(gear, change[[1]], change[[2]])
-    expect_null(fill_lattice(si, 300, NULL, shape), label = change[[1]])
-  }
-})
-
-test_that("a lattice that takes its division from another equals the one that is built", {
-  taken <- 0
+test_that("a lattice of other lengths is divided as the one that its shape is of", {
   for (name in c("midwater_trawl", "poly_noreastern_trawl", "model_cage", "longline")) {
     gear <- read_gear(name)
     si <- gear_si(gear)
     first <- build_lattice(si, 200)
-    shape <- list(lattice = first, position = lattice_points(first, first$start), settled = si)
-    fields <- slope_fields(gear, "all")
-    # a field of every name
-    fields <- fields[!duplicated(sub(".*[.]", "", vapply(fields, `[[`, "", "name")))]
-    for (field in fields) {
-      changed <- scaled_gear(gear, field, 0.01)
-      if (is.null(changed)) next
-      changed <- gear_si(changed)
-      taken <- taken + !is.null(division_again(changed, shape))
-      made <- lapply(list(si, NULL), function(settled) {
-        shape$settled <- settled
-        shape$lattice$engine$wake <- numeric()
-        lattice <- build_lattice(changed, 200, NULL, shape)
-        c(unclass(lattice)[names(lattice) != "place"], places = lattice_places(lattice))
-      })
-      expect_identical(made[[1]], made[[2]], label = paste(name, field$name))
-    }
+    shape <- list(lattice = first, position = lattice_points(first, first$start))
+    longer <- si
+    longer$ropes <- lapply(si$ropes, function(rope) {
+      rope$length <- 1.05 * rope$length
+      rope
+    })
+    again <- build_lattice(longer, 200, NULL, shape)
+    expect_identical(again$counts, first$counts)
+    expect_identical(again$ropes, first$ropes)
+    expect_identical(engine_array(again, "bars", "node"), engine_array(first, "bars", "node"))
+    of_ropes <- first$bar_part <= length(si$ropes)
+    expect_equal(engine_array(again, "bars", "rest")[of_ropes],
+      1.05 * engine_array(first, "bars", "rest")[of_ropes], tolerance = 1e-13)
+    # what is divided anew is not
+    expect_false(identical(build_lattice(si, 230, NULL, shape)$counts, first$counts))
   }
-  expect_gt(taken, 40)
 })
 
-test_that("a division is taken over only where it would be the same", {
-  gear <- read_gear("poly_noreastern_trawl")
-  first <- build_lattice(gear_si(gear), 200)
-  shape <- list(lattice = first, settled = gear_si(gear))
-  again <- function(path, value) !is.null(division_again(changed_gear(gear, path, value), shape))
-  expect_true(again("warps.length", "310 m"))
-  expect_false(again("sections.body.mesh_size", "110 mm"))
-  expect_false(again("head_line.length", "27.4 m"))
-  shape$lattice$division$runs <- NULL
-  expect_false(again("warps.length", "310 m"))
-})
-
-test_that("netting that is taken again equals the netting that is made", {
-  gear <- read_gear("midwater_trawl")
-  si <- gear_si(gear)
-  first <- build_lattice(si, 200)
-  shape <- list(lattice = first, position = lattice_points(first, first$start), settled = si)
-  longer <- changed_gear(gear, "warps.length", "720 m")
-  build <- function() {
-    lattice <- build_lattice(longer, 200, NULL, shape)
-    unclass(lattice)[names(lattice) != "place"]
-  }
-  again <- build()
-  build_lattice(gear_si(read_gear("model_cage")), 200)
-  expect_identical(again, build())
-  # another twine on the same knots, beside knots made for another net in between
-  longer <- changed_gear(gear, "sections.section_3.twine.diameter", "5 mm")
-  again <- build()
-  build_lattice(gear_si(read_gear("model_cage")), 200, "bars")
-  expect_identical(again, build())
+test_that("a shape of other parts is refused by the engine", {
+  first <- build_lattice(gear_si(read_gear("midwater_trawl")), 200)
+  other <- gear_si(read_gear("model_cage"))
+  map <- part_map(gear_si(read_gear("midwater_trawl")), first)
+  expect_error(
+    engine_lattice(gear_numbers(other), 200, NULL, map, as.double(first$start), FALSE),
+    "not those of the gear's parts", class = "codend_error_engine"
+  )
 })

@@ -112,7 +112,7 @@ test_that("a beam does not run through a place that is held already", {
 test_that("pieces from end to end sit one at each end and evenly between", {
   chain <- function(number, share = NULL) {
     si <- gear_si(gear("Floats",
-      port = point(c(0, -1, 0), "fixed"), starboard = point(c(0, 1, 0), "fixed"),
+      port = gear_point(c(0, -1, 0), "fixed"), starboard = gear_point(c(0, 1, 0), "fixed"),
       line = rope("port", "starboard", length = 3, diameter = 0.01, axial_stiffness = 1e5,
         mass_per_length = 0, segments = 6),
       floats = piece(along = "line", share = share, number = number, end_to_end = TRUE,

@@ -1,36 +1,19 @@
-# The table of a gear's resolution, and how many nodes its lattice has.
-resolution_of <- function(si, netting = NULL) {
-  bars <- panels_of_bars(si, netting)
-  pieces <- division_frame(gear_chains(si), linked = !bars)$pieces
-  resolution_table(si, panel_table(si$panels), pieces, bars)
-}
-
-test_that("beside netting only the cube root of more segments than are ample goes into ropes", {
-  one <- list(length = c(15, 72, 576), own = rep(TRUE, 3), segments = rep(NA_real_, 3))
-  # at 1.5 m a segment ropes would have 10, 48 and 8 times 48
-  expect_identical(rope_counts(c(one, list(bars = logical())), 1), c(10L, 48L, 384L))
-  expect_identical(rope_counts(c(one, list(bars = FALSE)), 1), c(10L, 48L, 96L))
-
-  # what 48 are worth: the end of a towed cable lies where it does with four times as many
+test_that("the end of a cable of 48 segments lies where it does with four times as many", {
   cable <- function(n) settle(update(read_gear("towed_cable"), ropes.cable.segments = n))
   coarse <- cable(48)
   fine <- cable(192)
   length <- coarse$si$ropes$cable$length
   end <- function(state) state$position[, state$lattice$place("cable.end")]
-  # of second order, see `ample_segments`
+  # of second order, see resolution.cpp, which gives ropes next to netting no more than that
   expect_lt(sqrt(sum((end(coarse) - end(fine))^2)), length / 48^2)
 })
 
-test_that("counts of cells are as nearly whole as lattices of a sixth more or fewer nodes allow", {
+test_that("lattices have about as many nodes as are asked for", {
   for (name in c("pair_trawl", "poly_noreastern_trawl", "model_cage")) {
-    si <- gear_si(read_gear(name))
-    of <- resolution_of(si)
+    numbers <- gear_numbers(gear_si(read_gear(name)))
     for (nodes in c(1000, 1500, 2300)) {
-      h <- element_length(of, nodes)
-      plain <- counted_length(of, nodes)
-      expect_lte(rounding(of, h), rounding(of, plain))
-      off <- abs(log(c(count_nodes(of, h), count_nodes(of, plain)) / nodes))
-      expect_lte(off[1], max(2 * fitting_range, off[2]))
+      # a sixth more or fewer, see resolution.hpp
+      expect_lt(abs(log(sum(engine_node_counts(numbers, nodes)$nodes) / nodes)), 0.16)
     }
   }
 })

@@ -1,4 +1,4 @@
-# Errors of measures, estimated from coarser lattices.
+# Errors of measures, estimated from other lattices.
 
 # Values whose error is c h^p on lattices of so many nodes, the same share of each.
 with_error <- function(nodes, p, share = c(a = 30, b = 6), exact = c(a = 10, b = 2)) {
@@ -7,32 +7,48 @@ with_error <- function(nodes, p, share = c(a = 30, b = 6), exact = c(a = 10, b =
 fine_values <- function(p, nodes = 1600) with_error(nodes, p)$values
 left <- function(p, nodes = 1600) unname(abs(fine_values(p, nodes) - c(10, 2)))
 
-test_that("an error of first order is found exactly from two lattices", {
-  found <- estimate_errors(fine_values(1), 1600, list(with_error(200, 1)))
-  expect_equal(unname(found), left(1), tolerance = 1e-12)
-  # from a finer lattice too
-  found <- estimate_errors(fine_values(1), 1600, list(with_error(9000, 1)))
-  expect_equal(unname(found), left(1), tolerance = 1e-12)
-})
-
-test_that("three lattices tell the order, within bounds", {
-  three <- function(p) {
-    levels <- list(with_error(400, p), with_error(1600, p))
-    unname(estimate_errors(fine_values(p, 6400), 6400, levels))
+test_that("an error of first order is found from two lattices", {
+  # what scatter and the other orders leave open: a fifth either way from a lattice far away
+  for (other in c(400, 12000, 40000)) {
+    found <- estimate_errors(fine_values(1), 1600, list(with_error(other, 1)))
+    expect_equal(unname(found), left(1), tolerance = 0.25, label = other)
   }
-  expect_equal(three(1.4), left(1.4, 6400), tolerance = 1e-12)
-  # an order of 2 is taken as 1.5: too careful by (4 - 1) / (2^1.5 - 1)
-  expect_equal(three(2), left(2, 6400) * 3 / (2^1.5 - 1), tolerance = 1e-12)
-  expect_lt(max(three(0.5) / left(0.5, 6400)), 1)
-  # to and fro: as if the larger way were left, of first order
-  levels <- list(
-    list(nodes = 400, values = c(a = 9)), list(nodes = 1600, values = c(a = 11))
-  )
-  swings <- estimate_errors(c(a = 10.9), 6400, levels)
-  expect_equal(swings[["a"]], 1)
 })
 
-test_that("a handful of nodes tells only where there is nothing else", {
+test_that("lattices that drift one way show their order", {
+  ratio <- function(p) {
+    levels <- lapply(c(400, 800, 1600, 3200), with_error, p = p)
+    unname(estimate_errors(fine_values(p, 6400), 6400, levels) / left(p, 6400))
+  }
+  # twice the estimate holds the error; with order 1 alone that of 1.5 would be 2.4 times too large
+  expect_lt(max(ratio(1.5)), 1.7)
+  expect_gt(min(ratio(1)), 0.5)
+  expect_gt(min(ratio(1.5)), max(ratio(1)))
+})
+
+test_that("errors hold of lattices with drift and scatter, and are no wider than they need be", {
+  # Monte Carlo: measures y = 1 + s (a h + 0.25 e h) with a and e normal, s from 0.1 to 10 %
+  set.seed(42)
+  nodes <- c(600, 4000, 1500)
+  h <- sqrt(1500 / nodes)
+  sums <- vapply(1:200, function(k) {
+    size <- 10^-stats::runif(1, 1, 3)
+    off <- size * (outer(stats::rnorm(20), h) + 0.25 * matrix(stats::rnorm(60), 20) %*% diag(h))
+    values <- 1 + off
+    rownames(values) <- paste0("m", 1:20)
+    found <- estimate_errors(values[, 3], 1500, lapply(1:2, function(k) {
+      list(nodes = nodes[k], values = values[, k])
+    }))
+    c(mean(abs(off[, 3]) <= 2 * found), stats::median(found / abs(off[, 3])))
+  }, numeric(2))
+  # 95 % of a normal error lie within 2 of its deviations, and the median ratio is 1 / 0.67; orders
+  # that are weighed, of which one is true, widen both by a little
+  expect_gte(mean(sums[1, ]), 0.93)
+  expect_lte(mean(sums[1, ]), 0.99)
+  expect_lte(mean(sums[2, ]), 2)
+})
+
+test_that("a handful of nodes counts only where there is nothing else", {
   crude <- list(nodes = 250, values = c(a = 30, b = 1))
   fair <- with_error(600, 1)
   alone <- estimate_errors(fine_values(1), 1600, list(fair))
@@ -52,39 +68,66 @@ test_that("a lattice of the default size has a fair one to compare with", {
   }
 })
 
-test_that("one measure that hardly moves by chance is as uncertain as is usual", {
-  levels <- list(list(nodes = 200, values = c(a = 10, b = 20, c = 30)))
-  found <- estimate_errors(c(a = 10, b = 20.2, c = 30.3), 1600, levels)
-  usual <- 0.01 / 1.01 / (sqrt(8) - 1)
-  expect_equal(unname(found["a"]), usual * 10, tolerance = 1e-12)
+test_that("one measure that hardly moves by chance is nearly as uncertain as its class", {
+  # of each class three, whose differences are 1 % and of one 0
+  values <- c(a = 10, b = 10.1, c = 10.1, d = 10.1, e = 1, f = 1.05, g = 1.05, h = 1.05)
+  level <- list(nodes = 600, values = c(rep(10, 4), rep(1, 4)))
+  names(level$values) <- names(values)
+  class <- rep(c("opening", "force"), each = 4)
+  found <- unname(estimate_errors(values, 1600, list(level), class))
+  # the mean of its own square, 0, and the usual one
+  expect_equal(found[1], found[2] / sqrt(2), tolerance = 0.25)
+  expect_equal(found[5], found[6] / sqrt(2), tolerance = 0.25)
+  # the other class is five times as uncertain
+  expect_equal(found[5] / 1, 5 * found[1] / 10, tolerance = 0.05)
 })
 
-test_that("a force that hardly moves by chance is as uncertain as the drag that it carries", {
-  levels <- list(list(nodes = 400, values = c(a = 10, b = 20, c = 30, d = 40)))
-  found <- estimate_errors(c(a = 10, b = 20.01, c = 30, d = 41), 1600, levels, 3:4, 4L)
-  # a force; a length has the usual
-  expect_equal(found[["c"]], 30 / 41, tolerance = 1e-12)
-  expect_equal(found[["a"]], 10 * mean(c(0.01 / 20.01, 1 / 41)), tolerance = 1e-12)
+test_that("errors of forces are those of forces, whatever the drag", {
+  # a mooring of 8 kN in still water, whose drag is nothing and changes by all of itself
+  values <- c(tension = 8.1, other = 4.05, third = 2, drag = 1e-9)
+  level <- list(nodes = 600, values = c(tension = 8.11, other = 4.06, third = 2.001, drag = -1e-9))
+  found <- estimate_errors(values, 1600, list(level), rep("force", 4))
+  expect_lt(found[["tension"]], 0.05)
+  expect_lt(found[["drag"]], 1e-8)
+  still <- settle(update(read_gear("gillnet"), water.current.speed = "0 m/s"), nodes = 300)
+  error <- attr(measures(still), "error")
+  expect_true(all(is.finite(error)))
+  expect_lt((error / plain_measures(measures(still)))[["anchor_tension_port_kN"]], 0.2)
+  # nor is such a drag a main measure
+  expect_false(attr(measures(still), "main")[["total_drag_kN"]])
+  expect_lt(main_error(measures(still)), 0.1)
+  slow <- settle(update(read_gear("gillnet"), water.current.speed = "0.15 m/s"), nodes = 300)
+  expect_true(attr(measures(slow), "main")[["total_drag_kN"]])
 })
 
-test_that("slack netting is never told to be known well from a few nodes", {
+test_that("slack netting is never taken to be known well from a few nodes", {
   levels <- list(list(nodes = 400, values = c(slack = 10, b = 20)))
-  told <- function(nodes) {
-    estimate_errors(c(slack = 10, b = 20.01), nodes, levels, slack = 1L)[["slack"]]
+  slack <- function(nodes, value = 10) {
+    levels[[1]]$values[["slack"]] <- value
+    estimate_errors(c(slack = value, b = 20.01), nodes, levels, slack = 1L)[["slack"]]
   }
-  # the survey trawl's 13.1 % is 8.6 % with 8 times the nodes, and two lattices differed by 0.2
-  expect_equal(told(1500), 2, tolerance = 1e-12)
-  expect_equal(told(6000), 1, tolerance = 1e-12)
+  # the survey trawl's 11.0 % is 7.9 % with 8 times the nodes; nothing slack is a share of a row
+  expect_gte(slack(1500), 1)
+  expect_lt(slack(6000), 0.6 * slack(1500))
+  expect_gt(slack(1500, 0), 0.1)
 })
 
-test_that("lattices that hardly differ tell nothing, and nothing is NA", {
+test_that("lattices that hardly differ say nothing, and nothing is NA", {
   found <- estimate_errors(c(a = 1), 1600, list(list(nodes = 1500, values = c(a = 2))))
   expect_identical(found, c(a = NA_real_))
   expect_identical(estimate_errors(c(a = 1), 1600, NULL), c(a = NA_real_))
 })
 
+test_that("every measure has an error, of few nodes and where the plan divides itself", {
+  for (name in c("gillnet", "t90_codend", "crossing_cables", "longline", "cage")) {
+    found <- measures(settle(name, nodes = 300))
+    expect_true(all(is.finite(attr(found, "error"))), label = name)
+    expect_true(is.finite(main_error(found)), label = name)
+  }
+})
+
 test_that("finer lattices lie within twice the error that is told", {
-  # The command that measures 30 variations is `make errors`; 90 % is what is asked there.
+  # The command that measures 100 gears is `make errors`; 90 % is what is asked there.
   hits <- unlist(lapply(c("gillnet", "beam_trawl", "cage"), function(name) {
     told <- measures(settle(name, nodes = 550))
     true <- measures(settle(name, nodes = 4400))
@@ -107,8 +150,11 @@ test_that("errors go where measures go", {
   # on to another design: the same share
   near <- settle(update(read_gear("gillnet"), water.current.speed = "0.155 m/s"), nodes = 550,
     from = state)
-  expect_equal(attr(measures(near), "error") / as.double(measures(near)),
-    error / as.double(measures(state)), tolerance = 1e-9)
+  # slack netting has a share of a row too
+  share <- function(found) {
+    (attr(found, "error") / plain_measures(found))[names(found) != "slack_netting_percent"]
+  }
+  expect_equal(share(measures(near)), share(measures(state)), tolerance = 1e-9)
 })
 
 test_that("accuracy divides a gear further, or says that it cannot", {
@@ -123,7 +169,7 @@ test_that("accuracy divides a gear further, or says that it cannot", {
 })
 
 test_that("without nodes or accuracy a gear is divided until 1 % is reached or told to be missed", {
-  most <- codend:::most_usual_nodes
+  most <- codend:::usual_nodes * codend:::extra_ratio
   coarse <- settle("pair_trawl", nodes = 1500)
   expect_null(coarse$report$accuracy_aimed_at)
   expect_gt(main_error(measures(coarse)), 0.011)

@@ -3,9 +3,10 @@
 # Two weights on two cables, 6 m apart, with ropes between that make a mouth.
 towed_frame <- function() {
   gear("a towed frame", towing = list(speed = "2 m/s"),
-    port = point(position = c(0, -3, 0), held = "moved"),
-    starboard = point(position = c(0, 3, 0), held = "moved"),
-    low_port = point(), low_starboard = point(), high_port = point(), high_starboard = point(),
+    port = gear_point(position = c(0, -3, 0), held = "moved"),
+    starboard = gear_point(position = c(0, 3, 0), held = "moved"),
+    low_port = gear_point(), low_starboard = gear_point(), high_port = gear_point(),
+      high_starboard = gear_point(),
     cable_port = rope("port", "high_port", length = 30, diameter = 0.01, material = "steel_wire",
       role = "warp"),
     cable_starboard = rope("starboard", "high_starboard", length = 30, diameter = 0.01,

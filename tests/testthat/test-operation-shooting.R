@@ -4,8 +4,8 @@
 shot_chain <- function() {
   gear(
     "Rope along a half circle",
-    first = point(position = c(0, 0, 0), held = "fixed"),
-    last = point(position = c(0, -400 / pi, 0), held = "fixed"),
+    first = gear_point(position = c(0, 0, 0), held = "fixed"),
+    last = gear_point(position = c(0, -400 / pi, 0), held = "fixed"),
     chain = rope("first", "last", length = 200, diameter = "20 mm", axial_stiffness = 1e6,
       mass_per_length = 1, volume_per_length = 0.0003, segments = 40,
       coefficients = list(normal = 1.2, tangential = 0, skin = 0)),

@@ -315,3 +315,13 @@ test_that("a board on the sea bed stays where friction holds it", {
   same <- list(otter_boards.otter_board.shoe_friction = list(along = 0.6, across = 0.6))
   expect_equal(do.call(left, c(TRUE, same)), held, tolerance = 1e-6)
 })
+
+test_that("a board has fallen over from 45 degrees of heel on", {
+  state <- without_flutter(settle(towed_board()))
+  expect_identical(nrow(board_table(state)), 1L)
+  for (heel in c(44.9, 45.1, -44.9, -45.1)) {
+    state$boards$heel[] <- heel * pi / 180
+    fallen <- board_table(state)$condition == "fallen over"
+    expect_true(all(fallen == (abs(heel) > 45)))
+  }
+})

@@ -14,9 +14,30 @@ test_that("a hostile or broken file is one clear error, and nothing is evaluated
     list(strrep("x", 2.2e6), "at most 2 MB"), list(strrep("[", 1e5), "nested too deeply"),
     list(strrep("{a: ", 1e4), "nested too deeply"), list(strrep("- ", 1e5), "nested too deeply"),
     list(paste0("a", seq_len(3e4), ": 1", collapse = "\n"), "too many fields"),
+    # the parser would take 12 s over them
+    list(paste0("a", seq_len(19000), ": 1", collapse = "\n"), "too many fields"),
     list(paste0(strrep(" ", 0:40), "a:", collapse = "\n"), "nested at most 20 deep")
   )
   for (case in cases) expect_match(text_error(case[[1]])$message, case[[2]], fixed = TRUE)
+})
+
+test_that("a merge key is refused wherever it is, and a text with its sign is not", {
+  merged <- c(
+    "ropes:\n  warp:\n    <<: {length: 1 m}\n    length: 1000 m", "a: {x: 1, << : {y: 2}}",
+    "b: {<<: {y: 2}}", "? <<\n: {x: 1}", "- <<: {x: 1}", "<<:\n  x: 1", "a: {!!merge q: {x: 1}}"
+  )
+  for (text in merged) expect_match(text_error(text)$message, "merge key", fixed = TRUE)
+  expect_match(text_error(merged[1])$message, "line 3, has a merge key", fixed = TRUE)
+  kept <- c("name: \"a << : b\"", "name: a # <<: b", "name: 'x <<'", "name: a<<b")
+  for (text in kept) expect_no_match(text_error(text)$message, "merge key", fixed = TRUE)
+})
+
+test_that("quantities beyond all gear are refused before anything is computed", {
+  long <- plan_error("length: 100 m\n", "length: 1e308 m\n")$message
+  expect_match(long, "must be at most 1e+07 m", fixed = TRUE)
+  expect_error(update(read_gear("towed_cable"), towing.speed = "1e308 knot"),
+    "`towing.speed` is 1e308 knot; it must be at most 1.94384e+12 knot",
+    fixed = TRUE, class = "codend_error_plan")
 })
 
 test_that("aliases that multiply are refused", {

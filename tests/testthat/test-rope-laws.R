@@ -2,7 +2,7 @@
 
 hanging <- function(mass, ...) {
   gear("a rope with a weight",
-    top = point(position = c(0, 0, 0), held = "fixed"), end = point(),
+    top = gear_point(position = c(0, 0, 0), held = "fixed"), end = gear_point(),
     line = rope("top", "end", length = "10 m", diameter = "20 mm", mass_per_length = "0.001 kg/m",
       volume_per_length = "0 m2", segments = 4, ...),
     weight = piece(at = "end", mass = mass, volume = "0 l")
@@ -37,7 +37,7 @@ test_that("a straight table is EA", {
 test_that("energy is kept by a rope with a table", {
   # hung from a point that heaves, so that its load passes from row to row
   bouncing <- gear("a rope with a weight that heaves",
-    top = point(position = c(0, 0, 0), held = "moved"), end = point(),
+    top = gear_point(position = c(0, 0, 0), held = "moved"), end = gear_point(),
     line = rope("top", "end", length = "10 m", diameter = "20 mm", mass_per_length = "0.001 kg/m",
       volume_per_length = "0 m2", segments = 4, load_by_elongation = law),
     weight = piece(at = "end", mass = "300 kg", volume = "0 l"), water = list(density = 0)
@@ -63,8 +63,8 @@ test_that("a table that does not grow, or stands beside EA, is refused", {
 test_that("a warp that strums has the drag that Vandiver found", {
   drag <- function(...) {
     state <- settle(gear("a bar",
-      a = point(position = c(0, 0, -5), held = "fixed"),
-      b = point(position = c(0, 1, -5), held = "fixed"),
+      a = gear_point(position = c(0, 0, -5), held = "fixed"),
+      b = gear_point(position = c(0, 1, -5), held = "fixed"),
       bar = rope("a", "b", length = "1 m", diameter = "20 mm", axial_stiffness = "1 MN",
         mass_per_length = "3 kg/m", segments = 1,
         coefficients = list(normal = 1.2, tangential = 0, skin = 0), ...),
@@ -74,7 +74,8 @@ test_that("a warp that strums has the drag that Vandiver found", {
   }
   expect_equal(drag(strumming = 0.5) / drag(), 2.043, tolerance = 1e-12)
   expect_error(
-    rope_law_error <- gear("a bar", a = point(position = c(0, 0, 0), held = "fixed"), b = point(),
+    rope_law_error <- gear("a bar", a = gear_point(position = c(0, 0, 0), held = "fixed"),
+      b = gear_point(),
       bar = rope("a", "b", length = 1, diameter = 0.02, material = "PA", strumming = 0.5,
         coefficients = "choo_casarella")),
     class = "codend_error_plan"
@@ -84,7 +85,7 @@ test_that("a warp that strums has the drag that Vandiver found", {
 test_that("what friction holds stays, and creeps where nothing sticks", {
   chain <- function(sticking) {
     gear("a chain on the bed",
-      start = point(position = c(0, 0, -9.9), held = "moved"), end = point(),
+      start = gear_point(position = c(0, 0, -9.9), held = "moved"), end = gear_point(),
       chain = rope("start", "end", length = "8 m", diameter = "20 mm", material = "steel_chain",
         segments = 8),
       water = list(current = list(speed = "0.3 m/s", toward = "90 deg")),
@@ -106,7 +107,7 @@ test_that("a chain that is easier to draw along than across slides along itself"
   # a chain askew to its tow turns into its way; drawn along it pulls with its weight's share
   pull <- function(...) {
     found <- tow(gear("a chain that is towed",
-      start = point(position = c(0, 0, -9.98), held = "moved"), end = point(),
+      start = gear_point(position = c(0, 0, -9.98), held = "moved"), end = gear_point(),
       chain = rope("start", "end", length = "8 m", diameter = "20 mm", material = "steel_chain",
         segments = 8, coefficients = list(normal = 0, tangential = 0, skin = 0), ...),
       towing = list(speed = "0.5 m/s"), seabed = list(depth = "10 m", friction = 0.5)

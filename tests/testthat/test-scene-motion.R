@@ -13,7 +13,7 @@ turning_trawl <- local({
 
 test_that("the scene of a trajectory moves every line to where the state has it", {
   trajectory <- turning_trawl()
-  page <- view(trajectory)
+  page <- view_3d(trajectory)
   expect_s3_class(page, "htmlwidget")
   scene <- page$x$scene
   expect_identical(as.double(scene$times), c(0, 10, 20, 25))
@@ -109,7 +109,7 @@ test_that("colours have one scale for the whole tow", {
 
 test_that("the page of a tow is one file", {
   file <- file.path(test_folder(), "tow.html")
-  view(turning_trawl(), file = file)
+  view_3d(turning_trawl(), file = file)
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")
   expect_lt(file.size(file), 2e6)
   expect_match(html, "\"graph_times\"", fixed = TRUE)

@@ -3,7 +3,7 @@
 # A chain without water, so that only weight and ground act, dragged over level ground.
 dragged_chain <- function(...) {
   gear("dragged chain",
-    ship = point(position = c(0, 0, 0), held = "moved"), tail = point(),
+    ship = gear_point(position = c(0, 0, 0), held = "moved"), tail = gear_point(),
     chain = rope("ship", "tail", length = "60 m", diameter = "13 mm", axial_stiffness = "50 MN",
       mass_per_length = "4 kg/m"),
     seabed = list(depth = "15 m", friction = 0.6),

@@ -3,8 +3,8 @@
 hanging_weight <- function(...) {
   gear(
     "A weight on a rope over a ring",
-    a = point(position = c(0, 0, -1), held = "fixed"),
-    b = point(position = c(8, 0, -1), held = "fixed"), ring = point(),
+    a = gear_point(position = c(0, 0, -1), held = "fixed"),
+    b = gear_point(position = c(8, 0, -1), held = "fixed"), ring = gear_point(),
     wire = rope("a", "b", through = list("ring"), length = 10, diameter = "10 mm",
       axial_stiffness = 1e8, mass_per_length = 0, volume_per_length = 0),
     weight = piece(at = "ring", mass = "500 kg", volume = 0),
@@ -24,7 +24,7 @@ test_that("a weight on a sliding rope hangs in the middle, its tension the same 
 
 test_that("a rope that slides needs its two ends, a length and another place each time", {
   expect_error(
-    gear("g", a = point(position = c(0, 0, 0), held = "fixed"),
+    gear("g", a = gear_point(position = c(0, 0, 0), held = "fixed"),
       w = rope(through = list("a"), length = 1, diameter = 0.01, material = "PE")),
     "from", class = "codend_error_plan"
   )
@@ -40,9 +40,9 @@ test_that("a rope that slides needs its two ends, a length and another place eac
 test_that("a place at a share of a laced rope has a node of its own", {
   wall <- gear(
     "Netting on two piles",
-    west = point(position = c(0, -5, -1), held = "fixed"),
-    east = point(position = c(0, 5, -1), held = "fixed"),
-    wall = panel(mesh_size = "100 mm", meshes = list(upper = 140, lower = 140, deep = 10),
+    west = gear_point(position = c(0, -5, -1), held = "fixed"),
+    east = gear_point(position = c(0, 5, -1), held = "fixed"),
+    wall = netting_panel(mesh_size = "100 mm", meshes = list(upper = 140, lower = 140, deep = 10),
       twine = list(diameter = "2 mm", material = "PA")),
     head_line = rope(along = "wall.upper", hanging_ratio = 0.7, diameter = "12 mm",
       material = "PE"),
@@ -50,7 +50,7 @@ test_that("a place at a share of a laced rope has a node of its own", {
     west_tie = rope("west", "wall.upper_left", length = 0.5, diameter = "12 mm", material = "PE"),
     east_tie = rope("east", "wall.upper_right", length = 0.5, diameter = "12 mm",
       material = "PE"),
-    ring = point(at = "foot[0.17]"),
+    ring = gear_point(at = "foot[0.17]"),
     weight = piece(at = "ring", mass = "10 kg", density = "7850 kg/m3"),
     depth = measure(depth = "foot[0.17]")
   )

@@ -26,7 +26,7 @@ test_that("a plucked chain in air makes no energy", {
 test_that("net and vessel put in what the water takes out", {
   # a cable that settles again: kinetic and elastic energy return, so that work and drag must agree
   found <- tow("towed_cable", until = 60, every = 10)
-  part <- setNames(as.list(found$energy[, 7]), energy_parts)
+  part <- setNames(as.list(found$energy[, 7]), engine_energy_parts())
   expect_equal(-part$water, part$supports, tolerance = 1e-6)
   expect_lt(abs(found$conditions$energy_imbalance[7]), 1e-6 * part$put_through)
 })
@@ -56,7 +56,7 @@ test_that("a motion that loses energy however short its steps stops, with what w
   # A weight falls 2 m into a rope so stiff that the shock, 1e-6 s long, is over within a step. What
   # a scheme that damps leaves of it is not what nature would.
   falling <- gear("a weight that falls into its rope",
-    top = point(position = c(0, 0, 0), held = "moved"), end = point(),
+    top = gear_point(position = c(0, 0, 0), held = "moved"), end = gear_point(),
     line = rope("top", "end", length = "5 m", diameter = "10 mm", axial_stiffness = "1e15 N",
       mass_per_length = "0.01 kg/m", segments = 1),
     weight = piece(at = "end", mass = "100 kg", volume = "0 l"), water = list(density = 0)

@@ -52,7 +52,7 @@ test_that("planted values come back from two measures, and others are told", {
   expect_lt(max(fit$fields$error / c(0.8, 150)), 0.05)
   # With one of the two held wrong, the other is what the misfit points at.
   blind <- calibrate(towed_sphere, runs, coefficient, list(Pull ~ pull_kN, Depth ~ depth))
-  found <- explain(blind, to = c("pieces.sphere.mass", "pieces.sphere.volume",
+  found <- explain_misfit(blind, to = c("pieces.sphere.mass", "pieces.sphere.volume",
     "pieces.sphere.diameter"))
   expect_identical(found$inputs$field[1], "pieces.sphere.mass")
   expect_lt(found$inputs$p[1], 1e-4)
@@ -70,7 +70,7 @@ test_that("a prior and known errors weigh as they should", {
   known <- drag_by_speed * 4
   runs <- data.frame(towing.speed = 2, Drag = 0.7 * known)
   fit <- calibrate(towed_sphere, runs,
-    list(pieces.sphere.drag_coefficient = normal(0.5, 0.1, low = 0.1, high = 2)),
+    list(pieces.sphere.drag_coefficient = normal_value(0.5, 0.1, low = 0.1, high = 2)),
     Drag ~ total_drag, error = 0.05 * known)
   expect_equal(unname(coef(fit)), (0.7 / 0.05^2 + 0.5 / 0.1^2) / (1 / 0.05^2 + 1 / 0.1^2),
     tolerance = 1e-4)
@@ -125,7 +125,8 @@ test_that("wrong data, matches and errors are one error that names them", {
   expect_error(confint(fit, "mass"), "parm.*mass", class = "codend_error_argument")
   expect_error(predict(fit, data.frame(a = 1)), "towing.speed", class = "codend_error_argument")
   expect_error(residuals(fit, "raw"), "type.*raw", class = "codend_error_argument")
-  expect_error(explain(3), "fit", class = "codend_error_argument")
-  expect_error(explain(fit, to = "towing.speed"), "towing.speed", class = "codend_error_argument")
+  expect_error(explain_misfit(3), "fit", class = "codend_error_argument")
+  expect_error(explain_misfit(fit, to = "towing.speed"), "towing.speed",
+    class = "codend_error_argument")
   expect_error(plot(fit, by = "depth"), "by.*depth", class = "codend_error_argument")
 })

@@ -1,16 +1,16 @@
 test_that("a grid holds every combination, ranges with their ends, whole numbers once", {
-  found <- designs(towing.speed = between("3 knot", "5 knot"), floats.number = c(10, 20),
+  found <- designs(towing.speed = value_range("3 knot", "5 knot"), floats.number = c(10, 20),
     how = "grid", number = 3)
   expect_s3_class(found, "codend_designs")
   expect_identical(found$towing.speed, rep(c("3 knot", "4 knot", "5 knot"), 2))
   expect_equal(found$floats.number, rep(c(10, 20), each = 3))
-  expect_equal(designs(a.number = between(1, 3, whole = TRUE), how = "grid")$a.number, 1:3)
+  expect_equal(designs(a.number = value_range(1, 3, whole = TRUE), how = "grid")$a.number, 1:3)
   together <- data.frame(port.length = c("1 m", "2 m"), starboard.length = c("3 m", "4 m"))
   expect_equal(nrow(designs(together, towing.speed = 1:3, how = "grid")), 6L)
 })
 
 test_that("one at a time begins with the plan as it is", {
-  found <- designs(towing.speed = c("3 knot", "5 knot"), warps.length = between(400, 600),
+  found <- designs(towing.speed = c("3 knot", "5 knot"), warps.length = value_range(400, 600),
     how = "one_at_a_time", number = 3)
   expect_identical(found$towing.speed, c(NA, "3 knot", "5 knot", NA, NA, NA))
   expect_equal(found$warps.length, c(NA, NA, NA, 400, 500, 600))
@@ -18,8 +18,8 @@ test_that("one at a time begins with the plan as it is", {
 
 test_that("a Latin hypercube meets every stratum of every field once", {
   skip_if_not_installed("lhs")
-  found <- designs(a.length = between(0, 1), b.length = between(10, 1000, log = TRUE),
-    c.mass = normal(5, 2), how = "latin", number = 50, seed = 4)
+  found <- designs(a.length = value_range(0, 1), b.length = value_range(10, 1000, log = TRUE),
+    c.mass = normal_value(5, 2), how = "latin", number = 50, seed = 4)
   strata <- function(share) sort(floor(share * 50))
   expect_equal(strata(found$a.length), 0:49)
   expect_equal(strata(log(found$b.length / 10) / log(100)), 0:49)
@@ -30,19 +30,21 @@ test_that("a Sobol' sample is a net: elementary boxes of two fields hold as many
   skip_if_not_installed("spacefillr")
   # The first two coordinates of Sobol's sequence are a (0, m, 2)-net in base 2 (Sobol' 1967), and
   # scrambling keeps that (Owen 1995): boxes of 2^-a by 2^-(m - a) hold one of 2^m points each.
-  found <- designs(a.length = between(0, 1), b.length = between(0, 1), how = "sobol", number = 64,
+  found <- designs(a.length = value_range(0, 1), b.length = value_range(0, 1), how = "sobol",
+    number = 64,
     seed = 9)
   for (a in 0:6) {
     box <- table(floor(found$a.length * 2^a), floor(found$b.length * 2^(6 - a)))
     expect_true(all(box == 1), label = a)
   }
-  other <- designs(a.length = between(0, 1), b.length = between(0, 1), number = 64, seed = 10)
+  other <- designs(a.length = value_range(0, 1), b.length = value_range(0, 1), number = 64,
+    seed = 10)
   expect_false(identical(found$a.length, other$a.length))
 })
 
 test_that("samples have the distributions asked for", {
-  found <- designs(a.length = normal("2 m", "10 cm", low = "1.9 m"), b.number = 1:4,
-    c.number = between(2, 5, whole = TRUE), how = "random", number = 20000)
+  found <- designs(a.length = normal_value("2 m", "10 cm", low = "1.9 m"), b.number = 1:4,
+    c.number = value_range(2, 5, whole = TRUE), how = "random", number = 20000)
   value <- as.double(sub(" m", "", found$a.length))
   expect_true(all(value >= 1.9))
   # of a normal distribution cut at one standard deviation below: mean + sd dnorm(1) / pnorm(1);
@@ -56,7 +58,8 @@ test_that("samples have the distributions asked for", {
 
 test_that("designs for indices are two samples and the first with each field of the second", {
   skip_if_not_installed("spacefillr")
-  found <- designs(a.length = between(0, 1), b.length = between(0, 1), how = "indices", number = 8)
+  found <- designs(a.length = value_range(0, 1), b.length = value_range(0, 1), how = "indices",
+    number = 8)
   block <- function(k) as.matrix(found[8 * k + 1:8, ])
   expect_equal(nrow(found), 32L)
   expect_equal(block(2)[, 1], block(1)[, 1], ignore_attr = TRUE)
@@ -67,7 +70,7 @@ test_that("designs for indices are two samples and the first with each field of 
 
 test_that("a seed gives the same designs, and the session's random numbers stay", {
   draw <- function(seed) {
-    designs(a.length = between("1 m", "2 m"), how = "random", number = 20, seed = seed)
+    designs(a.length = value_range("1 m", "2 m"), how = "random", number = 20, seed = seed)
   }
   kept <- RNGkind("Wichmann-Hill")
   on.exit(do.call(RNGkind, as.list(kept)))
@@ -96,15 +99,15 @@ test_that("a table or a CSV file is taken as it is", {
 })
 
 test_that("ranges and distributions are told in the plan's words", {
-  expect_output(print(between("3 knot", "5 knot")), "between 3 knot and 5 knot")
-  expect_identical(between("1 m", "250 cm")$ends, c(1, 2.5))
-  expect_output(print(normal("2 t", "100 kg", high = "2200 kg")),
+  expect_output(print(value_range("3 knot", "5 knot")), "between 3 knot and 5 knot")
+  expect_identical(value_range("1 m", "250 cm")$ends, c(1, 2.5))
+  expect_output(print(normal_value("2 t", "100 kg", high = "2200 kg")),
     "mean 2 t, standard deviation 0.1 t, at most 2.2 t")
   expect_output(print(designs(towing.speed = c("3 knot", "4 knot"), how = "one_at_a_time")),
     "as in the plan")
   kept <- options(OutDec = ",", scipen = -9)
   on.exit(options(kept))
-  expect_identical(designs(a.b = between("1 m", "2 m"), how = "grid", number = 3)$a.b,
+  expect_identical(designs(a.b = value_range("1 m", "2 m"), how = "grid", number = 3)$a.b,
     c("1 m", "1.5 m", "2 m"))
 })
 
@@ -115,21 +118,21 @@ test_that("wrong arguments are told", {
   wrong(designs(), "at least one field")
   wrong(designs(1:3), "named by its path")
   wrong(designs(a.b = 1, how = "best"), "must be any of")
-  wrong(designs(a.b = between(1, 2)), "how many designs")
-  wrong(designs(a.b = between(1, 2), number = 0), "1 or more")
-  wrong(designs(a.b = between(1, 2), number = 8, seed = 1.5), "whole number")
+  wrong(designs(a.b = value_range(1, 2)), "how many designs")
+  wrong(designs(a.b = value_range(1, 2), number = 0), "1 or more")
+  wrong(designs(a.b = value_range(1, 2), number = 8, seed = 1.5), "whole number")
   wrong(designs(a.b = 1:2, how = "table"), "one data frame")
   wrong(designs(a.b = 1, "c.d + a.b" = 2), "twice")
   wrong(designs(a = data.frame(b = 1)), "has no name")
   wrong(designs(a.b = list(1, 2)), "vector of numbers or texts")
   wrong(designs(a.b = 1:2000, c.d = 1:2000), "million")
-  wrong(between("5 knot", "3 knot"), "the smaller")
-  wrong(between("3 knot", "5 m"), "one kind")
-  wrong(between("3 knot", 5), "both with units")
-  wrong(between("3 furlong", 5), "unit is unknown")
-  wrong(between("fast", "5 knot"), "must be one number")
-  wrong(between(0, 5, log = TRUE), "above 0")
-  wrong(between(0, 5, whole = 1), "TRUE or FALSE")
-  wrong(normal(1, 0), "above 0")
-  wrong(normal(1, 0.1, low = 9), "millionth")
+  wrong(value_range("5 knot", "3 knot"), "the smaller")
+  wrong(value_range("3 knot", "5 m"), "one kind")
+  wrong(value_range("3 knot", 5), "both with units")
+  wrong(value_range("3 furlong", 5), "unit is unknown")
+  wrong(value_range("fast", "5 knot"), "must be one number")
+  wrong(value_range(0, 5, log = TRUE), "above 0")
+  wrong(value_range(0, 5, whole = 1), "TRUE or FALSE")
+  wrong(normal_value(1, 0), "above 0")
+  wrong(normal_value(1, 0.1, low = 9), "millionth")
 })

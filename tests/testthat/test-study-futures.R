@@ -1,7 +1,7 @@
 skip_if_not_installed("future")
 skip_if_not_installed("RNetCDF")
 
-sixteen <- designs(towing.speed = between("3 knot", "5 knot"),
+sixteen <- designs(towing.speed = value_range("3 knot", "5 knot"),
   ropes.cable.length = c("300 m", "500 m"), how = "grid", number = 8)
 
 with_plan <- function(..., run) {

@@ -9,7 +9,7 @@ drag_by_speed <- 0.47 * pi / 16 * 1025 / 2
 test_that("the optimum of a towed sphere is that of its closed form", {
   # At a depth of at least 9.5 m the line is at most as steep as k = D / W; there the pull is
   # c v^2 sqrt(1 + 1 / k^2), and with 4000 / v it is least at v^3 = 2000 / (c sqrt(1 + 1 / k^2)).
-  found <- optimise(towed_sphere(), ~ pull + 4000 / towing.speed, ~ depth >= "9.5 m", list(
+  found <- optimise_gear(towed_sphere(), ~ pull + 4000 / towing.speed, ~ depth >= "9.5 m", list(
     towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("50 kg", "300 kg")
   ))
   k <- sqrt(1 / 0.95^2 - 1)
@@ -38,8 +38,8 @@ test_that("the optimum of a towed sphere is that of its closed form", {
 
 test_that("a grid finds nothing better, and every start the same", {
   aim <- ~ (total_drag + 500) / towing.speed
-  change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = between("8 m", "12 m"))
-  found <- optimise(towed_sphere(), aim, ~ depth >= 9, change, starts = 3)
+  change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = value_range("8 m", "12 m"))
+  found <- optimise_gear(towed_sphere(), aim, ~ depth >= 9, change, starts = 3)
   grid <- vary(towed_sphere(), towing.speed = seq(1, 3, by = 0.1),
     ropes.line.length = c(8, 9.6, 10.8, 12))
   kept <- grid[grid$depth_m >= 9, ]
@@ -77,7 +77,7 @@ test_that("ten fields take at most 60 settled gears", {
   )
   keep <- ~ depth_p1 >= "20 m" & depth_p2 >= "40 m" & depth_p3 >= "60 m" & depth_p4 >= "80 m" &
     depth_p5 >= "100 m"
-  found <- optimise(chain_of_spheres(), "total_drag_kN", keep, change)
+  found <- optimise_gear(chain_of_spheres(), "total_drag_kN", keep, change)
   expect_lte(found$settles, 60)
   expect_true(found$optimal)
   expect_true(all(found$keep$holds))
@@ -110,7 +110,7 @@ test_that("whole numbers are rounded, settled and checked again", {
     measures = list(pull = list(tension = "line.start"))
   ))
   # 1234 N over 60 N is 20.6: 21 floats.
-  found <- optimise(gear, ~ pieces.floats.number, ~ pull >= "1234 N",
+  found <- optimise_gear(gear, ~ pieces.floats.number, ~ pull >= "1234 N",
     list(pieces.floats.number = c(5, 60)))
   expect_identical(found$fields$value, 21)
   expect_true(found$keep$holds)
@@ -119,7 +119,7 @@ test_that("whole numbers are rounded, settled and checked again", {
 
 test_that("what cannot be kept is said, with the nearest gear", {
   expect_warning(
-    found <- optimise(towed_sphere(), ~ total_drag, ~ depth >= "9.99 m",
+    found <- optimise_gear(towed_sphere(), ~ total_drag, ~ depth >= "9.99 m",
       list(towing.speed = c("1.5 m/s", "3 m/s"))),
     class = "codend_warning_conditions_not_kept"
   )
@@ -130,7 +130,7 @@ test_that("what cannot be kept is said, with the nearest gear", {
 
 test_that("equal conditions are met", {
   power <- "1 kW"
-  found <- optimise(towed_sphere(), ~ total_drag, ~ tow_power == power,
+  found <- optimise_gear(towed_sphere(), ~ total_drag, ~ tow_power == power,
     list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("100 kg", "300 kg")))
   # c v^3 = 1000 W
   expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
@@ -149,14 +149,23 @@ test_that("a kink at the optimum is told", {
   ))
   # The first line bears all until it is 10.02 m long, then less: its pull over its length falls
   # from there on, and depth grows more slowly.
-  found <- optimise(gear, ~ (depth - 10.0301)^2 + 1e-4 * pull, NULL,
+  found <- optimise_gear(gear, ~ (depth - 10.0301)^2 + 1e-4 * pull, NULL,
     list(ropes.first.length = c(10, 10.08)))
   expect_s3_class(found, "codend_optimum")
   expect_true(all(c("measure", "field") %in% names(found$kinks)))
+  # Depth grows by 1 m per m of the first line before and by half of it after: this is least where
+  # both begin to bear, 10.02 m, whose slopes of one side lead away.
+  found <- optimise_gear(gear, ~ 0.75 * ropes.first.length - depth, NULL,
+    list(ropes.first.length = c(9.99, 10.08)))
+  # a thousandth of the range, and of the change over it
+  expect_equal(found$fields$value, 10.02, tolerance = 1e-5)
+  depth <- function(first) max(first * 1.001, (first + 10.03 + 0.01) / 2)
+  expect_lte(found$aim$value, 0.75 * 10.02 - depth(10.02) + 2e-5)
+  expect_identical(nrow(found$starts), 3L)
 })
 
 test_that("optima are printed and drawn", {
-  found <- optimise(towed_sphere(), ~ total_drag / towing.speed, ~ depth <= "9.9 m",
+  found <- optimise_gear(towed_sphere(), ~ total_drag / towing.speed, ~ depth <= "9.9 m",
     list(towing.speed = c("1 m/s", "3 m/s")))
   expect_output(print(found), "total_drag/towing.speed: 94.59 before")
   expect_output(print(summary(found)), "Force balance")
@@ -170,7 +179,8 @@ test_that("an aim in which nothing changes is an error, and NaN is told once", {
   skip_if_not_installed("nloptr")
   change <- list(ropes.cable.length = c("600 m", "1200 m"))
   wrong <- function(aim, said) {
-    expect_no_warning(expect_error(optimise("towed_cable", aim, change = change, nodes = 50), said,
+    expect_no_warning(expect_error(optimise_gear("towed_cable", aim, change = change, nodes = 50),
+      said,
       class = "codend_error_argument"))
   }
   wrong(~1, "nothing that changes")
@@ -181,7 +191,7 @@ test_that("a wrong aim, condition or range is one error that names it", {
   gear <- towed_sphere()
   speed <- list(towing.speed = c("1 m/s", "3 m/s"))
   wrong <- function(words, minimise = ~ total_drag, keep = NULL, change = speed, ...) {
-    expect_error(optimise(gear, minimise, keep, change, ...), words,
+    expect_error(optimise_gear(gear, minimise, keep, change, ...), words,
       class = "codend_error_argument")
   }
   wrong("minimise.*dept.*depth", minimise = ~ dept)
@@ -229,7 +239,7 @@ test_that("a cage keeps the most volume in a current that its moorings allow", {
   skip_if_not_installed("nloptr")
   change <- list(bottom_rope.mass_per_length = c("80 kg/m", "250 kg/m"),
     centre_weight.mass = c("50 kg", "400 kg"))
-  found <- optimise("cage", ~ -volume_left_percent, ~ mooring_1_tension <= "26 kN", change,
+  found <- optimise_gear("cage", ~ -volume_left_percent, ~ mooring_1_tension <= "26 kN", change,
     nodes = 200)
   expect_true(found$optimal)
   expect_true(found$keep$holds)
@@ -249,7 +259,7 @@ test_that("short prawn trawls save drag per swept width as published", {
   # drag for their width. Twine and boards are not printed.
   skip_if_not_installed("nloptr")
   prawn <- read_gear(system.file("extdata", "penaeid_trawl.yaml", package = "codend"))
-  found <- optimise(prawn, ~ total_drag / wing_end_spread,
+  found <- optimise_gear(prawn, ~ total_drag / wing_end_spread,
     change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400)
   expect_equal(found$fields$value, 112)
   expect_identical(found$fields$at, "lower")

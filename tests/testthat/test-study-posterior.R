@@ -19,14 +19,14 @@ test_that("a prior and a known error give the normal posterior of both", {
   skip_if_not_installed("mcmc")
   known <- drag_by_speed * 4
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 2, Drag = 0.7 * known),
-    list(pieces.sphere.drag_coefficient = normal(0.5, 0.1, low = 0.1, high = 2)),
+    list(pieces.sphere.drag_coefficient = normal_value(0.5, 0.1, low = 0.1, high = 2)),
     Drag ~ total_drag, error = 0.05 * known)
-  draws <- posterior(fit, draws = 400)
+  draws <- sample_posterior(fit, draws = 400)
   mean <- (0.7 / 0.05^2 + 0.5 / 0.1^2) / (1 / 0.05^2 + 1 / 0.1^2)
   sd <- 1 / sqrt(1 / 0.05^2 + 1 / 0.1^2)
   expect_drawn(draws, mean, sd, mean - 1.645 * sd, mean + 1.645 * sd)
   expect_gt(attr(draws, "chain")$effective, 50)
-  few <- function(...) suppressWarnings(posterior(fit, draws = 20, begin = 1, ...))
+  few <- function(...) suppressWarnings(sample_posterior(fit, draws = 20, begin = 1, ...))
   expect_identical(few(), few())
   expect_false(identical(few(), few(seed = 2)))
   expect_output(print(draws), "400 draws.*pieces.sphere.drag_coefficient")
@@ -42,7 +42,7 @@ test_that("an error that is estimated gives Student's posterior", {
   wanted <- stats::lm(drag ~ known - 1)
   mean <- stats::coef(wanted)[[1]]
   error <- sqrt(stats::vcov(wanted)[1, 1])
-  draws <- posterior(fit, draws = 600)
+  draws <- sample_posterior(fit, draws = 600)
   # of 4 degrees of freedom: a standard deviation of sqrt(4 / 2)
   chain <- attr(draws, "chain")
   expect_lt(abs(chain$q50 - mean), 5 * error / sqrt(chain$effective))
@@ -54,8 +54,9 @@ test_that("few draws are warned of, wrong arguments refused", {
   skip_if_not_installed("mcmc")
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 2, Drag = 1500),
     list(pieces.sphere.drag_coefficient = c(0.2, 1.5)), Drag ~ total_drag, error = 100)
-  expect_warning(draws <- posterior(fit, draws = 20, begin = 5), class = "codend_warning_few_draws")
+  expect_warning(draws <- sample_posterior(fit, draws = 20, begin = 5),
+    class = "codend_warning_few_draws")
   expect_identical(dim(draws), c(20L, 1L))
-  expect_error(posterior(1), "calibration", class = "codend_error_argument")
-  expect_error(posterior(fit, draws = 0), "draws", class = "codend_error_argument")
+  expect_error(sample_posterior(1), "calibration", class = "codend_error_argument")
+  expect_error(sample_posterior(fit, draws = 0), "draws", class = "codend_error_argument")
 })

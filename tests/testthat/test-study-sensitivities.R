@@ -87,7 +87,7 @@ test_that("kinks that are planted are all flagged", {
 
 test_that("slopes of a trawl are those of settled shapes, from few factorisations", {
   gear <- read_gear("midwater_trawl")
-  state <- settle(gear)
+  state <- settle(gear, nodes = 1500)
   # Of both shares the central differences together are of fourth order: from small ones where the
   # measures bend, from larger ones where they change so little that rounding shows.
   shares <- list(
@@ -201,4 +201,35 @@ test_that("wrong arguments are told", {
   )
   wrong(settle(update(as_gear(towed_sphere), ropes.line.mass_per_length = 0)),
     to = "ropes.line.mass_per_length")
+})
+
+test_that("a process forked after sensitivities were found comes to its end", {
+  skip_on_os("windows")
+  # large enough for two threads
+  state <- settle("poly_noreastern_trawl", nodes = 6000)
+  found <- sensitivities(state, of = "total_drag_kN", to = "towing.speed", secants = FALSE)
+  # the copy of the factors is freed there
+  child <- parallel::mcparallel({
+    rm(state, found)
+    gc()
+    1
+  })
+  on.exit(tools::pskill(child$pid, tools::SIGKILL))
+  came <- NULL
+  for (k in 1:300) {
+    came <- parallel::mccollect(child, wait = FALSE, timeout = 0.1)
+    if (!is.null(came)) break
+  }
+  expect_identical(came[[1]], 1)
+})
+
+test_that("fields that change nothing are named", {
+  cable <- update(read_gear("towed_cable"), ropes.cable.strength = "200 kN")
+  found <- sensitivities(settle(cable), of = c("total_drag_kN", "body_depth_m"),
+    to = c("towing.speed", "ropes.cable.strength"))
+  expect_identical(idle_fields(found), "ropes.cable.strength")
+  expect_output(print(found), "change none of the measures: ropes.cable.strength", fixed = TRUE)
+  # of a gear whose every field matters no such line
+  moved <- found[found$field == "towing.speed", ]
+  expect_identical(idle_fields(moved), character())
 })

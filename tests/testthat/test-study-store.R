@@ -46,21 +46,87 @@ test_that("what a killed worker leaves behind is no row", {
   store <- file.path(test_folder(), "a.study")
   write_study("towed_cable", small_study(), store)
   run_study(store, 1, 6)
-  # a file that was being written, and one whose row was gathered by another process
+  # a file that was being written, one whose row was gathered by another process, and a design that
+  # a process was settling
+  dir.create(file.path(store, "claims", "0000003"))
   writeLines("{\"design\":2,\"prob", file.path(store, "rows", ".codend-1234"))
   expect_identical(designs_done(store), 1L)
   run_study(store, 2, 3)
   expect_identical(designs_done(store), c(1L, 2L, 5L))
   row <- stored_rows(store)[row_designs(stored_rows(store)) == 2L]
-  writeLines(row, file.path(store, "rows", "0000002.json"))
+  writeLines(row, row_file(store, 2L, store_mark(store)))
   expect_equal(nrow(read_study(store)), 3L)
+  expect_equal(run_study(store), 3L)
+  expect_length(list.files(file.path(store, "claims")), 0L)
+})
+
+test_that("of processes that make a store of one name at once, one does, and the others say so", {
+  skip_if_not_installed("callr")
+  folder <- test_folder()
+  store <- file.path(folder, "a.study")
+  start <- Sys.time() + 4
+  makers <- lapply(1:3, function(k) {
+    callr::r_bg(function(store, k, start) {
+      study <- codend::designs(towing.speed = 2 + seq_len(k) / 10)
+      Sys.sleep(max(0, as.double(start - Sys.time(), "secs")))
+      tryCatch({
+        codend::write_study("towed_cable", study, store)
+        k
+      }, codend_error_file = conditionMessage)
+    }, list(store, k, start))
+  })
+  on.exit(for (maker in makers) maker$kill())
+  for (maker in makers) maker$wait(60000)
+  found <- lapply(makers, function(maker) maker$get_result())
+  made <- vapply(found, is.numeric, NA)
+  expect_identical(sum(made), 1L)
+  for (said in found[!made]) expect_match(said, "exists already", fixed = TRUE)
+  expect_identical(study_status(store)$designs, found[made][[1]])
+  expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "a.study")
+})
+
+test_that("processes on one store share the designs, and find what one alone does", {
+  skip_if_not_installed("callr")
+  skip_on_os("windows")
+  folder <- test_folder()
+  store <- file.path(folder, "a.study")
+  many <- designs(towing.speed = value_range("2 knot", "6 knot"), how = "grid", number = 60)
+  workers <- lapply(1:2, function(k) {
+    callr::r_bg(function(store, many) codend::vary("towed_cable", many, store = store),
+      list(store, many))
+  })
+  on.exit(for (worker in workers) worker$kill())
+  for (worker in workers) worker$wait(120000)
+  found <- lapply(workers, function(worker) worker$get_result())
+  expect_identical(found[[1]], found[[2]])
+  expect_identical(found[[1]], vary("towed_cable", many))
+  # at the end each may settle what the other is at
+  settled <- unlist(lapply(list.files(file.path(store, "tasks"), full.names = TRUE), readLines))
+  expect_lte(length(settled), 60L + 2L)
+})
+
+test_that("rows of another study that had the folder before are passed over", {
+  folder <- test_folder()
+  store <- file.path(folder, "a.study")
+  other <- file.path(folder, "b.study")
+  write_study("towed_cable", small_study(), store)
+  write_study("towed_cable", small_study()[6:1, ], other)
+  run_study(other, 1, 2)
+  for (file in list.files(other, "json$", recursive = TRUE)) {
+    if (file != "study.json") file.copy(file.path(other, file), file.path(store, file))
+  }
+  expect_equal(study_status(store)$done, 0L)
+  # also under this study's name
+  row <- readLines(list.files(file.path(other, "tasks"), full.names = TRUE)[1])[1]
+  writeLines(row, row_file(store, 1L, store_mark(store)))
+  expect_equal(nrow(read_study(store)), 0L)
 })
 
 test_that("a process that is killed loses the run that it was at, no more", {
   skip_if_not_installed("callr")
   skip_on_os("windows")
   store <- file.path(test_folder(), "a.study")
-  many <- designs(towing.speed = between("2 knot", "6 knot"), how = "grid", number = 4000)
+  many <- designs(towing.speed = value_range("2 knot", "6 knot"), how = "grid", number = 4000)
   write_study("towed_cable", many, store)
   worker <- callr::r_bg(function(store) codend::run_study(store), list(store))
   on.exit(worker$kill())

@@ -12,7 +12,17 @@ test_that("every variation is what settling it alone gives", {
     alone <- measures(settle(gear))
     # both are settled to 1e-8 of the largest tension, from different starts
     expect_equal(unlist(found[row, names(alone)]), plain_measures(alone), tolerance = 1e-6)
+    # a design of another shape has errors of its own: those of the gear are near
+    error <- unlist(found[row, error_columns(names(alone))])
+    expect_true(all(is.finite(error)))
+    main <- names(alone) %in% c("total_drag_kN", "body_depth_m")
+    expect_lt(max((error / attr(alone, "error"))[main]), 10)
   }
+  expect_output(print(summary(found)), "error")
+  base <- measures(settle("towed_cable"))
+  same <- vary("towed_cable", towing.speed = c("4 knot", "5 knot"))
+  expect_equal(same$error.total_drag_kN / same$total_drag_kN,
+    rep(attr(base, "error")[["total_drag_kN"]] / base[["total_drag_kN"]], 2), tolerance = 1e-6)
   expect_identical(
     vary("towed_cable", towing.speed = 2:3, ropes.cable.length = c(300, 500)),
     vary("towed_cable", towing.speed = 2:3, ropes.cable.length = c(300, 500))
@@ -74,7 +84,7 @@ test_that("wrong fields and values are told before anything is computed", {
     class = "codend_error_argument")
   expect_error(vary("towed_cable", a = data.frame(towing.speed = 1)), "has no name",
     class = "codend_error_argument")
-  expect_error(vary("towed_cable", towing.speed = between(1, 2)), "designs",
+  expect_error(vary("towed_cable", towing.speed = value_range(1, 2)), "designs",
     class = "codend_error_argument")
   expect_error(vary("towed_cable", designs(ropes.cable.length = c("300 m", "-2 m"))),
     "Design 2: .*ropes.cable.length.*-2 m", class = "codend_error_plan")

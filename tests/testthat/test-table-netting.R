@@ -9,7 +9,7 @@ test_that("the table of netting has the twine and mass of the lattice", {
   # by hand: a panel of 10 to 6 meshes of 100 mm, 5 deep, of two twines of 2 mm and 4 g/m
   gear <- gear("Panel",
     points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed")),
-    panels = list(net = panel("100 mm", list(upper = 10, lower = 6, deep = 5),
+    panels = list(net = netting_panel("100 mm", list(upper = 10, lower = 6, deep = 5),
       list(diameter = "2 mm", axial_stiffness = 1e3, mass_per_length = 0.004, double = TRUE)))
   )
   net <- netting_table(gear)

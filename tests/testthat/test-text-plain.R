@@ -32,7 +32,7 @@ test_that("plans and files are the same whatever R's options for numbers are", {
     drawing <- file.path(folder, paste0(name, ".svg"))
     plot(read_gear("gillnet"), drawing)
     slopes <- sensitivities(state, of = "total_drag_kN", to = "ropes.cable.length")
-    best <- optimise(state$gear, minimise = "total_drag_kN",
+    best <- optimise_gear(state$gear, minimise = "total_drag_kN",
       change = list(ropes.cable.length = c("999.5 m", "1000.25 m")))
     list(
       drawing = unname(tools::md5sum(drawing)), slopes = slopes$slope, best = best$fields$value,

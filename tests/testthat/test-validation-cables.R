@@ -29,7 +29,7 @@ node_at <- function(state, name) state$position[, nodes_at(state, name)]
 
 hanging_catenary <- function(segments) {
   settle(gear("Catenary",
-    water = air, low = point(c(0, 0, 0), "fixed"), high = point(c(80, 0, 20), "fixed"),
+    water = air, low = gear_point(c(0, 0, 0), "fixed"), high = gear_point(c(80, 0, 20), "fixed"),
     chain = line("low", "high", 100, axial_stiffness = 1e5,
       mass_per_length = weight_per_metre(20), segments = segments)
   ))
@@ -83,8 +83,9 @@ isolated_cable <- function(load) {
       mass_per_length = weight_per_metre(46.12), segments = 60)
   }
   node_at(settle(gear("Isolated cable",
-    water = air, left = point(c(0, 0, 0), "fixed"), right = point(c(304.8, 0, 0), "fixed"),
-    node = point(load = c(0, 0, -load)), short = part("left", "node", 125.847),
+    water = air, left = gear_point(c(0, 0, 0), "fixed"), right = gear_point(c(304.8, 0, 0),
+      "fixed"),
+    node = gear_point(load = c(0, 0, -load)), short = part("left", "node", 125.847),
     long = part("node", "right", 186.855)
   )), "node")
 }
@@ -106,7 +107,7 @@ critical_cables <- data.frame(
 # Angles (degrees) of the elements of a towed cable without tangential drag; of: its row above.
 critical_angles <- function(of) {
   state <- settle(gear("Critical angle",
-    towing = list(speed = of$speed), ship = point(c(0, 0, 0), "moved"), tail = point(),
+    towing = list(speed = of$speed), ship = gear_point(c(0, 0, 0), "moved"), tail = gear_point(),
     cable = line("ship", "tail", 50, diameter = of$d, axial_stiffness = 1e7,
       mass_per_length = weight_per_metre(of$w), segments = 10,
       coefficients = list(normal = of$normal, tangential = 0, skin = 0))
@@ -157,8 +158,8 @@ neutral_catenary <- function() {
 # The same of the gear, with every element's tension.
 neutral_cable <- function(segments) {
   state <- settle(gear("Neutral cable",
-    towing = list(speed = 1.5), port = point(c(0, -30, -10), "moved"),
-    starboard = point(c(0, 30, -10), "moved"),
+    towing = list(speed = 1.5), port = gear_point(c(0, -30, -10), "moved"),
+    starboard = gear_point(c(0, 30, -10), "moved"),
     cable = line("port", "starboard", 80, axial_stiffness = 1e9,
       coefficients = list(normal = 1.2, tangential = 0, skin = 0), segments = segments)
   ))
@@ -184,7 +185,7 @@ test_that("a neutrally buoyant cable with normal drag alone has one tension, and
 hanging_sphere <- function() {
   settle(gear("Hanging sphere",
     water = list(current = list(speed = 1.2, toward = "30 deg")),
-    buoy = point(c(0, 0, -5), "fixed"), ball = point(),
+    buoy = gear_point(c(0, 0, -5), "fixed"), ball = gear_point(),
     line = line("buoy", "ball", 10, axial_stiffness = 1e6, coefficients = no_drag, segments = 4),
     sphere = piece(at = "ball", mass = 100, diameter = 0.4, drag_coefficient = 0.47)
   ))
@@ -210,7 +211,7 @@ test_that("a hanging sphere stands in the current at atan(D / W)", {
 # Angle of the line (degrees) at the winch of a kite.
 kite_line <- function() {
   state <- settle(gear("Kite",
-    towing = list(speed = 2), winch = point(c(0, 0, -100), "moved"), end = point(),
+    towing = list(speed = 2), winch = gear_point(c(0, 0, -100), "moved"), end = gear_point(),
     line = line("winch", "end", 20, axial_stiffness = 1e7, coefficients = no_drag, segments = 4),
     kite = piece(at = "end", area = 5, lift_coefficient = 1.16, drag_coefficient = 0.35,
       lift_direction = "up")
@@ -268,7 +269,7 @@ sheared_layers <- list(
 sheared_cable <- function(segments) {
   settle(gear("Cable in a shear",
     water = list(current = sheared_layers), towing = list(speed = 1.5),
-    ship = point(c(0, 0, 0), "moved"), body = point(),
+    ship = gear_point(c(0, 0, 0), "moved"), body = gear_point(),
     cable = line("ship", "body", 400, diameter = 0.015, axial_stiffness = 5e6,
       mass_per_length = weight_per_metre(6), segments = segments,
       coefficients = list(normal = 1.3, tangential = 0.03, skin = 0)),

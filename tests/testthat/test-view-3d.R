@@ -4,7 +4,7 @@ scene_json <- function(scene) {
 
 test_that("view gives a widget whose scene holds the state's own places and tensions", {
   state <- unsettled(sheets_plan)
-  page <- view(state)
+  page <- view_3d(state)
   expect_s3_class(page, "htmlwidget")
   scene <- page$x$scene
   points <- matrix(unpacked(scene$points$floats, "double", 4), 3L)
@@ -84,7 +84,7 @@ test_that("the file is one small page that asks nothing of the network, the same
   folder <- test_folder()
   file <- file.path(folder, "gear.html")
   state <- unsettled(sheets_plan)
-  expect_false(withVisible(view(state, file = file))$visible)
+  expect_false(withVisible(view_3d(state, file = file))$visible)
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "gear.html")
   expect_lt(file.size(file), 2e6)
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")
@@ -95,14 +95,14 @@ test_that("the file is one small page that asks nothing of the network, the same
   # The name reaches the page as text, never as markup.
   expect_match(html, "Sheets &lt;&amp; ", fixed = TRUE)
   other <- file.path(folder, "other.html")
-  view(state, file = other)
+  view_3d(state, file = other)
   expect_identical(readLines(other, warn = FALSE), readLines(file, warn = FALSE))
-  expect_identical(scene_json(state_scene(state)), scene_json(view(state)$x$scene))
+  expect_identical(scene_json(state_scene(state)), scene_json(view_3d(state)$x$scene))
 })
 
 test_that("colours of meshes are the means that mesh_openings() has", {
   state <- settle("t90_codend", nodes = 200)
-  scene <- view(state, colour = "mesh_opening")$x$scene
+  scene <- view_3d(state, colour = "mesh_opening")$x$scene
   expect_identical(scene$colour, "mesh_opening")
   told <- unpacked(scene$opening$floats, "double", 4)
   known <- mesh_openings(state)$opening_percent
@@ -123,7 +123,7 @@ test_that("a state is drawn on a device of rgl where that is asked for", {
   on.exit(options(kept))
   skip_if_not_installed("rgl")
   state <- unsettled(sheets_plan)
-  device <- view(state, device = "rgl")
+  device <- view_3d(state, device = "rgl")
   expect_true(device %in% rgl::rgl.dev.list())
   objects <- rgl::scene3d()$objects
   rgl::close3d(device)
@@ -136,8 +136,8 @@ test_that("a state is drawn on a device of rgl where that is asked for", {
 test_that("wrong arguments are clear errors that leave nothing", {
   state <- unsettled("crossing_cables")
   folder <- test_folder()
-  wrong <- function(...) expect_error(view(...), class = "codend_error_argument")
-  wrong_file <- function(...) expect_error(view(...), class = "codend_error_file")
+  wrong <- function(...) expect_error(view_3d(...), class = "codend_error_argument")
+  wrong_file <- function(...) expect_error(view_3d(...), class = "codend_error_file")
   wrong_file(state, file = file.path(folder, "a.htm"))
   wrong_file(state, file = file.path(folder, "no", "a.html"))
   wrong(list())
@@ -145,4 +145,19 @@ test_that("wrong arguments are clear errors that leave nothing", {
   wrong(state, colour = "red")
   wrong(state, device = "rgl", file = file.path(folder, "a.html"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
+})
+
+test_that("no name of a plan can end or hide what follows it in a page", {
+  plan <- read_gear("towed_cable")$plan
+  plan$name <- "<!-- <script> </script> & \u003c"
+  state <- settle(as_gear(plan), nodes = 50)
+  file <- file.path(test_folder(), "a.html")
+  view_3d(state, file = file)
+  html <- paste(readLines(file, warn = FALSE, encoding = "UTF-8"), collapse = "\n")
+  data <- regmatches(html, regexpr("<script type=\"application/json\"[^>]*>.*?</script>", html,
+    perl = TRUE))
+  inner <- sub("</script>$", "", sub("^<script[^>]*>", "", data))
+  expect_no_match(inner, "<", fixed = TRUE)
+  expect_identical(jsonlite::fromJSON(inner)$x$scene$name,
+    plan$name)
 })

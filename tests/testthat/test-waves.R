@@ -2,7 +2,7 @@
 
 buoy <- function(..., water = list()) {
   gear("buoy line",
-    anchor = point(position = c(0, 0, -12), held = "fixed"), at_buoy = point(),
+    anchor = gear_point(position = c(0, 0, -12), held = "fixed"), at_buoy = gear_point(),
     line = rope("anchor", "at_buoy", length = "13 m", diameter = "8 mm", material = "PA",
       segments = 6),
     buoy = piece(at = "at_buoy", mass = "20 kg", diameter = "600 mm"),
@@ -87,7 +87,7 @@ test_that("a buoy on its line rides on long waves", {
 
 swinging <- function() {
   gear("a line from a vessel",
-    block = point(position = c(6, 2, 3), held = "moved"), end = point(),
+    block = gear_point(position = c(6, 2, 3), held = "moved"), end = gear_point(),
     line = rope("block", "end", length = "25 m", diameter = "10 mm", material = "PA",
       segments = 8),
     weight = piece(at = "end", mass = "30 kg", diameter = "200 mm"),
@@ -164,7 +164,7 @@ test_that("waves pull at a cage the more the higher they are, and the more in a 
 test_that("a current that swings takes a body along that is as heavy as water", {
   # a sphere of 300 mm, 14.49 kg, on a line too long and thin to hold it: it rises 0.03 m
   free <- gear("a body in a current",
-    held = point(position = c(0, 0, -20), held = "fixed"), at = point(),
+    held = gear_point(position = c(0, 0, -20), held = "fixed"), at = gear_point(),
     line = rope("held", "at", length = "60 m", diameter = "0.1 mm", axial_stiffness = "100 N",
       mass_per_length = "8.05e-6 kg/m", segments = 2, coefficients =
         list(normal = 0, tangential = 0, skin = 0)),

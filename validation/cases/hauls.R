@@ -76,13 +76,14 @@ gov_of <- function(hauls, sweep) {
     lift_coefficient = 1, drag_coefficient = 0.4, lift_direction = "up", role = "kite"))
 }
 
+# Sensors of wing spread sit at the upper wing ends.
 gov_hauls <- function(ship, sweep) {
   hauls <- hauls_by_warp(ship, sweep)
   gear <- gov_of(hauls, sweep)
   found <- settled_along(gear,
     list(ropes.warp_port.length = hauls$Warplngt, ropes.warp_starboard.length = hauls$Warplngt,
       seabed.depth = hauls$Depth, towing.speed = paste(hauls$speed, "knot")),
-    c("door_spread_m", "wing_end_spread_m", "headline_height_m")
+    c("door_spread_m", "upper_wing_spread_m", "headline_height_m")
   )
   at <- sprintf("%.0f m of warp", hauls$Warplngt)
   wings <- is.finite(hauls$WingSpread)

@@ -54,6 +54,10 @@ class FieldTable {
   void component(const char* name, std::vector<Vector>&, int) {
     add<double>(name, {}, name_of(Per::element));
   }
+  template <class Value>
+  void list(const char* name, std::vector<Value>&, Shape shape = {}) {
+    add<Value>(name, shape, "group");
+  }
   template <class Struct>
   void items(const char* name, std::vector<Struct>&) {
     Struct one;

@@ -14,6 +14,7 @@
 //   visit.component(name, vectors, k)     component k of an array of Vectors
 //   visit.columns(name, vector<struct>)   one array per field
 //   visit.items(name, vector<struct>)     one group per element
+//   visit.list(name, array, shape)        an array of a length of its own
 //   visit.count(among, n)                 how many there are of what later places refer to
 #pragma once
 
@@ -22,9 +23,23 @@
 namespace codend {
 
 // What the whole numbers of an array are: numbers, or places among others.
-enum class Among { numbers, nodes, points, bars, materials, own_materials };
-constexpr std::array<const char*, 6> names_of(Among) {
-  return {"numbers", "nodes", "points", "bars", "materials", "own materials"};
+enum class Among {
+  numbers,
+  nodes,
+  points,
+  bars,
+  materials,
+  own_materials,
+  places,
+  edges,
+  ropes,
+  panels,
+  parts,
+  elements
+};
+constexpr std::array<const char*, 12> names_of(Among) {
+  return {"numbers", "nodes", "points", "bars",   "materials", "own materials",
+          "places",  "edges", "ropes",  "panels", "parts",     "elements"};
 }
 
 // What there is one entry per.

@@ -48,13 +48,15 @@ class FieldReader {
     if (shape.among == Among::numbers) return;
     const int count = counts_[static_cast<std::size_t>(shape.among)];
     for (std::size_t k = 0; k < to.size(); ++k) {
-      to[k] -= Source::first_place;
-      if (shape.or_none && to[k] == -1) continue;
-      if (to[k] >= 0 && to[k] < count) continue;
-      fail(name, element(k) + " is " + std::to_string(to[k] + Source::first_place) +
-                     ", must be from " + std::to_string(Source::first_place) + " to " +
-                     std::to_string(count - 1 + Source::first_place) + " (" + name_of(shape.among) +
-                     ")");
+      const std::int64_t place = std::int64_t{to[k]} - Source::first_place;
+      const bool none = shape.or_none && place == -1;
+      if (!none && (place < 0 || place >= count)) {
+        fail(name, element(k) + " is " + std::to_string(to[k]) + ", must be from " +
+                       std::to_string(Source::first_place) + " to " +
+                       std::to_string(std::int64_t{count} - 1 + Source::first_place) + " (" +
+                       name_of(shape.among) + ")");
+      }
+      to[k] = static_cast<int>(place);
     }
   }
 
@@ -94,6 +96,11 @@ class FieldReader {
     std::copy(values.begin(), values.end(), to.begin());
   }
   template <std::size_t n>
+  void operator()(const char* name, std::array<double, n>& to) {
+    const std::vector<double> values = some<double>(name, n, {});
+    std::copy(values.begin(), values.end(), to.begin());
+  }
+  template <std::size_t n>
   void operator()(const char* name, std::array<Vector, n>& to) {
     const std::vector<double> values = some<double>(name, 3 * n, {});
     for (std::size_t k = 0; k < n; ++k) to[k] = at(values.data(), static_cast<int>(k));
@@ -110,6 +117,14 @@ class FieldReader {
     if (std::find(names_.begin(), names_.end(), name) == names_.end()) return false;
     group(name, to);
     return true;
+  }
+
+  template <class Value>
+  void list(const char* name, std::vector<Value>& to, Shape shape = {}) {
+    const std::int64_t outer = count_;
+    count_ = -1;
+    (*this)(name, to, shape);
+    count_ = outer;
   }
 
   void component(const char* name, std::vector<Vector>& to, int which) {

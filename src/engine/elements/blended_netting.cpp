@@ -48,7 +48,7 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
   }
   out.force =
       screen_force(NettingScreenLaw::kristiansen_faltinsen, out.flow, 2.0 * metres * m.diameter,
-                   overlap[i], m.diameter, multiplicity[i], water);
+                   overlap[i], m.diameter, multiplicity[i], water, multipliers);
 
   const double area = out.flow.area.norm(), speed = u.norm();
   double w = 0.0;

@@ -31,6 +31,7 @@ class BlendedNetting : public ElementKind {
   std::vector<double> height;  // over which it leaves the water, m
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
+  ScreenMultipliers multipliers;  // of the screen's part
 
   template <class Visit>
   void fields(Visit& visit) {

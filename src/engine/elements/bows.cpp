@@ -152,8 +152,8 @@ void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int en
       if (held) s = led.bow[e] + led.step[e];
     }
     led.bow[e] = s;
-    cell.set_lengths(led.bow[e]);
-    put(cells, a, e, line, cell, led.bow[e]);
+    cell.set_lengths(s);
+    put(cells, a, e, line, cell, s);
     for (int f = 0; f < 2; ++f) {
       if (held) a.bow_slope[line[f]] = 0.0;
       a.inverse_length[line[f]] = inverse_length(cell, f);

@@ -113,6 +113,8 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
       break;
     }
   }
+  k.a *= law.normal_share;
+  k.a_n *= law.normal_share;
   k.b *= law.tangential_share;
   k.b_n *= law.tangential_share;
   k.b_t *= law.tangential_share;

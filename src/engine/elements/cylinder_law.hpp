@@ -9,21 +9,16 @@
 // Cross-flow form: a = C_n q_n, b = C_t q_t, c = 0. The form in C_D(alpha), C_L(alpha) with
 // C_D = C_n sin^3 + C_f, C_L = C_n sin^2 cos (Hoerner, Fluid-Dynamic Drag, 1965, 3-11) is the same
 // with b = 0, c = C_f, because C_n |U_n| U_n projects on drag and lift as C_n sin^3, C_n sin^2 cos.
+//
+//   constant: C_n, C_t and C_f as given
+//   takagi: T. Takagi et al. 2004, Fish. Res. 66:235: C_n(Re), C_t 0.1
+//   choo_casarella: Y. Choo & M. J. Casarella 1971, J. Hydronautics 5:126: C_n(Re), C_t(Re)
+//   cifuentes_kim: C. Cifuentes & M. H. Kim 2017: C_n(Re Sn^2), C_t 0
 #pragma once
 
-#include <array>
+#include "../base/laws.hpp"
 
 namespace codend {
-
-enum class CylinderLawKind {
-  constant,        // normal, tangential, skin given
-  takagi,          // Takagi et al. 2004, Fish. Res. 66:235: C_n(Re), C_t 0.1
-  choo_casarella,  // Choo & Casarella 1971, J. Hydronautics 5:126: C_n(Re), C_t(Re)
-  cifuentes_kim    // Cifuentes & Kim 2017: C_n(Re Sn^2), C_t 0
-};
-constexpr std::array<const char*, 4> names_of(CylinderLawKind) {
-  return {"constant", "takagi", "choo_casarella", "cifuentes_kim"};
-}
 
 struct CylinderLaw {
   CylinderLawKind kind = CylinderLawKind::constant;
@@ -31,7 +26,9 @@ struct CylinderLaw {
   double tangential = 0.0;  // C_t, used by `constant`
   double skin = 0.02;       // C_f, used by `constant`
   double solidity = 0.0;    // Sn of the netting, used by `cifuentes_kim`
-  // Factor on b and c, to see what the force along axis and flow does.
+  // Factors on a, and on b and c: multipliers of the force across the axis, and of that along axis and
+  // flow.
+  double normal_share = 1.0;
   double tangential_share = 1.0;
 };
 

@@ -127,7 +127,7 @@ void Lines::describe(const Line<N>& line) {
     arrays_.offset[k] = 0.0;
   }
   if (m.law.kind == CylinderLawKind::constant) {
-    arrays_.normal[k] = m.law.normal;
+    arrays_.normal[k] = m.law.normal * m.law.normal_share;
     arrays_.tangential[k] = m.law.tangential * m.law.tangential_share;
     arrays_.skin[k] = m.law.skin * m.law.tangential_share;
   } else {

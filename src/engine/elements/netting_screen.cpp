@@ -3,7 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../base/solidity.hpp"
+
 namespace codend {
+namespace {
+
+void multiply(ScreenCoefficient& k, double by) {
+  k.value *= by;
+  k.by_cosine *= by;
+  k.by_solidity *= by;
+  k.by_reynolds *= by;
+}
+
+}  // namespace
 
 ScreenFlow screen_flow(const Field& field, const CellShape& shape, const int* node, double height) {
   ScreenFlow out;
@@ -28,7 +40,8 @@ Matrix area_slope(const ScreenFlow& flow, int l) {
 }
 
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double overlap, double diameter, double multiplicity, const Water& water) {
+                         double overlap, double diameter, double multiplicity, const Water& water,
+                         ScreenMultipliers multipliers) {
   ScreenForce out;
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();
@@ -36,12 +49,11 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
   const double along = s.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
   const double cosine = std::min(1.0, std::abs(along) / (area * speed));
   const double twine = twine_area / (multiplicity * area);
-  const bool covered = 2.0 * overlap * twine > 1.0;
-  const double solidity = covered ? 0.25 / overlap : twine * (1.0 - overlap * twine);
-  // - A dSn/dA
-  const double by_closing = covered ? 0.0 : twine * (1.0 - 2.0 * overlap * twine);
+  const auto [solidity, by_closing] = solidity_of(twine, overlap);
   const double re_per_speed = diameter / water.viscosity;
-  const ScreenCoefficients k = screen_coefficients(law, cosine, solidity, re_per_speed * speed);
+  ScreenCoefficients k = screen_coefficients(law, cosine, solidity, re_per_speed * speed);
+  multiply(k.drag, multipliers.drag);
+  multiply(k.lift_per_sine, multipliers.lift);
   // F = c (P A |U| U + G |U|^2 sign S) with G = C_L / sin th, P = C_D - G cos th.
   const ScreenCoefficient& g = k.lift_per_sine;
   const double p = k.drag.value - g.value * cosine;
@@ -74,7 +86,8 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
 
 ScreenForce NettingScreens::force(int e, const ScreenFlow& flow, const Water& water) const {
   const std::size_t t = static_cast<std::size_t>(e);
-  return screen_force(law[t], flow, twine_area[t], overlap[t], diameter[t], multiplicity[t], water);
+  return screen_force(law[t], flow, twine_area[t], overlap[t], diameter[t], multiplicity[t], water,
+                      multipliers);
 }
 
 Vector NettingScreens::element_force(int e, const Field& field) const {

@@ -7,11 +7,8 @@
 //
 //   F = 1/2 rho A |U|^2 (C_D U/|U| + C_L l),  l = n - cos th U/|U|, made a unit vector
 //
-// shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. Where twines of two
-// families cross without a knot the crossing would count twice in their areas. With bars a, width d and
-// angle b between the families the twine is s = 2 d / (a sin b) of the area and the crossings s^2 / 4,
-// so that Sn = s - s^2/4 at every opening (2 d/a - (d/a)^2 in square meshes), 1 from s = 2 on. A cell
-// that closes up loses its area: Sn is held at the law's end, and the force goes to zero.
+// shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. Sn: base/solidity.hpp.
+// A cell that closes up loses its area: Sn is held at the law's end, and the force goes to zero.
 #pragma once
 
 #include "cell_shape.hpp"
@@ -38,7 +35,8 @@ struct ScreenForce {
 };
 // twine_area (m2), overlap, diameter (m) and multiplicity as of NettingScreens.
 ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double twine_area,
-                         double overlap, double diameter, double multiplicity, const Water& water);
+                         double overlap, double diameter, double multiplicity, const Water& water,
+                         ScreenMultipliers multipliers = {});
 
 class NettingScreens : public ElementKind {
  public:
@@ -50,6 +48,7 @@ class NettingScreens : public ElementKind {
   std::vector<double> height;        // over which they leave the water, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
   std::vector<NettingScreenLaw> law;
+  ScreenMultipliers multipliers;
 
   template <class Visit>
   void fields(Visit& visit) {

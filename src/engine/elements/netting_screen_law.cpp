@@ -7,8 +7,6 @@ namespace codend {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double least_solidity = 0.1, most_solidity = 0.35;
-constexpr double least_reynolds = 32.0, most_reynolds = 1e4;
 
 using Number = ScreenCoefficient;
 
@@ -48,8 +46,8 @@ ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, doub
                                        double reynolds) {
   const Number c{cosine, 1.0, 0.0, 0.0};
   const Number given{solidity, 0.0, 1.0, 0.0};
-  const bool regression = law != NettingScreenLaw::kristiansen_faltinsen;
-  const Number s = held(given, regression ? least_solidity : 0.0, most_solidity);
+  const LawRange range = range_of(law);
+  const Number s = held(given, range.least_solidity, range.most_solidity);
   const Number one = constant(1.0);
   // sin 2th / sin th = 2 cos th, and sin 4th / sin th = 4 cos th cos 2th.
   const Number sine2 = 2.0 * c, sine4 = 4.0 * c * (2.0 * c * c - one);
@@ -66,8 +64,8 @@ ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, doub
       out.lift_per_sine = s * (constant(0.57) + s * (constant(-3.54) + 10.1 * s)) * sine2;
       break;
     case NettingScreenLaw::kristiansen_faltinsen: {
-      const Number re =
-          held(Number{reynolds, 0.0, 0.0, 1.0} / (one - s), least_reynolds, most_reynolds);
+      const Number re = held(Number{reynolds, 0.0, 0.0, 1.0} / (one - s), range.least_reynolds,
+                             range.most_reynolds);
       const Number normal45 = 0.5 * cylinder_drag(log10(re)) * s / ((one - s) * (one - s));
       const Number drag0 = normal45 * (constant(2.0) - s);
       const Number tangential45 = pi * normal45 / (constant(8.0) + normal45);
@@ -78,9 +76,9 @@ ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, doub
       break;
     }
   }
-  if (regression && solidity < least_solidity) {
-    out.drag = (1.0 / least_solidity) * given * out.drag;
-    out.lift_per_sine = (1.0 / least_solidity) * given * out.lift_per_sine;
+  if (solidity < range.least_solidity) {
+    out.drag = (1.0 / range.least_solidity) * given * out.drag;
+    out.lift_per_sine = (1.0 / range.least_solidity) * given * out.lift_per_sine;
   }
   return out;
 }

@@ -15,19 +15,14 @@
 //     C_N45 = C_c Sn / (2 (1 - Sn)^2),  C_T45 = pi C_N45 / (8 + C_N45)
 //     C_L45 = (C_D0 / 2 - C_T45) / sqrt 2,  C_L = C_L45 (sin 2th + 0.1 sin 4th)
 //
-// Beyond their range the formulas go astray, so that their arguments are held at its ends: solidity
-// at most 0.35, and Re from 32 to 1e4. Below a solidity of 0.1 the coefficients of the first two,
-// whose least drag is that of 0.04 of the area even without any twine, are in proportion to it.
+// Beyond their range (base/laws.hpp) the formulas go astray, so that their arguments are held at its
+// ends. Below their least solidity the coefficients of the first two, whose least drag is that of 0.04
+// of the area even without any twine, are in proportion to it.
 #pragma once
 
-#include <array>
+#include "../base/laws.hpp"
 
 namespace codend {
-
-enum class NettingScreenLaw { loland, aarsnes, kristiansen_faltinsen };
-constexpr std::array<const char*, 3> names_of(NettingScreenLaw) {
-  return {"loland", "aarsnes", "kristiansen_faltinsen"};
-}
 
 // A value and its derivatives by cos theta, solidity and Reynolds number.
 struct ScreenCoefficient {
@@ -37,6 +32,11 @@ struct ScreenCoefficient {
 struct ScreenCoefficients {
   ScreenCoefficient drag;           // C_D
   ScreenCoefficient lift_per_sine;  // C_L / sin theta
+};
+
+// Factors on both.
+struct ScreenMultipliers {
+  double drag = 1.0, lift = 1.0;
 };
 
 // cosine: of theta, 0 to 1; reynolds: U d / nu of a twine.

@@ -5,6 +5,7 @@
 // shares (the twine ends of one panel on a seam that owns other nodes).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "../base/fields.hpp"
@@ -13,6 +14,7 @@
 #include "../elements/bar.hpp"
 #include "../elements/bending.hpp"
 #include "../elements/blended_netting.hpp"
+#include "../elements/force_multipliers.hpp"
 #include "../elements/ground_contact.hpp"
 #include "../elements/hexagonal_triangle.hpp"
 #include "../elements/immersed_volume.hpp"
@@ -71,7 +73,8 @@ struct Model {
   std::vector<SlidingRope> sliding;  // none of them empty
   GroundContacts contacts;
   ImmersedVolumes volumes;  // what displaces water but plates
-  WakeSheets wake_sheets;   // netting that slows the water behind it
+  ForceMultipliers multipliers;
+  WakeSheets wake_sheets;  // netting that slows the water behind it
   // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
   std::vector<double> wake;
 
@@ -93,6 +96,7 @@ struct Model {
     visit.columns("materials", materials);
     visit.count(Among::materials, materials.size());
     visit.optional("load_table", load_table);
+    visit.optional("multipliers", multipliers);
     visit.group("bars", bars);
     visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
     CellList list;
@@ -132,6 +136,14 @@ struct Model {
       material.loads.push_back(load_table.load[k]);
     }
     load_table = {};
+    for (std::size_t k = 0; k < std::min(materials.size(), multipliers.normal.size()); ++k) {
+      materials[k].law.normal_share = multipliers.normal[k];
+    }
+    for (TwineMaterial& material : blended.materials) {
+      material.law.normal_share = multipliers.blended_normal;
+    }
+    screens.multipliers = {multipliers.screen_drag, multipliers.screen_lift};
+    blended.multipliers = screens.multipliers;
     cells.first_line = bars.count();
     cells.prepare();
     hexagons.first_line = bars.count() + 2 * cells.count();

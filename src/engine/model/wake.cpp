@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../base/solidity.hpp"
+
 namespace codend {
 namespace {
 
-constexpr double most_solidity = 0.5;
 // Cosines of 80 and 70 deg.
 constexpr double along = 0.174, aslant = 0.342;
 
@@ -31,7 +32,7 @@ struct Cells {
 }  // namespace
 
 double speed_reduction(WakeLaw law, double solidity, double cosine) {
-  const double sn = std::min(solidity, most_solidity);
+  const double sn = std::min(solidity, range_of(law).most_solidity);
   double r = 1.0;
   if (law == WakeLaw::loland) {
     r = 1.0 - 0.46 * sn * (0.33 + sn * (6.54 - 4.88 * sn));
@@ -147,9 +148,11 @@ double Wake::renew(const double* position, const Vector& flow, bool search_anew,
     const Vector x = at(position, n[0]);
     const Vector normal = (at(position, n[1]) - x).cross(at(position, n[2]) - x);
     const double twice = normal.norm();
-    r[e] = twice > 0.0 ? speed_reduction(sheets_.law[e], 2.0 * sheets_.twine_area[e] / twice,
-                                         std::abs(normal.dot(f)) / twice)
-                       : 1.0;
+    const double twine = 2.0 * sheets_.twine_area[e] / twice;
+    r[e] = twice > 0.0
+               ? speed_reduction(sheets_.law[e], solidity_of(twine, sheets_.overlap[e]).value,
+                                 std::abs(normal.dot(f)) / twice)
+               : 1.0;
   }
   double change = 0.0;
   std::vector<double> found(share_.size(), 1.0);

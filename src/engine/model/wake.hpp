@@ -6,8 +6,8 @@
 //     r = 1 - 0.46 C_D, C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3, of a sheet across the flow;
 //   Cheng et al. (2020, Aquacultural Engineering 90:102070):
 //     r = max(0, (cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)), t from the sheet's normal to the flow.
-// Sn is the twine's area over the sheet's in its present shape, held at 0.5, beyond which neither was
-// measured. A sheet along the flow casts no wake of its own: r fades to 1 between 70 and 80 deg.
+// Sn (base/solidity.hpp) is that of the sheet in its present shape, held at the end of the law's range
+// (base/laws.hpp). A sheet along the flow casts no wake of its own: r fades to 1 between 70 and 80 deg.
 //
 // Crossings come and go when the gear moves, so that shape and wake may chase each other;
 // renew() can therefore keep the crossings that were found and only renew r.
@@ -17,22 +17,22 @@
 
 #include "../base/fields.hpp"
 #include "../base/geometry.hpp"
+#include "../base/laws.hpp"
 
 namespace codend {
-
-enum class WakeLaw { none, loland, cheng };
-constexpr std::array<const char*, 3> names_of(WakeLaw) { return {"none", "loland", "cheng"}; }
 
 // Sheets of netting, as triangles, that slow the water behind them.
 struct WakeSheets {
   std::vector<int> node;           // 3 points each
   std::vector<double> twine_area;  // diameter times length of the twine in each, m2
+  std::vector<double> overlap;     // of its crossings (base/solidity.hpp)
   std::vector<WakeLaw> law;
 
   template <class Visit>
   void fields(Visit& visit) {
     visit("node", node, {3, Among::points});
     visit("twine_area", twine_area);
+    visit("overlap", overlap);
     visit("law", law);
   }
   int count() const { return static_cast<int>(law.size()); }

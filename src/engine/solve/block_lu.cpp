@@ -61,7 +61,8 @@ void BlockLU::analyse(const BlockPattern& pattern, const double* coordinates) {
   double flops = 0;
   for (int f = 0; f < tree_.fronts(); ++f) flops += tree_.flops(f);
   const int threads = flops < flops_for_two ? 1 : threads_;
-  if (threads == 1)
+  shared_ = threads == 2;
+  if (!shared_)
     second_.reset();
   else if (!second_)
     second_ = std::make_unique<SecondThread>();
@@ -108,6 +109,7 @@ void BlockLU::measure() {
 
 bool BlockLU::factorise(const double* values) {
   factorised_ = false;
+  if (shared_ && !second_) second_ = std::make_unique<SecondThread>();
   if (const auto* factors = std::get_if<0>(&factors_)) {
     factorised_ = (*factors)->factorise(values, second_.get(), pause_);
   } else {

@@ -55,6 +55,10 @@ class BlockLU {
   // are then no factors to solve with.
   bool factorise(const double* values);
 
+  // Ends the second thread; factorise() starts another. For objects that are kept after a call: a
+  // process that is forked has a copy of the object, but no such thread to wait for.
+  void end_second_thread() { second_.reset(); }
+
   // b, x: 3n doubles each; x may be b. Throws std::logic_error without factors. Uses the object's
   // own work space: one call at a time.
   void solve(const double* b, double* x) const;
@@ -81,6 +85,7 @@ class BlockLU {
   std::function<void()> pause_;
   AssemblyTree tree_;
   Factors factors_;
+  bool shared_ = false;  // between two threads
   std::unique_ptr<SecondThread> second_;
   // work space of the solves
   mutable std::vector<double> in_double_;

@@ -33,6 +33,7 @@ Tangent::Tangent(Assembly& assembly, const double* x)
   }
   lu_.analyse(assembly.pattern(), right_.data());
   regular_ = lu_.factorise(values.data());
+  lu_.end_second_thread();
 }
 
 void Tangent::solve(const double* force, double* displacement) const {

@@ -116,10 +116,14 @@ void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& s
   add_bows(assembly);
 }
 
+void TensionPath::share_bows(const Assembly& assembly, const double* change) {
+  std::fill(bow_.begin(), bow_.end(), 0.0);
+  assembly.share_bows(current_, mismatch_.data(), change, bow_.data());
+}
+
 // To tensions of the right side what bows make of the strains that are missed.
 void TensionPath::add_bows(const Assembly& assembly) {
-  std::fill(bow_.begin(), bow_.end(), 0.0);
-  assembly.share_bows(current_, mismatch_.data(), nullptr, bow_.data());
+  share_bows(assembly, nullptr);
   const LineArrays& lines = assembly.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
     if (bow_[k] == 0.0) continue;
@@ -153,8 +157,7 @@ void TensionPath::correct(const Assembly& assembly, const std::vector<double>& s
 
 void TensionPath::advance(const Assembly& assembly, const std::vector<double>& strain_change,
                           double share) {
-  std::fill(bow_.begin(), bow_.end(), 0.0);
-  assembly.share_bows(current_, mismatch_.data(), strain_change.data(), bow_.data());
+  share_bows(assembly, strain_change.data());
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;
     double& t = current_.tension[k];

@@ -56,6 +56,8 @@ class TensionPath {
   void advance(const Assembly& assembly, const std::vector<double>& strain_change, double share);
 
  private:
+  // What bows make of the strains that are missed, and of a change of strains (or null), into bow_.
+  void share_bows(const Assembly& assembly, const double* change);
   void add_bows(const Assembly& assembly);
   // ratio_: of slack to tension, in the step's matrix.
   std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_, bow_;

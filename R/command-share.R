@@ -1,0 +1,45 @@
+command_share <- function() {
+  list(
+    takes = "PLAN FILE.html",
+    does = "Settle a gear and write it as a page that settles it anew as sliders move.",
+    options = list(
+      optparse::make_option("--slider", metavar = "FIELD[=LOW, HIGH]", help = paste(
+        "a field that the page may change, such as towing.speed or",
+        "\"towing.speed=3 knot, 5 knot\"; may be given several times",
+        "[those that people change first]"
+      )),
+      set_option(), nodes_option(), netting_option()
+    ),
+    run = run_share
+  )
+}
+
+run_share <- function(plan, options) {
+  check_lattice_options(options)
+  file <- plan[2L]
+  if (!grepl("[.]html$", file) || !may_place(file)) {
+    abort_usage(file, " must end in .html and lie in a folder that can be written.")
+  }
+  asked <- slider_options(options$slider)
+  check_can_share()
+  if (is.null(options$nodes)) options$nodes <- as.character(usual_nodes)
+  share(settle_changed(plan[1L], options), file, asked$sliders, asked$ranges)
+  tell(0L, "Written: ", file)
+}
+
+# Sliders and ranges of the texts that --slider was given: list(sliders, ranges), NULL where none
+# is.
+slider_options <- function(given) {
+  if (is.null(given)) return(list())
+  texts <- trimws(given)
+  name <- trimws(sub("=.*", "", texts))
+  with_range <- grepl("=", texts)
+  ranges <- lapply(strsplit(sub("^[^=]*=", "", texts[with_range]), ","), trimws)
+  wrong <- which(lengths(ranges) != 2L)
+  if (length(wrong) || !all(nzchar(name))) {
+    abort_usage("--slider is ", c(texts[with_range][wrong], texts)[1L],
+      "; it must be FIELD or FIELD=LOW, HIGH.")
+  }
+  ranges <- lapply(ranges, function(ends) lapply(ends, plan_value))
+  list(sliders = name, ranges = if (any(with_range)) setNames(ranges, name[with_range]))
+}

@@ -1,0 +1,269 @@
+#' Read currents from a file of an ocean model
+#'
+#' Reads a NetCDF file by the CF conventions, as ocean services give them out, and takes the
+#' profile at a place and time out of it.
+#'
+#' Variables are found by their `standard_name`: `eastward_sea_water_velocity` and
+#' `northward_sea_water_velocity`, `longitude`, `latitude`, `depth` (or none: then it is the
+#' surface) and `time`; calendars other than the common one (`noleap`, `360_day`, `julian` and so
+#' on) take the package CFtime. Velocities along the axes of a turned grid
+#' (`sea_water_x_velocity`) have no direction of their own and are refused. Between two times it is
+#' linear; the place is the centre of the nearest cell that has water, as interpolation would mix
+#' in land.
+#'
+#' @param file A NetCDF file.
+#' @param longitude,latitude The place, degrees east and north. Longitudes of the file may run to
+#'   180 or to 360.
+#' @param time When: a [POSIXct][base::DateTimeClasses], a [Date] or a text such as
+#'   `"2026-05-03 14:00"`, UTC.
+#' @param farthest How far the nearest cell may be, m.
+#' @return A data frame for [current_profile()]: `depth` (m), `eastward`, `northward` (m/s), with
+#'   the attribute `cell`: its `longitude`, `latitude` (deg) and `distance` (m). A file without such
+#'   variables, in unknown units or an unknown calendar, or that does not reach that place and time,
+#'   is an error of class `codend_error_file`.
+#' @references Eaton and others: NetCDF Climate and Forecast (CF) Metadata Conventions, version 1.11
+#'   (2023), sections 4 and 3.3.
+#' @export
+#' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
+#' file <- system.file("extdata", "current_cf.nc", package = "codend")
+#' read_currents(file, longitude = 5.1, latitude = 60.3, time = "2026-05-03 14:00")
+read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
+  check_given("file", "longitude", "latitude", "time")
+  check_netcdf()
+  check_between("longitude", longitude, -180, 360)
+  check_between("latitude", latitude, -90, 90)
+  check_between("farthest", farthest, 0, 2.1e7)
+  time <- moment(time)
+  check_file_exists(file)
+  nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
+    abort_file(file, "is no NetCDF file: {why}", why = conditionMessage(e))
+  })
+  on.exit(RNetCDF::close.nc(nc))
+  variables <- cf_variables(nc)
+  names <- cf_names(variables, file)
+  axes <- cf_axes(nc, names, variables, file)
+  near <- axes$moments(time)
+  cells <- cells_by_distance(axes$longitude, axes$latitude, longitude, latitude, farthest)
+  if (!nrow(cells)) {
+    abort_file(file, "has no cell within {reach} km of {east} deg east, {north} deg north.",
+      reach = farthest / 1000, east = longitude, north = latitude)
+  }
+  for (k in seq_len(nrow(cells))) {
+    part <- function(name) {
+      at <- lapply(near$index, function(time) {
+        cf_profile(nc, variables[[name]], names, cells[k, ], time, file)
+      })
+      drop(near$share %*% do.call(rbind, at))
+    }
+    profile <- data.frame(
+      depth = axes$depth, eastward = part(names$eastward), northward = part(names$northward)
+    )
+    profile <- profile[is.finite(profile$eastward) & is.finite(profile$northward), ]
+    if (nrow(profile)) break
+  }
+  if (!nrow(profile)) {
+    abort_file(file, "has no water within {reach} km of {east} deg east, {north} deg north.",
+      reach = farthest / 1000, east = longitude, north = latitude)
+  }
+  profile <- profile[order(profile$depth), ]
+  row.names(profile) <- NULL
+  attr(profile, "cell") <- list(
+    longitude = axes$longitude[cells$i[k]], latitude = axes$latitude[cells$j[k]],
+    distance = cells$distance[k]
+  )
+  profile
+}
+
+# What a variable has of name, dimensions and the attributes that are asked here.
+cf_variables <- function(nc) {
+  dimensions <- vapply(seq_len(RNetCDF::file.inq.nc(nc)$ndims) - 1L, function(k) {
+    RNetCDF::dim.inq.nc(nc, k)$name
+  }, "")
+  count <- RNetCDF::file.inq.nc(nc)$nvars
+  found <- lapply(seq_len(count) - 1L, function(k) {
+    of <- RNetCDF::var.inq.nc(nc, k)
+    own <- vapply(seq_len(of$natts) - 1L, function(a) RNetCDF::att.inq.nc(nc, k, a)$name, "")
+    attribute <- function(name) {
+      if (!name %in% own) return("")
+      as.character(RNetCDF::att.get.nc(nc, k, name))[1L]
+    }
+    list(
+      name = of$name, dimensions = dimensions[of$dimids + 1L],
+      standard = attribute("standard_name"), units = attribute("units"),
+      positive = attribute("positive"), calendar = attribute("calendar")
+    )
+  })
+  stats::setNames(found, vapply(found, `[[`, "", "name"))
+}
+
+# The names that variables have in this file.
+cf_names <- function(variables, file) {
+  standard <- vapply(variables, `[[`, "", "standard")
+  named <- function(name) names(variables)[standard == name]
+  find <- function(name, needed = TRUE) {
+    found <- named(name)
+    if (length(found) == 1L || (!needed && !length(found))) return(found)
+    turned <- if (length(named("sea_water_x_velocity"))) {
+      " Its velocities are along the axes of a turned grid."
+    } else {
+      ""
+    }
+    abort_file(file,
+      "has {count} variables of standard_name \"{wanted}\"; it must have one.{turned}",
+      count = length(found), wanted = name, turned = turned)
+  }
+  list(
+    eastward = find("eastward_sea_water_velocity"),
+    northward = find("northward_sea_water_velocity"),
+    longitude = find("longitude"), latitude = find("latitude"), time = find("time"),
+    depth = find("depth", needed = FALSE)
+  )
+}
+
+# Longitudes and latitudes (deg), depths (m), and a function that gives one or two indices of time
+# with their shares.
+cf_axes <- function(nc, names, variables, file) {
+  values <- function(name) {
+    if (length(variables[[name]]$dimensions) > 1L) {
+      abort_file(file, "has \"{axis}\" by more than one dimension; only grids along meridians and
+        parallels are read.", axis = name)
+    }
+    as.vector(RNetCDF::var.get.nc(nc, name, unpack = TRUE))
+  }
+  depth <- 0
+  if (length(names$depth)) {
+    of <- variables[[names$depth]]
+    factor <- c(m = 1, meter = 1, meters = 1, metre = 1, metres = 1, km = 1000)[of$units]
+    if (is.na(factor)) {
+      abort_file(file, "gives its depths in \"{unit}\"; it must be metres.", unit = of$units)
+    }
+    depth <- values(names$depth) * factor[[1L]] * if (of$positive == "up") -1 else 1
+  }
+  list(
+    longitude = values(names$longitude), latitude = values(names$latitude), depth = depth,
+    moments = function(time) cf_moments(values(names$time), variables[[names$time]], time, file)
+  )
+}
+
+# One or two indices of time with their shares, linear between them.
+cf_moments <- function(values, variable, time, file) {
+  clock <- cf_clock(values, variable, time, file)
+  times <- clock$times
+  if (clock$asked < min(times) || clock$asked > max(times)) {
+    abort_file(file, "runs from {first} to {last} UTC, and has nothing at {wanted}.",
+      first = clock$shown(which.min(times)), last = clock$shown(which.max(times)),
+      wanted = shown_moment(time))
+  }
+  before <- which.max(ifelse(times <= clock$asked, times, -Inf))
+  after <- which.min(ifelse(times >= clock$asked, times, Inf))
+  if (before == after) return(list(index = before, share = 1))
+  later <- (clock$asked - times[before]) / (times[after] - times[before])
+  list(index = c(before, after), share = c(1 - later, later))
+}
+
+# A file's times and the one that is asked for, in one unit: list(times, asked, shown = a function
+# of a time's index). RNetCDF, by UDUNITS, knows the common calendar, CFtime the others.
+cf_clock <- function(values, variable, time, file) {
+  unread <- function(e) {
+    abort_file(file, "counts time in \"{unit}\" by the calendar \"{calendar}\": {why}",
+      unit = variable$units, why = conditionMessage(e),
+      calendar = if (nzchar(variable$calendar)) variable$calendar else "standard")
+  }
+  if (tolower(variable$calendar) %in% c("", "standard", "gregorian", "proleptic_gregorian")) {
+    times <- tryCatch(
+      as.double(RNetCDF::utcal.nc(variable$units, values, type = "c")), error = unread
+    )
+    shown <- function(k) shown_moment(as.POSIXct(times[k], origin = "1970-01-01", tz = "UTC"))
+    return(list(times = times, asked = as.double(time), shown = shown))
+  }
+  check_package("CFtime", sprintf("The calendar \"%s\"", variable$calendar))
+  own <- tryCatch(CFtime::CFtime(variable$units, variable$calendar, values), error = unread)
+  # a day that the calendar has not is a warning and an error there
+  asked <- tryCatch(
+    suppressWarnings(
+      CFtime::parse_timestamps(own, format(time, "%Y-%m-%dT%H:%M:%S", tz = "UTC"))$offset
+    ),
+    error = function(e) NA
+  )
+  if (is.na(asked)) {
+    abort_file(file, "counts time by the calendar \"{calendar}\", which has no {wanted}.",
+      calendar = variable$calendar, wanted = shown_moment(time))
+  }
+  shown <- function(k) {
+    stamp <- CFtime::CFtime(variable$units, variable$calendar, values[k])
+    sub("T", " ", substr(CFtime::as_timestamp(stamp, "timestamp"), 1L, 16L), fixed = TRUE)
+  }
+  list(times = values, asked = asked, shown = shown)
+}
+
+shown_moment <- function(time) format(time, "%Y-%m-%d %H:%M", tz = "UTC")
+
+# One cell's values (m/s) at one time, for all depths.
+cf_profile <- function(nc, variable, names, cell, time, file) {
+  where <- c(cell$i, cell$j, time, 1L)
+  axes <- c(names$longitude, names$latitude, names$time, names$depth)
+  along <- match(variable$dimensions, axes)
+  if (anyNA(along)) {
+    abort_file(file, "has \"{name}\" by {own}; it must be by {axes}.", name = variable$name,
+      own = paste(variable$dimensions, collapse = ", "), axes = paste(axes, collapse = ", "))
+  }
+  start <- where[along]
+  count <- ifelse(along == 4L, NA, 1L)
+  values <- as.vector(
+    RNetCDF::var.get.nc(nc, variable$name, start, count, unpack = TRUE, na.mode = 0)
+  )
+  unit <- gsub("[[:space:]]+", " ", variable$units)
+  factor <- c(
+    "m s-1" = 1, "m/s" = 1, "m s^-1" = 1, "meter second-1" = 1, "m.s-1" = 1, "cm s-1" = 0.01,
+    "cm/s" = 0.01, "knot" = 1852 / 3600
+  )[unit]
+  if (is.na(factor)) {
+    abort_file(file, "gives \"{name}\" in \"{unit}\"; it must be \"m s-1\", \"cm s-1\" or
+      \"knot\".", name = variable$name, unit = variable$units)
+  }
+  values * factor[[1L]]
+}
+
+# Cells within reach, the nearest first: a data frame of i, j and distance (m).
+cells_by_distance <- function(longitude, latitude, east, north, farthest) {
+  # of a file of the globe, the parallels within reach
+  within <- earth_radius * from_unit(abs(latitude - north), "deg") <= farthest
+  cells <- expand.grid(i = seq_along(longitude), j = which(within))
+  cells$distance <- great_circle(
+    from_unit(c(longitude[cells$i] - east), "deg"), from_unit(latitude[cells$j], "deg"),
+    from_unit(north, "deg")
+  )
+  cells <- cells[is.finite(cells$distance) & cells$distance <= farthest, ]
+  cells[order(cells$distance), ]
+}
+
+# m, on a sphere of the Earth's mean radius (haversine formula); rad.
+great_circle <- function(east, north, north_of) {
+  earth_radius * 2 *
+    asin(sqrt(sin((north - north_of) / 2)^2 + cos(north) * cos(north_of) * sin(east / 2)^2))
+}
+
+# m, IUGG's mean radius R1 (Moritz 1980).
+earth_radius <- 6371008.8
+
+moment <- function(time) {
+  if (is_text(time)) {
+    formats <- c("%Y-%m-%d %H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M:%SZ", "%Y-%m-%dT%H:%M",
+      "%Y-%m-%d")
+    time <- as.POSIXct(time, tz = "UTC", tryFormats = formats, optional = TRUE)
+  }
+  if (inherits(time, "Date")) time <- as.POSIXct(format(time), tz = "UTC")
+  if (!inherits(time, "POSIXct") || length(time) != 1L || is.na(time)) {
+    abort_argument("{.arg time} must be one moment, such as {.val 2026-05-03 14:00} (UTC).")
+  }
+  time
+}
+
+check_between <- function(name, value, least, most) {
+  if (is.numeric(value) && length(value) == 1L && is.finite(value) && value >= least &&
+        value <= most) {
+    return(invisible())
+  }
+  abort_argument("{.arg {name}} is {show_value(value)}; it must be a number from {least} to
+    {most}.")
+}

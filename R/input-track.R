@@ -1,0 +1,110 @@
+#' A vessel's track as what a tow follows
+#'
+#' Turns positions of a vessel's log into the schedules of [tow()], and the depths below it into a
+#' sea bed.
+#'
+#' Positions scatter by metres, so speed and course are those of the chord from `every` seconds
+#' before to `every` seconds after: a shorter turn is smoothed. The bed is the plane that fits all
+#' depths best along the way (least squares); how far they lie off it is told.
+#'
+#' @param log A table with `time` (s), `longitude` and `latitude` (rad) and, for a bed, `depth` (m),
+#'   from [read_sensor_log()] with the unit `deg` of positions.
+#' @param from,to Begin and end of the tow on the clock of `log`, s.
+#' @param every Time between the points of the schedules, s.
+#' @return A list: `speed`, `course` (data frames with `time`, s from `from`, and `value`, m/s over
+#'   ground and rad to starboard of the first), `bearing` of the first (rad clockwise from north,
+#'   for [current_profile()]), `until` (s), `distance` (m) and, where there are depths, `seabed`
+#'   (what a plan has under that name) and `bed_misfit` (the largest distance of a depth from it,
+#'   m). Wrong arguments are an error of class `codend_error_argument`.
+#' @export
+#' @examples
+#' time <- seq(0, 1200, 10)
+#' log <- data.frame(time = time, longitude = 0.08, latitude = 1.05 + 2 * time / 6371008.8,
+#'   depth = 100 + time / 100)
+#' haul <- track_schedule(log, from = 0, to = 1200)
+#' haul$speed
+#' haul$seabed
+#' \donttest{
+#' trawl <- update(read_gear("midwater_trawl"), towing.speed = haul$speed$value[1])
+#' tow(trawl, until = 60, nodes = 200, speed = haul$speed, course = haul$course)
+#' }
+track_schedule <- function(log, from, to, every = 60) {
+  check_given("log", "from", "to")
+  wanted <- c("time", "longitude", "latitude")
+  if (!is.data.frame(log) || !all(vapply(wanted, function(name) is.numeric(log[[name]]), NA))) {
+    abort_argument("{.arg log} must be a data frame with the numbers {.field {wanted}}, in s and
+      rad.")
+  }
+  check_between("from", from, -1e12, 1e12)
+  check_between("to", to, from, 1e12)
+  check_between("every", every, 1e-3, 1e6)
+  log <- log[order(log$time), ]
+  log <- log[!duplicated(log$time) & is.finite(log$longitude) & is.finite(log$latitude), ]
+  rows <- sum(log$time >= from & log$time <= to)
+  if (rows < 3L || to - from < every) {
+    abort_argument("{.arg log} has {rows} position{?s} between {.arg from} and {.arg to}; it takes 3
+      or more, and at least {.arg every} seconds.")
+  }
+  if (max(abs(log$latitude)) > pi / 2 || max(abs(log$longitude)) > 2 * pi) {
+    abort_argument("{.arg log} has a latitude or longitude beyond the globe: positions are in rad,
+      which {.fn read_sensor_log} gives of the unit {.val deg}.")
+  }
+  middle <- log$latitude[log$time >= from][1L]
+  # metres on the plane that touches the globe where the tow begins; the date line is no jump
+  turned <- (log$longitude - log$longitude[1L] + pi) %% (2 * pi) - pi
+  east <- earth_radius * cos(middle) * turned
+  north <- earth_radius * (log$latitude - middle)
+  at <- seq(from, to, length.out = max(2L, 1L + round((to - from) / every)))
+  behind <- chord_ends(log$time, at - every, from, to)
+  ahead <- chord_ends(log$time, at + every, from, to)
+  step <- function(values) {
+    stats::approx(log$time, values, ahead, rule = 2)$y -
+      stats::approx(log$time, values, behind, rule = 2)$y
+  }
+  chord <- cbind(step(east), step(north))
+  speed <- sqrt(rowSums(chord^2)) / (ahead - behind)
+  bearing <- unwrapped(atan2(chord[, 1L], chord[, 2L]))
+  found <- list(
+    speed = data.frame(time = at - from, value = speed),
+    course = data.frame(time = at - from, value = bearing - bearing[1L]),
+    bearing = bearing[1L] %% (2 * pi), until = to - from,
+    distance = sum((speed[-1L] + speed[-length(speed)]) / 2 * diff(at))
+  )
+  c(found, bed_along(log, from, to, found))
+}
+
+# Where chords begin or end: within the tow and the log.
+chord_ends <- function(time, at, from, to) {
+  pmin(pmax(at, max(from, min(time))), min(to, max(time)))
+}
+
+# Angles without jumps of a whole turn.
+unwrapped <- function(angle) {
+  step <- diff(angle)
+  angle + 2 * pi * c(0, cumsum((step < -pi) - (step > pi)))
+}
+
+# The plane through the depths along the way, which a gear is towed over from where it is now.
+bed_along <- function(log, from, to, found) {
+  if (!is.numeric(log$depth)) return(NULL)
+  log <- log[log$time >= from & log$time <= to & is.finite(log$depth), ]
+  if (nrow(log) < 3L) return(NULL)
+  way <- stats::approx(found$speed$time, cumulated(found$speed), log$time - from, rule = 2)$y
+  fit <- stats::lm.fit(cbind(1, way), log$depth)
+  fall <- fit$coefficients[[2L]]
+  depth <- fit$coefficients[[1L]]
+  if (!is.finite(fall) || depth <= 0) return(NULL)
+  bed <- list(depth = paste(plain_number(round(depth, 2)), "m"))
+  angle <- round(in_unit(atan(abs(fall)), "deg"), 3)
+  if (angle > 0) {
+    # what grows deeper ahead falls towards 180 deg
+    bed$slope <- list(angle = paste(plain_number(angle), "deg"),
+      toward = if (fall > 0) "180 deg" else "0 deg")
+  }
+  list(seabed = bed, bed_misfit = max(abs(fit$residuals)))
+}
+
+cumulated <- function(speed) {
+  value <- speed$value
+  c(0, cumsum((value[-1L] + value[-length(value)]) / 2 * diff(speed$time)))
+}

@@ -1,0 +1,48 @@
+# The engine's table of materials: ropes and twines as lines of the water.
+
+# The engine's table of materials: a row per rope and per panel's twine, as columns.
+# alone: without what netting as a screen or blended has as whole cells.
+twine_materials <- function(lines, alone = TRUE) {
+  number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
+  laws <- lapply(lines, `[[`, "coefficients")
+  screens <- alone & vapply(lines, function(line) !is.null(line$netting_drag) &&
+    line$netting_drag != "twines", NA)
+  coefficient <- function(field) {
+    given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
+    given[is.na(given) | screens] <- 0
+    given
+  }
+  law <- vapply(laws, `[[`, "", "law", USE.NAMES = FALSE)
+  law[screens] <- "constant"
+  added_mass <- function(way) {
+    vapply(lines, function(line) line$added_mass[[way]], 0, USE.NAMES = FALSE)
+  }
+  slides <- lengths(lapply(lines, `[[`, "through")) > 0L
+  stiffness <- number("axial_stiffness")
+  stiffness[slides] <- 0
+  damping <- vapply(lines, function(line) first_of(line$damping, 0), 0, USE.NAMES = FALSE)
+  damping[slides] <- 0
+  list(
+    axial_stiffness = stiffness, damping = damping,
+    diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
+    volume_per_length = number("volume_per_length"),
+    added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
+    law = law, strut = vapply(lines, function(line) isTRUE(line$strut), NA, USE.NAMES = FALSE),
+    normal = coefficient("normal"), tangential = coefficient("tangential"),
+    skin = coefficient("skin"), tangential_share = rep(1, length(lines)),
+    solidity = vapply(lines, function(line) {
+      if (is.null(line$mesh_size)) 0 else panel_solidity(line)
+    }, 0, USE.NAMES = FALSE)
+  )
+}
+
+line_diameter <- function(line) first_of(line$diameter, twine_width(line))
+
+# Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
+# a, and 2 d/a - (d/a)^2 for square.
+panel_solidity <- function(panel) {
+  # hexagons: as diamonds of the same mesh size
+  ratio <- twine_width(panel) / (panel$mesh_size / 2)
+  if (panel$orientation == "square") return(2 * ratio - ratio^2)
+  min(1, ratio / (nominal_hanging_ratio * nominal_depth_ratio))
+}

@@ -1,0 +1,159 @@
+# What a plan says of how well its numbers are known: beside a number in its place,
+# `{value: 4 mm, uncertainty: 10 %}` or `{range: [3.8 mm, 4.2 mm]}`, or by paths in `uncertain`. A
+# tree has the plain numbers and `uncertain`; a file has them together.
+
+# A tree with plain numbers, what is said of them under `uncertain`.
+split_uncertain <- function(tree) {
+  found <- list()
+  walk <- function(value, path) {
+    if (is_uncertain(value)) {
+      number <- uncertain_number(value, path)
+      found[[path]] <<- number$said
+      return(number$value)
+    }
+    if (!is.list(value)) return(value)
+    changed <- FALSE
+    for (k in seq_along(value)) {
+      one <- value[[k]]
+      if (!is.list(one)) next
+      step <- if (is.null(names(value))) as.character(k) else names(value)[k]
+      new <- walk(one, join(path, step))
+      if (!identical(new, one)) {
+        value[[k]] <- new
+        changed <- TRUE
+      }
+    }
+    if (changed && is.null(names(value))) plain_tree(value) else value
+  }
+  plan <- walk(tree, "")
+  if (length(found)) plan$uncertain[names(found)] <- found
+  plan
+}
+
+# The tree as a file has it: numbers together with what is said of them.
+join_uncertain <- function(plan) {
+  said <- plan$uncertain
+  plan$uncertain <- NULL
+  left <- list()
+  for (path in names(said)) {
+    value <- at_path(plan, path_steps(path))
+    joined <- if (is.null(value)) NULL else {
+      ends <- strsplit(said[[path]], " to ", fixed = TRUE)[[1L]]
+      if (length(ends) == 2L) list(value = value, range = ends) else
+        list(value = value, uncertainty = said[[path]])
+    }
+    if (is.null(joined)) left[path] <- said[path] else {
+      plan <- put_at(plan, path_steps(path), joined)
+    }
+  }
+  if (length(left)) plan$uncertain <- left
+  plan
+}
+
+is_uncertain <- function(value) {
+  is_map(value) && length(value) > 0L &&
+    all(names(value) %in% c("value", "uncertainty", "range")) &&
+    any(c("uncertainty", "range") %in% names(value))
+}
+
+# list(value, said): the plain number of such a map, and a text of how well it is known.
+uncertain_number <- function(map, path) {
+  allowed <- paste(
+    "a `value` with an `uncertainty` such as 10 % or 0.2 m, or a `range` such as [4 m, 5 m]"
+  )
+  if (!is.null(map$range)) {
+    ends <- unlist(map$range)
+    if (length(ends) != 2L || !is.null(map$uncertainty)) abort_field(path, map, allowed)
+    value <- map$value
+    if (is.null(value)) {
+      parts <- lapply(as.character(ends), split_quantity)
+      if (any(lengths(parts) != 2L) || !identical(parts[[1L]][2L], parts[[2L]][2L])) {
+        abort_field(path, map, "two numbers of one unit, or given with a `value`")
+      }
+      middle <- mean(vapply(parts, function(part) as.double(part[1L]), 0))
+      unit <- parts[[1L]][2L]
+      value <- if (nzchar(unit)) paste(format(middle, digits = 15), unit) else middle
+    }
+    return(list(value = value, said = paste(as.character(ends), collapse = " to ")))
+  }
+  said <- map$uncertainty
+  if (is.null(map$value) || length(said) != 1L || is.list(said)) abort_field(path, map, allowed)
+  list(value = map$value, said = as.character(said))
+}
+
+at_path <- function(tree, steps) {
+  for (step in steps) {
+    key <- if (is.null(names(tree))) suppressWarnings(as.integer(step)) else step
+    if (is.na(key) || (is.numeric(key) && (key < 1L || key > length(tree)))) return(NULL)
+    if (is.character(key) && !key %in% names(tree)) return(NULL)
+    tree <- tree[[key]]
+  }
+  tree
+}
+
+put_at <- function(tree, steps, value) {
+  tree <- as.list(tree)
+  key <- if (is.null(names(tree))) as.integer(steps[1L]) else steps[1L]
+  tree[[key]] <- if (length(steps) == 1L) value else put_at(tree[[key]], steps[-1L], value)
+  tree
+}
+
+# Standard uncertainty of a number as a share of it, from what is said of it; NA where that cannot
+# be read. value: the number in SI; dimension: as plan_units. Between two ends all is as probable:
+# half of the range over sqrt(3) (JCGM 100:2008, 4.3.7).
+uncertain_share <- function(said, value, dimension) {
+  size <- function(text) {
+    parts <- split_quantity(text)
+    if (is.null(parts)) return(NA_real_)
+    if (!nzchar(parts[2L])) return(as.double(parts[1L]))
+    if (parts[2L] %in% names(plan_units$number) && dimension != "number") return(NA_real_)
+    suppressWarnings(as.double(tryCatch(quantity_si(text, dimension), error = function(e) NA)))
+  }
+  ends <- strsplit(said, " to ", fixed = TRUE)[[1L]]
+  if (length(ends) == 2L) {
+    ends <- vapply(ends, size, 0)
+    return(abs(ends[[2L]] - ends[[1L]]) / 2 / sqrt(3) / abs(value))
+  }
+  parts <- split_quantity(said)
+  if (!is.null(parts) && parts[2L] %in% names(plan_units$number)) {
+    return(quantity_si(said, "number"))
+  }
+  size(said) / abs(value)
+}
+
+# The share by which each number that a plan speaks of is uncertain, by path. An error names what is
+# wrong.
+uncertain_shares <- function(plan) {
+  said <- plan$uncertain
+  if (!length(said)) return(stats::setNames(numeric(), character()))
+  vapply(stats::setNames(names(said), names(said)), function(path) {
+    here <- paste0("uncertain.", path)
+    field <- plan_field(plan, path)
+    shape <- field$node$shape
+    if (is.null(field) || !isTRUE(shape %in% c("quantity", "number", "integer"))) {
+      abort_field(here, said[[path]], "said of a number that the plan has")
+    }
+    dimension <- first_of(field$node[["x-dimension"]], "number")
+    value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
+    share <- uncertain_share(said[[path]], value, dimension)
+    if (!is.finite(share) || share < 0 || value == 0) {
+      abort_field(here, said[[path]], paste(
+        "a standard uncertainty such as 10 % or one in the unit of the field, or two ends such as",
+        "4 m to 5 m"
+      ))
+    }
+    share
+  }, 0)
+}
+
+# A plan without what was said of numbers that it had before a change and has no more.
+without_gone <- function(plan, before) {
+  said <- names(plan$uncertain)
+  gone <- vapply(said, function(path) {
+    steps <- path_steps(path)
+    is.null(at_path(plan, steps)) && !is.null(at_path(before, steps))
+  }, NA)
+  if (any(gone)) plan$uncertain <- plan$uncertain[!gone]
+  if (any(gone) && !length(plan$uncertain)) plan$uncertain <- NULL
+  plan
+}

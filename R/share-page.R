@@ -1,0 +1,153 @@
+# The page that share() writes: its texts as HTML, everything else deflated inside it.
+
+# Scripts of the package's own, in the order in which they are read, and those of the worker.
+page_scripts <- c("page.js")
+worker_scripts <- c("engine.js", "measures.js", "catch.js", "model.js", "worker.js")
+
+# Bytes of a page that a tow is cut to fit into.
+shared_bytes <- 1e6
+
+share_file <- function(name) {
+  path <- system.file("share", name, package = "codend", mustWork = TRUE)
+  paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
+}
+
+packed_text <- function(text) deflated(charToRaw(enc2utf8(text)))
+
+scene_json <- function(scene) {
+  # no mark that HTML knows, whatever takes the text out again
+  text <- as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null"))
+  gsub("<", "\\u003c", text, fixed = TRUE)
+}
+
+# What the page unpacks, by name: base64 of deflated bytes.
+shared_parts <- function(state, model, tow) {
+  wasm <- system.file("share", "engine.wasm", package = "codend", mustWork = TRUE)
+  js <- function(read, names) paste(vapply(names, read, ""), collapse = "\n;\n")
+  parts <- list(
+    three = packed_text(view_file("three.js")),
+    viewer = packed_text(js(view_file, setdiff(viewer_files, "three.js"))),
+    page = packed_text(js(share_file, page_scripts)),
+    worker = packed_text(js(share_file, worker_scripts)),
+    wasm = deflated(readBin(wasm, "raw", file.size(wasm))),
+    scene = packed_text(scene_json(state_scene(state))),
+    model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
+    drawing = packed_text(drawing_svg(state$gear, "A3"))
+  )
+  if (is.null(tow)) return(parts)
+  left <- shared_bytes - 3e4 - sum(nchar(unlist(parts)))
+  c(parts, list(tow = packed_text(scene_json(motion_scene(tow, bytes = max(left, 1e5))))))
+}
+
+viewer_files <- c(
+  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "viewer.js"
+)
+
+write_shared_page <- function(file, state, model, parts) {
+  body <- with_plain_numbers(as.character(shared_body(state, model, !is.null(parts$tow))))
+  name <- state$gear$plan$name
+  html <- c(
+    "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>",
+    # nothing is asked of any server, whatever the plan says
+    paste0("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
+      "script-src 'unsafe-inline' 'wasm-unsafe-eval' 'unsafe-eval' blob:; worker-src blob:; ",
+      "style-src 'unsafe-inline'; img-src data: blob:\"/>"),
+    "<link rel=\"icon\" href=\"data:,\"/>",
+    paste0("<title>", escape_markup(name), "</title>"),
+    inline_style(view_file("viewer.css")), inline_style(share_file("page.css")), "</head>",
+    "<body>", body,
+    paste0("<script type=\"application/json\" id=\"packed\">",
+      jsonlite::toJSON(parts, auto_unbox = TRUE), "</script>"),
+    inline_script(share_file("boot.js")), "</body>", "</html>", ""
+  )
+  html <- enc2utf8(paste(html, collapse = "\n"))
+  connection <- base::file(file, "wb")
+  on.exit(close(connection))
+  writeBin(charToRaw(html), connection)
+}
+
+shared_body <- function(state, model, moves) {
+  notes <- unlist(state$gear$plan$notes)
+  sources <- state$gear$plan$sources
+  found <- findings_by(state, {
+    checks <- sorted_checks()
+    checks[names(checks) != "flutter"]
+  })
+  htmltools::tagList(
+    tag$a(class = "skip", href = "#sliders", "Skip to the sliders"),
+    tag$header(
+      tag$h1(state$gear$plan$name),
+      tag$p(id = "conditions", state_conditions(state))
+    ),
+    tag$main(
+      tag$section(class = "picture", `aria-label` = "The gear in three dimensions",
+        tag$div(id = "tank"),
+        if (moves) tag$button(type = "button", id = "tow", `aria-pressed` = "false",
+          "Play the tow")),
+      tag$section(class = "sliders", `aria-labelledby` = "sliders-heading",
+        tag$h2(id = "sliders-heading", "Change the gear"),
+        tag$div(id = "sliders", lapply(seq_along(model$fields), function(k) {
+          slider_tags(model$fields[[k]], k)
+        })),
+        tag$button(type = "button", id = "reset", disabled = NA, "Back to the gear as shared"),
+        tag$p(id = "told", role = "status", `aria-live` = "polite", "The engine starts.")),
+      tag$section(class = "measured", `aria-labelledby` = "measures-heading",
+        tag$h2(id = "measures-heading", "Measures"),
+        tag$ul(id = "warnings", `aria-live` = "polite", hidden = NA),
+        shared_measure_table(model$programs),
+        if (length(model$missing)) {
+          tag$p(class = "note", "Not on this page: ", paste(model$missing, collapse = ", "), ".")
+        }),
+      tag$section(class = "more", `aria-label` = "More of the gear",
+        if (nrow(found)) tag$details(open = NA,
+          tag$summary("Worth a look, of the gear as shared"),
+          tag$ul(lapply(finding_sentences(found), tag$li))),
+        tag$details(id = "drawing", tag$summary("Plan drawing"),
+          tag$div(class = "drawing", tabindex = "0", role = "region",
+            `aria-label` = "Plan drawing")),
+        if (length(notes)) tag$details(tag$summary("Notes"), lapply(notes, tag$p)),
+        if (length(sources)) tag$details(tag$summary("Sources"), tag$dl(
+          lapply(names(sources), function(of) {
+            list(tag$dt(of), lapply(unlist(sources[[of]]), tag$dd))
+          }))),
+        tag$details(tag$summary("What these measures are"), tag$dl(
+          lapply(unname(model$programs), function(one) {
+            list(tag$dt(one$words), tag$dd(one$definition))
+          }))),
+        tag$details(tag$summary("This page"),
+          tag$p(sprintf("Made by codend %s, %s. The engine settles a lattice of %s nodes in this
+            page; nothing leaves it, and it needs no network.",
+            utils::packageVersion("codend"), format(Sys.Date()), big_number(model$nodes))),
+          if (length(model$left_out)) tag$p("Fields that cannot be sliders here: ",
+            paste(names(model$left_out), collapse = ", "), "."),
+          tag$pre(tabindex = "0", `aria-label` = "The plan", format(state$gear))))
+    ),
+    tag$noscript("This page settles the gear by scripts, which this browser does not run.")
+  )
+}
+
+slider_tags <- function(field, k) {
+  id <- paste0("slider-", k)
+  shown <- trimws(paste(format(field$value, digits = 6), field$unit))
+  tag$div(class = "slider",
+    tag$label(`for` = id, field$label), tag$output(`for` = id, id = paste0(id, "-value"), shown),
+    tag$input(type = "range", id = id, min = format(field$lower, digits = 15),
+      max = format(field$upper, digits = 15), step = "any",
+      value = format(field$value, digits = 15), `aria-valuetext` = shown, disabled = NA))
+}
+
+shared_measure_table <- function(programs) {
+  tag$table(
+    tag$thead(tag$tr(tag$th(scope = "col", "Measure"), tag$th(scope = "col", "Now"),
+      tag$th(scope = "col", "Error"), tag$th(scope = "col", "Change"))),
+    tag$tbody(id = "measures", lapply(names(programs), function(name) {
+      one <- programs[[name]]
+      tag$tr(tag$th(scope = "row", one$words),
+        tag$td(class = "now", paste(figures(one$value), one$unit)),
+        tag$td(class = "error",
+          if (!is.null(one$error)) error_text(one$error * abs(one$value)) else ""),
+        tag$td(class = "change", ""))
+    }))
+  )
+}

@@ -1,0 +1,165 @@
+# What a shared page draws of a shape that it settles: how points, tensions and meshes that the
+# viewer takes follow from the engine's numbers. Numbers count from 0.
+
+# shape: as scene_shape() gives it; keep(x): keeps a long array and gives its name.
+shared_scene <- function(state, shape, keep) {
+  lattice <- state$lattice
+  fixed <- shape$fixed
+  ropes <- rope_groups(state)
+  netting <- netting_groups(state)
+  stopifnot(ropes$count == length(shape$ropes), netting$count == length(shape$u))
+  c(
+    list(
+      drawn = keep(fixed$drawn - 1L), marks = shared_marks(state, fixed$marks),
+      rope = keep_groups(ropes, keep), values = length(shape$u),
+      u = keep_groups(netting$u, keep), v = keep_groups(netting$v, keep),
+      boards = unname(lapply(state$si$otter_boards, function(board) {
+        I(unname(lattice$points[board$points]) - 1L)
+      })),
+      ties = list(first = keep(as.integer(lattice$engine$ties$first) - 1L),
+        second = keep(as.integer(lattice$engine$ties$second) - 1L))
+    ),
+    if (length(state$si$panels)) list(meshes = shared_meshes(state, fixed$netting, keep))
+  )
+}
+
+keep_groups <- function(groups, keep) {
+  list(element = keep(as.integer(groups$element) - 1L), group = keep(as.integer(groups$group) - 1L),
+    weight = keep(single_floats(groups$weight)), bars = isTRUE(groups$bars), count = groups$count,
+    split = groups$split)
+}
+
+# Bars of ropes by the line that is drawn through them; see rope_lines().
+rope_groups <- function(state, limit = scene_limit) {
+  lattice <- state$lattice
+  ropes <- which(lattice$parts$kind == "rope")
+  k <- ceiling(sum(lattice$bar_part %in% ropes) / limit)
+  element <- group <- integer()
+  last <- 0L
+  for (part in ropes) {
+    bars <- bars_of_part(state, part)
+    if (!length(bars)) next
+    line <- (seq_along(bars) - 1L) %/% k + 1L
+    element <- c(element, bars)
+    group <- c(group, last + line)
+    last <- last + max(line)
+  }
+  list(element = element, group = group, weight = lattice$engine$bars$rest[element], count = last)
+}
+
+# Elements by the place of netting that shows their tension, for u and v; see netting_surfaces().
+# Of those the first `split` are bars, the others cells.
+netting_groups <- function(state, limit = scene_limit) {
+  drawn <- state$lattice$panels
+  part <- netting_parts(state)
+  of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
+  block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
+  places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
+  clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
+  none <- list(element = integer(), group = integer(), weight = numeric())
+  of <- list(u = list(bars = none, cells = none), v = list(bars = none, cells = none))
+  add <- function(way, kind, element, group, weight) {
+    old <- of[[way]][[kind]]
+    of[[way]][[kind]] <<- list(element = c(old$element, element), group = c(old$group, group),
+      weight = c(old$weight, weight))
+  }
+  last <- 0L
+  for (p in seq_along(drawn)) {
+    if (of_bars[p]) {
+      cloud <- clouds[[p]]
+      for (way in c("u", "v")) {
+        add(way, "bars", cloud[[way]]$bar, last + cloud[[way]]$at, rep(1, length(cloud[[way]]$at)))
+      }
+      last <- last + length(cloud$point)
+    } else {
+      cells <- block_cells(state, names(drawn)[p], part[p], block)
+      for (way in c("u", "v")) add(way, "cells", cells$cell, last + cells$block, cells$weight)
+      last <- last + cells$count
+    }
+  }
+  joined <- lapply(of, function(way) {
+    list(
+      element = c(way$bars$element, way$cells$element), group = c(way$bars$group, way$cells$group),
+      weight = c(way$bars$weight, way$cells$weight), count = last, split = length(way$bars$element)
+    )
+  })
+  c(joined, list(count = last))
+}
+
+# Nodes in whose middle each mark lies.
+shared_marks <- function(state, marks) {
+  lattice <- state$lattice
+  points <- state_points(state)
+  key <- function(x) paste(x[1L, ], x[2L, ], x[3L, ])
+  node <- match(key(t(as.matrix(marks[c("x", "y", "z")]))), key(points))
+  lapply(seq_len(NROW(marks)), function(k) {
+    board <- state$si$otter_boards[[as.character(marks$part[k])]]
+    I(if (is.null(board)) node[k] - 1L else unname(lattice$points[board$points]) - 1L)
+  })
+}
+
+# What mesh_places() and mesh_means() take of the lattice.
+shared_meshes <- function(state, netting, keep) {
+  panels <- panel_table(state$si$panels)
+  at <- mesh_frame(panels[panel_shape_fields], seq_along(state$si$panels),
+    state$lattice[c("nodes", "division", "panels")])
+  n <- length(at$kept)
+  terms <- function(on, sign) {
+    list(
+      row = rep(seq_len(n), 4L),
+      column = c(on$before$low, on$before$high, on$after$low, on$after$high),
+      weight = sign * at$per_row * c(
+        (1 - on$share) * (1 - on$before$share), (1 - on$share) * on$before$share,
+        on$share * (1 - on$after$share), on$share * on$after$share
+      )
+    )
+  }
+  down <- Map(c, terms(at$below, 1), terms(at$above, -1))
+  panel <- at$panel
+  list(
+    from = keep(at$rows$from - 1L), to = keep(at$rows$to - 1L), share = keep(at$rows$share),
+    kept = keep(at$kept - 1L), before = keep(at$before - 1L), after = keep(at$after - 1L),
+    per_mesh = keep(at$per_mesh), down = keep_sparse(down, n, keep), slant = keep(at$slant),
+    panel = keep(panel - 1L), square = keep(as.integer(at$square)),
+    turned = keep(as.integer(at$turned)), meshes = keep(at$meshes),
+    reach = keep(as.vector(rbind(at$port, at$starboard, at$fore, at$aft))),
+    unit = keep(mesh_unit(panels)), panel_square = keep(as.integer(is_square(panels))),
+    means = keep_sparse(mesh_mean_terms(state, netting, at), NULL, keep)
+  )
+}
+
+# Rows of a sparse matrix, one after the other; rows: how many, NULL for those that `terms` has.
+keep_sparse <- function(terms, rows, keep) {
+  good <- which(terms$weight != 0)
+  order <- good[order(terms$row[good], terms$column[good])]
+  if (is.null(rows)) rows <- terms$rows
+  list(
+    count = keep(tabulate(terms$row[order], rows)), column = keep(terms$column[order] - 1L),
+    weight = keep(terms$weight[order])
+  )
+}
+
+# How mesh_means() takes what the netting's places show from all places of meshes.
+mesh_mean_terms <- function(state, netting, found) {
+  table <- panel_table(state$si$panels)
+  first <- !duplicated(found$row)
+  row <- match(found$row, found$row[first])
+  rows <- list(panel = found$panel[first], t = found$t[first], row = row, s = found$s)
+  places <- panel_places(table, state$lattice$division, state$lattice$panels)
+  on <- rows_at(places, rows)
+  key <- function(panel, node) panel * 1e9 + node
+  at <- match(key(rep(netting$panel, each = nrow(netting$at)), netting$at),
+    key(places$panel, places$node))
+  place <- rep(seq_len(ncol(netting$at)), each = nrow(netting$at))[!is.na(at)]
+  at <- at[!is.na(at)]
+  share <- (1 / tabulate(place, ncol(netting$at)))[place]
+  list(
+    row = rep(place, 4L),
+    column = c(on$before$low[at], on$before$high[at], on$after$low[at], on$after$high[at]),
+    weight = share * c(
+      (1 - on$share[at]) * (1 - on$before$share[at]), (1 - on$share[at]) * on$before$share[at],
+      on$share[at] * (1 - on$after$share[at]), on$share[at] * on$after$share[at]
+    ),
+    rows = ncol(netting$at)
+  )
+}

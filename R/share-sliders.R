@@ -1,0 +1,92 @@
+# The sliders of a shared page: fields of a plan with a range, which a page may change.
+
+# The range of a slider without one: the largest of these shares of its value to both sides that the
+# plan allows and series hold.
+slider_shares <- c(0.25, 0.15, 0.1, 0.05, 0.02)
+
+# Sliders as free_fields() gives fields, with `label`, `fixed` (whether their range was asked
+# for) and `asked` (whether they were).
+# sliders: as sensitivities() takes fields, or NULL for those that people change first; ranges: by
+# the fields' paths, or NULL.
+slider_fields <- function(gear, sliders, ranges) {
+  if (!is.null(ranges) && !(is.list(ranges) && length(ranges) && !is.null(names(ranges)))) {
+    abort_argument("{.arg ranges} must be a list of ranges by the paths of fields, such as
+      {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
+  }
+  found <- slope_fields(gear, slider_paths(sliders))
+  name <- vapply(found, `[[`, "", "name")
+  given <- vapply(names(ranges), function(path) paste(paths_of(path), collapse = " + "), "",
+    USE.NAMES = FALSE)
+  lost <- setdiff(given, name)
+  if (length(lost)) {
+    abort_argument("{.arg ranges} has {.field {lost[1]}}, which is none of the sliders:
+      {.field {name}}.")
+  }
+  labels <- slider_labels(gear, found)
+  fields <- Map(function(field, label) {
+    at <- match(field$name, given)
+    fixed <- !is.na(at)
+    range <- if (fixed) {
+      free_fields(gear, setNames(list(ranges[[at]]), field$name), "ranges")[[1L]]
+    } else {
+      usual_range(gear, field, slider_shares[1L])
+    }
+    if (is.null(range)) {
+      if (is.null(sliders)) return(NULL)
+      abort_argument("{.arg sliders} has {.field {field$name}}, which the plan lets nobody change
+        by itself: give it a range in {.arg ranges}.")
+    }
+    c(range, list(label = label, fixed = fixed, asked = !is.null(sliders)))
+  }, found, labels)
+  Filter(Negate(is.null), fields)
+}
+
+slider_paths <- function(sliders) {
+  if (is.null(sliders)) return(NULL)
+  if (!length(sliders) || !all(vapply(as.list(sliders), is.character, NA))) {
+    abort_argument("{.arg sliders} must be paths of plan fields, such as {.val towing.speed}.")
+  }
+  unname(lapply(as.list(sliders), function(one) unlist(lapply(one, paths_of))))
+}
+
+# A field with a share of its value to both sides as its range, rounded to what people read; less
+# where the plan does not allow it, NULL where it allows none.
+usual_range <- function(gear, field, most) {
+  for (share in slider_shares[slider_shares <= most]) {
+    ends <- field$value + c(-1, 1) * share * abs(field$value)
+    ends <- if (field$whole) {
+      c(max(floor(ends[1L]), if (field$value > 0) 1 else -Inf), ceiling(ends[2L]))
+    } else {
+      # the value itself stays inside
+      size <- 10^floor(log10(share * abs(field$value)))
+      c(floor(ends[1L] / size * 2), ceiling(ends[2L] / size * 2)) * size / 2
+    }
+    range <- lapply(ends, field_text, field = field)
+    found <- tryCatch(
+      free_fields(gear, setNames(list(range), field$name), "ranges")[[1L]],
+      codend_error = function(e) NULL
+    )
+    if (!is.null(found)) return(found)
+  }
+  NULL
+}
+
+# Labels of fields: those that the tank has, or their path in words.
+slider_labels <- function(gear, fields) {
+  usual <- usual_of_plan(gear$plan)
+  vapply(fields, function(field) {
+    at <- Find(function(one) setequal(one$paths, field$paths), usual)
+    if (!is.null(at)) return(unname(at$label))
+    path <- sub("^(ropes|pieces|panels|points|otter_boards)[.](?=.*[.])", "", field$paths[1L],
+      perl = TRUE)
+    capital(gsub("_", " ", gsub(".", ", ", path, fixed = TRUE), fixed = TRUE))
+  }, "")
+}
+
+# Steps of a slider: about a hundred, of 1, 2 or 5 times a power of ten.
+slider_step <- function(field) {
+  if (field$whole) return(1)
+  step <- (field$upper - field$lower) / 100
+  size <- 10^floor(log10(step))
+  size * c(1, 2, 5, 10)[findInterval(step / size * (1 + 1e-9), c(1, 2, 5, 10), all.inside = TRUE)]
+}

@@ -1,0 +1,75 @@
+# Uncertainties in words: the measure, the interval, and where it comes from.
+
+# "5.51 m, 90 %: 4.5 to 6.6 (coefficients 0.4, plan 0.5, ...)": of every measure a line.
+#' @export
+format.codend_uncertainty <- function(x, ...) {
+  with_plain_numbers({
+    table <- x$measures
+    places <- ifelse(table$uncertainty > 0, pmax(0, 1 - floor(log10(table$uncertainty))), 3)
+    shown <- function(value) {
+      mapply(formatC, value, digits = pmin(places, 6), MoreArgs = list(format = "f"))
+    }
+    parts <- vapply(seq_len(nrow(table)), function(m) {
+      sizes <- unlist(table[m, uncertainty_groups])
+      sizes <- sizes[sizes > 0.05 * table$uncertainty[m] & sizes > 0]
+      if (!length(sizes)) return("")
+      paste0(names(sizes), " ", signif(sizes, 2), collapse = ", ")
+    }, "")
+    align_columns(list(
+      paste0("  ", words_of(table$measure, table$unit)), figures(table$value), table$unit,
+      sprintf("%g %%:", 100 * x$level), shown(table$low), "to", shown(table$high),
+      ifelse(nzchar(parts), paste0("(", parts, ")"), ""), ifelse(table$smooth, "", "not smooth")
+    ), left = c(1L, 3L, 6L, 8L, 9L))
+  })
+}
+
+#' @export
+print.codend_uncertainty <- function(x, measures = NULL, ...) {
+  main <- main_rows(x, measures)
+  cat("Uncertainty of \"", x$gear_name, "\", ", x$conditions, "\n", sep = "")
+  cat("  measure, interval that holds the truth with a probability of ",
+    format(100 * x$level), " %, and standard uncertainties by where they come from",
+    if (x$method == "samples") paste0(" (", x$cost$settles, " samples)"), "\n", sep = "")
+  cat(format(x), sep = "\n")
+  for (name in main) {
+    cat("\n", name, ": largest sources\n", sep = "")
+    cat(source_lines(x, name), sep = "\n")
+    cat(narrow_lines(x, name), "\n", sep = "")
+  }
+  if (any(!x$measures$smooth) && x$method == "linear") {
+    cat("\nMeasures that are not smooth follow no straight line: use method = \"samples\".\n")
+  }
+  invisible(x)
+}
+
+# Measures whose sources are listed: those asked for, or the first height, spread and force.
+main_rows <- function(x, measures) {
+  if (!is.null(measures)) return(intersect(x$measures$measure, measures))
+  names <- x$measures$measure
+  pick <- function(pattern) grep(pattern, names, value = TRUE)[1L]
+  found <- c(pick("mouth_height|headline_height|depth_m"), pick("spread_m"), pick("total_drag"))
+  unique(found[!is.na(found)])
+}
+
+source_lines <- function(x, name, most = 10L) {
+  unit <- x$measures$unit[x$measures$measure == name]
+  rows <- utils::head(x$sources[x$sources$measure == name, ], most)
+  if (!nrow(rows)) return(character())
+  with_plain_numbers(align_columns(list(
+    paste0("  ", rows$source), sprintf("%.2g %%", 100 * rows$share), rows$group,
+    sprintf("%+.2g %s", rows$contribution, unit), sprintf("%.0f %% of the variance", rows$percent)
+  ), left = c(1L, 3L)))
+}
+
+narrow_lines <- function(x, name) {
+  row <- x$narrow[x$narrow$measure == name, ]
+  if (!nrow(row)) return(character())
+  now <- x$measures$uncertainty[x$measures$measure == name]
+  with_plain_numbers(sprintf(
+    "  to narrow it most, measure %s: its standard uncertainty falls from %.2g to %.2g %s",
+    gsub("_", " ", row$by[1L]), now, row$left[1L], x$measures$unit[x$measures$measure == name]
+  ))
+}
+
+#' @export
+as.data.frame.codend_uncertainty <- function(x, row.names = NULL, optional = FALSE, ...) x$measures

@@ -1,0 +1,72 @@
+# What is known before hauls are looked at, as priors of calibrate(), and what they leave, as
+# sources of uncertainty() of a calibrated gear.
+
+# Ranges of fields that are named alone: normal priors as uncertainty() has them.
+known_priors <- function(gear, paths) {
+  if (is.character(gear)) gear <- read_gear(gear)
+  sources <- uncertainty_sources(gear)
+  lapply(setNames(paths, paths), function(path) {
+    source <- Find(function(source) path %in% source$paths, sources)
+    if (is.null(source)) {
+      abort_argument("{.arg change} names {.field {path}} without a range, whose uncertainty is not
+        known. Give a range, or say in the plan how well it is known.")
+    }
+    number <- field_number(gear$plan, path)
+    own <- number$value
+    mean <- own * (1 + source$off)
+    sd <- abs(own) * source$share
+    # a force keeps its direction
+    ends <- c(max(mean - normal_reach * sd, if (!is.null(source$multiplier)) 0.05 * own), mean +
+      normal_reach * sd)
+    ends <- range(ends, own + c(-0.01, 0.01) * abs(own))
+    words <- function(value) if (nzchar(number$unit)) {
+      paste(with_plain_numbers(format(value, digits = 15)), number$unit)
+    } else {
+      value
+    }
+    normal_value(words(mean), words(sd), words(ends[1L]), words(ends[2L]))
+  })
+}
+
+# `change` with its character vectors of paths, alone or among ranges, as priors.
+change_with_priors <- function(gear, change) {
+  if (is.character(change) && is.null(names(change))) return(known_priors(gear, change))
+  if (!is.list(change)) return(change)
+  alone <- if (is.null(names(change))) rep(TRUE, length(change)) else !nzchar(names(change))
+  if (!any(alone) || !all(vapply(change[alone], is.character, NA))) return(change)
+  c(known_priors(gear, unlist(change[alone])), change[!alone])
+}
+
+# The calibrated gear in the conditions of its plan, settled.
+settled_calibration <- function(fit) {
+  points <- fit$task$points
+  settled_state(fit$gear, points$nodes, points$netting, NULL, settle_iterations)
+}
+
+# Sources of a calibrated gear: what was calibrated has the covariance that was found.
+calibrated_sources <- function(sources, fit) {
+  fields <- fit$fields
+  paths <- lapply(fields$field, paths_of)
+  taken <- unlist(paths)
+  # what is calibrated apart no longer errs with others of its kind
+  sources <- lapply(sources, function(source) {
+    source$paths <- setdiff(source$paths, taken)
+    source
+  })
+  sources <- Filter(function(source) length(source$paths) > 0L, sources)
+  found <- lapply(seq_along(paths), function(k) {
+    path <- paths[[k]]
+    multiplier <- sub("^multipliers[.]", "", path[1L])
+    is_multiplier <- multiplier != path[1L]
+    error <- fields$error[k]
+    source <- list(
+      name = if (is_multiplier) force_multipliers[[multiplier]] else path_words_of(path),
+      group = if (is_multiplier) "coefficients" else "plan", paths = path,
+      share = if (is.finite(error)) error / abs(fields$value[k]) else 0, off = 0,
+      calibrated = fields$field[k]
+    )
+    if (is_multiplier) source$multiplier <- multiplier
+    source
+  })
+  c(found, sources)
+}

@@ -1,0 +1,384 @@
+#' How far measures may be from the truth
+#'
+#' The standard uncertainty of every measure of a settled gear, an interval that holds the truth
+#' nine times out of ten, where it comes from, and what to measure next. `measures()` reports the
+#' discretisation error alone; this adds what is not known of coefficients, of the plan and of the
+#' conditions, and what no parameter covers.
+#'
+#' @details
+#' # What is uncertain
+#' - coefficients: the plan's `multipliers` of components of force, with the standard deviations and
+#'   correlations that the validation book leaves (`validation/conditioning.md`);
+#' - plan: numbers with an uncertainty of their own, `{value: 4 mm, uncertainty: 10 %}` or
+#'   `{range: [3.8 mm, 4.2 mm]}`, which is evenly distributed; others have that of their kind, from
+#'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
+#'   one maker makes, such as the twine of all panels, errs together, by the same share;
+#' - conditions: speed, current, depth and warp, likewise;
+#' - lattice: the estimated discretisation error of [measures()];
+#' - model: what no parameter covers (stiff twine, an uneven bed), as the standard deviation that is
+#'   left in the validation book of measures of that kind, with its degrees of freedom.
+#'
+#' # How it is found
+#' As JCGM 100:2008 (GUM) has it: contributions are slopes times standard uncertainties, added in
+#' quadrature with their correlations; a coefficient whose mean is known to be off counts with that
+#' as well (F.2.4.5). Slopes are those of [sensitivities()], with one factorised matrix; multipliers
+#' take no new lattice. The interval is the measure plus and minus the combined standard uncertainty
+#' times Student's t of the effective degrees of freedom (G.4). Of the three largest sources the
+#' gear is also brought to balance one standard uncertainty to both sides: where their half
+#' difference is more than a fifth off the slope's it counts instead, and where the two sides differ
+#' by more than half, or slopes have kinks, the measure is `smooth = FALSE`: `method = "samples"`
+#' then follows the gear through draws of all sources (by [vary()], on as many cores as
+#' [future::plan()] says).
+#'
+#' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
+#' @param of Names of measures; all when `NULL`.
+#' @param level Probability that the interval holds the truth.
+#' @param method `"linear"`, or `"samples"`.
+#' @param samples Draws of `"samples"`. They are spread evenly, the same every time.
+#' @return An object of class `codend_uncertainty`, a list of
+#'
+#'   - `measures`: a data frame with a row per measure: `measure`, `value`, `unit`, `uncertainty`
+#'     (combined standard uncertainty), `low` and `high` (the interval), the standard uncertainties
+#'     from `coefficients`, `plan`, `conditions`, `lattice` and `model`, the effective degrees of
+#'     `freedom`, and `smooth`;
+#'   - `sources`: a data frame with a row per measure and source, the largest first: `measure`,
+#'     `source`, `group`, `share` (standard uncertainty of the source, as a share), `contribution`
+#'     (to the measure, in its unit, with its sign) and `percent` of the measure's variance;
+#'   - `narrow`: a data frame with a row per measure: the single measurement (`by`) that would
+#'     narrow it most and the standard uncertainty `left` with it, and the next two;
+#'   - `level`, `method`, `gear_name`, `conditions`, and `cost` (factorisations and gears settled).
+#'
+#'   Wrong arguments are an error of class `codend_error_argument`.
+#' @references JCGM 100:2008, Evaluation of measurement data: guide to the expression of uncertainty
+#' in
+#'   measurement.
+#' @seealso [plot.codend_uncertainty()]; [optimise_gear()] for limits that hold with a given
+#' probability.
+#' @export
+#' @examples
+#' found <- uncertainty(settle("towed_cable"))
+#' found
+#' found$sources[found$sources$measure == "body_depth_m", ]
+uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "samples"),
+                        samples = 100) {
+  fit <- if (inherits(state, "codend_calibration")) state
+  if (!is.null(fit)) state <- settled_calibration(fit)
+  check_is_state(state)
+  if (!is.null(state$time) || !isTRUE(state$report$converged)) {
+    abort_argument("{.arg state} must be settled, not a moment of a tow.")
+  }
+  method <- check_choice(method, "method", c("linear", "samples"))
+  check_level(level)
+  check_count("samples", samples, 20)
+  base <- measures(state)
+  if (is.null(of)) of <- names(base)
+  if (!(is.character(of) && length(of) && all(of %in% names(base)))) {
+    abort_argument("{.arg of} is {.val {of}}; it must be any of {.val {names(base)}}.")
+  }
+  sources <- uncertainty_sources(state$gear)
+  if (!is.null(fit)) sources <- calibrated_sources(sources, fit)
+  spread <- source_contributions(state, sources, fit)
+  found <- list(
+    base = base[of], sources = sources, spread = spread$spread[of, , drop = FALSE],
+    off = spread$off[of, , drop = FALSE], rough = spread$rough[of, , drop = FALSE],
+    correlation = spread$correlation
+  )
+  draws <- if (method == "samples") sample_measures(state, sources, spread$correlation, samples, of)
+  made <- budget_of(found, level, draws)
+  structure(
+    c(made, list(
+      level = level, method = method, gear_name = state$gear$plan$name,
+      conditions = state_conditions(state),
+      cost = list(
+        factorisations = spread$factorisations, settles = if (is.null(draws)) 0 else samples
+      )
+    )),
+    class = "codend_uncertainty"
+  )
+}
+
+# Of the largest sources shapes are followed to one standard uncertainty on both sides.
+followed_sources <- 3L
+# Contributions by slopes that are off by more than this count as they are followed, and sides that
+# differ by more than this are not smooth.
+most_off_slope <- 0.2
+most_uneven <- 0.5
+
+# A measure's change for one standard uncertainty of every source: list(spread and off (what a known
+# bias of the source makes), rough: measures x sources; correlation of the sources; factorisations).
+source_contributions <- function(state, sources, fit = NULL, follow = followed_sources) {
+  work <- tangent_work(state)
+  n <- length(sources)
+  spread <- off <- matrix(0, length(work$values), n, dimnames = list(names(work$values), NULL))
+  rough <- matrix(FALSE, length(work$values), n, dimnames = dimnames(spread))
+  fields <- lapply(sources, source_field, plan = state$gear$plan)
+  for (k in seq_len(n)) {
+    if (is_unused(work, fields[[k]])) next
+    found <- field_slopes(work, fields[[k]], secants = FALSE)
+    found$slope[!is.finite(found$slope)] <- 0
+    spread[, k] <- found$slope * sources[[k]]$share
+    off[, k] <- found$slope * sources[[k]]$off
+    rough[, k] <- !found$smooth
+  }
+  size <- colMeans(abs(spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
+  for (k in utils::head(order(-size), follow)) {
+    if (!is.null(work$factors) && spread_is_finite(spread[, k])) {
+      followed <- followed_change(work, fields[[k]], sources[[k]]$share)
+      if (is.null(followed)) next
+      scale <- pmax(abs(spread[, k]), 1e-3 * abs(work$values), .Machine$double.xmin)
+      half <- (followed$above - followed$below) / 2
+      wrong <- abs(half - spread[, k]) > most_off_slope * scale
+      uneven <- abs(followed$above + followed$below) > most_uneven * 2 * scale
+      spread[wrong, k] <- half[wrong]
+      rough[, k] <- rough[, k] | uneven
+    }
+  }
+  list(
+    spread = spread, off = off, rough = rough, correlation = source_correlation(sources, fit),
+    factorisations = work$cost$factorisations
+  )
+}
+
+spread_is_finite <- function(x) all(is.finite(x)) && any(x != 0)
+
+source_field <- function(source, plan) {
+  field <- common_field(plan, source$paths)
+  field$multiplier <- source$multiplier
+  field
+}
+
+# Whether a multiplier has nothing to multiply.
+is_unused <- function(work, field) {
+  name <- field$multiplier
+  if (is.null(name)) return(FALSE)
+  state <- work$state
+  identical(state$lattice$engine,
+    multiplied_engine(state$lattice, state$si, setNames(1.5, name)))
+}
+
+# Changes of measures at a whole standard uncertainty to both sides, or NULL.
+followed_change <- function(work, field, share) {
+  side <- function(way) {
+    if (way * share <= -0.9) return(NULL)
+    found <- if (is.null(field$multiplier)) {
+      balanced(work, scaled_gear(work$state$gear, field, way * share))
+    } else {
+      multiplied_balance(work, field, way * share)
+    }
+    if (!is.null(found)) found$values - work$values
+  }
+  above <- side(1)
+  below <- if (!is.null(above)) side(-1)
+  if (!is.null(below)) list(above = above, below = below)
+}
+
+source_correlation <- function(sources, fit = NULL) {
+  correlation <- diag(length(sources))
+  known <- multiplier_knowledge()$covariance
+  some <- which(vapply(sources, function(source) isTRUE(source$correlated), NA))
+  if (length(some) > 1L) {
+    names <- vapply(sources[some], `[[`, "", "multiplier")
+    correlation[some, some] <- stats::cov2cor(known[names, names, drop = FALSE])
+  }
+  # what a calibration found
+  fitted <- which(vapply(sources, function(source) !is.null(source$calibrated), NA))
+  if (length(fitted) > 1L) {
+    names <- vapply(sources[fitted], `[[`, "", "calibrated")
+    found <- suppressWarnings(stats::cov2cor(fit$covariance[names, names, drop = FALSE]))
+    found[!is.finite(found)] <- 0
+    diag(found) <- 1
+    correlation[fitted, fitted] <- found
+  }
+  correlation
+}
+
+# ---- budget --------------------------------------------------------------------------------------
+
+uncertainty_groups <- c("coefficients", "plan", "conditions", "lattice", "model")
+
+# From contributions to the tables; draws: measures of samples of all sources, or NULL.
+budget_of <- function(found, level, draws = NULL) {
+  base <- found$base
+  value <- plain_measures(base)
+  group <- vapply(found$sources, `[[`, "", "group")
+  covariance_of <- function(rows) {
+    s <- found$spread[, rows, drop = FALSE]
+    s %*% found$correlation[rows, rows, drop = FALSE] %*% t(s) + tcrossprod(bias_of(found, rows))
+  }
+  by_group <- vapply(uncertainty_groups[1:3], function(one) {
+    sqrt(pmax(0, diag(covariance_of(which(group == one)))))
+  }, numeric(length(value)))
+  by_group <- matrix(by_group, length(value),
+    dimnames = list(names(value), uncertainty_groups[1:3]))
+  lattice <- plain(attr(base, "error"))
+  lattice[is.na(lattice)] <- 0
+  residual <- measure_residuals(base)
+  model <- residual$sd * abs(value)
+  covariance <- covariance_of(seq_along(group))
+  own <- lattice^2 + model^2
+  combined <- sqrt(diag(covariance) + own)
+  freedom <- ifelse(model > 0, residual$freedom * (combined / model)^4, Inf)
+  reach <- stats::qt((1 + level) / 2, pmax(freedom, 1))
+  low <- value - reach * combined
+  high <- value + reach * combined
+  if (!is.null(draws)) {
+    ends <- sampled_ends(draws, sqrt(own), level)
+    combined <- sqrt(ends$sd^2 + own)
+    low <- ends$low
+    high <- ends$high
+  }
+  # what cannot be less than nothing
+  bounded <- value > 0 & !uncertainty_kind(base) %in% c("angle", "other", "volume")
+  low[bounded] <- pmax(low[bounded], 0)
+  rough <- rowSums((found$spread * found$rough)^2) > 0.05 * combined^2
+  table <- data.frame(
+    measure = names(value), value = unname(value), unit = unname(attr(base, "unit")),
+    uncertainty = combined, low = low, high = high, by_group, lattice = lattice, model = model,
+    freedom = freedom, smooth = !rough, row.names = NULL
+  )
+  list(
+    measures = table, sources = source_table(found, value, combined),
+    narrow = narrowing(found, base, covariance, own)
+  )
+}
+
+# What the sources' known biases make together, by measure.
+bias_of <- function(found, rows) rowSums(found$off[, rows, drop = FALSE])
+
+source_table <- function(found, value, combined) {
+  names <- vapply(found$sources, `[[`, "", "name")
+  rows <- lapply(seq_along(value), function(m) {
+    one <- found$spread[m, ]
+    whole <- sqrt(one^2 + found$off[m, ]^2)
+    order <- order(-whole)
+    order <- order[whole[order] > 0]
+    data.frame(
+      measure = rep(names(value)[m], length(order)), source = names[order],
+      group = vapply(found$sources[order], `[[`, "", "group"),
+      share = vapply(found$sources[order], `[[`, 0, "share"),
+      contribution = sign(one[order]) * whole[order],
+      percent = 100 * whole[order]^2 / combined[m]^2
+    )
+  })
+  found <- do.call(rbind, rows)
+  row.names(found) <- NULL
+  found
+}
+
+# The kind of a measure as residuals and sensors have it.
+uncertainty_kind <- function(base) {
+  kind <- unname(attr(base, "kind"))
+  unit <- unname(attr(base, "unit"))
+  out <- rep("other", length(kind))
+  out[unit %in% c("kN", "N", "kW")] <- "force"
+  out[kind %in% c("spread", "swept_area")] <- "spread"
+  out[kind %in% c("height", "clearance")] <- "height"
+  out[kind %in% c("area", "mouth_blockage", "filtered_volume")] <- "area"
+  out[unit == "deg"] <- "angle"
+  out[grepl("depth", kind)] <- "depth"
+  out[kind %in% c("volume", "volume_share", "enclosed_volume")] <- "volume"
+  out
+}
+
+measure_residuals <- function(base) {
+  table <- model_residuals()
+  kind <- uncertainty_kind(base)
+  if (is.null(table)) return(list(sd = 0 * seq_along(kind), freedom = rep(Inf, length(kind))))
+  at <- match(kind, table$kind)
+  list(sd = ifelse(is.na(at), 0, table$sd[at]), freedom = ifelse(is.na(at), Inf, table$freedom[at]))
+}
+
+# Standard uncertainties of sensors of measures, in their units; NA where nobody measures such.
+sensor_uncertainty <- function(base) {
+  table <- uncertainty_table()
+  table <- table[table$group == "sensor", ]
+  value <- abs(plain_measures(base))
+  kind <- uncertainty_kind(base)
+  measurable <- unname(attr(base, "kind")) %in%
+    c("spread", "height", "clearance", "tension", "angle", "depth", "attitude")
+  vapply(seq_along(value), function(m) {
+    at <- match(kind[m], table$field)
+    if (is.na(at) || !measurable[m] || value[[m]] == 0) return(NA_real_)
+    text <- table$uncertainty[at]
+    if (grepl("%", text, fixed = TRUE)) return(table_share(text) * value[[m]])
+    as.double(split_quantity(text)[1L])
+  }, 0)
+}
+
+# Of every measure the three measurements that would narrow it most: of another measure, which says
+# something of the sources that both have, or of a number of the plan.
+narrowing <- function(found, base, covariance, own) {
+  value <- plain_measures(base)
+  sensor <- sensor_uncertainty(base)
+  total <- diag(covariance) + own
+  names <- vapply(found$sources, `[[`, "", "name")
+  group <- vapply(found$sources, `[[`, "", "group")
+  rows <- lapply(seq_along(value), function(m) {
+    by_measure <- covariance[m, ]^2 / (diag(covariance) + own + sensor^2)
+    # measured itself, it is known as well as the sensor
+    by_measure[m] <- if (is.na(sensor[m])) NA else max(0, total[m] - sensor[m]^2)
+    by_field <- ifelse(group == "coefficients", NA, found$spread[m, ]^2)
+    fall <- c(by_measure, by_field)
+    what <- c(names(value), names)
+    order <- utils::head(order(-fall, na.last = NA), 3L)
+    data.frame(measure = rep(names(value)[m], length(order)), by = what[order],
+      left = sqrt(pmax(0, total[m] - fall[order])))
+  })
+  table <- do.call(rbind, rows)
+  row.names(table) <- NULL
+  table
+}
+
+# ---- samples -------------------------------------------------------------------------------------
+
+# Measures of gears with all sources drawn: a matrix with a row per draw that settled.
+sample_measures <- function(state, sources, correlation, samples, of) {
+  use <- which(vapply(sources, `[[`, 0, "share") > 0)
+  z <- stats::qnorm(spread_points(samples, length(use)))
+  root <- chol(correlation[use, use, drop = FALSE])
+  z <- z %*% root
+  columns <- list()
+  for (k in seq_along(use)) {
+    source <- sources[[use[k]]]
+    field <- common_field(state$gear$plan, source$paths)
+    share <- pmax(z[, k] * source$share + source$off, -0.9)
+    for (p in seq_along(source$paths)) {
+      columns[[source$paths[p]]] <- vapply(share, function(one) {
+        text <- field_text(field$parts[[p]]$value * (1 + one), field$parts[[p]])
+        as.character(text)
+      }, "")
+      if (!nzchar(field$parts[[p]]$unit)) {
+        columns[[source$paths[p]]] <- as.double(columns[[source$paths[p]]])
+      }
+    }
+  }
+  designs <- structure(columns, class = "data.frame", row.names = seq_len(samples))
+  found <- vary(state$gear, designs, nodes = state$lattice$counts$asked$nodes)
+  as.matrix(as.data.frame(found)[found$settled, of, drop = FALSE])
+}
+
+# Ends of intervals of draws with an independent normal part of standard deviation `own`: quantiles
+# of all draws, each spread over evenly placed points of that part.
+sampled_ends <- function(draws, own, level) {
+  points <- stats::qnorm((seq_len(21L) - 0.5) / 21)
+  ends <- vapply(seq_len(ncol(draws)), function(m) {
+    x <- draws[, m]
+    x <- x[is.finite(x)]
+    all <- as.vector(outer(x, points * own[m], `+`))
+    c(stats::sd(x), stats::quantile(all, (1 + c(-1, 1) * level) / 2))
+  }, c(0, 0, 0))
+  list(sd = ends[1L, ], low = ends[2L, ], high = ends[3L, ])
+}
+
+# ---- bounds --------------------------------------------------------------------------------------
+
+# Words of formulas with the relative standard uncertainty and degrees of freedom of each measure,
+# as they are in a state.
+words_with_bounds <- function(words, state) {
+  found <- uncertainty(state, unique(words$column))$measures
+  at <- match(words$column, found$measure)
+  size <- abs(found$value[at])
+  words$share <- ifelse(size > 0, found$uncertainty[at] / size, 0)
+  words$freedom <- found$freedom[at]
+  words
+}

@@ -1,0 +1,66 @@
+// Lattices of gears for R.
+#include "binding_list.h"
+#include "binding_model.h"
+#include "engine/gear/lattice.hpp"
+#include "engine/solve/layout.hpp"
+
+using namespace binding;
+
+namespace {
+
+codend::Gear read_gear(const list& numbers) {
+  codend::Gear gear = codend::read_fields<codend::Gear>(ListSource(numbers));
+  gear.check();
+  return gear;
+}
+
+void lay_out_strings(const codend::Strings& strings, double* x) {
+  codend::lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x, [] {
+    check_user_interrupt();
+    return true;
+  });
+}
+
+}  // namespace
+
+// counts: of another lattice of the gear, or NULL; map: of the lattice that `position` (3 x points) is
+// carried over from, or NULL; alike: whether that one is divided alike.
+[[cpp11::register]] list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map,
+                                        doubles position, bool alike) {
+  return guarded([&]() -> list {
+    const codend::Gear gear = read_gear(numbers);
+    codend::Counts known;
+    codend::Fineness fineness;
+    fineness.nodes = nodes;
+    if (!Rf_isNull(counts)) {
+      known = codend::read_fields<codend::Counts>(ListSource(counts));
+      fineness.counts = &known;
+    }
+    codend::FromShape from;
+    from.given = position.size() > 0;
+    from.alike = alike;
+    from.position = binding::numbers(position);
+    if (!Rf_isNull(map)) from.map = codend::read_fields<codend::PartMap>(ListSource(map));
+    codend::Lattice lattice = codend::build_lattice(gear, fineness, from, lay_out_strings);
+    return ListWriter::written(lattice);
+  });
+}
+
+// A gear's crude first shape on the lattice of this map: 3 x nodes, m.
+[[cpp11::register]] doubles engine_first_shape(list numbers, list map) {
+  return guarded([&]() -> doubles {
+    const codend::Gear gear = read_gear(numbers);
+    const codend::PartMap of = codend::read_fields<codend::PartMap>(ListSource(map));
+    of.check(gear, static_cast<std::size_t>(of.nodes) + 1000000000);
+    return as_doubles(codend::first_shape(gear, of, false, lay_out_strings));
+  });
+}
+
+// How many nodes a gear would have: list(nodes = of every panel, then of every rope, divided = whether
+// it says itself how it is divided).
+[[cpp11::register]] list engine_node_counts(list numbers, double nodes) {
+  return guarded([&]() -> list {
+    codend::NodeCounts found = codend::count_nodes(read_gear(numbers), nodes);
+    return ListWriter::written(found);
+  });
+}

@@ -1,0 +1,52 @@
+// Carries a shape from one lattice to another of the same parts: to a finer division, or to a gear with
+// other lengths. Every node goes where its place on its rope or panel is on the old shape.
+#pragma once
+
+#include <vector>
+
+#include "netting.hpp"
+
+namespace codend {
+
+// Where the nodes of a lattice lie on the parts of its gear.
+struct PartMap {
+  int nodes = 0, divided_nodes = 0;  // all, and those of edges, ropes and points
+  EdgeNodes edges;
+  std::vector<Grid> grids;
+  std::vector<NodeRun> ropes;
+  std::vector<int> points;  // their nodes
+  std::vector<DrawnPanel> panels;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit("nodes", nodes);
+    visit("divided_nodes", divided_nodes);
+    visit.count(Among::nodes, static_cast<std::size_t>(nodes));
+    visit.group("edges", edges);
+    visit.items("grids", grids);
+    visit.items("ropes", ropes);
+    visit.list("points", points, {1, Among::nodes});
+    visit.items("panels", panels);
+  }
+  // Throws InputError where it is not one of a gear with these parts, or refers to what is not there;
+  // points: of its shape, with tied ones.
+  void check(const Gear& gear, std::size_t points) const;
+  // Of a drawn node, as it is numbered there, its number among all points.
+  int point(int drawn) const { return drawn > 0 ? drawn - 1 : nodes - 1 - drawn; }
+};
+// nodes: of the lattice, with those that netting has of its own.
+PartMap part_map(const Gear& gear, const Division& division, int nodes,
+                 const std::vector<DrawnPanel>& drawn);
+
+// A place on a panel: shares across and deep, from its left and its upper edge.
+struct PanelPlace {
+  int node, panel;
+  double s, t;
+};
+std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map);
+
+// Positions (m, 3 per node) of the nodes of `to`, from those of all points of `from`.
+std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const PartMap& from,
+                                    const std::vector<double>& position);
+
+}  // namespace codend

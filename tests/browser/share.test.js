@@ -1,0 +1,119 @@
+// Pages of share() in headless Chromium without a network: their measures are R's after the same moves,
+// a hostile name runs nothing, memory stays flat, and axe-core finds nothing.
+'use strict';
+const test = require('node:test'), assert = require('node:assert');
+const fs = require('fs'), os = require('os'), path = require('path');
+const { execFileSync } = require('child_process');
+const { chromium } = require('playwright-core');
+
+const gears = (process.env.GEARS || 'towed_cable,stow_net,t90_codend').split(',');
+const moves = Number(process.env.MOVES || 10);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'codend-share-'));
+let browser;
+
+test.before(async () => {
+  execFileSync('Rscript', [path.join(__dirname, 'share.R'), folder, String(moves), ...gears], { stdio: 'inherit' });
+  browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+      '--disable-background-networking', '--host-resolver-rules=MAP * ~NOTFOUND']
+  });
+});
+test.after(async () => {
+  await browser.close();
+  fs.rmSync(folder, { recursive: true });
+});
+
+async function opened(gear, size) {
+  const page = await browser.newPage({ viewport: size || { width: 1200, height: 800 } });
+  page.asked = [];
+  page.on('request', (request) => {
+    if (!/^(file|blob|data):/.test(request.url())) page.asked.push(request.url());
+  });
+  page.errors = [];
+  page.on('pageerror', (error) => page.errors.push(String(error)));
+  await page.goto('file://' + path.join(folder, gear + '.html'));
+  await page.waitForFunction(() => window.codendReady || window.codendFailed, null, { timeout: 120000 });
+  assert.strictEqual(await page.evaluate(() => window.codendFailed), undefined);
+  return page;
+}
+async function moved(page, values) {
+  await page.evaluate((to) => window.codendMove(to), values);
+  await page.waitForFunction(() => window.codendSettled, null, { timeout: 120000 });
+  return page.evaluate(() => ({
+    measures: window.codendShown.measures, values: window.codendShown.values
+  }));
+}
+
+// What turns on whether a twine is just slack.
+const ordered = /slack_netting/;
+
+for (const gear of gears) {
+  test(`${gear}: measures after ${moves} moves are R's`, async () => {
+    assert.ok(fs.statSync(path.join(folder, gear + '.html')).size < 1e6);
+    const page = await opened(gear);
+    const sizes = await page.evaluate(() => window.codendSizes);
+    let worst = 0;
+    for (const move of JSON.parse(fs.readFileSync(path.join(folder, gear + '.json')))) {
+      const found = await moved(page, move.values);
+      assert.deepStrictEqual(found.values, move.values);
+      for (const [name, value] of Object.entries(move.measures)) {
+        if (ordered.test(name)) continue;
+        const off = Math.abs(found.measures[name] / sizes[name] - value);
+        const share = off / Math.max(Math.abs(value), 1e-3);
+        // both end within the solver's 1e-8 of the largest tension
+        assert.ok(share < 1e-6, `${name}: ${found.measures[name] / sizes[name]}, not ${value}`);
+        worst = Math.max(worst, share);
+      }
+    }
+    console.log(`# ${gear}: worst ${worst.toExponential(1)}`);
+    assert.deepStrictEqual(page.asked, []);
+    assert.deepStrictEqual(page.errors, []);
+    await page.close();
+  });
+}
+
+test('a name that is a script runs nothing', async () => {
+  const page = await opened('towed_cable');
+  assert.match(await page.textContent('h1'), /<\/script><script>/);
+  assert.strictEqual(await page.evaluate(() => window.hurt), undefined);
+  await page.click('#drawing summary');
+  await page.waitForSelector('#drawing img');
+  await page.click('#tow');
+  await page.waitForFunction(() => document.querySelector('.view-time'));
+  await page.click('#tow');
+  assert.strictEqual(await page.evaluate(() => window.hurt), undefined);
+  assert.deepStrictEqual(page.errors, []);
+  await page.close();
+});
+
+test('moves that are overtaken are dropped, and what is told last holds', async () => {
+  const page = await opened('stow_net');
+  const found = await page.evaluate(async () => {
+    const inputs = Array.from(document.querySelectorAll('#sliders input'));
+    for (let k = 0; k < 40; k++) {
+      inputs[0].value = Number(inputs[0].min) + (k % 2) * (inputs[0].max - inputs[0].min);
+      inputs[0].dispatchEvent(new Event('input'));
+    }
+    const last = Number(inputs[0].value);
+    await new Promise((resolve) => {
+      const wait = setInterval(() => { if (window.codendSettled) { clearInterval(wait); resolve(); } }, 20);
+    });
+    return { last, settled: window.codendShown.values[0], moves: window.codendTimes.moves };
+  });
+  assert.ok(Math.abs(found.settled - found.last) < 1e-9 * found.last);
+  assert.ok(found.moves < 5, `${found.moves} of 40 moves were settled`);
+  await page.close();
+});
+
+for (const size of [{ width: 1400, height: 900 }, { width: 390, height: 844 }]) {
+  test(`axe-core finds nothing at ${size.width} pixels`, async () => {
+    const page = await opened('stow_net', size);
+    await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
+    await page.evaluate(fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8'));
+    const found = await page.evaluate(() => window.axe.run());
+    assert.deepStrictEqual(found.violations.map((v) => v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')), []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= size.width);
+    await page.close();
+  });
+}

@@ -1,0 +1,172 @@
+// Lattices of a small gear: they hold its twine and mass, and shapes are carried between them exactly.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "gear/lattice.hpp"
+
+namespace {
+
+using namespace codend;
+
+// A tapered panel that hangs from a line between two points, with a rope along its right edge and
+// floats along its lower one.
+Gear hanging_panel(bool bars, MeshOrientation orientation, NettingDrag drag) {
+  Gear gear;
+  gear.density = 1025;
+  gear.speed = 0.5;
+  for (const double y : {0.0, 4.0}) {
+    GearPoint point;
+    point.held = true;
+    point.position = {0, y, 0};
+    gear.points.push_back(point);
+  }
+  GearPanel panel;
+  panel.mesh_size = 0.1;
+  panel.upper = 60;
+  panel.lower = 24;
+  panel.deep = 30;
+  panel.twine_diameter = 0.002;
+  panel.mass_per_length = 0.01;
+  panel.volume_per_length = 3e-6;
+  panel.knot_diameter = 0.004;
+  panel.knot_twine = 0.03;
+  panel.orientation = orientation;
+  panel.straight_bar = orientation == MeshOrientation::hexagonal ? 0.01 : 0;
+  panel.shielding = WakeLaw::cheng;
+  panel.drag = drag;
+  panel.bars = bars;
+  gear.panels = {panel};
+  GearSeam top;
+  top.chains = {Chain{{Link{0, 0, 1}}}};
+  top.held_between = {0, 1};
+  gear.seams = {top};
+  GearRope rope;
+  rope.along = {Link{3, 0, 1}};
+  rope.length = 3;
+  rope.diameter = 0.008;
+  rope.mass_per_length = 0.03;
+  rope.volume_per_length = 5e-5;
+  gear.ropes = {rope};
+  GearPiece floats;
+  floats.along = {Link{1, 0, 1}};
+  floats.number = 7;
+  floats.mass = 0.1;
+  floats.volume = 1e-3;
+  floats.height = 0.1;
+  floats.drag_area = 0.01;
+  gear.pieces = {floats};
+  gear.point_count = 2;
+  gear.rope_count = gear.panel_count = 1;
+  return gear;
+}
+
+// Free nodes of a skeleton go nowhere in particular.
+void scatter(const Strings& strings, double* x) {
+  for (std::size_t k = 0; k < strings.load.size(); ++k) {
+    if (!strings.held[k / 3]) x[k] = std::sin(static_cast<double>(k));
+  }
+}
+
+Lattice lattice_of(const Gear& gear, double nodes, const FromShape& from = {}) {
+  Fineness fineness;
+  fineness.nodes = nodes;
+  return build_lattice(gear, fineness, from, scatter);
+}
+
+double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.end(), 0.0); }
+
+}  // namespace
+
+TEST_CASE("a lattice has the twine, mass and supports of its gear") {
+  for (const bool bars : {false, true}) {
+    for (const MeshOrientation orientation :
+         {MeshOrientation::diamond, MeshOrientation::square, MeshOrientation::hexagonal}) {
+      if (bars && orientation == MeshOrientation::hexagonal) continue;
+      const Gear gear = hanging_panel(bars, orientation, NettingDrag::twines);
+      const GearPanel& panel = gear.panels[0];
+      for (const double nodes : {60.0, 700.0}) {
+        const Lattice lattice = lattice_of(gear, nodes);
+        const double twine = panel.bar_count() * panel.cell_twine();
+        // sums of some thousand terms
+        CHECK(lattice.twine[0] == doctest::Approx(twine).epsilon(1e-9));
+        const double mass =
+            panel.bar_count() * panel.cell_twine_with_knots() * 0.01 + 3 * 0.03 + 0.7;
+        CHECK(sum(lattice.mass) == doctest::Approx(mass).epsilon(1e-9));
+        CHECK(std::log(lattice.nodes / nodes) < 0.5);
+        int held = 0;
+        for (int node = 0; node < lattice.nodes; ++node) {
+          const Vector x = at(lattice.start.data(), node);
+          CHECK(x.allFinite());
+          if (!lattice.held[node]) continue;
+          ++held;
+          CHECK(x[0] == 0.0);
+          CHECK(x[2] == 0.0);
+        }
+        CHECK(held == lattice.division.edges.count[0]);
+      }
+    }
+  }
+}
+
+TEST_CASE("sheets between bars have the area of their panel") {
+  const Gear gear = hanging_panel(true, MeshOrientation::diamond, NettingDrag::loland);
+  const Lattice lattice = lattice_of(gear, 400);
+  const GearPanel& panel = gear.panels[0];
+  const double knots = panel.bar_count() * 3.141592653589793 / 4 * 0.004 * 0.004;
+  const double area = panel.bar_count() * panel.cell_twine() * 0.002 + knots;
+  CHECK(sum(lattice.screens.twine_area) == doctest::Approx(area).epsilon(1e-9));
+}
+
+TEST_CASE("shapes linear in mesh coordinates are carried exactly, whatever the netting") {
+  for (const bool from_bars : {false, true}) {
+    for (const bool to_bars : {false, true}) {
+      const Gear coarse_gear =
+          hanging_panel(from_bars, MeshOrientation::diamond, NettingDrag::twines);
+      const Gear fine_gear = hanging_panel(to_bars, MeshOrientation::diamond, NettingDrag::twines);
+      const Lattice coarse = lattice_of(coarse_gear, 80), target = lattice_of(fine_gear, 900);
+      const auto drawn = [](const Gear& gear, const Lattice& lattice) {
+        std::vector<double> x(3 * static_cast<std::size_t>(lattice.nodes), 0.0);
+        const PartMap map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+        for (const PanelPlace& place : panel_places(gear, map)) {
+          const GearPanel& panel = gear.panels[0];
+          const double j = place.t * panel.deep, left = panel.left(j);
+          const double i = left + place.s * (panel.right(j) - left);
+          at(x.data(), place.node) = Vector(2 * i - j, i + 3 * j, 0.5 * j);
+        }
+        return x;
+      };
+      FromShape from;
+      from.given = true;
+      from.map = part_map(coarse_gear, coarse.division, coarse.nodes, coarse.panels);
+      from.position = drawn(coarse_gear, coarse);
+      for (std::size_t t = 0; t < coarse.ties.share.size(); ++t) {
+        const double s = coarse.ties.share[t];
+        const Vector x = (1 - s) * at(from.position.data(), coarse.ties.first[t]) +
+                         s * at(from.position.data(), coarse.ties.second[t]);
+        from.position.insert(from.position.end(), x.data(), x.data() + 3);
+      }
+      const Lattice fine = lattice_of(fine_gear, 900, from);
+      const std::vector<double> wanted = drawn(fine_gear, target);
+      double off = 0.0;
+      for (std::size_t k = 0; k < wanted.size(); ++k) {
+        if (!fine.held[k / 3]) off = std::max(off, std::abs(fine.start[k] - wanted[k]));
+      }
+      // Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.
+      CHECK(off < (to_bars ? 1e-6 : 1e-11));
+    }
+  }
+}
+
+TEST_CASE("what does not fit a gear is refused by name") {
+  Gear gear = hanging_panel(false, MeshOrientation::diamond, NettingDrag::twines);
+  const Lattice lattice = lattice_of(gear, 80);
+  FromShape from;
+  from.given = true;
+  from.map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+  from.position.assign(3, 0.0);
+  CHECK_THROWS_AS(lattice_of(gear, 80, from), InputError);
+  gear.rope_count = 2;
+  CHECK_THROWS_WITH_AS(lattice_of(gear, 80), "rope_count is 2, but 1 are given", InputError);
+}

@@ -1,0 +1,87 @@
+# Every map of a schema's node has, by default, a field for each that it knows, of a name that
+# begins with that one's.
+with_longer_names <- function(node) {
+  for (part in intersect(c("items", "additionalProperties"), names(node))) {
+    node[[part]] <- with_longer_names(node[[part]])
+  }
+  node$choices <- lapply(node$choices, with_longer_names)
+  # a measure is the one field of its map
+  if (length(node$properties) && is.null(node$maxProperties)) {
+    node$properties <- lapply(node$properties, with_longer_names)
+    longer <- paste0(names(node$properties), "_longer")
+    node$defaults[longer] <- list("longer")
+    # a kind of gear hands its own on to what it stands for
+    if (is.null(node$additionalProperties)) {
+      node$additionalProperties <- list(shape = "any", choices = list(list(shape = "string")))
+      node$propertyNames <- list(pattern = "_longer$")
+    }
+  }
+  node
+}
+
+# A tree without those fields.
+without_longer <- function(tree) {
+  if (!is.list(tree) || is.data.frame(tree)) return(tree)
+  if (!is.null(names(tree))) tree <- tree[!endsWith(names(tree), "_longer")]
+  tree[] <- lapply(tree, without_longer)
+  tree
+}
+
+# What `code` finds where plans are checked by another schema.
+under_schema <- function(schema, code) {
+  package <- asNamespace("codend")
+  own <- package$plan_schema
+  put <- function(schema) {
+    unlockBinding("plan_schema", package)
+    assign("plan_schema", schema, package)
+    lockBinding("plan_schema", package)
+  }
+  on.exit(put(own))
+  put(schema)
+  code
+}
+
+test_that("a new field whose name begins with another's changes nothing of any shipped gear", {
+  gears <- lapply(setNames(nm = gears()$name), read_gear)
+  changed <- plan_schema
+  changed$kinds <- lapply(changed$kinds, with_longer_names)
+  # of a collar that is held no other field may be given
+  changed$kinds$cage$properties$collar <- plan_schema$kinds$cage$properties$collar
+  for (name in names(gears)) {
+    with <- under_schema(changed, as_gear(gears[[name]]$plan))
+    expect_true("name_longer" %in% names(gear_checked(with)$fields), label = name)
+    expect_identical(without_longer(gear_si(with)), gear_si(gears[[name]]), label = name)
+  }
+})
+
+test_that("a rope field `torsional_stiffness` is not taken for `to`", {
+  trawl <- read_gear("midwater_trawl")
+  changed <- plan_schema
+  rope <- changed$kinds$assembly$properties$ropes$additionalProperties
+  rope$properties$torsional_stiffness <- list(shape = "number")
+  rope$defaults$torsional_stiffness <- 0
+  changed$kinds$assembly$properties$ropes$additionalProperties <- rope
+  with <- under_schema(changed, as_gear(trawl$plan))
+  expect_identical(gear_fields(with)$ropes[[1]]$torsional_stiffness, 0)
+  expect_identical(gear_si(with), gear_si(trawl))
+})
+
+test_that("a script reads plans, gears and SI numbers exactly", {
+  # scripts find R's `$`, tests that of the package
+  script <- function(code, ...) eval(substitute(code), list(...), globalenv())
+  gear <- read_gear("beam_trawl")
+  expect_null(script(gear$plan$tow, gear = gear))
+  expect_null(script(gear$pla, gear = gear))
+  expect_null(script(gear$plan[["towing"]]$spee, gear = gear))
+  expect_null(script(gear$plan["towing"]$towing$spee, gear = gear))
+  expect_null(script(lapply(gear$plan["towing"], function(group) group$spee)$towing, gear = gear))
+  expect_null(script(gear$checked$si$panels[[1]]$mesh, gear = gear))
+  expect_identical(script(gear$plan$towing$speed, gear = gear), "4 knot")
+  printed <- script(utils::capture.output(print(gear$plan$towing)), gear = gear)
+  expect_identical(printed, utils::capture.output(print(gear$plan$towing)))
+  changed <- script({
+    gear$plan$towing$speed <- "3 knot"
+    gear
+  }, gear = gear)
+  expect_identical(changed[["plan"]], update(gear, towing.speed = "3 knot")[["plan"]])
+})

@@ -1,0 +1,109 @@
+# Calls that people get wrong: each stops at once with an error of codend's own, whose message is
+# kept in _snaps. None computes a shape first.
+
+wrong_calls <- expression(
+  # reading and changing plans
+  read_gear(), read_gear(1), read_gear(NULL), read_gear(c("cage", "gillnet")), read_gear(NA),
+  read_gear("midwater_trwl"), read_gear(midwater_trawl), read_gear(g), read_gear(""),
+  update(g, towing.sped = "3 knot"), update(g, towing.speed = "3 knots/h"),
+  update(g, towing.speed = "fast"), update(g, towing.speed = -1), update(g, towing.speed = NA),
+  update(g, towing.speed = Inf), update(g, towing.speed = c(1, 2)), update(g, towing = 3),
+  update(g, ropes.cable.length = "0 m"), update(g, ropes.cable.length = "300 kg"),
+  update(g, ropes.cable.length = "-5 fathom"), update(g, ropes.warp.length = "300 m"),
+  update(g, ropes.cable.breaking_load = "-2 kgf"), update(g, ropes.cable.material = "stel"),
+  update(g, ropes.cable.length = TRUE), update(g, ropes.cable.length = list(1)),
+  update(g, "3 knot"), update(g, 3), update(g, kind = "trawl"),
+  update(g, pieces.sphere.mass = "1e400 kg"),
+  update(g, pieces.sphere.at = "nowhere"), update(g, water.density = "1025 g"),
+  update(g, ropes.cable.segments = 2.5), write_gear(g), write_gear(1, "a.yaml"),
+  write_gear(g, "no/such/folder/a.yaml"), write_gear(g, 1),
+  new_plan(), new_plan("no_such_gear"), new_plan(3),
+  gear(), gear(1), gear("a", b = 3), gear("a", top = rope(length = 3)),
+  gear("a", top = gear_point(position = c(0, 0))),
+  # settling
+  settle(), settle(NULL), settle(1), settle("no_such_gear"), settle(towed_cable),
+  settle(list(a = 1)),
+  settle(s), settle(g, nodes = "many"), settle(g, nodes = 0), settle(g, nodes = -5),
+  settle(g, nodes = NA), settle(g, nodes = c(1, 2)), settle(g, nodes = Inf), settle(g, from = g),
+  settle(g, from = 3), settle(g, accuracy = "1 m"), settle(g, accuracy = 0),
+  settle(g, accuracy = "high"), settle(g, netting = "fine"), settle(g, netting = -1),
+  settle(g, from = other),
+  # what a state holds
+  measures(), measures(g), measures("towed_cable"), measures(NULL), measures(s)["door_spread"],
+  measures(s)["total_drag"], measures(s)[["total_drag"]], measures(s)$total_drag,
+  measures(s)[c("total_drag_kN", "x")], s$total_drag, s$total_drag_kN,
+  tensions_along(), tensions_along(g), tensions_along(s, "warp"), tensions_along(s, 1),
+  mesh_openings(g), mesh_openings(s), mesh_openings(), board_modes(g), board_modes(),
+  findings(1), findings("a"), as.data.frame(s, what = 1),
+  # pictures and files
+  view_3d(), view_3d(g), view_3d(s, file = "a.png"), view_3d(s, file = 1),
+  view_3d(s, colour = "red"), view_3d(s, device = "x11"), plot(s, planes = "ab"),
+  plot(s, file = "a.doc"), report(), report(s), report(g, "a.html"), report(s, "a.pdf"),
+  report(s, "no/such/a.html"), write_gltf(), write_gltf(s), write_gltf(g, "a.glb"),
+  write_gltf(s, "a.obj"), write_gltf(s, "a.glb", colours = "rainbow"), write_vtk(s),
+  write_vtk(g, "a.vtu"), write_vtk(s, "a.stl"), write_state(s), write_state(g, "a.nc"),
+  write_state(s, "a.rds"), read_state(), read_state("none.nc"), read_state(1),
+  read_trajectory("none.nc"), read_trajectory(),
+  # towing
+  tow(), tow(g), tow(s), tow(g, until = -1), tow(g, until = "10 m"), tow(g, until = "soon"),
+  tow(g, until = 10, speed = "fast"), tow(g, until = 10, every = -1), tow(1, until = 10),
+  state_at(), state_at(tr), state_at(s, 1), state_at(tr, 1e6), state_at(tr, -1),
+  state_at(tr, "a week"), state_at(tr, c(1, 2)), write_trajectory(s, "a.nc"), swept(s), swept(),
+  # studies
+  sensitivities(), sensitivities(g), sensitivities(s, of = "drag"), sensitivities(s, to = "speed"),
+  sensitivities(s, to = 3), sensitivities(s, secants = 1), vary(), vary(1), vary(g, 3),
+  vary(g, towing.sped = 1:2), vary(g, towing.speed = c("3 knot", "x")),
+  vary(g, towing.speed = 2, nodes = "a"), vary(g, towing.speed = 2, tasks = 0),
+  vary(g, towing.speed = value_range(1, 2)), designs(), designs(3), designs(a = value_range(2, 1)),
+  designs(towing.speed = value_range(1, 2), how = "best"),
+  designs(towing.speed = value_range(1, 2), number = -1), value_range(), value_range(1),
+  value_range("3 knot", "5 m"), value_range(5, 3), normal_value(1), normal_value(1, -1),
+  normal_value("a", "b"), run_study(), run_study("none"), read_study("none"), study_status(1),
+  write_study(g, 1, "a"), write_study(g),
+  optimise_gear(), optimise_gear(g), optimise_gear(g, minimise = total_drag),
+  optimise_gear(g, minimise = ~ total_drag), optimise_gear(g, minimise = "drag", change = ch),
+  optimise_gear(g, minimise = 3, change = ch), optimise_gear(g, ~ total_drag, change = 3),
+  optimise_gear(g, ~ total_drag, change = list(towing.sped = c(1, 2))),
+  optimise_gear(g, ~ total_drag, change = list(towing.speed = 3)),
+  optimise_gear(g, ~ total_drag, keep = "deep", change = ch),
+  optimise_gear(g, ~ total_drag, keep = ~ total_drag, change = ch),
+  optimise_gear(g, ~ total_drag, change = ch, starts = 0),
+  trade_off(g, ~ total_drag, change = ch), trade_off(g), calibrate(), calibrate(g),
+  calibrate(g, data = 1, change = ch, match = Drag ~ total_drag),
+  calibrate(g, data = hauls, change = ch), calibrate(g, data = hauls, change = ch, match = "x"),
+  calibrate(g, data = hauls, change = ch, match = Nothing ~ total_drag),
+  calibrate(g, data = hauls[0, ], change = ch, match = Drag ~ total_drag),
+  sample_posterior(), sample_posterior(1), explain_misfit(), explain_misfit(1), tow_speed(),
+  tow_speed(1), read_sensor_log(), read_sensor_log("none.csv"), haul_means(1),
+  read_currents("none.nc"), current_profile(), current_profile(1), flume(1), flume(fields = "a"),
+  force_coefficients(reynolds = -1), force_coefficients(solidity = 2)
+)
+
+test_that("wrong calls stop with an error of codend's that says what is wrong", {
+  local_reproducible_output(width = 80)
+  withr::local_dir(test_folder())
+  # as a script sees codend
+  exported <- list2env(mget(getNamespaceExports("codend"), envir = asNamespace("codend")),
+    parent = globalenv())
+  there <- list2env(list(
+    g = read_gear("towed_cable"), s = settle("towed_cable", nodes = 50),
+    other = settle("crossing_cables", nodes = 50), tr = tow("towed_cable", until = 2, every = 1),
+    ch = list(towing.speed = c("2 knot", "4 knot")),
+    hauls = data.frame(towing.speed = 2:3, Drag = c(2, 3))
+  ), parent = exported)
+  texts <- vapply(as.list(wrong_calls), function(call) {
+    said <- tryCatch({
+      eval(call, there)
+      "nothing is wrong"
+    }, codend_error = function(e) {
+      paste0("[", class(e)[1L], "] ", plain_message(e))
+    }, error = function(e) paste("base error:", conditionMessage(e)))
+    # lists of what there is change with what there is
+    said <- sub("(Shipped|Known here|Measures|units|must be any of|must be one of):? .*", "\\1 ...",
+      said)
+    paste0(paste(deparse(call, 500L), collapse = " "), "\n  ", said)
+  }, "")
+  expect_gte(length(texts), 150L)
+  expect_identical(grep("\n  (nothing is wrong|base error)", texts, value = TRUE), character())
+  expect_snapshot(cat(texts, sep = "\n"))
+})

@@ -1,0 +1,9 @@
+# Names that users have beside codend's.
+
+test_that("no export has the name of a function of the packages most used with it", {
+  lines <- strsplit(readLines(test_path("reference", "common-names.txt")), " ", fixed = TRUE)
+  known <- stats::setNames(lapply(lines, `[`, -1L), sub(":$", "", vapply(lines, `[`, "", 1L)))
+  expect_true(all(c("stats", "dplyr", "tibble", "ggplot2") %in% names(known)))
+  clashes <- lapply(known, intersect, getNamespaceExports("codend"))
+  expect_identical(Filter(length, clashes), stats::setNames(list(), character()))
+})

@@ -1,0 +1,60 @@
+test_that("every law of the table has a force or a wake, and the engine knows no other", {
+  found <- force_coefficients()
+  found <- found[is.na(found$source), ]
+  across <- function(force, law, angle, coefficient) {
+    found$value[found$force == force & found$law == law & found$by == "angle" &
+      found$angle_deg == angle & found$coefficient == coefficient]
+  }
+  for (law in law_names("twine")) expect_gt(across("twine", law, 90, "drag"), 0.5)
+  for (law in law_names("netting")) expect_gt(across("netting", law, 0, "drag"), 0.1)
+  for (law in law_names("wake")) expect_lt(across("wake", law, 0, "speed"), 0.95)
+  known <- function(field) {
+    engine <- specimen(matrix(0, 3L, 4L))
+    engine$engine$screens <- list(node = 1:4, twine = numeric(8), twine_area = 1, overlap = 0,
+      diameter = 1, multiplicity = 1, height = 1, law = "no law")
+    said <- tryCatch(evaluate_specimen(engine, 1, 4L), error = conditionMessage)
+    sub(".*must be ", "", gsub("\\s+", " ", said))
+  }
+  names <- law_names("netting", "screen")
+  n <- length(names)
+  expect_match(known(), paste(toString(names[-n]), "or", names[n]), fixed = TRUE)
+})
+
+test_that("the engine holds each screen at the ends of the range that findings go by", {
+  screens <- laws[laws$of == "netting" & laws$form == "screen", ]
+  drag <- function(law, solidity, reynolds = 1000) {
+    netting_specimens(law, 0, reynolds, solidity)$drag
+  }
+  for (k in seq_len(nrow(screens))) {
+    law <- screens$name[k]
+    end <- screens$most_solidity[k]
+    # at a Reynolds number of the flow between the twines that is the same
+    expect_equal(drag(law, end + 0.2), drag(law, end), tolerance = 1e-9, label = law)
+    expect_gt(drag(law, end), 1.02 * drag(law, end - 0.02))
+    expect_identical(law_column("most_solidity", "netting", "screen")[[law]], end)
+    if (screens$least_solidity[k] > 0) {
+      least <- screens$least_solidity[k]
+      expect_equal(drag(law, least / 2), drag(law, least) / 2, tolerance = 1e-9, label = law)
+    }
+    if (!is.na(screens$most_reynolds[k])) {
+      beyond <- screens$most_reynolds[k]
+      expect_equal(drag(law, 0.2, 10 * beyond), drag(law, 0.2, beyond), tolerance = 1e-9)
+    }
+  }
+})
+
+test_that("a word that is no netting is refused", {
+  expect_error(settle(read_gear("flat_panel"), nodes = 100, netting = "triangles"),
+    "it must be .*cells.*bars", class = "codend_error")
+  expect_error(update(read_gear("flat_panel"), netting = "triangles"), "one of cells, bars",
+    class = "codend_error_plan")
+})
+
+test_that("the schema says of each measure what its definition says", {
+  fields <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
+  kinds <- asked_kinds()
+  expect_setequal(names(fields), names(kinds))
+  for (kind in names(kinds)) {
+    expect_true(startsWith(fields[[kind]]$description, kinds[[kind]]$definition), label = kind)
+  }
+})

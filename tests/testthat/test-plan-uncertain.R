@@ -1,0 +1,100 @@
+# Numbers that a plan knows only so well, and factors on components of force.
+
+uncertain_warp <- function(text) read_text(spoil("length: 100 m", paste("length:", text)))
+
+test_that("a number with an uncertainty is the number, and keeps what is said of it", {
+  plain <- read_text(small_plan)
+  known <- uncertain_warp("{value: 100 m, uncertainty: 10 %}")
+  expect_identical(known$plan$ropes$warp$length, "100 m")
+  expect_identical(known$plan$uncertain, list(ropes.warp.length = "10 %"))
+  expect_identical(gear_si(known), gear_si(plain))
+  expect_equal(uncertain_shares(known$plan), c(ropes.warp.length = 0.1))
+  # in the field's unit, or another of its dimension
+  shares <- function(text) unname(uncertain_shares(uncertain_warp(text)$plan))
+  expect_equal(shares("{value: 100 m, uncertainty: 2 m}"), 0.02)
+  expect_equal(shares("{value: 100 m, uncertainty: 50 cm}"), 0.005)
+  # evenly between two ends: half of the range over the root of 3
+  expect_equal(shares("{value: 100 m, range: [97 m, 103 m]}"), 0.03 / sqrt(3))
+  middle <- uncertain_warp("{range: [90 m, 110 m]}")
+  expect_equal(quantity_si(middle$plan$ropes$warp$length, "length"), 100)
+  # items of lists, and whole parts changed at once
+  net <- update(known, panels.net.twine = list(
+    diameter = list(value = "2 mm", uncertainty = "5 %"), material = "PE"
+  ))
+  expect_equal(uncertain_shares(net$plan),
+    c(ropes.warp.length = 0.1, panels.net.twine.diameter = 0.05))
+})
+
+test_that("what is said is written where the number is, and reads back", {
+  text <- spoil("length: 100 m", "length: {value: 100 m, uncertainty: 10 %} # counter")
+  gear <- read_text(text)
+  expect_identical(format(gear, remarks = TRUE), text)
+  for (remarks in c(TRUE, FALSE)) {
+    again <- read_text(format(gear, remarks = remarks))
+    expect_identical(again$plan, gear$plan)
+  }
+  longer <- update(gear, ropes.warp.length = "120 m")
+  expect_match(format(longer, remarks = TRUE),
+    "length: {value: 120 m, uncertainty: 10 %} # counter", fixed = TRUE)
+  # by paths, in one place
+  apart <- read_text(paste0(small_plan, "uncertain: {ropes.warp.length: 10 %}\n"))
+  expect_identical(apart$plan$uncertain, gear$plan$uncertain)
+})
+
+test_that("what is said of a part goes with it", {
+  gear <- update(as_gear(towed_sphere_plan()), uncertain = list(
+    towing.speed = "1 %", pieces.sphere.mass = "4 %", multipliers.piece_drag = "5 %"
+  ))
+  bare <- update(gear, pieces = NULL)
+  expect_identical(names(bare$plan$uncertain), c("towing.speed", "multipliers.piece_drag"))
+})
+
+test_that("what cannot be an uncertainty is an error that names the field", {
+  said <- function(text) {
+    error <- tryCatch(uncertain_warp(text), codend_error_plan = identity)
+    c(error$path, gsub("\\s+", " ", conditionMessage(error)))
+  }
+  expect_match(said("{value: 100 m, uncertainty: 10 kg}"), "ropes.warp.length", all = FALSE)
+  expect_match(said("{value: 100 m, uncertainty: about 3 m}"), "standard uncertainty", all = FALSE)
+  expect_match(said("{uncertainty: 3 m}"), "`value` with an `uncertainty`", all = FALSE)
+  expect_match(said("{range: [90 m, 110 m, 120 m]}"), "`range` such as", all = FALSE)
+  wrong <- tryCatch(
+    read_text(paste0(small_plan, "uncertain: {ropes.wrap.length: 10 %}\n")),
+    codend_error_plan = identity
+  )
+  expect_identical(wrong$path, "uncertain.ropes.wrap.length")
+})
+
+test_that("multipliers scale their component of force and nothing else", {
+  plan <- towed_sphere_plan()
+  one <- settle(as_gear(plan))
+  plan$multipliers <- list(piece_drag = 2)
+  two <- settle(as_gear(plan))
+  # a thin line and a sphere: all but some 1e-8 of the drag is the sphere's
+  expect_equal(measures(two)[["total_drag_kN"]], 2 * measures(one)[["total_drag_kN"]],
+    tolerance = 1e-7)
+  plan$multipliers <- as.list(setNames(rep(1, length(force_multipliers)), names(force_multipliers)))
+  expect_identical(settle(as_gear(plan))$position, one$position)
+  expect_identical(names(path_node(list(), "multipliers")$properties), names(force_multipliers))
+})
+
+test_that("every multiplier of a trawl is linear in its force, and its short form hands it on", {
+  state <- settled("poly_noreastern_trawl", nodes = 400)
+  still <- numeric(length(state$position))
+  net_force <- function(by) {
+    engine <- multiplied_engine(state$lattice, state$si, by)
+    engine_evaluate(engine, as.vector(state$position), still)$force
+  }
+  one <- net_force(numeric())
+  of <- names(force_multipliers)
+  component <- lapply(setNames(of, of), function(name) net_force(setNames(2, name)) - one)
+  size <- vapply(component, function(force) max(abs(force)), 0)
+  # this gear has no bodies but its floats
+  expect_identical(of[size == 0], "piece_drag")
+  for (name in of) {
+    half <- net_force(setNames(0.5, name)) - one
+    expect_lt(max(abs(half + component[[name]] / 2)), 1e-11 * max(size))
+  }
+  gear <- update(settled_gear("poly_noreastern_trawl"), multipliers = list(board_lift = 1.1))
+  expect_identical(gear_si(gear)$multipliers$board_lift, 1.1)
+})

@@ -1,0 +1,98 @@
+# Numbers of a lattice filled anew at random values of all sliders are those of the series.
+misfit_at_random <- function(series, state, places = 3) {
+  fill <- lattice_filler(state, series$fields)
+  base <- fill()
+  max(vapply(seq_len(places), function(k) {
+    values <- vapply(series$fields, function(field) {
+      value <- stats::runif(1, field$lower, field$upper)
+      if (field$whole) round(value) else value
+    }, 0)
+    arrays <- fill(values)
+    if (is.character(arrays)) 0 else misfit(arrays, base, series$terms, values, series$fields)
+  }, 0))
+}
+
+test_that("series of sliders are the lattices that the plan gives", {
+  set.seed(38)
+  for (name in c("towed_cable", "stow_net", "t90_codend")) {
+    state <- suppressWarnings(settle(name, nodes = 300))
+    series <- slider_series(state, slider_fields(state$gear, NULL, NULL))
+    # of double precision, after sums of a dozen terms
+    expect_lt(misfit_at_random(series, state), 1e-12)
+    # and the test can tell: without its last term a series is off
+    less <- series
+    less$terms <- less$terms[-1L]
+    expect_gt(misfit_at_random(less, state), 1e-6)
+  }
+})
+
+test_that("a length and a weight per length meet in a cross term", {
+  state <- settle("towed_cable")
+  fields <- slider_fields(state$gear, c("ropes.cable.length", "ropes.cable.mass_per_length"), NULL)
+  series <- slider_series(state, fields)
+  expect_true(any(lengths(lapply(series$terms, `[[`, "of")) == 2L))
+  set.seed(1)
+  expect_lt(misfit_at_random(series, state), 1e-12)
+})
+
+test_that("fields that cannot be sliders are refused by name", {
+  gear <- read_gear("towed_cable")
+  expect_error(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments",
+    class = "codend_error_argument")
+  # what divides the gear otherwise changes more than numbers
+  base <- list(bars.node = 1:4, bars.rest = c(1, 2))
+  expect_match(odd_array(list(bars.node = 1:6, bars.rest = 1:3 + 0), base, "rest"), "divides")
+  expect_match(odd_array(list(bars.node = 4:1, bars.rest = c(1, 2)), base, "rest"), "bars node")
+  expect_null(odd_array(list(bars.node = 1:4, bars.rest = c(1, 3)), base, "rest"))
+})
+
+test_that("arguments are checked before anything is computed", {
+  state <- settle("towed_cable")
+  file <- tempfile(fileext = ".html")
+  argument <- function(expression) expect_error(expression, class = "codend_error")
+  argument(share(1, file))
+  argument(share(state, "page.txt"))
+  argument(share(state, file, tow = 1))
+  argument(slider_fields(state$gear, "nowhere.length", NULL))
+  argument(slider_fields(state$gear, 3, NULL))
+  argument(slider_fields(state$gear, "towing.speed", list(ropes.cable.length = c("1 m", "2 m"))))
+  argument(slider_fields(state$gear, "towing.speed", list(towing.speed = c("6 knot", "8 knot"))))
+  range <- list(towing.speed = c("2 knot", "6 knot"))
+  field <- slider_fields(state$gear, "towing.speed", range)[[1]]
+  expect_equal(c(field$lower, field$upper, slider_step(field)), c(2, 6, 0.02))
+})
+
+test_that("arrays come back from their bytes", {
+  arrays <- list(
+    a = c(1.5, -2, pi), b = 1:5, c = c("x", "y", "x"), d = structure(2L, class = "groups")
+  )
+  packed <- packed_arrays(arrays)
+  raw <- memDecompress(jsonlite::base64_dec(packed$body), "gzip")
+  back <- function(of, size, kind) {
+    bytes <- raw[of[[3]] + seq_len(of[[2]] * size)]
+    readBin(as.vector(t(matrix(bytes, of[[2]]))), kind, of[[2]], size, endian = "little")
+  }
+  expect_identical(back(packed$head$a, 8L, "double"), arrays$a)
+  expect_identical(back(packed$head$b, 4L, "integer"), arrays$b)
+  words <- as.character(packed$head$c[[4]])
+  expect_identical(words[back(packed$head$c, 4L, "integer") + 1L], arrays$c)
+})
+
+test_that("a page runs no script of a plan's words; without an engine there is none", {
+  gear <- update(read_gear("towed_cable"), name = "</script><script>hurt()</script>")
+  state <- settle(gear)
+  file <- tempfile(fileext = ".html")
+  on.exit(unlink(file))
+  if (!can_share()) {
+    expect_error(share(state, file), "make wasm", class = "codend_error_argument")
+    skip("the engine for pages is not made")
+  }
+  expect_identical(withVisible(share(state, file)), list(value = file, visible = FALSE))
+  text <- paste(readLines(file, warn = FALSE, encoding = "UTF-8"), collapse = "\n")
+  expect_false(grepl("<script>hurt", text, fixed = TRUE))
+  packed <- jsonlite::fromJSON(sub("</script>.*", "", sub(".*id=\"packed\">", "", text)))
+  scene <- rawToChar(memDecompress(jsonlite::base64_dec(packed$scene), "gzip"))
+  expect_false(grepl("<", scene, fixed = TRUE))
+  expect_match(jsonlite::fromJSON(scene)$name, "</script>", fixed = TRUE)
+  expect_lt(file.size(file), 1e6)
+})

@@ -1,0 +1,193 @@
+# Budgets against closed forms, differences of settled gears, and drawn truths.
+
+# A sphere on a thin line: its drag is all the drag, its pull is known.
+known_sphere <- function(...) {
+  plan <- towed_sphere_plan(ropes = list(line = list(axial_stiffness = "12 MN")))
+  update(
+    as_gear(plan), uncertain = list(
+      towing.speed = "1 %", pieces.sphere.mass = "4 %", pieces.sphere.volume = "0 %",
+      pieces.sphere.diameter = "0 %", ropes.line.length = "0 %", ropes.line.diameter = "0 %",
+      multipliers.piece_drag = "5 %", ...
+    )
+  )
+}
+
+row_of <- function(found, measure) found$measures[found$measures$measure == measure, ]
+
+test_that("the budget of a towed sphere is that of its closed form", {
+  state <- settle(known_sphere())
+  found <- uncertainty(state)
+  drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2
+  weight <- 9.81 * (200 - 0.01 * 1025)
+  pull <- sqrt(drag^2 + weight^2)
+  model <- measure_residuals(measures(state))$sd[names(measures(state)) == "total_drag_kN"]
+  row <- row_of(found, "total_drag_kN")
+  # drag goes with the multiplier and the square of the speed; the line's is 1e-8 of it
+  expect_equal(row$coefficients, 0.05 * drag / 1000, tolerance = 1e-5)
+  expect_equal(row$conditions, 0.02 * drag / 1000, tolerance = 1e-5)
+  expect_equal(row$plan, 0, tolerance = 1e-5)
+  expect_equal(row$model, model * drag / 1000, tolerance = 1e-5)
+  expect_equal(row$uncertainty,
+    sqrt((0.05^2 + 0.02^2 + model^2) * (drag / 1000)^2 + row$lattice^2), tolerance = 1e-5)
+  # the pull by the mass: 9.81 weight / pull
+  row <- row_of(found, "pull_kN")
+  expect_equal(row$plan, 0.04 * 200 * 9.81 * weight / pull / 1000, tolerance = 1e-3)
+  largest <- found$sources[found$sources$measure == "pull_kN", ][1L, ]
+  expect_identical(largest$source, "pieces sphere mass")
+  # the interval reaches Student's t of the degrees of freedom that the model's part leaves
+  expect_equal(row$high - row$value, qt(0.95, row$freedom) * row$uncertainty)
+})
+
+test_that("slopes by multipliers are differences of settled gears, without a new lattice", {
+  state <- settled("poly_noreastern_trawl", nodes = 400)
+  sources <- multiplier_sources(state$gear)
+  for (k in seq_along(sources)) sources[[k]][c("share", "off")] <- list(1e-3, 0)
+  work <- tangent_work(state)
+  before <- work$cost$factorisations
+  main <- c("total_drag_kN", "headline_height_m", "door_spread_m", "warp_tension_port_kN")
+  for (name in c("rope_normal_drag", "screen_drag", "knot_drag", "board_lift", "ground_friction",
+    "ground_gear_weight")) {
+    source <- sources[[match(name, names(force_multipliers))]]
+    slope <- field_slopes(work, source_field(source, state$gear$plan), secants = FALSE)$slope[main]
+    sides <- vapply(c(0.999, 1.001), function(factor) {
+      gear <- do.call(update, c(list(state$gear), setNames(list(factor), paste0("multipliers.",
+        name))))
+      plain_measures(measures(settle(gear, nodes = 400, from = state)))[main]
+    }, numeric(4))
+    secant <- unname((sides[, 2] - sides[, 1]) / 0.002)
+    # settled to 1e-6 of the largest tension over a step of 2e-3; curves of the third order
+    expect_equal(unname(slope), secant, tolerance = 5e-3, info = name)
+  }
+})
+
+test_that("intervals hold as many drawn truths as they say", {
+  gear <- update(read_gear("towed_cable"), ropes.cable.segments = 20)
+  state <- settle(gear)
+  found <- uncertainty(state, c("body_depth_m", "ship_tension_kN"))
+  sources <- uncertainty_sources(gear)
+  set.seed(20260401)
+  n <- 150
+  truth <- vapply(seq_len(n), function(k) {
+    fields <- unlist(lapply(sources, function(source) {
+      field <- shared_field(gear$plan, source$paths)
+      share <- max(rnorm(1, source$off, source$share), -0.9)
+      # what correlations the posterior has make no difference to one multiplier that matters
+      setNames(lapply(field$parts, function(part) field_text(part$value * (1 + share), part)),
+        source$paths)
+    }), recursive = FALSE)
+    measures(settle(do.call(update, c(list(gear), fields)), from = state))[found$measures$measure]
+  }, numeric(2))
+  model <- found$measures$model
+  truth <- truth + model * matrix(rnorm(2 * n), 2)
+  inside <- rowMeans(truth >= found$measures$low & truth <= found$measures$high)
+  # binomial: 0.9 +- 3 sqrt(0.9 0.1 / 150), and t of few degrees of freedom reaches further
+  expect_true(all(inside > 0.9 - 0.075))
+  expect_true(all(inside < 0.995))
+})
+
+test_that("samples agree with slopes where the gear is smooth", {
+  state <- settle(known_sphere())
+  line <- uncertainty(state, "total_drag_kN")
+  drawn <- uncertainty(state, "total_drag_kN", method = "samples", samples = 60)
+  # 60 spread draws give a standard deviation to some 5 %
+  expect_equal(drawn$measures$uncertainty, line$measures$uncertainty, tolerance = 0.08)
+  expect_equal(drawn$measures$high, line$measures$high, tolerance = 0.03)
+  expect_identical(drawn$cost$settles, 60)
+})
+
+test_that("the measurement that narrows most is that of the closed form", {
+  found <- uncertainty(settle(known_sphere()))
+  best <- found$narrow[found$narrow$measure == "total_drag_kN", ][1L, ]
+  row <- row_of(found, "total_drag_kN")
+  # the pull is mostly weight: the speed says most, 2 % of the drag
+  expect_identical(best$by, "towing speed")
+  expect_equal(best$left, sqrt(row$uncertainty^2 - (0.02 * row$value)^2), tolerance = 1e-4)
+  expect_output(print(found), "to narrow it most, measure")
+})
+
+test_that("all twine of a net errs by the same share, whatever its diameters", {
+  sources <- field_sources(settled_gear("poly_noreastern_trawl"))
+  twine <- Find(function(source) source$name == "twine diameters", sources)
+  plan <- settled_gear("poly_noreastern_trawl")$plan
+  values <- vapply(twine$paths, function(path) plan_field(plan, path)$value, "")
+  expect_gt(length(unique(values)), 1L)
+  gear <- scaled_gear(settled_gear("poly_noreastern_trawl"), shared_field(plan, twine$paths), 0.1)
+  now <- vapply(twine$paths, function(path) plan_field(gear$plan, path)$value, "")
+  expect_equal(vapply(now, quantity_si, 0, "length") / vapply(values, quantity_si, 0, "length"),
+    rep(1.1, length(values)), ignore_attr = TRUE)
+  # every row of the table can be read, and says where it is from
+  table <- uncertainty_table()
+  expect_true(all(is.finite(vapply(table$uncertainty, table_share, 0))))
+  expect_true(all(nzchar(table$source)))
+  expect_identical(table$field[table$group == "coefficients"], names(force_multipliers))
+})
+
+test_that("calibration begins from what is known, and narrows what it calibrates", {
+  gear <- known_sphere()
+  priors <- known_priors(gear, c("multipliers.piece_drag", "pieces.sphere.mass"))
+  expect_equal(priors[[1L]]$numbers[1:2], c(1, 0.05))
+  drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2 / 1000
+  runs <- data.frame(Drag = 1.03 * drag + c(-1, 0, 1) * 0.001 * drag)
+  fit <- calibrate(gear, runs, change = "multipliers.piece_drag", match = Drag ~ total_drag_kN,
+    error = 0.01 * drag)
+  # normal prior and data: weights 1 / 0.05^2 and 3 / 0.01^2
+  weight <- c(1 / 0.05^2, 3 / 0.01^2)
+  expect_equal(fit$fields$value, sum(weight * c(1, 1.03)) / sum(weight), tolerance = 1e-4)
+  expect_equal(fit$fields$error, 1 / sqrt(sum(weight)), tolerance = 1e-3)
+  before <- row_of(uncertainty(settle(gear)), "total_drag_kN")
+  after <- row_of(uncertainty(fit), "total_drag_kN")
+  expect_equal(after$coefficients / after$value, fit$fields$error / fit$fields$value,
+    tolerance = 1e-3)
+  expect_lt(after$coefficients, before$coefficients / 4)
+  expect_error(calibrate(gear, runs, change = "towing.nothing", match = Drag ~ total_drag_kN),
+    class = "codend_error_argument")
+})
+
+test_that("a lower bound is kept with its probability", {
+  skip_if_not_installed("nloptr")
+  gear <- known_sphere()
+  state <- settle(gear)
+  row <- row_of(uncertainty(state), "depth_m")
+  limit <- row$value
+  change <- list(ropes.line.length = c("5 m", "40 m"))
+  best <- optimise_gear(gear, ~ropes.line.length, ~ lower(depth, 0.9) >= limit, change)
+  reach <- qt(0.9, row$freedom) * row$uncertainty / row$value
+  expect_equal(measures(best$state)[["depth_m"]], limit / (1 - reach), tolerance = 1e-4)
+  expect_error(optimise_gear(gear, ~ropes.line.length, ~ lower(depth, 2) >= 3, change),
+    class = "codend_error_argument")
+  expect_error(optimise_gear(gear, ~ropes.line.length, ~ lower(depht, 0.9) >= 3, change),
+    class = "codend_error_argument")
+})
+
+test_that("wrong arguments are named", {
+  state <- settle(known_sphere())
+  expect_error(uncertainty(state, "drag"), class = "codend_error_argument")
+  expect_error(uncertainty(state, level = 2), class = "codend_error_argument")
+  expect_error(uncertainty(state, method = "guess"), class = "codend_error_argument")
+  expect_error(uncertainty(known_sphere()), class = "codend_error")
+  expect_error(plot(uncertainty(state), sources = "nothing"), class = "codend_error_argument")
+})
+
+test_that("the budget is drawn, of all measures and of one", {
+  found <- uncertainty(settle(known_sphere()))
+  for (sources in list(NULL, "pull_kN")) {
+    file <- tempfile(fileext = ".png")
+    plot(found, sources = sources, file = file)
+    expect_gt(file.size(file), 2000)
+  }
+})
+
+test_that("summary, report and command line show it", {
+  state <- settle(known_sphere())
+  found <- uncertainty(state)
+  said <- format(summary(state, uncertainty = found))
+  expect_match(said, "pull +1[.]8.* kN +90 %: ", all = FALSE)
+  expect_error(summary(state, uncertainty = 3), class = "codend_error_argument")
+  file <- tempfile(fileext = ".html")
+  report(state, file, uncertainty = found)
+  page <- paste(readLines(file), collapse = " ")
+  expect_match(page, "How sure these numbers are", fixed = TRUE)
+  expect_match(page, "standard uncertainty", fixed = TRUE)
+  record <- uncertainty_record(found)$uncertainty
+  expect_identical(record$pull_kN$low, row_of(found, "pull_kN")$low)
+})
