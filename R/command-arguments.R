@@ -68,7 +68,7 @@ take_repeated <- function(arguments, flag) {
 
 # The same of "--set FIELD=VALUE". Of two for the same field the last counts.
 take_sets <- function(arguments) {
-  if (utils::tail(arguments, 1L) %in% "--set") abort_usage("--set needs FIELD=VALUE.")
+  if (identical(utils::tail(arguments, 1L), "--set")) abort_usage("--set needs FIELD=VALUE.")
   taken <- take_repeated(arguments, "--set")
   texts <- taken$texts
   wrong <- grep("^[^=]+=.", texts, invert = TRUE)

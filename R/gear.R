@@ -6,14 +6,13 @@
 # changed: paths, as their steps, of what in the tree is not known to be in plain form; NULL: all.
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
-  if (!is.null(changed)) plan <- without_gone(plan, like$plan)
-  if (is.null(changed) || any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))) {
-    plan <- split_uncertain(plan)
-    uncertain_shares(plan)
-  }
+  if (!is.null(like)) plan <- without_gone(plan, like$plan)
+  maps <- is.null(changed) || any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))
+  if (maps) plan <- split_uncertain(plan)
+  checked <- check_whole(plan, like$checked)
+  if (maps) uncertain_shares(plan)
   structure(
-    list(plan = plan, file = file, source = source, checked = check_whole(plan, like$checked)),
-    class = "codend_gear"
+    list(plan = plan, file = file, source = source, checked = checked), class = "codend_gear"
   )
 }
 

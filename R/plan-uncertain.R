@@ -136,7 +136,7 @@ uncertain_shares <- function(plan) {
     dimension <- first_of(field$node[["x-dimension"]], "number")
     value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
     share <- uncertain_share(said[[path]], value, dimension)
-    if (!is.finite(share) || share < 0 || value == 0) {
+    if (!is.finite(value) || value == 0 || !is.finite(share) || share < 0) {
       abort_field(here, said[[path]], paste(
         "a standard uncertainty such as 10 % or one in the unit of the field, or two ends such as",
         "4 m to 5 m"

@@ -44,7 +44,7 @@ plan_units <- list(
 
 # The largest quantity that a plan may hold, SI: far beyond any gear, so that no force overflows.
 plan_largest <- c(
-  length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e12, speed = 1e12, density = 1e6,
+  length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e18, speed = 1e12, density = 1e6,
   mass_per_length = 1e9, bending_stiffness = 1e15, viscosity = 1e3, power = 1e12,
   consumption = 1, stress = 1e15, angle = 1e3, time = 1e10, number = 1e12
 )

@@ -134,8 +134,8 @@ panel_blocks <- function(state, name, part, block) {
   c(of[c("columns", "rows")], list(u = mean(state$u_tension), v = mean(state$v_tension)))
 }
 
-# The cells in these blocks: list(columns, rows, count = blocks, cell = numbers of cells, block = the
-# block of each, weight = its bars).
+# The cells in these blocks: list(columns, rows, count = blocks, cell = numbers of cells, block =
+# that of each, weight = its bars).
 block_cells <- function(state, name, part, block) {
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L

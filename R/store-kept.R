@@ -98,6 +98,11 @@ read_kept_numbers <- function(get) {
   what <- build_tree(text, as.vector(get("kept_numbers")), integers, stop)
   gear <- gear_of_text(what$plan_text, what$plan_file, what$plan_source)
   if (!inherits(what$lattice, "codend_lattice")) stop("it holds no lattice")
+  # Files of before crossings of knotless netting counted once in wakes.
+  sheets <- what$lattice$engine$wake_sheets
+  if (is.null(sheets$overlap)) {
+    what$lattice$engine$wake_sheets$overlap <- numeric(length(sheets$law))
+  }
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
   what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL

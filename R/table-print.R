@@ -37,11 +37,12 @@ accuracy_line <- function(measures, report) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
   aimed <- report$accuracy_aimed_at
-  paste0(
-    "  Finer lattices: drag, spreads, heights, areas and volumes change by about ",
+  said <- paste0(
+    "Finer lattices: drag, spreads, heights, areas and volumes change by about ",
     percent_text(error), if (!is.null(aimed)) sprintf(" (aimed at %s)", percent_text(aimed)),
     aim_text(error, report$nodes)
   )
+  strwrap(said, width = 98, indent = 2, exdent = 4)
 }
 
 # aimed: the share that settle() aimed at, or NULL.

@@ -40,7 +40,7 @@ test_that("choices and truth values are controls too", {
   plan <- read_gear("midwater_trawl")$plan
   controls <- plan_controls(plan, list("netting", "sections.section_1.knotted"))
   found <- controls[vapply(controls, function(c) c$kind != "number", NA)]
-  expect_identical(found[[1]]$choices, I(c("cells", "bars", "triangles")))
+  expect_identical(found[[1]]$choices, I(c("cells", "bars")))
   expect_identical(found[[2]]$value, FALSE)
   gear <- read_gear("midwater_trawl")
   expect_error(apply_edits(gear, list(netting = list(value = "ropes"))), "one of cells, bars",

@@ -29,9 +29,11 @@ test_that("slow water meets the drag of a stiff cylinder by the formulas of Lola
   # no circle: together under 3 %.
   expect_gt(found, 0.97 * drag(0.212))
   expect_lt(found, 1.03 * drag(0.225))
-  # Lader and Enerhaug measured a flow slower by 20 % in the middle of their model (as C. Bi, Y.
-  # Zhao and G. Dong report, Hydrodynamics: Concepts and Experiments, InTech, 2015).
-  expect_equal(min(engine_array(si, "wake")), 0.8, tolerance = 0.06)
+  # The same formulas slow the flow behind a sheet by 15 %, whose crossings count once. (Lader and
+  # Enerhaug measured 20 % in the middle of their model, as C. Bi, Y. Zhao and G. Dong report,
+  # Hydrodynamics: Concepts and Experiments, InTech, 2015.) The sheets' own lattice is no plane.
+  slowed <- 1 - 0.46 * (0.33 * 0.212 + 6.54 * 0.212^2 - 4.88 * 0.212^3)
+  expect_equal(min(engine_array(si, "wake")), slowed, tolerance = 0.01)
 })
 
 test_that("drag grows slower than the speed's square, and light sinkers leave less volume", {

@@ -85,8 +85,11 @@ test_that("a winch turns no faster than it can, and gives way at its tension", {
   tension <- as.data.frame(free)
   tension <- tension$value[tension$measure == "tension_kN"]
   expect_gt(tension[1], 0.88)
-  # it slips at full speed where 10 % above its limit
-  expect_lt(max(tension[-1]), 0.88)
+  # it slips at full speed where 10 % above its limit; the winch feels the middle of its first
+  # element, half of which hangs below the end that is measured: its weight and the drag along it
+  weight <- (0.4 - 1025 * pi / 4 * 0.012^2) * 9.80665
+  element <- 60 / 12 * (weight + 0.5 * 1025 * 0.02 * pi * 0.012 * 2^2) / 1000
+  expect_lt(max(tension[-1]), 0.88 + element / 2)
 })
 
 test_that("a control holds a weight at its depth by the warp", {

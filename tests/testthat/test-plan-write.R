@@ -16,7 +16,7 @@ test_that("numbers and texts of every sort read back identical", {
     "\u00e5\u4e2d", "belly.upper[0:6]", "-belly.right", ".inf", ".5", "5.", "a  b", "\u0001", "=",
     "true", "a:", ":", "-", "+1 m", "1 000 m", "\u0085", "\u00a0", "\u2028", "\u007f"
   )
-  numbers <- c(0, 1, -1, 0.1, 1 / 3, 1e-300, 1e300, 1e5, 1e15, 123456789, 2^53, pi, 1e-6, 100000)
+  numbers <- c(0, 1, -1, 0.1, 1 / 3, 1e-300, 1e17, 1e5, 1e15, 123456789, 2^53, pi, 1e-6, 100000)
   plan <- list(
     codend = 1, name = "x", notes = texts, sources = stats::setNames(as.list(texts), texts),
     points = list(
@@ -62,7 +62,7 @@ test_that("remarks and layout stay where a plan changes", {
   lines <- readLines(file, encoding = "UTF-8")
   marks <- function(lines) sub("^[^#]*", "", lines[grepl("#", lines, fixed = TRUE)])
   # of the remarks only those on lines that are gone are gone
-  gone <- grepl("volume_per_length|mass_per_length: 7 kg", source)
+  gone <- grepl("volume_per_length|mass_per_length: [{]value: 7 kg", source)
   gone <- gone[grepl("#", source, fixed = TRUE)]
   expect_identical(marks(lines), marks(source)[!gone])
   expect_true("  hanging_ratio: 0.9                    # [published]" %in% lines)

@@ -17,19 +17,19 @@ test_that("what is wrong in a part is told of the field that became the part", {
   expect_written("{length: 54.9 m, diameter: 16 mm, material: steel_wire}",
     "{length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.upper.material",
     "steel_wire")
-  expect_written("twine: {diameter: 1.4 mm", "twine: {diameter: 14 cm",
+  expect_written("{value: 1.4 mm, uncertainty: 15 %}", "14 cm",
     "sections.codend.twine.diameter", "less than half the mesh size")
 })
 
 test_that("a mesh size without its unit, or of another power of ten, is named", {
-  expect_written("mesh_size: 89 mm", "mesh_size: 89", "sections.intermediate.mesh_size",
+  expect_written("{value: 89 mm, uncertainty: 10 %}", "89", "sections.intermediate.mesh_size",
     "is 89 without a unit, which is 89 m; is it 89 mm?")
   expect_written("127 mm\n    meshes: {tip: 0, base: 80", "120\n    meshes: {tip: 0, base: 80",
     "wings.upper.mesh_size", "is 120 without a unit")
-  expect_written("mesh_size: 89 mm", "mesh_size: 1200 mm", "sections.intermediate.mesh_size",
+  expect_written("{value: 89 mm, uncertainty: 10 %}", "1200 mm", "sections.intermediate.mesh_size",
     "`sections.body.mesh_size`, 127 mm, and `sections.intermediate.mesh_size`, 1200 mm")
   # a seam is no field of a short form, and is told of as the part that it is
-  expect_match(text_error(sub("mesh_size: 89 mm", "mesh_size: 1200 mm", trawl_text()))$message,
+  expect_match(text_error(spoil("{value: 89 mm, uncertainty: 10 %}", "1200 mm", trawl_text()))$message,
     "Plan field `seams.back_body_intermediate.edges` joins", fixed = TRUE)
 })
 
