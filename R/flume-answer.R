@@ -39,6 +39,7 @@ made_of_state <- list(
   save = function(state, said) save_state(state, said),
   drawing = function(state, said) drawing_text(state),
   slopes = function(state, said) slopes_asked(state, said),
+  uncertainty = function(state, said) uncertainty(state),
   tow = function(state, said) tow_asked(state, said),
   save_tow = function(state, said) save_tow(said)
 )

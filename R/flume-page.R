@@ -114,6 +114,8 @@ flume_controls <- function() {
 flume_measures <- function() {
   shiny::tags$section(
     class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures"),
+    shiny::checkboxInput("with_intervals", "How sure: intervals of 90 %"),
+    shiny::tags$p(id = "uncertainty_error", class = "field-error", role = "alert", hidden = NA),
     measures_guide(),
     shiny::tags$div(
       id = "worth", hidden = NA, shiny::tags$h2("Worth a look"), shiny::tags$ul(id = "noted")

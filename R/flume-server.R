@@ -188,6 +188,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     flume_shown(input, output, tank, said)
     flume_draws(input, tank, ask_clerk, said)
     flume_slopes(input, output, session, tank, ask_clerk, said)
+    flume_intervals(input, tank, ask_clerk)
     flume_tows(input, output, tank, clerk, ask_clerk, said)
     flume_saves(output, tank, clerk)
   }
@@ -272,7 +273,9 @@ flume_shown <- function(input, output, tank, said) {
     })
   }
   output$measures <- of_state(function() {
-    measures_html(tank$measures, tank$pinned$measures, tank$preferred)
+    tank$uncertainty_changed()
+    measures_html(tank$measures, tank$pinned$measures, tank$preferred,
+      if (isTRUE(input$with_intervals)) tank$uncertainty)
   })
   output$tensions <- of_state(function() tensions_html(tank$state))
   output$drag <- of_state(function() drag_html(tank$state))

@@ -24,6 +24,21 @@ slope_words <- function(field) {
     USE.NAMES = FALSE)
 }
 
+# With input$with_intervals the clerk finds how far the measures of the design on screen may be from
+# the truth, once it has come to rest.
+flume_intervals <- function(input, tank, ask_clerk) {
+  shiny::observe({
+    tank$changed()
+    if (!isTRUE(input$with_intervals) || is.null(tank$gear) || !is.null(tank$uncertainty)) return()
+    serial <- tank$serial
+    ask_clerk("uncertainty", "finding the uncertainty", NULL, function(found) {
+      if (tank$serial != serial) return()
+      tank$uncertainty <- found
+      tank$count_uncertainty()
+    })
+  })
+}
+
 # What the page is told: of every field its paths, value, unit, how much more of it to begin with,
 # and of every measure how much one unit more of the field adds to it, in preferred units.
 slopes_message <- function(slopes, preferred) {

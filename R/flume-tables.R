@@ -79,8 +79,8 @@ decimals_of <- function(largest) {
   ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
 }
 
-# preferred: units, as of preferred_of().
-measures_html <- function(now, pinned, preferred = list()) {
+# preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL.
+measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL) {
   table <- measure_changes(now, pinned)
   units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
   factor <- vapply(units, `[[`, 0, "value")
@@ -90,13 +90,35 @@ measures_html <- function(now, pinned, preferred = list()) {
   change <- signed(table$change, decimals)
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
+  shown <- trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error)))
+  if (!is.null(uncertainty)) {
+    interval <- interval_cells(uncertainty, union(names(now), names(pinned)), factor)
+    shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
+  }
   rows <- data.frame(
-    paste0(table$measure, " (", vapply(units, `[[`, "", "unit"), ")"),
-    trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error))),
+    paste0(table$measure, " (", vapply(units, `[[`, "", "unit"), ")"), shown,
     fixed_decimals(table$pinned, decimals), change, percent
   )
-  html_table("Measures", c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows),
-    titles = table$definition)
+  shiny::tagList(
+    html_table("Measures", c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows),
+      titles = table$definition),
+    shiny::tags$p(class = "note", paste0(plus_minus(), ": the estimated discretisation error."),
+      if (!is.null(uncertainty)) sprintf("%g %%: the interval that holds the truth with that
+        probability, by the combined uncertainty of coefficients, plan, conditions, discretisation
+        and model.", 100 * uncertainty$level))
+  )
+}
+
+# "90 %: 4.5 to 6.6" of measures by name, "" of those without; factor: to preferred units.
+interval_cells <- function(uncertainty, names, factor) {
+  table <- uncertainty$measures[match(names, uncertainty$measures$measure), ]
+  known <- which(table$uncertainty > 0)
+  text <- rep("", length(names))
+  ends <- lapply(table[known, c("low", "high")], function(end) {
+    interval_ends(end * factor[known], table$uncertainty[known] * factor[known])
+  })
+  text[known] <- sprintf("%g %%: %s to %s", 100 * uncertainty$level, ends$low, ends$high)
+  text
 }
 
 # Ropes and netting ranked by their largest tension, parts of one role together; kN, of one line.

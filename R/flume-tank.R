@@ -2,7 +2,7 @@
 #
 # `base` is the gear that changes of its form are told of; `turn` counts how often the form was made
 # anew, `changed` the pictures, `kept_changed` changes of the kept designs. `serial` numbers the
-# states. `slopes` are those found of the state on screen, `trajectory` the last tow, serialised.
+# states. `slopes` and `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
 # `pinned` is the kept design that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
@@ -17,6 +17,7 @@ new_tank <- function(start, marked, nodes) {
   tank$changed <- shiny::reactiveVal(0L)
   tank$kept_changed <- shiny::reactiveVal(0L)
   tank$slopes_changed <- shiny::reactiveVal(0L)
+  tank$uncertainty_changed <- shiny::reactiveVal(0L)
   tank$history <- new_history()
   tank$preferred <- list()
 
@@ -29,6 +30,7 @@ new_tank <- function(start, marked, nodes) {
   }
   tank$count_picture <- function() count(tank$changed)
   tank$count_slopes <- function() count(tank$slopes_changed)
+  tank$count_uncertainty <- function() count(tank$uncertainty_changed)
   tank$form <- function() form_message(tank$gear$plan, marked_of(marked, tank$gear$plan), tank$turn)
 
   # A request of a worker that holds the state of a number and the gear of a form.
@@ -48,7 +50,7 @@ new_tank <- function(start, marked, nodes) {
     fields <- if (!is.null(before)) given_paths(before$plan)
     list2env(found[c("gear", "state", "notes", "drawing", "measures")], tank)
     tank$serial <- tank$serial + 1L
-    tank$slopes <- NULL
+    tank$slopes <- tank$uncertainty <- NULL
     if (opened) {
       tank$loaded <- tank$gear
       tank$history <- new_history()

@@ -58,7 +58,7 @@ look_share <- 0.15
 # Requests of one of these a later one takes the place of while they wait.
 replaced_requests <- list(
   c("design", "plan_text", "plan_file", "shipped", "new", "words", "plan"), "drawing", "slopes",
-  "tow"
+  "uncertainty", "tow"
 )
 
 # Kinds of requests that one of a kind takes the place of. Of a shape that a slider has passed

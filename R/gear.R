@@ -7,7 +7,8 @@
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
   if (!is.null(like)) plan <- without_gone(plan, like$plan)
-  maps <- is.null(changed) || any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))
+  maps <- is.null(changed) ||
+    any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))
   if (maps) plan <- split_uncertain(plan)
   checked <- check_whole(plan, like$checked)
   if (maps) uncertain_shares(plan)

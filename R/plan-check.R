@@ -36,7 +36,8 @@ compile_node <- function(node, definitions) {
     node$enum <- NULL
     "boolean"
   } else if (!is.null(node$type)) {
-    node$type
+    # a number may be a map of how well it is known, which is taken apart before
+    setdiff(unlist(node$type), if (length(node$type) > 1L) "object")
   } else {
     "any"
   }

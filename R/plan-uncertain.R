@@ -130,7 +130,8 @@ uncertain_shares <- function(plan) {
     here <- paste0("uncertain.", path)
     field <- plan_field(plan, path)
     shape <- field$node$shape
-    if (is.null(field) || !isTRUE(shape %in% c("quantity", "number", "integer"))) {
+    chosen <- !is.null(field$node$enum) || !is.null(field$node$const)
+    if (chosen || !isTRUE(shape %in% c("quantity", "number", "integer"))) {
       abort_field(here, said[[path]], "said of a number that the plan has")
     }
     dimension <- first_of(field$node[["x-dimension"]], "number")

@@ -60,7 +60,8 @@ slope_columns <- function(slopes) {
 uncertainty_columns <- function(uncertainty) {
   table <- uncertainty$measures
   table <- table[table$uncertainty > 0, ]
-  interval <- trimws(paste(figures(table$low), "to", figures(table$high)))
+  ends <- lapply(table[c("low", "high")], interval_ends, table$uncertainty)
+  interval <- paste(ends$low, "to", ends$high)
   groups <- c("coefficients", "plan", "conditions", "lattice", "model")
   columns <- lapply(table[c("uncertainty", groups)], function(x) {
     ifelse(x > 0, two_figures(x), "")

@@ -5,10 +5,7 @@
 format.codend_uncertainty <- function(x, ...) {
   with_plain_numbers({
     table <- x$measures
-    places <- ifelse(table$uncertainty > 0, pmax(0, 1 - floor(log10(table$uncertainty))), 3)
-    shown <- function(value) {
-      mapply(formatC, value, digits = pmin(places, 6), MoreArgs = list(format = "f"))
-    }
+    shown <- function(end) interval_ends(end, table$uncertainty)
     parts <- vapply(seq_len(nrow(table)), function(m) {
       sizes <- unlist(table[m, uncertainty_groups])
       sizes <- sizes[sizes > 0.05 * table$uncertainty[m] & sizes > 0]

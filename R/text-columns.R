@@ -11,6 +11,8 @@ figures <- function(x) {
   as.character(text)
 }
 
+plus_minus <- function() if (shows_unicode()) "\u00b1" else "+-"
+
 # Errors as text: "\u00b1 0.6", rounded up to one figure, to two where it begins with 1; "" for NA.
 error_text <- function(error) {
   known <- is.finite(error)
@@ -18,8 +20,8 @@ error_text <- function(error) {
   size <- floor(log10(pmax(error[known], 1e-300)))
   unit <- 10^ifelse(error[known] < 2 * 10^size, size - 1, size)
   up <- pmax(ceiling(error[known] / unit * (1 - 1e-9)) * unit, 1e-4)
-  text[known] <- paste(if (shows_unicode()) "\u00b1" else "+-",
-    format_each(up, decimals = pmin(pmax(-round(log10(unit)), 0), 4)))
+  decimals <- pmin(pmax(-round(log10(unit)), 0), 4)
+  text[known] <- paste(plus_minus(), format_each(up, decimals))
   text[known & error == 0] <- ""
   text
 }
@@ -27,6 +29,12 @@ error_text <- function(error) {
 format_each <- function(x, decimals) {
   as.character(mapply(formatC, x, digits = decimals,
     MoreArgs = list(format = "f", decimal.mark = ".")))
+}
+
+# Ends of intervals to two figures of the standard uncertainty of each.
+interval_ends <- function(x, uncertainty) {
+  decimals <- ifelse(uncertainty > 0, pmax(0, 1 - floor(log10(uncertainty))), 3)
+  format_each(x, decimals = pmin(decimals, 6))
 }
 
 # A column of numbers with as many decimals as its largest needs for four figures.

@@ -47,13 +47,70 @@ quantity <- function(dimension, example) {
       paste0(article, " ", words, ": text with a unit, such as \"", example,
         "\", or a bare number in ", names[1], ".")
     },
-    type = list("number", "string"),
-    pattern = paste0(
-      "^\\s*[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?(\\s*(",
-      paste(vapply(names, unit_pattern, ""), collapse = "|"), "))?\\s*$"
-    ),
-    `x-dimension` = dimension
+    type = list("number", "string", "object"), pattern = quantity_pattern(names),
+    `x-dimension` = dimension, `if` = of_map, then = list(`$ref` = known_place(dimension))
   )
+}
+
+quantity_pattern <- function(units, sign = "[-+]?") {
+  paste0(
+    "^\\s*", sign, "([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?(\\s*(",
+    paste(vapply(units, unit_pattern, ""), collapse = "|"), "))?\\s*$"
+  )
+}
+
+# ---- how well a number is known -----------------------------------------------------------------
+
+# In the place of any number a plan may have a map of how well it is known. codend takes such maps
+# apart before it looks at the schema (R/plan-uncertain.R): `if`, `then` and the type `object` of a
+# number are for other validators.
+
+of_map <- list(type = "object")
+known_place <- function(dimension) paste0("#/$defs/known_", dimension)
+
+known_quantity <- function(dimension) {
+  names <- names(units$plan_units[[dimension]])
+  plain <- list(type = list("number", "string"), pattern = quantity_pattern(names))
+  shares <- names(units$plan_units$number)
+  list(
+    title = paste(gsub("_", " ", dimension, fixed = TRUE), "and how well it is known"),
+    type = "object",
+    oneOf = list(list(required = list("value", "uncertainty")), list(required = list("range"))),
+    properties = list(
+      value = c(list(description = "The number."), plain),
+      uncertainty = list(
+        description = "Its standard uncertainty: a share such as 10 %, or an amount.",
+        type = plain$type, minimum = 0,
+        pattern = quantity_pattern(unique(c(names, shares)), "[+]?")
+      ),
+      range = list(
+        description = "Two ends, all between which is as probable.", type = "array",
+        minItems = 2, maxItems = 2, items = plain
+      )
+    ),
+    additionalProperties = FALSE
+  )
+}
+
+# A node with maps in the place of its numbers; the bounds of a number are those of the map's.
+with_known <- function(node) {
+  if (!is.list(node)) return(node)
+  for (key in c("items", "additionalProperties")) node[[key]] <- with_known(node[[key]])
+  for (key in c("properties", "anyOf")) {
+    if (length(node[[key]])) node[[key]] <- lapply(node[[key]], with_known)
+  }
+  bounds <- node[intersect(names(node), c("pattern", "minimum", "exclusiveMinimum", "maximum"))]
+  if (isTRUE(node$type %in% c("number", "integer")) && is.null(c(node$const, node$enum))) {
+    bounds <- c(node["type"], bounds)
+    node$type <- list(node$type, "object")
+    known <- list(`$ref` = known_place("number"))
+  } else if (length(bounds) && isTRUE(node$`$ref` %in% paste0("#/$defs/", names(examples)))) {
+    known <- list()
+  } else {
+    return(node)
+  }
+  of_value <- list(properties = list(value = bounds, range = list(items = bounds)))
+  c(node, list(`if` = of_map, then = c(known, of_value)))
 }
 
 # A bound or default in SI; a part may give it with a unit.
@@ -274,7 +331,10 @@ definitions <- lapply(parts, whole_node)
 kinds <- names(Filter(function(part) "$plan" %in% names(part$properties), parts))
 kinds <- c(default_kind, setdiff(sort(kinds, method = "radix"), default_kind))
 definitions[kinds] <- Map(as_kind, definitions[kinds], kinds)
-definitions <- c(definitions, Map(quantity, names(examples), examples))
+definitions <- lapply(definitions, with_known)
+known <- lapply(names(examples), known_quantity)
+names(known) <- paste0("known_", names(examples))
+definitions <- c(definitions, Map(quantity, names(examples), examples), known)
 
 # ---- the file ---------------------------------------------------------------------------------
 

@@ -125,7 +125,9 @@ window.codendPage = (function () {
         plan_file: 'plan_file_error', plan_text: 'plan_text_error', 'new': 'new_error',
         shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
       };
-      var own = { tow: 'tow_error', slopes: 'slopes_error' }[message.where];
+      var own = {
+        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error'
+      }[message.where];
       var stays = opened ? ' The gear on screen stays.' : '';
       if (own) {
         tell(own, message.message);
@@ -164,6 +166,7 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_clerk', function (message) {
       if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.words);
       else window.codendTalk.free('clerk ' + message.what);
+      if (message.what === 'uncertainty') tell('uncertainty_error', '');
     });
     Shiny.addCustomMessageHandler('flume_drawing', function (message) {
       window.codendDrawing.show(message.svg);

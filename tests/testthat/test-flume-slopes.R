@@ -36,6 +36,38 @@ test_that("a page is told what more of a field does, in the units that it likes"
   })
 })
 
+test_that("intervals stand next to the estimated error, of the design on screen", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    expect_no_match(session$output$measures$html, "90 %", fixed = TRUE)
+    session$setInputs(with_intervals = TRUE)
+    found <- tank$uncertainty
+    expect_identical(found$measures, uncertainty(tank$state)$measures)
+    depth_cell <- function() {
+      row <- regmatches(session$output$measures$html,
+        regexpr("<tr><th scope='row'[^>]*>body depth .*?</tr>", session$output$measures$html,
+          perl = TRUE))
+      regmatches(row, regexpr("(?<='number'>)[^<]*", row, perl = TRUE))
+    }
+    row <- found$measures[found$measures$measure == "body_depth_m", ]
+    said <- sprintf("90 %%: %.0f to %.0f", row$low, row$high)
+    expect_match(depth_cell(), paste0(error_text(row$lattice), "&#10;", said), fixed = TRUE)
+    # the same words as in a summary
+    expect_match(gsub(" +", " ", format(summary(tank$state, uncertainty = found))), said,
+      fixed = TRUE, all = FALSE)
+    # in the units that a page likes
+    session$setInputs(preferred = list(length = "fathom"))
+    expect_match(depth_cell(), sprintf("90 %%: %.0f to %.0f", row$low / 1.8288, row$high / 1.8288),
+      fixed = TRUE)
+    # of another design anew, and none where nobody wants them
+    ask(session, ropes.cable.length = list(value = 900, unit = "m"))
+    expect_identical(tank$uncertainty$measures, uncertainty(tank$state)$measures)
+    session$setInputs(with_intervals = FALSE)
+    expect_no_match(depth_cell(), "90 %", fixed = TRUE)
+    ask(session, ropes.cable.length = list(value = 950, unit = "m"))
+    expect_null(tank$uncertainty)
+  })
+})
+
 test_that("slopes of what is no field are refused", {
   in_flume("towed_cable", function(session, sent, tank) {
     wrong <- list(list("ropes.cable.lenght"), list(3), list(list("a")), list(strrep("a", 5000)),

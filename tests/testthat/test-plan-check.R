@@ -72,7 +72,9 @@ test_that("the schema keeps to the keywords that the checker knows", {
     "$ref", "title", "description", "type", "enum", "const", "pattern", "minLength", "minimum",
     "exclusiveMinimum", "maximum", "items", "minItems", "maxItems", "properties", "required",
     "additionalProperties", "propertyNames", "dependentRequired", "minProperties", "maxProperties",
-    "anyOf", "oneOf", "allOf", "default", "x-dimension"
+    "anyOf", "oneOf", "allOf", "default", "x-dimension",
+    # of numbers with an uncertainty, which are taken apart before
+    "if", "then"
   )
   schema <- jsonlite::fromJSON(
     system.file("schema", "plan.schema.json", package = "codend"), simplifyVector = FALSE
@@ -157,7 +159,15 @@ test_that("plans are right and wrong as standard validators of the schema find t
   cases <- yaml::read_yaml(test_path("right-and-wrong.yaml"))
   right <- function(change) {
     file <- plan_file(gsub(change[[1]], change[[2]], cases$plan, fixed = TRUE))
-    tryCatch(is.list(check_plan(read_plan(file))), codend_error_plan = function(e) FALSE)
+    tryCatch(
+      {
+        plan <- split_uncertain(read_plan(file))
+        check_plan(plan)
+        uncertain_shares(plan)
+        TRUE
+      },
+      codend_error_plan = function(e) FALSE
+    )
   }
   for (verdict in c("right", "wrong")) {
     for (change in cases[[verdict]]) {

@@ -58,6 +58,8 @@ test_that("what cannot be an uncertainty is an error that names the field", {
   expect_match(said("{value: 100 m, uncertainty: about 3 m}"), "standard uncertainty", all = FALSE)
   expect_match(said("{uncertainty: 3 m}"), "`value` with an `uncertainty`", all = FALSE)
   expect_match(said("{range: [90 m, 110 m, 120 m]}"), "`range` such as", all = FALSE)
+  # a number that is none is that error
+  expect_match(said("{value: 100 kg, uncertainty: 10 %}"), "a length", all = FALSE)
   wrong <- tryCatch(
     read_text(paste0(small_plan, "uncertain: {ropes.wrap.length: 10 %}\n")),
     codend_error_plan = identity

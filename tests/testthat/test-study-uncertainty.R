@@ -69,7 +69,7 @@ test_that("intervals hold as many drawn truths as they say", {
   n <- 150
   truth <- vapply(seq_len(n), function(k) {
     fields <- unlist(lapply(sources, function(source) {
-      field <- shared_field(gear$plan, source$paths)
+      field <- common_field(gear$plan, source$paths)
       share <- max(rnorm(1, source$off, source$share), -0.9)
       # what correlations the posterior has make no difference to one multiplier that matters
       setNames(lapply(field$parts, function(part) field_text(part$value * (1 + share), part)),
@@ -111,7 +111,7 @@ test_that("all twine of a net errs by the same share, whatever its diameters", {
   plan <- settled_gear("poly_noreastern_trawl")$plan
   values <- vapply(twine$paths, function(path) plan_field(plan, path)$value, "")
   expect_gt(length(unique(values)), 1L)
-  gear <- scaled_gear(settled_gear("poly_noreastern_trawl"), shared_field(plan, twine$paths), 0.1)
+  gear <- scaled_gear(settled_gear("poly_noreastern_trawl"), common_field(plan, twine$paths), 0.1)
   now <- vapply(twine$paths, function(path) plan_field(gear$plan, path)$value, "")
   expect_equal(vapply(now, quantity_si, 0, "length") / vapply(values, quantity_si, 0, "length"),
     rep(1.1, length(values)), ignore_attr = TRUE)
