@@ -2,8 +2,8 @@
 #
 # `base` is the gear that changes of its form are told of; `turn` counts how often the form was made
 # anew, `changed` the pictures, `kept_changed` changes of the kept designs. `serial` numbers the
-# states. `slopes` and `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
-# `pinned` is the kept design that others are compared with.
+# states. `slopes` and `uncertainty` are those found of the state on screen, `trajectory` the last
+# tow, serialised. `pinned` is the kept design that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
 new_tank <- function(start, marked, nodes) {

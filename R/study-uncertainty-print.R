@@ -69,4 +69,4 @@ narrow_lines <- function(x, name) {
 }
 
 #' @export
-as.data.frame.codend_uncertainty <- function(x, row.names = NULL, optional = FALSE, ...) x$measures
+as.data.frame.codend_uncertainty <- function(x, ...) x$measures

@@ -29,8 +29,9 @@ test_that("a mesh size without its unit, or of another power of ten, is named", 
   expect_written("{value: 89 mm, uncertainty: 10 %}", "1200 mm", "sections.intermediate.mesh_size",
     "`sections.body.mesh_size`, 127 mm, and `sections.intermediate.mesh_size`, 1200 mm")
   # a seam is no field of a short form, and is told of as the part that it is
-  expect_match(text_error(spoil("{value: 89 mm, uncertainty: 10 %}", "1200 mm", trawl_text()))$message,
-    "Plan field `seams.back_body_intermediate.edges` joins", fixed = TRUE)
+  spoilt <- spoil("{value: 89 mm, uncertainty: 10 %}", "1200 mm", trawl_text())
+  expect_match(text_error(spoilt)$message, "Plan field `seams.back_body_intermediate.edges` joins",
+    fixed = TRUE)
 })
 
 test_that("an argument of several words is told with the nearest", {
