@@ -32,3 +32,52 @@ test_that("the package generics finds the methods", {
   expect_identical(generics::tidy(state), tidy.codend_state(state))
   expect_identical(generics::glance(state), glance.codend_state(state))
 })
+
+test_that("a calibration, its posterior, an optimum and variations are tidy", {
+  runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
+  fit <- calibrate("towed_cable", runs, nodes = 20, match = Drag ~ total_drag_kN,
+    change = list(ropes.cable.diameter = c("10 mm", "30 mm")))
+  table <- tidy.codend_calibration(fit, conf.int = TRUE, conf.level = 0.9)
+  expect_identical(table$term, "ropes.cable.diameter")
+  expect_identical(table$estimate, unname(coef(fit)))
+  expect_identical(table$std.error, sqrt(diag(unname(vcov(fit)))))
+  # Student's t of five rows and one field
+  expect_equal(table$conf.high - table$estimate, qt(0.95, 4) * table$std.error, tolerance = 1e-12)
+  row <- glance.codend_calibration(fit)
+  expect_equal(row$AIC, AIC(fit))
+  expect_identical(row[c("nobs", "df.residual")], data.frame(nobs = 5L, df.residual = 3L))
+  beside <- augment.codend_calibration(fit)
+  expect_identical(beside[names(runs)], runs)
+  expect_equal(beside$.fitted + beside$.resid, beside$.measured)
+  new <- augment.codend_calibration(fit, data.frame(towing.speed = c("7 knot", "8 knot")))
+  expect_identical(new$towing.speed, c("7 knot", "8 knot"))
+  expect_true(all(new$.lower < new$.fitted & new$.fitted < new$.upper))
+
+  skip_if_not_installed("mcmc")
+  draws <- suppressWarnings(sample_posterior(fit, draws = 20, begin = 10))
+  table <- tidy.codend_posterior(draws, conf.level = 0.5)
+  expect_identical(table$estimate, mean(draws[[1]]))
+  expect_identical(table$conf.low, unname(quantile(draws[[1]], 0.25)))
+  expect_identical(glance.codend_posterior(draws)$draws, 20L)
+})
+
+test_that("an optimum and variations are tidy", {
+  best <- optimise_gear("towed_cable", minimise = ~ total_drag, nodes = 20,
+    change = list(ropes.cable.length = c("900 m", "1100 m")))
+  table <- tidy.codend_optimum(best)
+  expect_identical(table[c("term", "estimate", "at")], data.frame(term = "ropes.cable.length",
+    estimate = best$fields$value, at = "lower"))
+  row <- glance.codend_optimum(best)
+  expect_true(row$kept && row$converged)
+  expect_lt(row$value, row$begun)
+
+  found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot"), nodes = 20)
+  table <- tidy.codend_variations(found)
+  drag <- table[table$term == "total_drag_kN", ]
+  expect_identical(drag$estimate, found$total_drag_kN)
+  expect_identical(drag$towing.speed_knot, c(3, 4))
+  expect_identical(drag$error, found$error.total_drag_kN)
+  expect_identical(unique(drag$unit), "kN")
+  expect_identical(glance.codend_variations(found)[c("designs", "settled")],
+    data.frame(designs = 2L, settled = 2L))
+})

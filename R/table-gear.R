@@ -1,0 +1,94 @@
+#' Summary of a gear
+#'
+#' What a gear is made of, by its plan alone: lengths, masses and weights in water of its netting,
+#' ropes, otter boards and fittings.
+#'
+#' @param object A gear, from [read_gear()] or the constructors.
+#' @param ... Not used.
+#' @return A list of class `codend_gear_summary`:
+#'
+#'   - `name`, `kind` and `conditions` (text);
+#'   - `parts`: data frame with a row per role of ropes and pieces and per part of the net: `group`
+#'     (`netting`, `ropes`, `otter boards`, `fittings`), `part`, `number` (of panels, ropes or
+#'     pieces), `length_m` (of ropes, or of twine), `mass_kg` (in air) and `weight_in_water_kN`
+#'     (negative where it floats);
+#'   - `totals`: the same by `group`, and their sum;
+#'   - `netting`: [netting_table()];
+#'   - `findings`: warnings about the plan ([findings()]).
+#' @examples
+#' summary(read_gear("midwater_trawl"))
+#' @export
+summary.codend_gear <- function(object, ...) {
+  netting <- netting_table(object)
+  parts <- gear_parts(gear_si(object), netting)
+  structure(
+    list(
+      name = object$plan$name, kind = gear_checked(object)$fields$kind,
+      conditions = conditions_text(gear_si(object)), parts = parts, totals = part_totals(parts),
+      netting = netting, findings = findings(object)
+    ),
+    class = "codend_gear_summary"
+  )
+}
+
+# A row per part of the net and per role of ropes and pieces. netting: netting_table().
+gear_parts <- function(si, netting) {
+  named <- function(role, name) ifelse(is.na(role) | !nzchar(role), name, gsub("_", " ", role))
+  rows <- function(group, part, number, length, mass, weight) {
+    sums <- rowsum(cbind(number, length, mass, weight), factor(part, unique(part)))
+    colnames(sums) <- c("number", "length_m", "mass_kg", "weight_in_water_kN")
+    data.frame(group = group, part = rownames(sums), sums, row.names = NULL)
+  }
+  of_items <- function(items, group, number = 1, per = "") {
+    if (!length(items)) return(NULL)
+    of <- function(field) vapply(items, function(item) item[[field]], 0, USE.NAMES = FALSE)
+    amount <- if (nzchar(per)) of("length") else number
+    mass <- amount * of(paste0("mass", per))
+    excess <- mass - si$water$density * amount * of(paste0("volume", per))
+    role <- vapply(items, function(item) first_of(item$role, NA_character_), "")
+    rows(group, named(role, names(items)), number, if (nzchar(per)) amount else NA, mass,
+      in_unit(gear_gravity * excess, "kN"))
+  }
+  number <- vapply(si$pieces, function(piece) as.double(piece$number), 0)
+  is_board <- vapply(si$pieces, function(piece) piece$role %in% "otter_board", NA)
+  rbind(
+    if (nrow(netting)) {
+      rows("netting", named(netting$part, netting$panel), 1, netting$twine_m, netting$mass_kg,
+        netting$weight_in_water_kN)
+    },
+    of_items(si$ropes, "ropes", per = "_per_length"),
+    of_items(si$otter_boards, "otter boards"),
+    of_items(si$pieces[is_board], "otter boards", number[is_board]),
+    of_items(si$pieces[!is_board], "fittings", number[!is_board])
+  )
+}
+
+part_totals <- function(parts) {
+  amounts <- parts[c("mass_kg", "weight_in_water_kN")]
+  sums <- rowsum(as.matrix(amounts), factor(parts$group, unique(parts$group)))
+  total <- rbind(sums, total = colSums(amounts))
+  data.frame(group = rownames(total), total, row.names = NULL)
+}
+
+#' @export
+print.codend_gear_summary <- function(x, ...) {
+  parts <- x$parts
+  amounts <- function(table) {
+    list(column_figures(table$mass_kg), column_figures(table$weight_in_water_kN))
+  }
+  none <- rep("", nrow(x$totals))
+  lines <- align_columns(Map(c,
+    c("", "number", "length m", "mass kg", "weight in water kN"),
+    c(
+      list(parts$part, format(parts$number),
+        ifelse(is.na(parts$length_m), "", column_figures(parts$length_m))),
+      amounts(parts)
+    ),
+    c(list(x$totals$group, none, none), amounts(x$totals))
+  ))
+  groups <- nrow(x$totals)
+  cat(bold(x$name), paste0(x$kind, "; ", x$conditions), "", lines[seq_len(1L + nrow(parts))], "",
+    utils::tail(lines, groups), sep = "\n")
+  if (nrow(x$findings)) cat("", bold("Warnings"), finding_lines(x$findings), sep = "\n")
+  invisible(x)
+}

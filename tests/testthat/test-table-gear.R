@@ -1,0 +1,25 @@
+test_that("a gear's summary has the masses that its plan gives", {
+  found <- summary(read_gear("midwater_trawl"))
+  parts <- found$parts
+  row <- function(name) parts[parts$part == name, ]
+  # two warps of 600 m at 4.100 kg/m, 30 floats of 5.03 kg
+  expect_equal(row("warp")$length_m, 1200)
+  expect_equal(row("warp")$mass_kg, 1200 * 4.100096, tolerance = 1e-6)
+  expect_identical(row("float")$number, 30)
+  expect_lt(row("float")$weight_in_water_kN, 0)
+  expect_equal(sum(parts$mass_kg[parts$group == "netting"]), sum(found$netting$mass_kg))
+  totals <- found$totals
+  expect_equal(totals$mass_kg[totals$group == "total"], sum(parts$mass_kg))
+  expect_output(print(found), "otter board +2 +9000")
+})
+
+test_that("a gear's summary weighs in water what the settled gear does", {
+  for (name in c("towed_cable", "beam_trawl")) {
+    state <- settled(name, nodes = 300)
+    drag <- summary(state)$drag_totals
+    expect_equal(
+      sum(summary(state$gear)$parts$weight_in_water_kN),
+      drag$weight_in_water_kN[drag$group == "total"], tolerance = 1e-3
+    )
+  }
+})
