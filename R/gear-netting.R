@@ -24,7 +24,7 @@
 #' single knot takes: knotted netting weighs 1 + 16 d / mesh size times as much as knotless
 #' (recalled of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, which was not at hand:
 #' an assumption until it is checked there). Knotless netting has none of this.
-#' [netting_table()] lists the twine that the panels of a gear take.
+#' [summary()][summary.codend_gear] of a gear lists the twine that the panels of a gear take.
 #'
 #' @section Drag of twines and ropes:
 #' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last

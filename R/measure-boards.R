@@ -3,37 +3,9 @@
 # Beyond this heel (deg) a board lies on its side.
 fallen_heel <- 45
 
-#' Free otter boards and kites of a state
-#'
-#' @param state A state, from [settle()].
-#' @return A data frame with a row per otter board whose attitude is free, and per kite or
-#'   depressor: `board`, `attack_deg`, `stall_deg` (angle of attack of its polar's largest lift),
-#'   `heel_deg` (positive where its upper edge leans outward; of a kite where its starboard end is
-#'   high), `trim_deg` (positive where its leading edge is high), `lift_kN` (across the
-#'   flow), `drag_kN`, `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`,
-#'   `"stalled"` (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face)
-#'   or `"fallen over"` (heel beyond 45 deg).
-#' @examples
-#' # a kite of 1 m by 2 m on two front lines and one behind
-#' on_lines <- function(from, to, length) {
-#'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
-#' }
-#' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
-#'   block_port = gear_point(position = c(0, -0.6, -100), held = "moved"),
-#'   block_starboard = gear_point(position = c(0, 0.6, -100), held = "moved"),
-#'   port = gear_point(), starboard = gear_point(), tail = gear_point(),
-#'   front_port = on_lines("block_port", "port", "0.99 m"),
-#'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
-#'   rear_port = on_lines("block_port", "tail", "1.293 m"),
-#'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
-#'   kite = kite(pushes = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03 m3",
-#'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
-#'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
-#' board_table(settle(flown))
-#' @export
+# A row per free otter board, kite and depressor of a state. Its columns are in the help of
+# as.data.frame.codend_state().
 board_table <- function(state) {
-  check_given("state")
-  check_is_state(state)
   boards <- state$si$otter_boards
   found <- state$boards
   stall <- vapply(boards, stall_angle, 0, USE.NAMES = FALSE)

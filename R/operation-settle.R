@@ -62,7 +62,7 @@
 #'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
 #'   settles stalled, back-winded or fallen over is a warning of class
 #'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
-#'   `codend_warning_board_fallen_over`; see [board_table()].
+#'   `codend_warning_board_fallen_over`; see [as.data.frame()][as.data.frame.codend_state].
 #' @examples
 #' state <- settle(read_gear("towed_cable"))
 #' summary(state)

@@ -32,8 +32,9 @@
 #' @seealso [view_3d()] for a picture alone, [report()] for a page to print, [flume()] for every
 #'   field.
 #' @examples
-#' file <- tempfile(fileext = ".html")
-#' if (can_share()) share(settle("towed_cable"), file, sliders = "towing.speed")
+#' \dontrun{
+#' share(settle("towed_cable"), "cable.html", sliders = "towing.speed")
+#' }
 #' @export
 share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
   check_is_state(state)
@@ -54,9 +55,7 @@ share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
   invisible(file)
 }
 
-#' @return `can_share()` says whether the engine for pages is installed.
-#' @rdname share
-#' @export
+# Whether the engine for pages is installed.
 can_share <- function() all(nzchar(system.file("share", engine_files, package = "codend")))
 
 engine_files <- c("engine.js", "engine.wasm")

@@ -2,7 +2,7 @@
 
 #' @rdname codend_tidy
 #' @exportS3Method generics::tidy
-tidy.codend_calibration <- function(x, conf.int = FALSE, conf.level = 0.95, ...) { # nolint
+tidy.codend_calibration <- function(x, conf.int = FALSE, conf.level = 0.95, ...) {
   fields <- x$fields
   table <- data.frame(
     term = fields$field, estimate = fields$value, unit = fields$unit, std.error = fields$error
@@ -48,7 +48,7 @@ augment.codend_calibration <- function(x, newdata = NULL, ...) {
 
 #' @rdname codend_tidy
 #' @exportS3Method generics::tidy
-tidy.codend_posterior <- function(x, conf.level = 0.95, ...) { # nolint
+tidy.codend_posterior <- function(x, conf.level = 0.95, ...) {
   check_level(conf.level)
   chain <- attr(x, "chain")
   draws <- as.list(x)[chain$field]

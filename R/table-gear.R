@@ -13,18 +13,25 @@
 #'     pieces), `length_m` (of ropes, or of twine), `mass_kg` (in air) and `weight_in_water_kN`
 #'     (negative where it floats);
 #'   - `totals`: the same by `group`, and their sum;
-#'   - `netting`: [netting_table()];
+#'   - `netting`: data frame with a row per panel: `panel`, `part`, `material` (`""` where the plan
+#'     gives numbers instead), `mesh_size_mm`, `twine_mm`, `twines` (2 where each bar is double),
+#'     `meshes` (about how many), `knots`, `twine_m` (in bars and knots, of one twine; see
+#'     [netting]), `in_knots_percent` (share of that in knots), `twine_area_m2` (projected area of
+#'     bars, diameter times length), `mass_kg` and `weight_in_water_kN`;
 #'   - `findings`: warnings about the plan ([findings()]).
 #' @examples
 #' summary(read_gear("midwater_trawl"))
+#' found <- summary(read_gear("t90_codend"))
+#' found$netting[c("panel", "twine_m", "in_knots_percent", "mass_kg")]
 #' @export
 summary.codend_gear <- function(object, ...) {
-  netting <- netting_table(object)
-  parts <- gear_parts(gear_si(object), netting)
+  si <- gear_si(object)
+  netting <- netting_table(si)
+  parts <- gear_parts(si, netting)
   structure(
     list(
       name = object$plan$name, kind = gear_checked(object)$fields$kind,
-      conditions = conditions_text(gear_si(object)), parts = parts, totals = part_totals(parts),
+      conditions = conditions_text(si), parts = parts, totals = part_totals(parts),
       netting = netting, findings = findings(object)
     ),
     class = "codend_gear_summary"

@@ -1,30 +1,8 @@
 # The netting of a gear panel by panel: twine, knots, weight.
 
-#' Twine of a gear's netting
-#'
-#' What every panel of a gear is made of and how much twine it takes, knots included (see
-#' [netting]).
-#'
-#' @param gear A gear, the name of a shipped plan, a plan file, or a state.
-#' @return A data frame with a row per panel: `panel`, `part`, `material` (`""` where the plan gives
-#'   numbers instead), `mesh_size_mm`, `twine_mm`, `twines` (2 where each bar is double), `meshes`
-#'   (about how many), `knots`, `twine_m` (in bars and knots, of one twine), `in_knots_percent`
-#'   (share of that in knots), `twine_area_m2` (projected area of bars, diameter times length),
-#'   `mass_kg` (in air) and `weight_in_water_kN`. The last columns' sums are those of the gear.
-#' @examples
-#' found <- netting_table("t90_codend")
-#' found[c("panel", "twine_m", "in_knots_percent", "mass_kg")]
-#' sum(found$mass_kg)
-#' @export
-netting_table <- function(gear) {
-  check_given("gear")
-  if (is.character(gear)) gear <- read_gear(gear)
-  if (!inherits(gear, c("codend_state", "codend_gear"))) {
-    abort_argument(
-      "{.arg gear} must be a gear, the name of a plan or a state, not {.cls {class(gear)}}."
-    )
-  }
-  si <- if (inherits(gear, "codend_state")) gear$si else gear_si(gear)
+# A row per panel of a gear in SI: what it is made of, and how much twine it takes, knots
+# included. Its columns are in the help of summary.codend_gear().
+netting_table <- function(si) {
   panels <- si$panels
   number <- function(value) vapply(panels, value, 0, USE.NAMES = FALSE)
   text <- function(field) {

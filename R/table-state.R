@@ -45,6 +45,13 @@
 #'     `lift_kN` (up), and `weight_in_water_kN` (weight less buoyancy).
 #'   - `"pieces"`: a row per piece at a place, such as every hook of a longline: `part`, `role`,
 #'     `number` (how many sit there), `x_m`, `y_m`, `z_m` and `depth_m`.
+#'   - `"boards"`: a row per otter board whose attitude is free, and per kite or depressor: `board`,
+#'     `attack_deg`, `stall_deg` (angle of attack of its polar's largest lift), `heel_deg` (positive
+#'     where its upper edge leans outward; of a kite where its starboard end is high), `trim_deg`
+#'     (positive where its leading edge is high), `lift_kN` (across the flow), `drag_kN`,
+#'     `ground_load_kN` (upward force of the sea bed) and `condition`: `"flying"`, `"stalled"`
+#'     (attack beyond that of the largest lift), `"back-winded"` (flow on the outer face) or
+#'     `"fallen over"` (heel beyond 45 deg).
 #'   - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. The two
 #'     points of an edge held between them share what pulls at it, as the supports of a beam do.
 #' @param ... Not used.
@@ -53,17 +60,35 @@
 #' state <- settle("crossing_cables")
 #' as.data.frame(state, what = "reactions")
 #' head(as.data.frame(state, what = "tensions"))
+#'
+#' # a kite of 1 m by 2 m on two front lines and one behind
+#' on_lines <- function(from, to, length) {
+#'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
+#' }
+#' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
+#'   block_port = gear_point(position = c(0, -0.6, -100), held = "moved"),
+#'   block_starboard = gear_point(position = c(0, 0.6, -100), held = "moved"),
+#'   port = gear_point(), starboard = gear_point(), tail = gear_point(),
+#'   front_port = on_lines("block_port", "port", "0.99 m"),
+#'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
+#'   rear_port = on_lines("block_port", "tail", "1.293 m"),
+#'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
+#'   kite = kite(pushes = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03 m3",
+#'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
+#'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
+#' as.data.frame(settle(flown), what = "boards")
 #' @export
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
                                        what = c("tensions", "nodes", "measures", "drag",
-                                                "pieces", "reactions"), ...) {
-  tables <- c("tensions", "nodes", "measures", "drag", "pieces", "reactions")
+                                                "pieces", "boards", "reactions"), ...) {
+  tables <- c("tensions", "nodes", "measures", "drag", "pieces", "boards", "reactions")
   table <- switch(chosen(what, tables),
     tensions = line_table(x),
     nodes = node_table(x),
     measures = measure_table(x),
     drag = drag_table(x),
     pieces = piece_table(x),
+    boards = board_table(x),
     reactions = reaction_table(x)
   )
   if (!is.null(row.names)) row.names(table) <- row.names

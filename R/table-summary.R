@@ -25,7 +25,7 @@
 #'     Where a point pulls at netting, `max_kN` grows as the netting is divided more finely;
 #'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (share of it
 #'     that carries no tension);
-#'   - `boards`: data frame by free otter board ([board_table()]);
+#'   - `boards`: data frame by free otter board ([as.data.frame()][as.data.frame.codend_state]);
 #'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
 #'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
 #'   - `report`: the solver's report, with `nodes`, `bars` and `cells`;

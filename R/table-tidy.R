@@ -6,8 +6,8 @@
 #' @param x A state, from [settle()]; a trajectory, from [tow()]; slopes, from [sensitivities()]; a
 #'   calibration, from [calibrate()]; a posterior, from [sample_posterior()]; an optimum, from
 #'   [optimise_gear()]; or variations, from [vary()].
-#' @param conf.int Whether `conf.low` and `conf.high` are added, the ends of a confidence interval by
-#'   the covariance.
+#' @param conf.int Whether `conf.low` and `conf.high` are added, the ends of a confidence interval
+#'   by the covariance.
 #' @param conf.level Share of the interval.
 #' @param newdata Rows to predict, as in [predict()][calibration_methods]; the data of the
 #'   calibration where it is `NULL`.
@@ -29,8 +29,8 @@
 #'   `repeated` and `energy_imbalance` (as a share of the energy put through). Of a calibration:
 #'   `name`, `nobs`, `df.residual`, `logLik`, `AIC`, `BIC`, `converged` and `settles` (gears that
 #'   were settled). Of a posterior: `draws`, `accepted` (share of steps) and `effective` (the least
-#'   of all fields). Of an optimum: `name`, `objective` (text), `begun`, `value`, `kept` (whether all
-#'   conditions hold), `optimality` (0 at an optimum), `converged` and `settles`. Of variations:
+#'   of all fields). Of an optimum: `name`, `objective` (text), `begun`, `value`, `kept` (whether
+#'   all conditions hold), `optimality` (0 at an optimum), `converged` and `settles`. Of variations:
 #'   `name`, `designs`, `done`, `settled` and `warned`.
 #'
 #'   `augment()` of a calibration has a row per haul and match: the columns of its data, `.match`,

@@ -279,7 +279,8 @@ residual_table <- function(data, fit) {
   v <- data$values
   groups <- vapply(kinds, function(kind) length(unique(v$group[v$kind == kind])), 0L)
   data.frame(kind = kinds, sd = sqrt(fit$g^2 + fit$e^2), shared = fit$g, own = fit$e,
-    freedom = pmax(least_freedom, groups - 1), values = vapply(kinds, function(k) sum(v$kind == k), 0L),
+    freedom = pmax(least_freedom, groups - 1),
+    values = vapply(kinds, function(k) sum(v$kind == k), 0L),
     groups = groups, row.names = NULL)
 }
 
@@ -399,7 +400,7 @@ write_conditioning <- function(data, fit, residuals, table, out) {
     shown(by_kind, "kind"), "", shown(by_group, "ship or tank"), "",
     sprintf("All: %d values, %s %% held.", nrow(out), percent(mean(out$covered))), "",
     paste("The target is 85 to 95 % by kind. More than that are held: the intervals are wider than",
-      "these trawls need, for the tolerances of plans in the table are those of practice, while the",
+      "these trawls need, for the tolerances of plans in the table are typical ones, while the",
       "plans here were taken from good drawings and one of the nets was tuned.")
   ), "validation/conditioning.md")
   write_table(data.frame(lapply(out, function(x) if (is.numeric(x)) signif(x, 5) else

@@ -93,7 +93,7 @@ test_that("a shorter front bridle lowers a kite's attack and lift", {
   # As on a 1040 m midwater trawl, whose opening fell by a quarter when the front line of its canvas
   # was shortened from 17.2 to 16.4 m.
   tables <- lapply(c(1, 0.99, 0.98), function(front) {
-    board_table(settle(flown_kite(front = front)))
+    as.data.frame(settle(flown_kite(front = front)), what = "boards")
   })
   expect_true(all(diff(vapply(tables, `[[`, 0, "attack_deg")) < 0))
   expect_true(all(diff(vapply(tables, `[[`, 0, "lift_kN")) < 0))

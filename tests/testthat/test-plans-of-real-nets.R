@@ -40,7 +40,7 @@ test_that("the four-seam trawl is as high as its design asks for, within a sixth
 
 test_that("the lantern fish trawl's netting and drag are near what is printed of it", {
   gear <- read_gear(real_net("myctophid"))
-  netting <- netting_table(gear)
+  netting <- summary(gear)$netting
   # of 412 m2 and 832 kg, which it was made for
   expect_lt(abs(sum(netting$twine_area_m2) / 412 - 1), 0.12)
   expect_lt(abs(sum(netting$mass_kg) / 832 - 1), 0.05)

@@ -1,7 +1,6 @@
 test_that("the table of netting has the twine and mass of the lattice", {
   state <- settled("t90_codend")
-  found <- netting_table(state)
-  expect_identical(found, netting_table("t90_codend"))
+  found <- summary(state$gear)$netting
   drag <- as.data.frame(state, what = "drag")
   drag <- drag[drag$kind == "netting", ]
   expect_equal(found$weight_in_water_kN, drag$weight_in_water_kN[match(found$panel, drag$part)],
@@ -12,12 +11,11 @@ test_that("the table of netting has the twine and mass of the lattice", {
     panels = list(net = netting_panel("100 mm", list(upper = 10, lower = 6, deep = 5),
       list(diameter = "2 mm", axial_stiffness = 1e3, mass_per_length = 0.004, double = TRUE)))
   )
-  net <- netting_table(gear)
+  net <- summary(gear)$netting
   cells <- 8 * 5 * 2
   expect_equal(net$knots, cells)
   expect_equal(net$twine_m, cells * 2 * (2 * 0.05 + 16 * 0.002))
   expect_equal(net$in_knots_percent, 100 * 0.032 / 0.132)
   expect_equal(net$twine_area_m2, cells * 2 * 0.1 * 0.002)
   expect_equal(net$mass_kg, net$twine_m * 0.004)
-  expect_error(netting_table(1), class = "codend_error_argument")
 })
