@@ -221,6 +221,12 @@ tangent_work <- function(state) {
 # A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice
 # (with the wakes of the new shape), position, values), or NULL.
 balanced <- function(work, gear) {
+  made <- made_alike(work, gear)
+  if (!is.null(made)) balanced_lattice(work, made$gear, made$si, made$lattice)
+}
+
+# list(gear, si, lattice) of a gear whose lattice has the nodes of the state's, or NULL.
+made_alike <- function(work, gear) {
   if (is.null(gear)) return(NULL)
   si <- gear_si(gear)
   lattice <- build_lattice(si, work$nodes, work$netting, work$shape)
@@ -228,16 +234,22 @@ balanced <- function(work, gear) {
   if (!is.null(si$catch)) {
     lattice <- set_catch_front(lattice, work$shape$lattice$catch$blocked)
   }
-  balanced_lattice(work, gear, si, lattice)
+  list(gear = gear, si = si, lattice = lattice)
 }
 
-# The same of a lattice of the gear's.
-balanced_lattice <- function(work, gear, si, lattice) {
+# Where steps to the balance of a lattice begin: free nodes as they are in the state.
+place_of_state <- function(work, lattice) {
   start <- as.double(lattice$start)
   if (!is.null(work$position)) {
     free <- !rep(lattice$engine$held, each = 3L)
     start[free] <- work$position[free]
   }
+  start
+}
+
+# The same of a lattice of the gear's.
+balanced_lattice <- function(work, gear, si, lattice) {
+  start <- place_of_state(work, lattice)
   found <- engine_balance(work$factors, lattice$engine, start, chord_tolerance, chord_steps)
   # Lines that are all but slack turn the matrix with every step: it is made again.
   for (again in seq_len(if (is.null(work$position)) 0L else most_renewals)) {
@@ -307,11 +319,17 @@ tangent_slopes <- function(work, field) {
 }
 
 multiplied_balance <- function(work, field, share) {
+  made <- multiplied_alike(work, field, share)
+  balanced_lattice(work, made$gear, made$si, made$lattice)
+}
+
+# As made_alike(), of a multiplier's field.
+multiplied_alike <- function(work, field, share) {
   state <- work$state
   lattice <- work$lattice
   lattice$engine <- multiplied_engine(lattice, state$si, setNames(1 + share, field$multiplier),
     first_of(state$si$multipliers$ground_gear_weight, 1))
-  balanced_lattice(work, state$gear, state$si, lattice)
+  list(gear = state$gear, si = state$si, lattice = lattice)
 }
 
 # By gears settled at both sides: list(below, above).

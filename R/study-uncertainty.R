@@ -8,7 +8,9 @@
 #' @details
 #' # What is uncertain
 #' - coefficients: the plan's `multipliers` of components of force, with the standard deviations and
-#'   correlations that the validation book leaves (`validation/conditioning.md`);
+#'   correlations that the validation book leaves (`validation/conditioning.md`); those of boards,
+#'   friction and ground gear, of which another gear says nothing, with the spread of published
+#'   values;
 #' - plan: numbers with an uncertainty of their own, `{value: 4 mm, uncertainty: 10 %}` or
 #'   `{range: [3.8 mm, 4.2 mm]}`, which is evenly distributed; others have that of their kind, from
 #'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
@@ -21,14 +23,14 @@
 #' # How it is found
 #' As JCGM 100:2008 (GUM) has it: contributions are slopes times standard uncertainties, added in
 #' quadrature with their correlations; a coefficient whose mean is known to be off counts with that
-#' as well (F.2.4.5). Slopes are those of [sensitivities()], with one factorised matrix; multipliers
-#' take no new lattice. The interval is the measure plus and minus the combined standard uncertainty
-#' times Student's t of the effective degrees of freedom (G.4). Of the three largest sources the
-#' gear is also brought to balance one standard uncertainty to both sides: where their half
-#' difference is more than a fifth off the slope's it counts instead, and where the two sides differ
-#' by more than half, or slopes have kinks, the measure is `smooth = FALSE`: `method = "samples"`
-#' then follows the gear through draws of all sources (by [vary()], on as many cores as
-#' [future::plan()] says).
+#' as well (F.2.4.5). Slopes are those of [sensitivities()], to one side and a few figures, with one
+#' factorised matrix; multipliers take no new lattice. The interval is the measure plus and minus
+#' the combined standard uncertainty times Student's t of the effective degrees of freedom (G.4). Of
+#' the three largest sources the gear is also brought to balance one standard uncertainty to both
+#' sides: where their half difference is more than a fifth off the slope's it counts instead, and
+#' where the two sides differ by more than half the measure is `smooth = FALSE`:
+#' `method = "samples"` then follows the gear through draws of all sources (by [vary()], on as many
+#' cores as [future::plan()] says).
 #'
 #' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
 #' @param of Names of measures; all when `NULL`.
@@ -114,7 +116,7 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   fields <- lapply(sources, source_field, plan = state$gear$plan)
   for (k in seq_len(n)) {
     if (is_unused(work, fields[[k]])) next
-    found <- field_slopes(work, fields[[k]], secants = FALSE)
+    found <- quick_slopes(work, fields[[k]])
     found$slope[!is.finite(found$slope)] <- 0
     spread[, k] <- found$slope * sources[[k]]$share
     off[, k] <- found$slope * sources[[k]]$off
@@ -137,6 +139,38 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
     spread = spread, off = off, rough = rough, correlation = source_correlation(sources, fit),
     factorisations = work$cost$factorisations
   )
+}
+
+# A budget needs slopes to a few figures: to one side by this share, with so many steps of the
+# factors; net forces over the largest tension that may be left.
+quick_share <- 1e-5
+quick_steps <- 2L
+quick_tolerance <- 1e-8
+
+# As field_slopes(), as a budget needs them; where steps lead to no balance, those.
+quick_slopes <- function(work, field) {
+  made <- if (is.null(work$factors)) {
+    NULL
+  } else if (is.null(field$multiplier)) {
+    made_alike(work, scaled_gear(work$state$gear, field, quick_share))
+  } else {
+    multiplied_alike(work, field, quick_share)
+  }
+  values <- if (!is.null(made)) quick_values(work, made$gear, made$si, made$lattice)
+  if (is.null(values)) return(field_slopes(work, field, secants = FALSE))
+  slope <- (values - work$values) / quick_share
+  list(slope = slope, smooth = rep(TRUE, length(slope)))
+}
+
+# Measures of a lattice brought near to balance, or NULL.
+quick_values <- function(work, gear, si, lattice) {
+  found <- engine_balance(work$factors, lattice$engine, place_of_state(work, lattice),
+    quick_tolerance, quick_steps)
+  if (!isTRUE(found$residual <= quick_tolerance)) {
+    return(balanced_lattice(work, gear, si, lattice)$values)
+  }
+  lattice$engine$wake <- found$wake
+  values_at(work, gear, si, lattice, found$position)
 }
 
 spread_is_finite <- function(x) all(is.finite(x)) && any(x != 0)

@@ -48,7 +48,8 @@ hauls_by_warp <- function(ship, sweep, gear = "GOV") {
     "WgtGroundRope", "DoorSpread", "WingSpread", "Netopening")
   classes <- split(hauls[of], cut(hauls$Warplngt, warp_classes), drop = TRUE)
   classes <- classes[vapply(classes, nrow, 0L) >= 3]
-  as.data.frame(do.call(rbind, lapply(classes, colMeans, na.rm = TRUE)), row.names = NULL)
+  means <- do.call(rbind, lapply(classes, colMeans, na.rm = TRUE))
+  data.frame(means, hauls = vapply(classes, nrow, 0L), row.names = NULL)
 }
 
 # The GOV of a ship: what it reports of its gear, else the plan's.
