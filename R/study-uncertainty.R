@@ -262,7 +262,7 @@ budget_of <- function(found, level, draws = NULL) {
     high <- ends$high
   }
   # what cannot be less than nothing
-  bounded <- value > 0 & !uncertainty_kind(base) %in% c("angle", "other", "volume")
+  bounded <- value > 0 & uncertainty_kind(base) != "angle"
   low[bounded] <- pmax(low[bounded], 0)
   rough <- rowSums((found$spread * found$rough)^2) > 0.05 * combined^2
   table <- data.frame(
