@@ -1,6 +1,8 @@
 // Drag of one family of twines against that of the lines that it stands for.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "elements/twine_drag.hpp"
 #include "random_model.hpp"
 
@@ -20,4 +22,27 @@ TEST_CASE("drag of twines is that of a bar of the same twine") {
       CHECK((found - whole).norm() < 1e-13 * whole.norm());
     }
   }
+}
+
+TEST_CASE("drag of twines that curl up is the mean over all directions") {
+  using namespace codend;
+  TwineMaterial material;
+  material.diameter = 0.002;
+  material.law = {CylinderLawKind::constant, 1.2, 0.1, 0.02, 0.0};
+  const Vector u(0.0, 0.0, 1.3);
+  auto drag = [&](const Vector& e, SlackDrag slack) {
+    return twine_drag(material, 1.0, 1.0, e, u, Water(), slack).value.z();
+  };
+  // Midpoint rule over heights of directions, as in test_cylinder_law.cpp.
+  const int n = 1000;
+  double mean = 0.0;
+  for (int k = 0; k < n; ++k) {
+    const double c = -1.0 + (2.0 * k + 1.0) / n;
+    mean += drag({std::sqrt(1.0 - c * c), 0.0, c}, SlackDrag::straight) / n;
+  }
+  CHECK(drag(Vector::Zero(), SlackDrag::curved) == doctest::Approx(mean).epsilon(1e-5));
+  // half of its length between its ends, which lie across the flow
+  const Vector half(0.5, 0.0, 0.0);
+  CHECK(drag(half, SlackDrag::curved) ==
+        doctest::Approx(0.5 * drag(2.0 * half, SlackDrag::straight) + 0.5 * mean).epsilon(1e-5));
 }
