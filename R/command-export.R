@@ -27,14 +27,15 @@ run_export <- function(plan, files, options) {
       abort_usage(files[k], " must be a file in a folder that can be written.")
     }
   }
-  of_tow <- vapply(formats, `[[`, "", "of") == "trajectory"
+  of_tow <- vapply(formats, function(format) identical(format$of, "trajectory"), NA)
+  of_state <- vapply(formats, function(format) identical(format$of, "state"), NA)
   if (any(of_tow) && !kept) {
     abort_usage(files[of_tow][1], " holds a tow; export it from the file of one (codend tow).")
   }
-  if (any(of_tow) && !all(of_tow)) {
-    abort_usage(files[!of_tow][1], " holds a state and ", files[of_tow][1], " a tow; export one.")
+  if (any(of_tow) && any(of_state)) {
+    abort_usage(files[of_state][1], " holds a state and ", files[of_tow][1], " a tow; export one.")
   }
-  shown <- if (all(of_tow)) {
+  shown <- if (any(of_tow) || (kept && !any(of_state) && keeps_trajectory(plan))) {
     read_trajectory(plan)
   } else if (kept) {
     read_state(plan)

@@ -1,8 +1,9 @@
 # A glTF 2.0 file: a tree in JSON that says what lies where in one buffer of numbers. The buffer is
 # gathered in a file beside the target, part by part, so that it never lies in memory as a whole.
 
-# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), both of which give
-# the number of an accessor; views(), accessors(), bytes(), path, remove()).
+# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), add_track(numbers
+# of an animation), which give the number of an accessor; views(), accessors(), bytes(), path,
+# remove()).
 gltf_buffer <- function(folder) {
   path <- tempfile(".export-", tmpdir = folder, fileext = ".bin")
   connection <- base::file(path, "wb")
@@ -14,11 +15,11 @@ gltf_buffer <- function(folder) {
     if (open) close(connection)
     open <<- FALSE
   }
-  add <- function(values, size, accessor) {
+  add <- function(values, size, accessor, target = list(target = 34962L)) {
     writeBin(values, connection, size = size, endian = "little")
     length <- size * length(values)
-    views[[length(views) + 1L]] <<- list(
-      buffer = 0L, byteOffset = bytes, byteLength = length, target = 34962L
+    views[[length(views) + 1L]] <<- c(
+      list(buffer = 0L, byteOffset = bytes, byteLength = length), target
     )
     bytes <<- bytes + length
     accessors[[length(accessors) + 1L]] <<- c(list(bufferView = length(views) - 1L), accessor)
@@ -45,6 +46,16 @@ gltf_buffer <- function(folder) {
       add(values, 2L, list(
         componentType = 5123L, normalized = TRUE, count = length(colours), type = "VEC4"
       ))
+    },
+    # places (a column each) or single numbers, at the times of an animation
+    add_track = function(x) {
+      places <- is.matrix(x)
+      ends <- if (places) apply(x, 1L, range) else matrix(range(x))
+      ends <- matrix(readBin(writeBin(as.vector(ends), raw(), 4L), "double", length(ends), 4L), 2L)
+      add(as.vector(x), 4L, list(
+        componentType = 5126L, count = if (places) ncol(x) else length(x),
+        type = if (places) "VEC3" else "SCALAR", min = I(ends[1L, ]), max = I(ends[2L, ])
+      ), NULL)
     },
     views = function() views, accessors = function() accessors, bytes = function() bytes,
     path = path,

@@ -1,8 +1,8 @@
 #' Write a gear's shape for the web and for CAD
 #'
-#' Writes a state as a scene in glTF 2.0, the format that web viewers, Blender, Windows and most CAD
-#' programs open: ropes and twines as lines, netting of cells also as see-through sheets, free
-#' otter boards as plates and other pieces as balls.
+#' Writes a state, or a tow as an animation, as a scene in glTF 2.0, the format that web viewers,
+#' Blender, Windows and most CAD programs open: ropes and twines as lines, netting of cells also as
+#' see-through sheets, free otter boards as plates and other pieces as balls.
 #'
 #' @details
 #' The scene has a node for every rope, panel and piece, named as in the plan; its extras hold
@@ -18,7 +18,11 @@
 #' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
 #' of its height, spread pieces stand for what is between them.
 #'
-#' @param state A state, from [settle()] or [state_at()].
+#' A tow plays in its own time, seen from the vessel: the places at up to 60 kept times are morph
+#' targets of every mesh, and between them they go in straight lines. Colours are those of the first
+#' time; measures are those of the last.
+#'
+#' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
 #' @param file Path to write: `.glb` (one binary file) or `.gltf` (text with the same numbers in
 #'   it, a third larger). Written whole or not at all.
 #' @param colours `"tension"` or `"part"`.
@@ -29,24 +33,37 @@
 #' @examples
 #' file <- tempfile(fileext = ".glb")
 #' write_gltf(settle("towed_cable"), file)
-write_gltf <- function(state, file, colours = c("tension", "part")) {
-  check_given("state", "file")
-  check_is_state(state)
+write_gltf <- function(x, file, colours = c("tension", "part")) {
+  check_given("x", "file")
+  check_exported(x, c("state", "trajectory"))
   colours <- chosen(colours, c("tension", "part"))
   extension <- check_file_path(file, c(".glb", ".gltf"))
   write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
-    scene <- with_plain_numbers(gltf_scene(state, colours, buffer))
+    scene <- with_plain_numbers(gltf_scene(gltf_moments(x), colours, buffer))
     write <- if (extension == ".glb") write_glb else write_gltf_text
     with_plain_numbers(write(path, scene, buffer))
   })
 }
 
-# The scene as glTF's tree, without its buffer; numbers go to the buffer part by part.
-gltf_scene <- function(state, colours, buffer) {
+# Kept times that an animation shows at most.
+gltf_times <- 60L
+
+# The states that a scene shows: one, or those of a trajectory.
+gltf_moments <- function(x) {
+  if (inherits(x, "codend_state")) return(list(x))
+  lapply(x$time[evenly(length(x$time), gltf_times)], function(time) state_at(x, time))
+}
+
+# The scene as glTF's tree, without its buffer; numbers go to the buffer part by part. moments:
+# states of one lattice, the first of which is seen where nothing plays.
+gltf_scene <- function(moments, colours, buffer) {
+  state <- moments[[1L]]
+  last <- moments[[length(moments)]]
   parts <- state$lattice$parts
-  drawing <- state_drawing(state, .Machine$integer.max)
+  drawings <- lapply(moments, state_drawing, .Machine$integer.max)
+  drawing <- drawings[[1L]]
   scales <- list(
     rope = tension_scale(drawing$ropes$tension, "rope"),
     netting = tension_scale(drawing$netting$tension, "netting")
@@ -62,9 +79,12 @@ gltf_scene <- function(state, colours, buffer) {
     nodes[[length(nodes) + 1L]] <<- list(...)
     length(nodes) - 1L
   }
-  corners <- board_corners(state)
-  balls <- gltf_balls(state, drawing$marks)
-  used <- unique(balls$role)
+  motion <- gltf_motion(moments, buffer)
+  corners <- lapply(moments, board_corners)
+  balls <- lapply(drawings, function(one) gltf_balls(state, one$marks))
+  places_of <- function(mine) rbind(mine$x, mine$y, mine$z)
+  first_balls <- balls[[1L]]
+  used <- unique(first_balls$role)
   ball_mesh <- setNames(vapply(used, function(role) {
     add_mesh(paste("ball,", role), list(ball_primitive(symbol_of(role)$fill, buffer)))
   }, 0), used)
@@ -75,13 +95,18 @@ gltf_scene <- function(state, colours, buffer) {
     extras <- list(kind = kind, role = parts$role[part])
     extras <- extras[!is.na(extras)]
     if (kind %in% c("rope", "netting")) {
-      lines <- part_lines(drawing[[if (kind == "rope") "ropes" else "netting"]], part)
+      group <- if (kind == "rope") "ropes" else "netting"
+      lines <- part_lines(drawing[[group]], part)
+      ends <- lapply(drawings, function(one) {
+        own <- part_lines(one[[group]], part)
+        as.vector(rbind(own$from, own$to))
+      })
       colour <- if (colours == "part") {
         rep(one_each[part], length(lines$tension))
       } else {
         tension_colours(scales[[kind]], lines$tension)
       }
-      primitives <- list(line_primitive(lines, colour, buffer))
+      primitives <- list(line_primitive(ends, colour, buffer))
       sheet <- which(state$lattice$cell_part == part)
       if (length(sheet)) {
         tension <- pmax(state$u_tension[sheet], state$v_tension[sheet])
@@ -90,24 +115,31 @@ gltf_scene <- function(state, colours, buffer) {
         } else {
           tension_colours(scales$netting, tension)
         }
-        primitives[[2L]] <- sheet_primitive(state, sheet, colour, buffer)
+        primitives[[2L]] <- sheet_primitive(moments, sheet, colour, buffer)
       }
       if (!length(lines$tension)) next
       extras$largest_tension_N <- max(lines$tension)
-      children <- c(children, add_node(name = name, mesh = add_mesh(name, primitives),
-        extras = extras))
+      node <- add_node(name = name, mesh = add_mesh(name, primitives), extras = extras)
+      motion$morph(node)
+      children <- c(children, node)
     } else if (name %in% names(state$si$otter_boards)) {
       at <- 4L * (match(name, names(state$si$otter_boards)) - 1L) + 1:4
-      plate <- list(plate_primitive(corners[, at], symbol_of(parts$role[part])$fill, buffer))
-      children <- c(children, add_node(name = name, mesh = add_mesh(name, plate), extras = extras))
+      plate <- list(plate_primitive(lapply(corners, function(all) all[, at]),
+        symbol_of(parts$role[part])$fill, buffer))
+      node <- add_node(name = name, mesh = add_mesh(name, plate), extras = extras)
+      motion$morph(node)
+      children <- c(children, node)
     } else {
-      mine <- balls[balls$part == name, ]
+      mine <- first_balls[first_balls$part == name, ]
       if (!nrow(mine)) next
+      at <- lapply(balls, function(all) places_of(all[all$part == name, ]))
       inside <- vapply(seq_len(nrow(mine)), function(k) {
-        add_node(
+        node <- add_node(
           name = paste(name, k), mesh = ball_mesh[[mine$role[k]]],
-          translation = c(mine$x[k], mine$y[k], mine$z[k]), scale = rep(mine$height[k] / 2, 3L)
+          translation = at[[1L]][, k], scale = rep(mine$height[k] / 2, 3L)
         )
+        motion$carry(node, vapply(at, function(places) places[, k], numeric(3)))
+        node
       }, 0)
       children <- c(children, add_node(name = name, children = I(inside), extras = extras))
     }
@@ -116,7 +148,7 @@ gltf_scene <- function(state, colours, buffer) {
   top <- add_node(
     name = state$gear$plan$name, rotation = c(-quarter, 0, 0, quarter), children = I(children)
   )
-  list(
+  scene <- list(
     asset = list(
       version = "2.0", generator = paste("codend", utils::packageVersion("codend"))
     ),
@@ -125,11 +157,57 @@ gltf_scene <- function(state, colours, buffer) {
     scenes = list(list(
       name = state$gear$plan$name, nodes = I(top),
       extras = list(
-        conditions = state_conditions(state), measures = as.list(measures(state)),
+        conditions = state_conditions(last), measures = as.list(measures(last)),
         axes = "below the top node: x aft, y to starboard, z up from the water surface, metres"
       )
     )),
     nodes = nodes, meshes = meshes, materials = gltf_materials()
+  )
+  played <- motion$animation()
+  if (length(played)) scene$animations <- list(played)
+  scene
+}
+
+# The animation of moments: list(morph(node), whose mesh has a target per later moment, carry(node,
+# places), animation() its tree, NULL of one moment).
+gltf_motion <- function(moments, buffer) {
+  n <- length(moments)
+  none <- function(...) invisible()
+  if (n < 2L) return(list(morph = none, carry = none, animation = function() NULL))
+  times <- vapply(moments, `[[`, 0, "time")
+  input <- buffer$add_track(times - times[1L])
+  samplers <- list(list(
+    input = input, interpolation = "LINEAR",
+    # no target at first, then one after another
+    output = buffer$add_track(as.double(cbind(0, diag(n - 1L))))
+  ))
+  channels <- list()
+  add_channel <- function(node, path, sampler) {
+    channels[[length(channels) + 1L]] <<- list(
+      sampler = sampler, target = list(node = node, path = path)
+    )
+  }
+  list(
+    morph = function(node) add_channel(node, "weights", 0L),
+    carry = function(node, places) {
+      samplers[[length(samplers) + 1L]] <<- list(
+        input = input, interpolation = "LINEAR", output = buffer$add_track(places)
+      )
+      add_channel(node, "translation", length(samplers) - 1L)
+    },
+    animation = function() list(name = "tow", samplers = samplers, channels = channels)
+  )
+}
+
+# The places of a primitive at every moment (each x, y, z after x, y, z): those of the first, and of
+# later ones what they differ by.
+gltf_places <- function(places, buffer, ...) {
+  targets <- lapply(places[-1L], function(later) {
+    list(POSITION = buffer$add_places(later - places[[1L]]))
+  })
+  c(
+    list(attributes = list(POSITION = buffer$add_places(places[[1L]]), ...)),
+    if (length(targets)) list(targets = targets)
   )
 }
 
@@ -169,41 +247,34 @@ gltf_materials <- function() {
 gltf_lines <- 1L
 gltf_triangles <- 4L
 
-line_primitive <- function(lines, colour, buffer) {
-  ends <- rbind(lines$from, lines$to)
-  list(
-    attributes = list(
-      POSITION = buffer$add_places(as.vector(ends)),
-      COLOR_0 = buffer$add_colours(rep(colour, each = 2L))
-    ),
-    mode = gltf_lines, material = gltf_unlit
+line_primitive <- function(ends, colour, buffer) {
+  c(
+    gltf_places(ends, buffer, COLOR_0 = buffer$add_colours(rep(colour, each = 2L))),
+    list(mode = gltf_lines, material = gltf_unlit)
   )
 }
 
 sheet_opacity <- 0.3
 
 # Cells as two triangles each, or one.
-sheet_primitive <- function(state, cells, colour, buffer) {
-  corner <- cell_corners(state$lattice, cells)
+sheet_primitive <- function(moments, cells, colour, buffer) {
+  corner <- cell_corners(moments[[1L]]$lattice, cells)
   four <- which(!has_three_corners(corner))
   node <- cbind(corner[1:3, , drop = FALSE], corner[c(1L, 3L, 4L), four, drop = FALSE])
   colour <- c(colour, colour[four])
-  list(
-    attributes = list(
-      POSITION = buffer$add_places(as.vector(state_points(state)[, node])),
-      COLOR_0 = buffer$add_colours(rep(colour, each = 3L), sheet_opacity)
-    ),
-    mode = gltf_triangles, material = gltf_sheet
+  places <- lapply(moments, function(state) as.vector(state_points(state)[, node]))
+  c(
+    gltf_places(places, buffer,
+      COLOR_0 = buffer$add_colours(rep(colour, each = 3L), sheet_opacity)),
+    list(mode = gltf_triangles, material = gltf_sheet)
   )
 }
 
 plate_primitive <- function(corners, colour, buffer) {
-  list(
-    attributes = list(
-      POSITION = buffer$add_places(as.vector(corners[, c(1L, 2L, 3L, 1L, 3L, 4L)])),
-      COLOR_0 = buffer$add_colours(rep(colour, 6L))
-    ),
-    mode = gltf_triangles, material = gltf_unlit
+  places <- lapply(corners, function(at) as.vector(at[, c(1L, 2L, 3L, 1L, 3L, 4L)]))
+  c(
+    gltf_places(places, buffer, COLOR_0 = buffer$add_colours(rep(colour, 6L))),
+    list(mode = gltf_triangles, material = gltf_unlit)
   )
 }
 

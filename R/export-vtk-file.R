@@ -6,7 +6,7 @@ vtk_cell_types <- c(vertex = 1L, line = 3L, triangle = 5L, quad = 9L)
 
 # path: where to write; points: 3 x n, m; cells: list(corners (points from 1, cell after cell), size
 # (corners of each cell), type (names of vtk_cell_types)); point_data, cell_data, field_data: named
-# lists of vectors, of matrices with a column per point or cell, or of text.
+# lists of vectors or of matrices with a column per point or cell.
 write_vtu <- function(path, points, cells, point_data, cell_data, field_data) {
   groups <- list(
     FieldData = field_data, PointData = point_data, CellData = cell_data,
@@ -47,7 +47,7 @@ write_vtu <- function(path, points, cells, point_data, cell_data, field_data) {
 
 vtk_array_head <- function(name, value, offset, in_field) {
   type <- switch(typeof(value),
-    double = "Float64", integer = "Int32", logical = , raw = "UInt8", character = "String"
+    double = "Float64", integer = "Int32", logical = , raw = "UInt8"
   )
   components <- if (is.matrix(value)) nrow(value) else 1L
   sprintf(
@@ -59,21 +59,13 @@ vtk_array_head <- function(name, value, offset, in_field) {
 }
 
 vtk_bytes <- function(value) {
-  switch(typeof(value),
-    double = 8, integer = 4, logical = , raw = 1,
-    # every text ends in a byte 0
-    character = return(sum(nchar(enc2utf8(value), "bytes") + 1))
-  ) * length(value)
+  switch(typeof(value), double = 8, integer = 4, logical = , raw = 1) * length(value)
 }
 
 put_vtk_array <- function(connection, value) {
   writeBin(low_word_first(vtk_bytes(value)), connection, endian = "little")
-  writeBin(
-    switch(typeof(value),
-      logical = as.raw(value), character = enc2utf8(value), as.vector(value)
-    ),
-    connection, endian = "little"
-  )
+  writeBin(if (is.logical(value)) as.raw(value) else as.vector(value), connection,
+    endian = "little")
 }
 
 # A whole number up to 2^53 as the two integers that are its 64 bits.

@@ -11,8 +11,8 @@
 #'
 #' Every cell has
 #'
-#' - `part_name`, the rope, panel, piece or board of the plan that it belongs to; `part`, the same
-#'   as a number from 1; and `kind`: 1 rope, 2 netting, 3 piece;
+#' - `part`, the rope, panel, piece or board of the plan that it belongs to, as a number from 1; and
+#'   `kind`: 1 rope, 2 netting, 3 piece;
 #' - `tension_N` of one line or twine, in cells of netting the larger of the two families of twine,
 #'   which are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN
 #'   in other cells; negative in poles and struts that push;
@@ -26,7 +26,8 @@
 #' points are the nodes, in their order in `as.data.frame(state, what = "nodes")`.
 #'
 #' The grid's field data hold the measures under their names, the names of all parts as `part_names`
-#' and the text of the `plan`.
+#' and the text of the `plan`: both as bytes of UTF-8, with a line per part, as not every reader
+#' knows arrays of text.
 #'
 #' Axes are codend's: x aft, y to starboard, z up from the water surface. A trajectory is over the
 #' ground, so the gear moves forward, against x, from file to file.
@@ -93,6 +94,9 @@ ground_state <- function(trajectory, k) {
   state
 }
 
+# Lines of text as raw bytes.
+utf8_bytes <- function(text) charToRaw(enc2utf8(paste(text, collapse = "\n")))
+
 write_state_vtu <- function(state, path) {
   points <- state_points(state)
   corners <- board_corners(state)
@@ -102,7 +106,7 @@ write_state_vtu <- function(state, path) {
   # data of cells, in the order that a reader lists them
   cell_data <- c(
     list(
-      part = part, part_name = parts$name[part],
+      part = part,
       kind = as.raw(match(parts$kind, c("rope", "netting", "piece"), 4L)[part])
     ),
     grid$data[names(grid$data) != "part"]
@@ -110,7 +114,7 @@ write_state_vtu <- function(state, path) {
   measured <- if (is.null(state$measured)) measures(state) else state$measured
   field_data <- c(
     as.list(measured),
-    list(part_names = parts$name, plan = format(state$gear)),
+    list(part_names = utf8_bytes(parts$name), plan = utf8_bytes(format(state$gear))),
     if (!is.null(state$time)) list(TimeValue = state$time)
   )
   write_vtu(path, cbind(points, corners), grid$cells,

@@ -5,7 +5,7 @@
 #' [update()][update.codend_gear] changed since is new.
 #'
 #' @param gear A gear ([read_gear()], [gear()]).
-#' @param file Path of the YAML file to write.
+#' @param file Path of the file to write: YAML or, of a name that ends in `.json`, JSON.
 #' @return `file`, invisibly. [read_gear()] of it gives an identical plan.
 #' @export
 #' @examples
@@ -16,7 +16,13 @@ write_gear <- function(gear, file) {
   check_given("gear", "file")
   check_is_gear(gear)
   check_file_path(file)
-  write_text(format(gear, remarks = TRUE), file)
+  json <- grepl("[.]json$", file, ignore.case = TRUE)
+  write_text(if (json) c(json_plan(gear), "") else format(gear, remarks = TRUE), file)
+}
+
+# A plan as one line of JSON.
+json_plan <- function(gear) {
+  enc2utf8(as.character(jsonlite::toJSON(gear$plan, auto_unbox = TRUE, digits = NA)))
 }
 
 # remarks: whether the text that the gear was read from is kept where it still holds.

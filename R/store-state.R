@@ -21,10 +21,15 @@
 #' from. Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was
 #' cut short or changed is an error of class `codend_error_file`, and so is one of an older format.
 #'
-#' Both take the package RNetCDF.
+#' NetCDF takes the package RNetCDF.
+#'
+#' A name that ends in `.json` gives the same numbers, with the measures, their errors and the plan,
+#' as JSON by the schema `system.file("schema", "state.schema.json", package = "codend")`: for
+#' languages without a reader of NetCDF. `read_state()` reads NetCDF alone.
 #'
 #' @param state A state, from [settle()] or [state_at()].
-#' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
+#' @param file Path of the file, ending in `.nc` or, for `write_state()`, `.json`. It is written
+#'   whole or not at all.
 #' @return `write_state()` gives `file`, invisibly; `read_state()` a state as [settle()] returns. A
 #'   file that cannot be read or written is an error of class `codend_error_file`; a missing
 #'   RNetCDF one of class `codend_error_package`.
@@ -38,8 +43,10 @@
 write_state <- function(state, file) {
   check_given("state", "file")
   check_is_state(state)
+  if (check_file_path(file, c(".nc", ".json")) == ".json") {
+    return(write_file(file, function(path) write_state_json(state, path)))
+  }
   check_netcdf()
-  check_file_path(file, ".nc")
   write_kept(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)

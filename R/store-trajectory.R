@@ -18,7 +18,8 @@
 #' (N, of one twine), and `straight_tension` per cell of hexagonal meshes, which are those that
 #' `hexagonal_cell` numbers; with `shielding`, `wake` per point (the nodes, then the points that
 #' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y`
-#' (m), `vessel_speed` (m/s) and `course` (rad). `bar_node` and `cell_node` say which nodes they
+#' (m), `vessel_speed` (m/s), `course` (rad) and every measure of the first time, under its name;
+#' NaN where the gear has none such at a later one. `bar_node` and `cell_node` say which nodes they
 #' join, counted from 1, `bar_part` and `cell_part` which of the parts in `part_name` they
 #' belong to. The attribute `plan` is the gear's plan as text. Read only times at which `complete`
 #' is 1.
@@ -72,6 +73,18 @@ read_trajectory <- function(file) {
   })
 }
 
+# Whether a file is of a trajectory.
+keeps_trajectory <- function(file) {
+  tryCatch(
+    {
+      nc <- RNetCDF::open.nc(file)
+      on.exit(RNetCDF::close.nc(nc))
+      is.numeric(RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_trajectory"))
+    },
+    error = function(e) FALSE
+  )
+}
+
 # Formats up to 2 held objects of R.
 trajectory_file_version <- 10L
 
@@ -110,12 +123,14 @@ motion_vectors <- c("position", "velocity", "acceleration", "algorithmic_acceler
 # what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
 record_trajectory <- function(what, frames, file) {
   count <- 0L
+  first <- gather_trajectory(what, frames[1L], "interrupted")
+  measured <- measure_numbers(state_at(first, first$time))
   add_to <- function(nc, frame) {
     count <<- count + 1L
-    put_frame(nc, what, frame, count)
+    put_frame(nc, what, frame, count, names(measured))
   }
   write_netcdf(file, function(nc) {
-    define_trajectory(nc, what, frames[[1L]])
+    define_trajectory(nc, what, frames[[1L]], measured)
     for (frame in frames) add_to(nc, frame)
   })
   nc <- RNetCDF::open.nc(file, write = TRUE)
@@ -142,7 +157,7 @@ record_trajectory <- function(what, frames, file) {
 
 # ---- what a file holds --------------------------------------------------------------------------
 
-define_trajectory <- function(nc, what, frame) {
+define_trajectory <- function(nc, what, frame, measured) {
   lattice <- what$lattice
   engine <- lattice$engine
   kept <- kept_numbers(what)
@@ -150,7 +165,7 @@ define_trajectory <- function(nc, what, frame) {
   sizes <- c(
     node = engine$nodes, bar = length(frame$bar_tension), cell = length(frame$u_tension),
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
-    catch = length(frame$catch_front), energy = length(engine_energy_parts()),
+    catch = length(frame$catch_front), energy_part = length(engine_energy_parts()),
     part = length(names), growing_part = length(frame$done$length),
     rupture = length(frame$done$broken), anchor = length(frame$done$anchor),
     component = 3L * engine$nodes,
@@ -183,7 +198,12 @@ define_trajectory <- function(nc, what, frame) {
   text <- function(variable, name, value) {
     RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
   }
+  for (name in names(measured)) {
+    define(name, "NC_DOUBLE", "time", measured[[name]]$unit, measured[[name]]$words)
+  }
   text("time", "axis", "T")
+  text("time", "standard_name", "time")
+  text("vessel_speed", "standard_name", "platform_speed_wrt_ground")
   text("z", "positive", "up")
   text("energy", "energy_parts", paste(engine_energy_parts(), collapse = " "))
   text("end", "flag_meanings", paste(file_ends, collapse = " "))
@@ -244,7 +264,8 @@ define_resume <- function(define) {
 
 # ---- writing ------------------------------------------------------------------------------------
 
-put_frame <- function(nc, what, frame, k) {
+# measured: names of the measures that the file has.
+put_frame <- function(nc, what, frame, k, measured) {
   now <- gather_trajectory(what, list(frame), "interrupted")
   put_at <- function(name, value) {
     if (length(value) > 1L) {
@@ -267,6 +288,8 @@ put_frame <- function(nc, what, frame, k) {
   put_at("vessel_y", now$conditions$y)
   put_at("vessel_speed", now$conditions$speed)
   put_at("course", now$conditions$course)
+  found <- plain_measures(measures(state_at(now, now$time)))
+  for (name in measured) put_at(name, unname(found[name]))
   if (!is.null(frame$step)) put_resume(nc, frame, k)
   RNetCDF::sync.nc(nc)
   put_at("complete", 1L)

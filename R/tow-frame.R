@@ -10,7 +10,7 @@ frame_fields <- data.frame(
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
     "length", "broken", "energy"),
   across = c("bar", "cell", "cell", "hexagonal_cell", "point", "catch", "growing_part",
-    "rupture", "energy"),
+    "rupture", "energy_part"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),
   words = c(
     "tension of one line", "tension of one twine along u", "tension of one twine along v",

@@ -3,9 +3,9 @@
 #   Rscript tools/faults.R              all of them
 #   Rscript tools/faults.R 1 5 20:30    some, by their row
 # `file` has `from` once, in the place of which `to` is put. A fault of the engine meets the
-# engine's own tests, then as one of R the package tests of `tests`, one file after another until one
-# fails; FAULTS=all goes on with all other files. Works in a temporary folder, with the codend that is
-# installed for what a fault does not change. Fails where a fault survives.
+# engine's own tests, then as one of R the package tests of `tests`, one file after another until
+# one fails; FAULTS=all goes on with all other files. Works in a temporary folder, with the codend
+# that is installed for what a fault does not change. Fails where a fault survives.
 
 faults <- utils::read.csv("tools/faults.csv")
 rows <- unlist(lapply(commandArgs(TRUE), function(one) eval(str2lang(one))))
@@ -39,7 +39,8 @@ install <- function(engine) {
 passes <- function(name) {
   run <- sprintf(paste0(
     "library(testthat); .libPaths(c('%s', .libPaths())); library(codend, lib.loc = '%s'); ",
-    "test_file('%s', package = 'codend', load_package = 'installed', reporter = 'stop')"
+    "found <- as.data.frame(test_file('%s', package = 'codend', load_package = 'installed', ",
+    "reporter = 'silent')); quit(status = any(found$failed > 0 | found$error))"
   ), library, library, file.path(copy, "tests", "testthat", paste0("test-", name, ".R")))
   quietly(file.path(R.home("bin"), "Rscript"), c("-e", shQuote(run)))
 }

@@ -23,12 +23,7 @@ read_raw_vtu <- function(file) {
     value <- switch(field(line, "type"),
       Float64 = readBin(held, "double", length[1] / 8, endian = "little"),
       Int32 = readBin(held, "integer", length[1] / 4, endian = "little"),
-      UInt8 = as.integer(held),
-      String = {
-        text <- readBin(held, "character", sum(held == 0))
-        Encoding(text) <- "UTF-8"
-        text
-      }
+      UInt8 = as.integer(held)
     )
     width <- field(line, "NumberOfComponents")
     if (!is.na(width)) value <- matrix(value, as.integer(width))
@@ -71,4 +66,27 @@ read_gltf_file <- function(file) {
       "5123" = readBin(held, "integer", n, 2L, signed = FALSE, endian = "little") / 65535
     ), rows)
   })
+}
+
+# Names of all parts in the field data of a grid.
+part_names_of <- function(field) {
+  text <- rawToChar(as.raw(field$part_names))
+  Encoding(text) <- "UTF-8"
+  strsplit(text, "\n", fixed = TRUE)[[1]]
+}
+
+# Python of the system, whose readers stand for all that are not codend's.
+python <- "/usr/bin/python3"
+
+has_python <- function(module) {
+  file.exists(python) && system2(python, c("-c", shQuote(paste("import", module))),
+    stdout = FALSE, stderr = FALSE) == 0L
+}
+
+# What a script in Python, as its lines, prints as JSON of a file.
+read_with_python <- function(file, ...) {
+  script <- tempfile(fileext = ".py")
+  on.exit(unlink(script))
+  writeLines(c(...), script)
+  jsonlite::fromJSON(system2(python, shQuote(c(script, file)), stdout = TRUE))
 }

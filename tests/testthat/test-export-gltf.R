@@ -116,3 +116,34 @@ test_that("a wrong file or object is refused", {
     class = "codend_error_file")
   expect_error(write_gltf(1, "a.glb"), class = "codend_error_argument")
 })
+
+test_that("a tow is an animation: every kept time is there, at its time", {
+  skip_if_not_installed("RNetCDF")
+  folder <- test_folder()
+  trajectory <- tow("towed_cable", until = 6, every = 2, nodes = 40,
+    speed = data.frame(time = c(0, 3), value = c("4 knot", "5 knot")))
+  file <- file.path(folder, "tow.glb")
+  write_gltf(trajectory, file)
+  found <- read_gltf_file(file)
+  lines <- gltf_primitives(found, "cable")[[1]]
+  expect_length(lines$targets, 3)
+  first <- found$get(lines$attributes$POSITION)
+  state <- state_at(trajectory, 6)
+  ends <- state_points(state)[, engine_array(state, "bars", "node")]
+  # single precision of places of up to 1000 m
+  expect_equal(first + found$get(lines$targets[[3]]$POSITION), ends, tolerance = 2^-22)
+  play <- found$tree$animations[[1]]
+  at <- vapply(found$tree$nodes, function(node) identical(node$name, "cable"), NA)
+  channel <- Filter(function(one) one$target$node == which(at) - 1, play$channels)[[1]]
+  expect_identical(channel$target$path, "weights")
+  sampler <- play$samplers[[channel$sampler + 1]]
+  expect_equal(drop(found$get(sampler$input)), c(0, 2, 4, 6))
+  # the shape as it begins, then each target in turn
+  expect_equal(matrix(found$get(sampler$output), 3), cbind(0, diag(3)))
+  # from a shell, by the file of the tow
+  kept <- file.path(folder, "tow.nc")
+  write_trajectory(trajectory, kept)
+  again <- file.path(folder, "again.glb")
+  run_export(kept, again, list())
+  expect_identical(readBin(again, "raw", 1e7), readBin(file, "raw", 1e7))
+})

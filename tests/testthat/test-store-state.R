@@ -65,3 +65,58 @@ test_that("other files are refused with their reason", {
     class = "codend_error_file")
   expect_error(write_state(1, file), class = "codend_error_argument")
 })
+
+test_that("Python's standard library reads a state, and its plan is a plan", {
+  skip_if_not(has_python("json"), "Python is not installed")
+  file <- file.path(test_folder(), "state.json")
+  for (name in c("towed_cable", "model_cage")) {
+    state <- settled(name, nodes = 100)
+    write_state(state, file)
+    found <- read_with_python(file,
+      "import json, sys",
+      "state = json.load(open(sys.argv[1], encoding='utf-8'))",
+      "measure = state['measures']['total_drag_kN']",
+      "cut = {n: state['variables'][n] for n in ['x', 'bar_node', 'part_name']}",
+      "print(json.dumps({'drag': [measure['value'], measure['error']], 'unit': measure['unit'],",
+      "  'x': cut['x']['values'], 'node': cut['bar_node']['values'],",
+      "  'across': cut['bar_node']['across'], 'parts': cut['part_name']['values']}))"
+    )
+    error <- attr(measures(state), "error")[["total_drag_kN"]]
+    expect_identical(found$drag, c(measures(state)[["total_drag_kN"]], error))
+    expect_identical(found$unit, "kN")
+    expect_identical(found$x, state$position[1, ])
+    expect_identical(found$node, t(matrix(engine_array(state, "bars", "node"), 2L)))
+    expect_identical(found$across, c("bar", "bar_end"))
+    expect_identical(found$parts, parts_of(state)$name)
+    plan <- file.path(test_folder(), "plan.json")
+    write_gear(state$gear, plan)
+    expect_identical(read_gear(plan)$plan, state$gear$plan)
+  }
+})
+
+test_that("a state's JSON is by its schema", {
+  skip_if_not(has_python("jsonschema"), "jsonschema for Python is not installed")
+  file <- file.path(test_folder(), "state.json")
+  write_state(settled("model_cage", nodes = 100), file)
+  schema <- system.file("schema", "state.schema.json", package = "codend")
+  problems <- function(change = "") {
+    read_with_python(file,
+      "import json, jsonschema, sys",
+      "state = json.load(open(sys.argv[1], encoding='utf-8'))", change,
+      sprintf("schema = json.load(open('%s'))", schema),
+      "check = jsonschema.Draft202012Validator(schema)",
+      "print(json.dumps([e.message for e in check.iter_errors(state)]))")
+  }
+  expect_length(problems(), 0)
+  expect_length(problems("state['variables']['x']['across'] = ['knot']"), 1)
+  expect_length(problems("del state['plan']"), 1)
+})
+
+test_that("every shipped plan is the same after JSON", {
+  file <- file.path(test_folder(), "plan.json")
+  for (name in gears()$name) {
+    gear <- read_gear(name)
+    write_gear(gear, file)
+    expect_identical(read_gear(file)$plan, gear$plan, label = name)
+  }
+})

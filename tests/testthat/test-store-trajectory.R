@@ -90,6 +90,26 @@ test_that("a file says in plain NetCDF what the trajectory holds", {
   expect_identical(read_gear(plan)$plan, trajectory$gear$plan)
 })
 
+test_that("xarray opens a trajectory, with its measures over time", {
+  skip_if_not(has_python("xarray") && has_python("netCDF4"), "xarray is not installed")
+  file <- file.path(test_folder(), "tow.nc")
+  trajectory <- hauled(until = 10)
+  write_trajectory(trajectory, file)
+  found <- read_with_python(file,
+    "import json, sys, xarray",
+    "data = xarray.open_dataset(sys.argv[1])",
+    "drag = data['total_drag_kN']",
+    "print(json.dumps({'z': data['z'].values.tolist(), 'drag': drag.values.tolist(),",
+    "  'units': drag.attrs['units'], 'across': list(drag.dims),",
+    "  'names': [str(data[v].attrs.get('standard_name')) for v in ['time', 'vessel_speed']]}))"
+  )
+  expect_identical(found$z, t(trajectory$position[3, , ]))
+  table <- as.data.frame(trajectory, what = "measures")
+  expect_identical(found$drag, table$value[table$measure == "total_drag_kN"])
+  expect_identical(found[c("units", "across")], list(units = "kN", across = "time"))
+  expect_identical(found$names, c("time", "platform_speed_wrt_ground"))
+})
+
 # Pays out slowly, and sends its own process a signal between the states of 15 and 20 s where it is
 # told to.
 steered <- function(plan, file) {
