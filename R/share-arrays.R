@@ -21,45 +21,89 @@ flat_arrays <- function(x, prefix = "") {
 }
 
 # Arrays as list(head = of every array its type (d: double, f: single, i: whole, w: words, g:
-# groups), count and first byte, body = base64 of their bytes, deflated). Bytes of like weight stand
-# together: so they take half as much.
+# groups), count, first byte, whether bytes of like weight are together, and words, body = text of
+# their bytes, deflated). Whole numbers and words are differences; arrays alike are held once.
 packed_arrays <- function(arrays) {
-  head <- bodies <- list()
+  head <- bodies <- places <- list()
   at <- 0
   for (name in names(arrays)) {
     x <- arrays[[name]]
     if (inherits(x, "groups")) {
       head[[name]] <- list("g", as.integer(unclass(x)))
-    } else if (is.character(x)) {
-      levels <- unique(x)
-      codes <- match(x, levels) - 1L
-      body <- shuffled(codes, 4L)
-      head[[name]] <- list("w", length(x), at, I(levels))
-      bodies[[name]] <- body
-      at <- at + length(body)
-    } else {
-      single <- inherits(x, "single_floats")
-      type <- if (single) "f" else if (is.double(x)) "d" else "i"
-      numbers <- if (type == "i") as.integer(x) else as.double(x)
-      body <- shuffled(numbers, c(d = 8L, f = 4L, i = 4L)[[type]])
-      head[[name]] <- list(type, length(x), at)
-      bodies[[name]] <- body
-      at <- at + length(body)
+      next
     }
+    type <- array_type(x)
+    levels <- if (type == "w") unique(x)
+    numbers <- switch(type,
+      w = diff(c(0L, match(x, levels) - 1L)), i = diff(c(0L, as.integer(x))), as.double(x)
+    )
+    size <- c(d = 8L, f = 4L, i = 4L, w = 4L)[[type]]
+    body <- smaller_body(writeBin(numbers, raw(), size = size, endian = "little"), size)
+    known <- Position(function(one) identical(one, body), bodies)
+    if (is.na(known)) {
+      known <- length(bodies) + 1L
+      bodies[[known]] <- body
+      places[[known]] <- at
+      at <- at + length(body$bytes)
+    }
+    head[[name]] <- c(
+      list(type, length(x), places[[known]], body$together),
+      if (type == "w") list(I(levels))
+    )
   }
-  list(head = head, body = deflated(do.call(c, c(list(raw()), unname(bodies)))))
+  list(head = head, body = deflated(do.call(c, c(list(raw()), lapply(bodies, `[[`, "bytes")))))
+}
+
+array_type <- function(x) {
+  if (is.character(x)) return("w")
+  if (inherits(x, "single_floats")) return("f")
+  if (is.double(x)) "d" else "i"
 }
 
 # What needs no more than single floats.
 single_floats <- function(x) structure(as.double(x), class = "single_floats")
 
-shuffled <- function(x, size) {
-  raw <- writeBin(x, raw(), size = size, endian = "little")
-  as.vector(t(matrix(raw, size)))
+# Numbers with this many binary figures left.
+few_figures <- function(x, bits) {
+  step <- 2^(floor(log2(pmax(abs(x), 1e-99))) + 1 - bits)
+  round(x / step) * step
 }
 
-deflated <- function(raw) {
-  gsub("[\r\n]", "", jsonlite::base64_enc(memCompress(raw, "gzip")))
+# Numbers with the largest one's binary figures down to this one.
+of_largest <- function(x, bits) {
+  step <- 2^(floor(log2(max(abs(x), 1e-99))) + 1 - bits)
+  round(x / step) * step
+}
+
+# Numbers that come again deflate best whole, others with their bytes of like weight together.
+smaller_body <- function(bytes, size) {
+  together <- as.vector(t(matrix(bytes, size)))
+  if (length(memCompress(together, "gzip")) < length(memCompress(bytes, "gzip"))) {
+    list(bytes = together, together = 1L)
+  } else {
+    list(bytes = bytes, together = 0L)
+  }
+}
+
+# Letters of a page's texts: those that neither HTML nor JSON marks.
+text_letters <- setdiff(strsplit(intToUtf8(33:126), "")[[1L]], c("\"", "<", "\\"))
+
+deflated <- function(bytes) letters_of(memCompress(bytes, "gzip"))
+
+# Bytes as list(count, text): every 13 bits, lowest first, as two of 91 letters.
+letters_of <- function(bytes) {
+  count <- length(bytes)
+  groups <- ceiling(count / 13)
+  padded <- matrix(0, 15L, groups)
+  padded[seq_len(13L), ] <- c(as.integer(bytes), integer(13 * groups - count))
+  bits <- vapply(0:7, function(k) {
+    first <- (13 * k) %/% 8 + 1
+    three <- padded[first, ] + 256 * padded[first + 1, ] + 65536 * padded[first + 2, ]
+    (three %/% 2^((13 * k) %% 8)) %% 8192
+  }, numeric(groups))
+  bits <- as.vector(t(matrix(bits, groups)))[seq_len(ceiling(8 * count / 13))]
+  codes <- utf8ToInt(paste(text_letters, collapse = ""))
+  list(count, intToUtf8(codes[rbind(bits %% 91, bits %/% 91) + 1L]))
 }
 
 # What of a gear's lattice a page fills anew where a slider moves, by name: the engine's arrays,

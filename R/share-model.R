@@ -24,8 +24,9 @@ shared_model <- function(state, fields) {
   })
   shape_now <- state_shape(state)
   arrays <- c(arrays, list(
+    # exact: from a start close to it slack netting may settle otherwise
     "start/position" = as.double(state$position),
-    "start/strain" = single_floats(shape_now$strain),
+    "start/strain" = single_floats(few_figures(shape_now$strain, 13)),
     "start/part" = line_part(state$lattice) - 1L
   ))
   wake <- state$lattice$engine$wake

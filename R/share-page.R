@@ -1,8 +1,8 @@
 # The page that share() writes: its texts as HTML, everything else deflated inside it.
 
 # Scripts of the package's own, in the order in which they are read, and those of the worker.
-page_scripts <- c("page.js")
-worker_scripts <- c("engine.js", "measures.js", "catch.js", "model.js", "worker.js")
+page_scripts <- c("arrays.js", "page.js")
+worker_scripts <- c("engine.js", "arrays.js", "measures.js", "catch.js", "model.js", "worker.js")
 
 # Bytes of a page that a tow is cut to fit into.
 shared_bytes <- 1e6
@@ -20,9 +20,10 @@ scene_json <- function(scene) {
   gsub("<", "\\u003c", text, fixed = TRUE)
 }
 
-# What the page unpacks, by name: base64 of deflated bytes.
+# What the page unpacks, by name: deflated bytes as letters_of() gives them.
 shared_parts <- function(state, model, tow) {
   wasm <- system.file("share", "engine.wasm", package = "codend", mustWork = TRUE)
+  scene <- packed_scene(state_scene(state))
   js <- function(read, names) paste(vapply(names, read, ""), collapse = "\n;\n")
   parts <- list(
     three = packed_text(view_file("three.js")),
@@ -30,13 +31,49 @@ shared_parts <- function(state, model, tow) {
     page = packed_text(js(share_file, page_scripts)),
     worker = packed_text(js(share_file, worker_scripts)),
     wasm = deflated(readBin(wasm, "raw", file.size(wasm))),
-    scene = packed_text(scene_json(state_scene(state))),
+    scene = packed_text(scene_json(scene[c("scene", "head")])), shapes = scene$body,
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
     drawing = packed_text(drawing_svg(state$gear, "A3"))
   )
   if (is.null(tow)) return(parts)
-  left <- shared_bytes - 3e4 - sum(nchar(unlist(parts)))
+  left <- shared_bytes - 3e4 - sum(nchar(unlist(lapply(parts, `[[`, 2L))))
   c(parts, list(tow = packed_text(scene_json(motion_scene(tow, bytes = max(left, 1e5))))))
+}
+
+# A scene whose long texts of numbers are arrays, as list(scene, head, body): a number is in place of
+# each, from 0. Shapes and colours have fewer figures than the engine's, which follow once it runs.
+packed_scene <- function(scene) {
+  arrays <- list()
+  keep <- function(x) {
+    arrays[[length(arrays) + 1L]] <<- x
+    length(arrays) - 1L
+  }
+  numbers <- function(text, what) {
+    readBin(jsonlite::base64_dec(text), what, nchar(text), 4L, endian = "little")
+  }
+  walk <- function(x, few) {
+    for (name in names(x)) {
+      if (is.list(x[[name]])) {
+        x[[name]] <- walk(x[[name]], few)
+      } else if (name %in% c("floats", "mesh")) {
+        x[[name]] <- keep(single_floats(few(numbers(x[[name]], "double"))))
+      } else if (name %in% c("point", "ends", "part") && is.character(x[[name]])) {
+        x[[name]] <- keep(numbers(x[[name]], "integer"))
+      }
+    }
+    x
+  }
+  of_each <- function(x) few_figures(x, 10)
+  of_all <- function(x) of_largest(x, 16)
+  scene$netting <- lapply(scene$netting, walk, of_all)
+  for (name in intersect(c("ropes", "points", "places", "boards"), names(scene))) {
+    scene[[name]] <- walk(scene[[name]], of_all)
+  }
+  for (name in intersect(c("rope_tension", "u", "v", "drag", "opening", "angle"), names(scene))) {
+    scene[[name]] <- walk(scene[[name]], of_each)
+  }
+  names(arrays) <- seq_along(arrays) - 1L
+  c(list(scene = scene), packed_arrays(arrays))
 }
 
 viewer_files <- c(

@@ -198,7 +198,7 @@ series_of <- function(all, t, base, k, own) {
     y <- matrix(vapply(all, array_change, numeric(length(base[[name]])), base, name), ncol = n)
     changed <- which(do.call(pmax, as.data.frame(abs(y))) > 1e-15 * scale[[name]])
     if (!length(changed)) return(NULL)
-    of <- low_rank(y[changed, , drop = FALSE] %*% t(solved))
+    of <- low_rank(y[changed, , drop = FALSE] %*% t(solved), scale[[name]])
     # nothing at the gear's own value
     of$series[, 1L] <- of$series[, 1L] - drop(of$series %*% t(chebyshev(own, n)))
     list(of = k, array = name, index = changed - 1L, pattern = of$pattern, series = of$series)
@@ -206,10 +206,10 @@ series_of <- function(all, t, base, k, own) {
   Filter(Negate(is.null), terms)
 }
 
-# A matrix as pattern %*% series with as few patterns as rounding allows.
-low_rank <- function(y) {
+# A matrix as pattern %*% series with as few patterns as rounding of numbers of this size allows.
+low_rank <- function(y, size) {
   parts <- svd(y)
-  kept <- which(parts$d > 1e-15 * parts$d[1L])
+  kept <- which(parts$d > max(1e-15 * parts$d[1L], 1e-15 * size))
   list(
     pattern = parts$u[, kept, drop = FALSE],
     series = parts$d[kept] * t(parts$v[, kept, drop = FALSE])
@@ -305,7 +305,7 @@ tensor_series <- function(all, grid, t, base, fields, f, g, sum) {
     y <- matrix(y, ncol = n * n)
     changed <- which(do.call(pmax, as.data.frame(abs(y))) > 1e-14 * scale[[name]])
     if (!length(changed)) return(NULL)
-    of <- low_rank(y[changed, , drop = FALSE] %*% t(solved))
+    of <- low_rank(y[changed, , drop = FALSE] %*% t(solved), scale[[name]])
     list(of = c(f, g), array = name, index = changed - 1L, pattern = of$pattern,
       series = of$series)
   })

@@ -2,9 +2,14 @@
 (function () {
   'use strict';
   var packed = JSON.parse(document.getElementById('packed').textContent);
+  // Two of 91 letters are 13 bits, lowest first.
+  function letter(code) { return code - 33 - (code > 34) - (code > 60) - (code > 92); }
   function bytes(name) {
-    var raw = atob(packed[name]), out = new Uint8Array(raw.length);
-    for (var i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
+    var count = packed[name][0], text = packed[name][1], out = new Uint8Array(count);
+    for (var at = 0, k = 0, held = 0, bits = 0; at < count; k += 2) {
+      held |= (letter(text.charCodeAt(k)) + 91 * letter(text.charCodeAt(k + 1))) << bits;
+      for (bits += 13; bits > 7 && at < count; bits -= 8, held >>= 8) out[at++] = held & 255;
+    }
     delete packed[name];
     var stream = new Blob([out]).stream().pipeThrough(new DecompressionStream('deflate'));
     return new Response(stream).arrayBuffer();
@@ -28,9 +33,9 @@
   }
   Promise.all([text('three'), text('viewer'), text('page')]).then(function (codes) {
     codes.forEach(run);
-    return Promise.all([text('scene'), text('model')]);
+    return Promise.all([text('scene'), bytes('shapes'), text('model')]);
   }).then(function (told) {
-    window.codendPage(JSON.parse(told[0]), JSON.parse(told[1]), {
+    window.codendPage(JSON.parse(told[0]), new Uint8Array(told[1]), JSON.parse(told[2]), {
       bytes: bytes, text: text, has: function (name) { return name in packed; }, failed: failed
     });
   }).catch(failed);

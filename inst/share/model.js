@@ -13,31 +13,7 @@ function codendModel(engine, page, bytes) {
 
   // ---- arrays -----------------------------------------------------------------------------------
 
-  // Numbers whose bytes of like weight stand together.
-  function numbers(of, Kind) {
-    var n = of[1], size = Kind.BYTES_PER_ELEMENT, out = new Uint8Array(n * size);
-    for (var b = 0; b < size; b++) {
-      for (var k = 0; k < n; k++) out[size * k + b] = bytes[of[2] + b * n + k];
-    }
-    return new Kind(out.buffer);
-  }
-  function unpack(of) {
-    if (of[0] === 'd') return numbers(of, Float64Array);
-    if (of[0] === 'f') return numbers(of, Float32Array);
-    if (of[0] === 'i') return numbers(of, Int32Array);
-    var words = [].concat(of[3]);
-    return Array.from(numbers(of, Int32Array), function (k) { return words[k]; });
-  }
-  var of = {
-    has: function (name) { return name in head; },
-    array: function (name) {
-      if (!(name in arrays)) {
-        if (!(name in head)) throw new Error('There is no array ' + name);
-        arrays[name] = unpack(head[name]);
-      }
-      return arrays[name];
-    }
-  };
+  var of = codendArrays(head, bytes, arrays);
 
   function text(words, then) {
     var raw = new TextEncoder().encode(words + '\0'), at = engine._malloc(raw.length);

@@ -1,6 +1,15 @@
 // A shared page: the viewer, sliders and measures of a gear that a worker settles.
-window.codendPage = function (scene, page, packed) {
+window.codendPage = function (given, shapes, page, packed) {
   'use strict';
+  var scene = given.scene, drawn = codendArrays(given.head, shapes, {});
+  function unpack(part, names) {
+    names.forEach(function (name) { part[name] = drawn.array(part[name]); });
+  }
+  if (scene.ropes) unpack(scene.ropes, ['ends', 'part']);
+  scene.netting.forEach(function (panel) { unpack(panel, ['point', 'mesh']); });
+  ['points', 'places', 'boards', 'rope_tension', 'u', 'v', 'drag', 'opening', 'angle'].forEach(function (name) {
+    if (scene[name]) unpack(scene[name], ['floats']);
+  });
   function by_id(id) { return document.getElementById(id); }
   var told = by_id('told'), viewer = window.codendView.viewer(by_id('tank'), { title: false, wheel: false });
   var times = window.codendTimes = { picture: 0, first: 0, moves: 0, stuck: 0 };
@@ -80,13 +89,13 @@ window.codendPage = function (scene, page, packed) {
 
   var names = Object.keys(page.programs), rows = Array.from(by_id('measures').rows);
   function busy(is) { document.body.classList.toggle('busy', is); }
-  function show(shape, moved) {
+  function show(shape) {
     var fixed = {};
     ['points', 'places', 'boards', 'drag', 'rope_tension', 'u', 'v', 'opening', 'angle'].forEach(function (name) {
       if (shape.moved[name]) fixed[name] = { floats: shape.moved[name] };
     });
     fixed.flow = shape.flow;
-    if (viewer && moved) viewer.pass(fixed);
+    if (viewer) viewer.pass(fixed);
     names.forEach(function (name, k) {
       var of = page.programs[name], now = shape.measures[name] / of.size, cells = rows[k].cells;
       cells[1].textContent = figures(now) + ' ' + of.unit;
@@ -123,11 +132,11 @@ window.codendPage = function (scene, page, packed) {
       times.first = performance.now();
       inputs.forEach(function (input) { input.disabled = false; });
       told.textContent = 'Move a slider: the gear settles in this page.';
-      show(said.shape, false);
+      show(said.shape);
       window.codendReady = true;
       return;
     }
-    show(said.shape, true);
+    show(said.shape);
     if (said.number < number) return;
     if (said.kind === 'stuck') {
       times.stuck += 1;

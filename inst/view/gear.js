@@ -16,7 +16,9 @@ window.codendView.gear = function (materials) {
   function floats(given) {
     return given instanceof Float32Array ? given : new Float32Array(bytes(given));
   }
-  function integers(text) { return new Int32Array(bytes(text)); }
+  function integers(given) {
+    return given instanceof Int32Array ? given : new Int32Array(bytes(given));
+  }
 
   // Whole numbers of 16 bits: n series of differences in time, deflated, as n series of numbers.
   function series(part, sign) {

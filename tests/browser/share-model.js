@@ -1,0 +1,36 @@
+// The gear of a page that share() wrote, settled in node as the page's worker settles it.
+'use strict';
+const fs = require('fs'), zlib = require('zlib');
+
+const letters = Array.from({ length: 94 }, (_, k) => String.fromCharCode(33 + k)).filter((c) => !'"<\\'.includes(c));
+
+// Every 13 bits, lowest first, as two of 91 letters.
+function bytes([count, text]) {
+  const out = Buffer.alloc(count);
+  for (let at = 0, k = 0, held = 0, bits = 0; at < count; k += 2) {
+    held |= (letters.indexOf(text[k]) + 91 * letters.indexOf(text[k + 1])) << bits;
+    for (bits += 13; bits > 7 && at < count; bits -= 8, held >>= 8) out[at++] = held & 255;
+  }
+  return zlib.inflateSync(out);
+}
+
+// {model, page, move(values): whether it came there}
+exports.opened = async function (file) {
+  const html = fs.readFileSync(file, 'utf8');
+  const packed = JSON.parse(html.split('id="packed">')[1].split('</script>')[0]);
+  const page = JSON.parse(bytes(packed.model).toString());
+  const code = bytes(packed.worker).toString();
+  const made = new Function('require', '__dirname', code + '\n;return [codendEngine, codendModel];')(require, __dirname);
+  const engine = await made[0]({ wasmBinary: bytes(packed.wasm) });
+  const model = made[1](engine, page, new Uint8Array(bytes(packed.arrays)));
+  return {
+    model, page,
+    move(values) {
+      const next = model.walk(values);
+      for (let way = 'more'; ;) {
+        way = next();
+        if (way !== 'more') return way === 'done';
+      }
+    }
+  };
+};
