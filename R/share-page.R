@@ -40,8 +40,8 @@ shared_parts <- function(state, model, tow) {
   c(parts, list(tow = packed_text(scene_json(motion_scene(tow, bytes = max(left, 1e5))))))
 }
 
-# A scene whose long texts of numbers are arrays, as list(scene, head, body): a number is in place of
-# each, from 0. Shapes and colours have fewer figures than the engine's, which follow once it runs.
+# A scene whose long texts of numbers are arrays, as list(scene, head, body): a number from 0 is in
+# place of each. Shapes and colours have fewer figures than the engine's, which follow once it runs.
 packed_scene <- function(scene) {
   arrays <- list()
   keep <- function(x) {
