@@ -147,11 +147,48 @@ floored_errors <- function(error, size, nodes, class, slack) {
 # The lattices that the measures of a state, `values` as shown, may be compared with, from coarse to
 # fine: list(nodes, values). See state_levels().
 levels_of <- function(state, values) {
+  compared <- state$compared
+  if (!is.null(compared)) return(carry_levels(compared$levels, compared$values, values))
   if (is.null(state$levels)) return(list())
   levels <- state$levels$own()
   # without levels to carry the other gear is not measured
   if (is.null(state$levels$values) || !length(levels)) return(levels)
   carry_levels(levels, state$levels$values(), values)
+}
+
+# What the moments of a tow take of the state that it starts from: list(levels, values), plain
+# numbers; NULL where its errors are not known.
+compared_lattices <- function(state) {
+  values <- plain_measures(measures(state))
+  levels <- levels_of(state, values)
+  if (length(levels)) list(levels = levels, values = values)
+}
+
+# By how much a step of a march may be off, as a standard error of a measure: of the places that it
+# follows from one and a half times the accuracy that steps are held to (on gears that were tried
+# positions stay within three), of forces 2.5 % at the usual one. An opening has two sides, an area
+# two lengths, a volume three.
+step_places <- 1.5
+step_forces <- 2.5
+
+# Such errors of measures (as shown) with these units; accuracy: m.
+step_errors <- function(values, units, accuracy) {
+  place <- step_places * accuracy
+  size <- abs(plain(values))
+  error <- 0 * size
+  error[units == "m"] <- place
+  error[units == "m2"] <- (2 * place * sqrt(size))[units == "m2"]
+  error[units == "m3"] <- (3 * place * size^(2 / 3))[units == "m3"]
+  forces <- units %in% c(names(plan_units$force), "kW")
+  error[forces] <- step_forces * accuracy * size[forces]
+  error
+}
+
+# The errors of a moment of a tow: of its lattice and its steps; NA where its start had no such
+# measure.
+moment_errors <- function(error, state, values, units) {
+  error[!names(values) %in% names(state$compared$values)] <- NA
+  sqrt(error^2 + step_errors(values, units, state$step_accuracy)^2)
 }
 
 # The levels of a state that began from another gear's: theirs, scaled with its measures. Gears that

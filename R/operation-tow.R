@@ -164,7 +164,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   trajectory <- if (going_on) {
     continued_trajectory(gear, given, until)
   } else if (inherits(gear, "codend_state")) {
-    started_trajectory(gear, given, until)
+    started_trajectory(gear, given, until, compared_lattices(gear))
   } else {
     settled_trajectory(gear, given, until, nodes, netting)
   }
@@ -301,7 +301,8 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   now <- conditions_at(what, 0, before = 0 %in% what$breaks)
   first <- si_at(what, now)
   if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
-    return(started_trajectory(settle(gear, nodes, netting), given, until))
+    state <- settle(gear, nodes, netting)
+    return(started_trajectory(state, given, until, compared_lattices(state)))
   }
   # A warp that is still short has few bars of its own: its shape is carried over to all of them.
   progress <- settle_progress()

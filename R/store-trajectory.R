@@ -47,8 +47,9 @@ write_trajectory <- function(trajectory, file) {
   check_is_trajectory(trajectory)
   check_netcdf()
   check_file_path(file, ".nc")
+  constants <- intersect(trajectory_constants, names(trajectory))
   record <- record_trajectory(
-    unclass(trajectory)[trajectory_constants], trajectory_frames(trajectory), file
+    unclass(trajectory)[constants], trajectory_frames(trajectory), file
   )
   record$close(trajectory$end)
   invisible(file)
@@ -130,7 +131,8 @@ record_trajectory <- function(what, frames, file) {
     put_frame(nc, what, frame, count, names(measured))
   }
   write_netcdf(file, function(nc) {
-    define_trajectory(nc, what, frames[[1L]], measured)
+    # the last has what a tow goes on from
+    define_trajectory(nc, what, frames[[length(frames)]], measured)
     for (frame in frames) add_to(nc, frame)
   })
   nc <- RNetCDF::open.nc(file, write = TRUE)

@@ -1,8 +1,11 @@
 # Where a tow starts from: a state, or a trajectory that goes on.
 
-started_trajectory <- function(state, given, until) {
+# compared: measures of the state and of its gear's other lattices, by which the errors of all
+# moments are known: list(levels, values), or NULL.
+started_trajectory <- function(state, given, until, compared = NULL) {
   state$lattice$let_go <- TRUE
   what <- tow_start(state$gear, state$si, state$lattice, given, until)
+  what$compared <- compared
   if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
     abort_schedule("gear", "is a state whose catch is not what the schedule begins with.")
   }

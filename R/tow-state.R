@@ -42,6 +42,8 @@ state_at <- function(trajectory, time) {
     as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0)))
   )
   state$time <- trajectory$time[k]
+  state$compared <- trajectory$compared
+  state$step_accuracy <- first_of(trajectory$method$accuracy, 0)
   state
 }
 

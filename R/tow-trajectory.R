@@ -2,7 +2,8 @@
 
 # What of a trajectory does not change as it is marched.
 trajectory_constants <- c(
-  "gear", "si", "lattice", "given", "schedule", "curves", "breaks", "method", "every"
+  "gear", "si", "lattice", "given", "schedule", "curves", "breaks", "compared",
+  "method", "every"
 )
 
 # What a march needs of the one before: see engine_tow().

@@ -104,7 +104,7 @@ draw_one_series <- function(figure, groups, zoom) {
   figure <- in_millions(figure)
   graphics::plot.new()
   x <- unlist(lapply(figure$lines, `[[`, "x"))
-  y <- unlist(lapply(figure$lines, `[[`, "y"))
+  y <- unlist(lapply(figure$lines, function(line) c(line$y, line$low, line$high)))
   across <- range(c(x, figure$missing))
   if (!is.null(figure$ticks)) across <- c(0.6, length(figure$ticks) + 0.4)
   up <- series_range(c(y, figure$beside), figure$words)
@@ -123,6 +123,7 @@ draw_one_series <- function(figure, groups, zoom) {
   for (line in figure$lines[order(dashed)]) {
     style <- group_style(line$group, groups, figure$unit, figure$colours)
     joined <- !isFALSE(line$joined)
+    draw_band(line, style$colour)
     if (joined) {
       graphics::lines(line$x, line$y, col = style$colour, lwd = 1.6 * zoom,
         lty = if (line$dashed) "33" else style$dash)
@@ -148,6 +149,13 @@ draw_one_series <- function(figure, groups, zoom) {
   graphics::mtext(words_and_unit(figure$words, figure$unit), side = 3, line = 0.3, adj = 0,
     cex = 0.72 * zoom, font = 2)
   if (length(figure$groups) > 1L) draw_own_key(figure, zoom)
+}
+
+# What a line may be off, where that is known all along: between its `low` and `high`.
+draw_band <- function(line, colour) {
+  if (!length(line$low) || !all(is.finite(line$low))) return(invisible())
+  graphics::polygon(c(line$x, rev(line$x)), c(line$low, rev(line$high)),
+    col = grDevices::adjustcolor(colour, 0.25), border = NA)
 }
 
 # A figure's own key, in the room above its lines.
@@ -179,7 +187,8 @@ in_millions <- function(figure) {
   figure$unit <- paste("million", figure$unit)
   if (!is.null(figure$beside)) figure$beside <- figure$beside / 1e6
   figure$lines <- lapply(figure$lines, function(line) {
-    line$y <- line$y / 1e6
+    some <- intersect(c("y", "low", "high"), names(line))
+    line[some] <- lapply(line[some], `/`, 1e6)
     line
   })
   figure

@@ -2,7 +2,8 @@
 #'
 #' Small figures beside one another: what the schedule changes (speed, course, warps), then the
 #' measures of the gear, each against time with its unit. Tensions and forces have the colour of
-#' taut ropes; depths grow downwards.
+#' taut ropes; depths grow downwards. Bands are twice the estimated error of [measures()] wide to
+#' both sides, by the lattice and the steps; some are no wider than their line.
 #'
 #' @param x A trajectory, from [tow()].
 #' @param measures Names of measures, as [measures()] has them; all, and what the schedule changes,
@@ -32,7 +33,8 @@ time_figure <- function(series) {
     across = if (minutes) "time (min)" else "time (s)",
     lines = list(list(
       x = series$time / if (minutes) 60 else 1, y = series$value, group = 1L, dashed = FALSE,
-      symbols = FALSE
+      symbols = FALSE, low = series$value - 2 * series$error,
+      high = series$value + 2 * series$error
     ))
   )
 }
@@ -45,7 +47,8 @@ trajectory_series <- function(trajectory, wanted) {
   of_measures <- lapply(shown, function(measure) {
     of <- table[table$measure == measure, ]
     list(
-      words = words_of(measure, of$unit[1L]), unit = of$unit[1L], time = of$time_s, value = of$value
+      words = words_of(measure, of$unit[1L]), unit = of$unit[1L], time = of$time_s,
+      value = of$value, error = of$error
     )
   })
   c(if (is.null(wanted)) condition_series(trajectory), of_measures)

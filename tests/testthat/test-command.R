@@ -45,6 +45,18 @@ test_that("status and message tell a wrong use from a wrong plan", {
   expect_identical(wrong$out, character())
 })
 
+test_that("settle --uncertainty shows intervals next to the estimated errors, and in JSON", {
+  file <- file.path(test_folder(), "cable.json")
+  found <- ran("settle", "towed_cable", "--nodes", "40", "--uncertainty", "--json", file)
+  expect_identical(found$status, 0L)
+  expect_match(found$out, "body depth .* m +90 %: +[0-9.]+ +to +[0-9.]+ +\\(.*plan", all = FALSE)
+  expect_match(found$out, "largest sources", fixed = TRUE, all = FALSE)
+  said <- jsonlite::read_json(file)$uncertainty$body_depth_m
+  known <- uncertainty(settle("towed_cable", nodes = 40), "body_depth_m")$measures
+  expect_equal(unlist(said[c("low", "high", "uncertainty")]),
+    unlist(known[c("low", "high", "uncertainty")]), tolerance = 1e-12)
+})
+
 test_that("export writes every format of a state, each as its writer does", {
   folder <- test_folder()
   formats <- Filter(function(format) {

@@ -204,3 +204,25 @@ test_that("without nodes or accuracy a gear is divided until 1 % is reached or t
   # what is within 1 % at once stays as it was
   expect_identical(settle("stow_net")$position, settle("stow_net", nodes = 1500)$position)
 })
+
+test_that("errors of a moment of a tow hold what finer lattices and steps change", {
+  faster <- function(...) {
+    tow("poly_noreastern_trawl", until = 40, every = 20, speed = data.frame(
+      time = c(0, 20), value = c("3 knot", "3.5 knot")
+    ), ...)
+  }
+  coarse <- as.data.frame(faster(nodes = 300))
+  fine <- as.data.frame(faster(nodes = 1200, accuracy = 0.002))
+  expect_identical(fine$measure, coarse$measure)
+  off <- abs(coarse$value - fine$value)
+  expect_gte(mean(off <= 2 * coarse$error), 0.9)
+  # the start's error as a share of the measure, and that of the steps
+  start <- measures(settle("poly_noreastern_trawl", nodes = 300))
+  at <- coarse[coarse$time_s == 0, ]
+  size <- abs(at$value)
+  steps <- step_errors(at$value, at$unit, 0.01)
+  expect_equal(at$error, sqrt(unname(attr(start, "error"))^2 + steps^2), tolerance = 1e-6)
+  drag <- at$measure == "total_drag_kN"
+  expect_equal(steps[drag], 0.025 * size[drag])
+  expect_equal(steps[at$measure == "door_spread_m"], 0.015)
+})

@@ -61,6 +61,18 @@ test_that("a trajectory knows the straight bars of hexagonal netting, in its fil
   expect_identical(known(read_trajectory(file)), known(trajectory))
 })
 
+test_that("a file keeps errors of measures, and where a trawl sticks to the bed", {
+  trawl <- tow("poly_noreastern_trawl", nodes = 300, until = 2, every = 1)
+  file <- file.path(test_folder(), "tow.nc")
+  write_trajectory(trawl, file)
+  read <- read_trajectory(file)
+  expect_gt(length(trawl$memory$done$anchor), 0)
+  expect_identical(read$memory$done, trawl$memory$done)
+  error <- attr(measures(state_at(trawl, 2)), "error")
+  expect_true(all(is.finite(error)))
+  expect_identical(attr(measures(state_at(read, 2)), "error"), error)
+})
+
 test_that("a tow goes on from a file as if it had never stopped", {
   file <- file.path(test_folder(), "tow.nc")
   whole <- hauled(until = 30)
