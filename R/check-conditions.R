@@ -22,7 +22,7 @@
 #' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws`
 #' ([sample_posterior()]).
 #'
-#' A file is written beside its place, forced to the disk and renamed. Where that fails, on a full
+#' A file is written next to its place, forced to the disk and renamed. Where that fails, on a full
 #' disk too, the old file stays.
 #'
 #' @name codend-conditions

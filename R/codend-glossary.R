@@ -14,14 +14,14 @@
 #'   \item{knot}{Where twines of netting are joined. In the lattice it is a sphere at a node.}
 #'   \item{panel}{A piece of netting of one mesh size and twine, with counts of meshes along its
 #'     upper edge, along its lower edge and from one to the other.}
-#'   \item{orientation}{How meshes stand in a panel: diamond (T0), square (T45) or turned (T90).}
+#'   \item{orientation}{How meshes lie in a panel: diamond (T0), square (T45) or turned (T90).}
 #'   \item{cutting rate}{Meshes lost or gained across a panel for meshes down it, such as 1N2B: in
 #'     turn one point (N) and two bars (B) along its side edge. T is a mesh cut across; AN, AB and
 #'     AT are all points, all bars, all meshes (ISO 1532).}
 #'   \item{take-up}{Meshes of one panel to those of the next that they are joined to, such as 2:3.}
 #'   \item{Rtex}{Resultant linear density of a twine: grams per kilometre of it.}
 #'   \item{stretched length}{Length of netting whose meshes are closed: meshes times mesh size.}
-#'   \item{hanging ratio}{Length of a rope over the stretched length of the netting that hangs on
+#'   \item{hanging ratio}{Length of a rope over the stretched length of the netting that is hung on
 #'     it.}
 #'   \item{selvedge}{Strong netting or an edge along which a panel is joined.}
 #'   \item{seam}{Where edges of panels are joined; they share the points of it.}
@@ -36,7 +36,7 @@
 #'   \item{part}{One named component of the gear: a rope, a panel, a group of pieces, an otter board
 #'     or a kite.}
 #'   \item{warp}{Rope from the vessel to the otter board or to the net.}
-#'   \item{otter board, door}{Board that spreads a trawl by its lift. `door` stands in names of
+#'   \item{otter board, door}{Board that spreads a trawl by its lift. `door` appears in names of
 #'     measures (`door_spread_m`), as the trade says.}
 #'   \item{backstrop}{Short rope from an otter board to where the sweep or the bridles begin.}
 #'   \item{sweep, bridle, hand rope}{Rope between board and net. A sweep is single, bridles lead on
@@ -88,7 +88,7 @@
 #'   \item{screen}{Netting whose drag and lift follow from its solidity and its angle to the flow,
 #'     not from the sum over its twines.}
 #'   \item{wake, shielding}{The slowed water behind netting is its wake. That it lowers the drag of
-#'     what stands there is shielding.}
+#'     what is there is shielding.}
 #'   \item{slack}{Without tension; ropes and twines do not push.}
 #'   \item{strength}{Breaking load, at which a rope breaks.}
 #'   \item{residual}{Net force on the free nodes, zero in equilibrium.}

@@ -2,7 +2,7 @@
 #'
 #' From a designer's plan - netting panels with their mesh counts, ropes, seams, weights, floats,
 #' otter boards - codend finds the shape in which every knot and every metre of rope is in balance,
-#' and tells what a net maker or a skipper asks for: spreads, heights, tensions, drag, slack
+#' and says what a net maker or a skipper needs: spreads, heights, tensions, drag, slack
 #' netting.
 #'
 #' | to do | begin with |
@@ -11,7 +11,7 @@
 #' | find its shape | [settle()], [measures()], [summary()][summary.codend_state], [findings()] |
 #' | see it | [plot()][plot.codend_state], [view_3d()], [report()], [flume()] |
 #' | change it | [update()][update.codend_gear], [vary()], [sensitivities()], [optimise_gear()] |
-#' | set it beside hauls | [read_sensor_log()], [calibrate()], [explain_misfit()] |
+#' | set it next to hauls | [read_sensor_log()], [calibrate()], [explain_misfit()] |
 #' | move it | [tow()] |
 #' | hand it on | [write_gear()], [write_state()], [write_vtk()], [write_gltf()] |
 #'

@@ -3,8 +3,8 @@
 #' Coefficients of the forces
 #'
 #' Every named law's coefficients by angle or by Reynolds number, found by putting single twines,
-#' pieces of netting, otter boards, kites and spheres into the same code that settles a gear, beside
-#' what is published for them.
+#' pieces of netting, otter boards, kites and spheres into the same code that settles a gear, next
+#' to what is published for them.
 #'
 #' @section What is computed:
 #' Drag is along the flow, lift across it in the plane of the flow and the axis or the normal.

@@ -4,14 +4,14 @@
 #'
 #' The gear's netting laid flat, its ropes laid straight, its rigging and the lists of its ropes and
 #' pieces on one sheet, as in the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978; drawing
-#' after ISO 3169). Panels that follow each other stand in columns, front edge up, as deep as their
-#' netting is stretched and half as wide as it is stretched, at one scale. What hangs between two
-#' ropes of known hanging ratio is as wide as these; square netting has its own width. Of symmetric
-#' columns that taper one half is drawn: the left half of the upper panel and the right half of the
-#' lower one, at one centre line. Of columns that are alike one is drawn. Straight panels that are
-#' joined side by side, such as those of a seine, are drawn as one wall.
+#' after ISO 3169). Panels that follow each other are drawn in columns, front edge up, as deep as
+#' their netting is stretched and half as wide as it is stretched, at one scale. What hangs between
+#' two ropes of known hanging ratio is as wide as these; square netting has its own width. Of
+#' symmetric columns that taper one half is drawn: the left half of the upper panel and the right
+#' half of the lower one, at one centre line. Of columns that are alike one is drawn. Straight
+#' panels that are joined side by side, such as those of a seine, are drawn as one wall.
 #'
-#' Beside every panel stand its part, meshes deep, mesh size, and twine (Rtex after ISO 858,
+#' Next to every panel are its part, meshes deep, mesh size, and twine (Rtex after ISO 858,
 #' material, what is special about its meshes); at its upper and lower edges the meshes across (of
 #' the whole panel); and at
 #' its sides the cutting rate after ISO 1532: points (N), meshes (T) and bars (B) in one cycle, such

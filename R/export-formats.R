@@ -1,8 +1,9 @@
 # The formats that a state or a trajectory is exported in. The command line, the tank's downloads
 # and the help of both are made from this table; a new format is a line here and its writer.
 #
-# name: a word of its own; extension: how its files end; of: "state", "trajectory" or both; title: what
-# a file holds; opens: what it is for; package: what it takes, or NULL; write: a function(x, file).
+# name: a word of its own; extension: how its files end; of: "state", "trajectory" or both; title:
+# what a file holds; opens: what it is for; package: what it takes, or NULL; write: a function(x,
+# file).
 export_formats <- list(
   list(name = "vtu", extension = ".vtu", of = "state", title = "Grid",
     opens = "ParaView and other readers of VTK", write = function(x, file) write_vtk(x, file)),

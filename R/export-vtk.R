@@ -34,7 +34,7 @@
 #'
 #' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
 #' @param file Path to write: of a state ending in `.vtu`; of a trajectory in `.pvd`, whose grids
-#'   lie beside it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written
+#'   lie next to it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written
 #'   whole or not at all, and older ones of the same names replaced; a folder that holds anything
 #'   else is left alone.
 #' @return `file`, invisibly. A path that cannot be written is an error of class

@@ -1,6 +1,6 @@
 # Worth a look: all findings of a gear or a state.
 
-#' What is worth a look
+#' Warnings
 #'
 #' A gear can be a valid plan and still be nonsense: a unit that was forgotten, a bridle that
 #' carries nothing, a net that flies above the sea bed. This lists what of a gear or a settled

@@ -14,15 +14,15 @@
 #'
 #' - the controls: first those that people change most, and those of `fields`; then a form with
 #'   every field of the plan, made from the schema and grouped as a net drawing is, with what each
-#'   means and may be. Fields are found by their words, added, and taken out. A wrong value is told
-#'   beside its field;
+#'   means and may be. Fields are found by their words, added, and taken out. A wrong value is shown
+#'   next to its field;
 #' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
 #'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
 #'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
-#' - the measures, each with its change from a kept design, and what is worth a look ([findings()]):
+#' - the measures, each with its change from a kept design, and warnings ([findings()]):
 #'   they follow when a slider pauses, and twice a second while it moves. The gear is kept as it was
-#'   opened; *Keep this design* keeps others, and a table has all beside each other. Each can be put
-#'   on screen again, or drawn over the other or beside it;
+#'   opened; *Keep this design* keeps others, and a table has all next to each other. Each can be
+#'   put on screen again, or drawn over the other or next to it;
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
 #' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
 #'   or what the plan's section `tow` says, to play with its graphs;
@@ -36,7 +36,7 @@
 #' speeds are shown in the units that the user likes.
 #'
 #' A plan file dropped on the page, or chosen there, takes the gear's place. A wrong one is answered
-#' as [read_gear()] answers, and a wrong value beside its control; a design that does not settle
+#' as [read_gear()] answers, and a wrong value next to its control; a design that does not settle
 #' leaves the last shape on screen and says where the imbalance is. Nothing that is typed or loaded
 #' is run as code.
 #'

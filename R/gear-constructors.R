@@ -63,8 +63,8 @@ field_help <- function(node) {
 #'
 #' The same tree as a plan file ([read_gear()]), made by calls. Quantities are text with a unit
 #' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan;
-#' `coefficients`, `netting_drag`, `orientation`, `straight_bar` and `opening_stiffness` are told in
-#' [netting], `shielding` in [settle()] and a `polar` in [board_polar()].
+#' `coefficients`, `netting_drag`, `orientation`, `straight_bar` and `opening_stiffness` are
+#' explained in [netting], `shielding` in [settle()] and a `polar` in [board_polar()].
 #'
 #' @param name Name of the gear.
 #' @param ... Components made by `gear_point()`, `rope()`, `netting_panel()`, `piece()`,

@@ -25,7 +25,7 @@ plain_groups <- function(tree, last = NULL, plain = NULL) {
 
 #' Expand a short form
 #'
-#' A gear of another kind than `assembly`, such as a midwater trawl by its main dimensions, stands
+#' A gear of another kind than `assembly`, such as a midwater trawl by its main dimensions, is
 #' for an assembly of points, ropes, panels, seams and pieces. This is that assembly, to look at, to
 #' change or to write as a plan of its own.
 #'

@@ -5,10 +5,10 @@
 #' How a panel's netting is modelled, by fields of the panel in a plan (or of [netting_panel()]).
 #'
 #' @section Meshes:
-#' `orientation` is how meshes stand between the upper and the lower edge of a panel:
+#' `orientation` is how meshes lie between the upper and the lower edge of a panel:
 #'
 #' - `diamond`: with the netting's normal direction down the panel; `turned`: by 90 degrees (T90).
-#'   Thin twines know no difference: only an opening stiffness tells them apart.
+#'   Thin twines know no difference: only an opening stiffness distinguishes them.
 #' - `square`: bars run down and across (T45).
 #' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run
 #'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
@@ -36,16 +36,16 @@
 #'
 #' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
 #' nearly along the flow, is the part along the axis: [summary()][summary.codend_state] of a state
-#' tells the total drag with it halved and doubled.
+#' reports the total drag with it halved and doubled.
 #'
 #' @section Drag of netting:
-#' Which law for which gear, with the evidence, is told in `vignette("drag-laws", "codend")`. Where
-#' a plan says nothing, trawls have `blended`, cages `loland`, all else `twines`.
+#' Which law for which gear, with the evidence, is explained in `vignette("drag-laws", "codend")`.
+#' Where a plan says nothing, trawls have `blended`, cages `loland`, all else `twines`.
 #' `method: paper` has `twines` whatever a plan says.
 #'
 #' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
 #' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
-#' normal and the flow and its solidity as the meshes stand open:
+#' normal and the flow and its solidity as the meshes are open:
 #' `r law_sources("netting", "screen")`.
 #' They were fitted to square netting of these solidities: `r screen_ranges()`; and are held at the
 #' ends beyond them; so is the cylinder drag of a law by Reynolds number (32 to 10000). Below a
@@ -53,13 +53,13 @@
 #' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
 #' of a midwater trawl they still give far too much. Solidity counts knots by their spheres, and the
 #' crossings of knotless netting once (2d/a - (d/a)^2 in square meshes). Where
-#' netting lies nearly along the flow its twines stand in each other's wake, which the sum over
+#' netting lies nearly along the flow its twines lie in each other's wake, which the sum over
 #' twines does not know: above some 70 degrees between normal and flow it gives too much drag (flume
 #' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural
 #' Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
 #' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
-#' 1) back to the sum. Netting so open that its twines stand alone is none: from a solidity of 0.05
-#' down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
+#' 1) back to the sum. Netting so open that its twines are far apart is none: from a solidity of
+#' 0.05 down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
 #' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
 #' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
 #' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:

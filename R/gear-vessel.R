@@ -20,7 +20,7 @@
 #' A propeller's thrust grows with the square of its speed of rotation n and its power with the cube
 #' while the water meets it alike (J. S. Carlton, Marine Propellers and Propulsion, chapter 6: K_T
 #' and K_Q depend on the advance V / (n D) alone). So at full pull the power is `power`, and at a
-#' share s of it `power` s^1.5. That is exact where the vessel stands still; under way a lightly
+#' share s of it `power` s^1.5. That is exact where the vessel lies still; under way a lightly
 #' loaded propeller meets the water faster than that, and a light tow takes somewhat more.
 #'
 #' @examples

@@ -5,7 +5,7 @@
 #'
 #' Positions scatter by metres, so speed and course are those of the chord from `every` seconds
 #' before to `every` seconds after: a shorter turn is smoothed. The bed is the plane that fits all
-#' depths best along the way (least squares); how far they lie off it is told.
+#' depths best along the way (least squares); how far they lie off it is reported.
 #'
 #' @param log A table with `time` (s), `longitude` and `latitude` (rad) and, for a bed, `depth` (m),
 #'   from [read_sensor_log()] with the unit `deg` of positions.

@@ -200,7 +200,7 @@ solidity_of_panels <- function(state, names) {
 
 #' Meshes along a net
 #'
-#' How far the meshes stand open along every panel: what decides which fish pass through them. Each
+#' How far the meshes are open along every panel: what decides which fish pass through them. Each
 #' row is a row of the lattice across a panel, from its front edge to its rear edge.
 #'
 #' Of diamond meshes the opening is the distance of the knots across the panel and the angle that

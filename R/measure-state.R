@@ -58,10 +58,10 @@ measure_units <- function(kinds) vapply(kinds, `[[`, "", "unit", USE.NAMES = FAL
 measure_texts <- function(kinds, of = "definition") vapply(kinds, `[[`, "", of, USE.NAMES = FALSE)
 
 #' @return `measure_definitions()` gives a data frame with `name`, `unit`, `definition` and `sensor`
-#'   (what tells it on a vessel or a model, and what that sees otherwise; `NA` where none is known):
-#'   without a state a row per kind of measure that a plan may ask for and per standard measure,
-#'   which `asked` tells apart; of a state a row per measure that it has, under the names that
-#'   `measures()` uses.
+#'   (what measures it on a vessel or a model, and what that sees otherwise; `NA` where none is
+#'   known): without a state a row per kind of measure that a plan may ask for and per standard
+#'   measure, which `asked` distinguishes; of a state a row per measure that it has, under the names
+#'   that `measures()` uses.
 #' @rdname measures
 #' @export
 measure_definitions <- function(state = NULL) {

@@ -10,7 +10,7 @@
 #' there, so that a warp's tension does not hide a light net. What rounding of the places makes is
 #' left out of the latter; more than 1e-3 of it is no balance.
 #'
-#' Where the plan asks for `shielding`, netting slows the water behind it: every sheet of netting
+#' Where the plan needs `shielding`, netting slows the water behind it: every sheet of netting
 #' that the line straight upstream from a point crosses reduces the speed there. `loland`: by
 #' `1 - 0.46 C_D` with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland 1991, Current forces on and
 #' flow through fish farms), whatever the angle; `cheng`: by
@@ -44,11 +44,11 @@
 #'   is settled anew.
 #' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
-#'   are the total drag, the spreads, heights, areas and volumes that the plan asks for, and the
+#'   are the total drag, the spreads, heights, areas and volumes that the plan needs, and the
 #'   volume and surface of a catch, each as a share of the largest of its kind; not a drag of less
 #'   than 1 % of the gear's weights in water; of a gear without any of them its forces. What 100,000
 #'   nodes or the plan's own division do not reach is a warning of class `codend_warning_accuracy`.
-#'   `NULL` with `nodes` settles at these and tells the error that is left.
+#'   `NULL` with `nodes` settles at these and reports the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
 #'   names the part and place of the worst imbalance and carries the solver's report as `report`.
@@ -57,7 +57,7 @@
 #'   (`perturbations` in the report counts how often); where none is found that lasts it is a
 #'   warning of class `codend_warning_board_unstable`, or of poles alone
 #'   `codend_warning_pole_unstable`, or of netting alone `codend_warning_catch_unstable`. That
-#'   tells of static stability only. One whose swings would grow is a warning of class
+#'   reports static stability only. One whose swings would grow is a warning of class
 #'   `codend_warning_board_flutter`, where the gear is not settled `from` a state (which takes less
 #'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
 #'   settles stalled, back-winded or fallen over is a warning of class

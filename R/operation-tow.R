@@ -4,7 +4,7 @@
 #' currents and more change.
 #'
 #' @details
-#' The motion is computed over the ground, where a turn brings in no forces of its own: water stands
+#' The motion is computed over the ground, where a turn brings in no forces of its own: water is
 #' still but for its current, and the towing points (`held: moved` in the plan) move. x, y and z are
 #' those of the plan at the start, x aft, y to starboard, z up, and stay where they are while the
 #' vessel leaves.
@@ -26,7 +26,7 @@
 #' leaves the vessel, but what is not yet shot lies on the water instead of on deck.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
-#' passing of the warp itself through the water does: friction along it at its own speed beside the
+#' passing of the warp itself through the water does: friction along it at its own speed next to the
 #' towing speed, and a share m w^2 of its tension, 16 N for 4 kg/m at w = 2 m/s.
 #'
 #' With `shielding` the water behind netting slows as in [settle()], of which the settled state is a
@@ -115,7 +115,7 @@
 #'   done. See [write_trajectory()].
 #' @return A trajectory of class `codend_trajectory`; see [as.data.frame.codend_trajectory()] for
 #'   what it holds. Interrupted by the user it holds what was done, and `end` says so. A motion that
-#'   stands still, because no step down to 1e-7 s is found, is an error of class
+#'   comes to a stop, because no step down to 1e-7 s is found, is an error of class
 #'   `codend_error_not_converged` that names the part and carries the `trajectory`.
 #' @examples
 #' faster <- tow("towed_cable", until = 60, every = 20,

@@ -1,6 +1,6 @@
 #' Write the plan of a gear
 #'
-#' The file is written beside its target and then renamed, so it is there whole or not at all. Of a
+#' The file is written next to its target and then renamed, so it is there whole or not at all. Of a
 #' gear that was read from a file, remarks and layout stay as they were written; only what
 #' [update()][update.codend_gear] changed since is new.
 #'

@@ -3,7 +3,7 @@
 #' Write a report
 #'
 #' One HTML page for a skipper or an appendix: the plan of the gear drawn flat
-#' ([plot.codend_gear()]), the conditions, the measures, what is worth a look ([findings()]), the
+#' ([plot.codend_gear()]), the conditions, the measures, warnings ([findings()]), the
 #' gear from above, from the side and from astern and in three dimensions, the tensions by rope with
 #' what is left to the breaking load, the drag by component, slack netting, how well the forces
 #' balance and how the solver ended, the versions of the programs, and the exact plan to copy. That
@@ -18,7 +18,7 @@
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file The HTML file to write. It is written whole or not at all.
 #' @param slopes What more of each field would do: slopes of the state's measures, from
-#'   [sensitivities()], as a table beside the measures; `NULL` for none.
+#'   [sensitivities()], as a table next to the measures; `NULL` for none.
 #' @param uncertainty How far the measures may be from the truth, from [uncertainty()], as a table
 #'   after the measures; `NULL` for none.
 #' @return `file`, invisibly. See [codend-conditions] for errors.

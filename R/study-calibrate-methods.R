@@ -1,4 +1,4 @@
-#' What a calibration tells
+#' What a calibration reports
 #'
 #' Values, intervals, residuals and predictions of what [calibrate()] found.
 #'
@@ -6,7 +6,7 @@
 #' @param parm Fields, by their names or numbers; all when missing.
 #' @param level Share of the intervals.
 #' @param method `"profile"`: where the likelihood, the other fields found again, falls by what the
-#'   level asks for. `"normal"`: by the covariance, which takes no time.
+#'   level needs. `"normal"`: by the covariance, which takes no time.
 #' @param type `"response"` in the units of the match, or `"standardised"` by its error.
 #' @param newdata A data frame with columns that set fields, as `data` of [calibrate()]; the hauls
 #'   of the calibration when missing.
@@ -15,7 +15,7 @@
 #'
 #'   - `coef()`: values by field, in the plan's unit; `vcov()` their covariance;
 #'   - `confint()`: a matrix with the two ends by field. An end of the range that the likelihood
-#'     does not rule out stands as it is;
+#'     does not rule out is given as it is;
 #'   - `fitted()` and `residuals()`: a number by row of `matched`;
 #'   - `predict()`: a data frame with a row per row of `newdata` and match: `row`, `match`, `fit`,
 #'     `error` (standard error of the fit by the covariance), `low` and `high` (of a new haul, with

@@ -5,10 +5,10 @@
 #' follow, and which measurement would tell the fields of the calibration best.
 #'
 #' Inputs are judged by the slopes of what was matched at the calibrated gear: by how much the sum
-#' of squared standardised residuals would fall were the input free beside the fields of the
+#' of squared standardised residuals would fall were the input free next to the fields of the
 #' calibration (score test), on a straight line, and believed to lie within `spread` of its value:
 #' one that would have to change by more explains little. An input whose effect is that of the
-#' calibrated fields cannot be told from them (`own` near 0).
+#' calibrated fields cannot be distinguished from them (`own` near 0).
 #'
 #' @param fit A calibration, from [calibrate()].
 #' @param to Inputs to look at, as `to` of [sensitivities()]; `NULL` takes lengths, masses, areas,
@@ -27,7 +27,7 @@
 #'     residuals with it and `p`;
 #'   - `measurements`: `measure`, and `gain`: the factor by which the standard errors of the fields
 #'     would shrink, their geometric mean, were it measured in all hauls with `sensor`'s error; a
-#'     column `matched` tells what is already. Empty where no field is free.
+#'     column `matched` says what is already. Empty where no field is free.
 #'
 #'   Wrong arguments are an error of class `codend_error_argument`.
 #' @export

@@ -16,17 +16,17 @@
 #'
 #' Whole numbers, such as of floats, are free at first: measures follow their slopes between two
 #' numbers. Then they are rounded, up and down for the most telling two and to the nearest for the
-#' others; the other fields are found again beside each choice, and the best that settles and keeps
+#' others; the other fields are found again next to each choice, and the best that settles and keeps
 #' the conditions is taken. One optimum of several is found; `starts` tries from other places.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param minimise The name of a measure, or a formula of [measures()]:
 #'   `~ total_drag / door_spread`. A measure is in the unit that its name ends in, or without that
 #'   unit in its name in SI. Put a
-#'   minus before what is to be large. A field that changes may stand there by its path, in SI.
+#'   minus before what is to be large. A field that changes may be there by its path, in SI.
 #' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
 #'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
-#'   text with a unit beside measures named without theirs, or a variable that holds either.
+#'   text with a unit next to measures named without theirs, or a variable that holds either.
 #'   `~ lower(net_mouth_height, 0.9) >= "4 m"` keeps what holds with a probability of 90 %, and
 #'   `upper()` likewise: the measure less, or more, its standard uncertainty times Student's t. It
 #'   is found once, by [uncertainty()] of the gear as it is, and taken as the same share of the

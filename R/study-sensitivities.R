@@ -11,7 +11,7 @@
 #'
 #' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
 #' table of coefficients turns. So the gear is also settled at 1 % less and 1 % more of each field,
-#' from this state, and the slopes of these two secants stand beside the tangent's. `smooth` tells
+#' from this state, and the slopes of these two secants are next to the tangent's. `smooth` reports
 #' whether the slope holds that far: whether the secants' mean is within 0.5 % of it, the secants
 #' differ by less than a fifth of it and the slopes on both sides at the state itself by 0.5 %. (Of
 #' an elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as
@@ -24,7 +24,7 @@
 #' @param to Fields of numbers by their paths, as in [update()][update.codend_gear]. An item of a
 #'   list may hold several paths, of parts that are alike: their fields change together. `NULL`
 #'   takes those that people change first, a dozen at most; `"all"` every number that the plan
-#'   gives beside those that divide it into meshes and segments.
+#'   gives next to those that divide it into meshes and segments.
 #' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
 #'   `smooth` speaks of the state itself alone.
 #' @return A data frame of class `codend_sensitivities` with a row per measure and field:
@@ -37,7 +37,7 @@
 #'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
 #'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
 #'     other nodes;
-#'   - `smooth`, as told above.
+#'   - `smooth`, as above.
 #'
 #'   The attribute `factorisations` counts what it cost. A field that the plan has not, that is no
 #'   number, that is 0 or that only divides the gear for its computation (`segments`, `columns`) is

@@ -17,7 +17,7 @@
 #' codend study run boards.study --task $SLURM_ARRAY_TASK_ID --of 40
 #' ```
 #'
-#' `codend study status boards.study` tells how far it is, `codend study table boards.study` gives
+#' `codend study status boards.study` says how far it is, `codend study table boards.study` gives
 #' what is done as CSV. The same array again runs what is missing. A task is best a minute or more:
 #' handing in a job takes some seconds.
 #'

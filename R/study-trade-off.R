@@ -16,7 +16,7 @@
 #' @return A data frame of class `codend_trade_off` with a row per gear, from the best for the first
 #'   aim to the best for the second: the two aims under their names, a column per field that
 #'   changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
-#'   tells. The
+#'   reports. The
 #'   attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments are an error of
 #'   class `codend_error_argument`.
 #' @seealso [plot.codend_trade_off()]

@@ -24,8 +24,8 @@
 #'
 #' Designs are dealt out in turn, so that tasks take alike long; a task of a cluster is made to take
 #' about a minute. Nothing of the session goes along with a task but the store's path. Where a
-#' worker ends, its task goes on elsewhere; a design that ended two workers is told as not settled.
-#' Jobs that are said to have expired are looked up in the store before they are run again.
+#' worker ends, its task goes on elsewhere; a design that ended two workers is reported as not
+#' settled. Jobs that are said to have expired are looked up in the store before they are run again.
 #'
 #' # The store
 #' Each run is a file of its own in the store, written whole, when it is done; those of a whole task
@@ -36,7 +36,7 @@
 #' in the store as [write_state()] has it, which takes the package RNetCDF. Without `store` a
 #' study in several processes has one in the session's temporary folder.
 #'
-#' Progress is shown by a bar after two seconds, or by what the package progressr is told to use.
+#' Progress is shown by a bar after two seconds, or by what the package progressr is set to use.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param ... Designs, from [designs()], or values by the path of their field, as in

@@ -12,7 +12,7 @@
 #'
 #'   - `name` and `conditions` (text);
 #'   - `measures`: named numbers ([measures()]);
-#'   - `findings`: what is worth a look ([findings()]);
+#'   - `findings`: warnings ([findings()]);
 #'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
 #'     by `group` (netting, ropes, otter boards, catch, fittings, total);
 #'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and

@@ -1,12 +1,12 @@
 #' Look at a state or a trajectory in three dimensions
 #'
-#' Makes a page with the gear as it stands in the water: netting with the twines of its meshes,
+#' Makes a page with the gear as it is in the water: netting with the twines of its meshes,
 #' ropes as tubes of their thickness, boards, floats and weights in their shapes, the vessel, the
 #' sea bed and the water's surface. In an interactive session it opens in the viewer or the browser.
 #'
 #' Turn the gear with the left mouse button, one finger or the arrow keys; zoom with the wheel, two
 #' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a
-#' piece tells its name and values. Buttons look at the net or the whole gear, from the bow, from
+#' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
 #' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
 #' opening or angle of meshes, or drag. What is slack is striped in a colour of its own. The key `h`
 #' lists all keys. Where meshes are too small to be seen, every second, fourth or eighth twine is
@@ -17,8 +17,8 @@
 #' kept time. Of a long tow it shows some of the kept times, evenly spread, so that the page stays
 #' below 2 MB; between them the gear moves straight on.
 #'
-#' Drag is told over the size of its part: of ropes N per metre, of netting N per square metre of
-#' netting with square meshes. Mesh opening and angle are not told of a trajectory.
+#' Drag is reported over the size of its part: of ropes N per metre, of netting N per square metre
+#' of netting with square meshes. Mesh opening and angle are not given for a trajectory.
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks

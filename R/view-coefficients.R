@@ -1,7 +1,7 @@
 #' Plot coefficients of forces
 #'
 #' Lines: what the engine computes, by angle or by Reynolds number; points: what is published. One
-#' row of figures for each force (netting: for each solidity), with its laws beside them.
+#' row of figures for each force (netting: for each solidity), with its laws next to them.
 #'
 #' @param x Coefficients, from [force_coefficients()].
 #' @param force Which forces: any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"`

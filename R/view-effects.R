@@ -1,6 +1,6 @@
 #' Plot main effects of fields
 #'
-#' Small figures beside one another, of every measure against every field: its mean over designs
+#' Small figures next to one another, of every measure against every field: its mean over designs
 #' with that value of the field, or in a group of values about it. All figures of a measure have one
 #' scale, so that a field that matters little is flat. Depths grow downwards.
 #'
@@ -40,7 +40,7 @@ effects_figure <- function(x, rows) {
 
 #' Plot effects of two fields together
 #'
-#' Small figures beside one another: the means of a measure against one field, with a line for each
+#' Small figures next to one another: the means of a measure against one field, with a line for each
 #' value, or group of values, of the other. Lines that run side by side say that both fields add up;
 #' lines that fan out or cross, that one changes what the other does. All figures of a measure have
 #' one scale; the pairs that matter most come first. Depths grow downwards.

@@ -1,6 +1,6 @@
 #' Plot slopes of measures
 #'
-#' Small figures beside one another, a tornado for each measure: how much it changes with every
+#' Small figures next to one another, a tornado for each measure: how much it changes with every
 #' field, in percent per percent, the fields that matter most on top. Bars are filled where the
 #' slope is smooth and open where it is not; there the two ticks show the secants to 1 % less and
 #' 1 % more.

@@ -1,6 +1,6 @@
 #' Plot a trade-off
 #'
-#' The curve of two aims, and beside it how each field goes along it, as a share of what it changes
+#' The curve of two aims, and next to it how each field goes along it, as a share of what it changes
 #' by.
 #'
 #' @param x A trade-off, from [trade_off()].

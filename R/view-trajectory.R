@@ -1,6 +1,6 @@
 #' Plot a trajectory against time
 #'
-#' Small figures beside one another: what the schedule changes (speed, course, warps), then the
+#' Small figures next to one another: what the schedule changes (speed, course, warps), then the
 #' measures of the gear, each against time with its unit. Tensions and forces have the colour of
 #' taut ropes; depths grow downwards. Bands are twice the estimated error of [measures()] wide to
 #' both sides, by the lattice and the steps; some are no wider than their line.

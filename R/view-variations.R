@@ -1,8 +1,8 @@
 #' Plot measures of many variations
 #'
-#' Small figures beside one another: every measure against the field that changes first. Where other
-#' fields change too there is a line for each of their combinations, told apart by colour, symbol
-#' and the key above. A cross at the foot of a figure stands where a gear did not settle. Depths
+#' Small figures next to one another: every measure against the field that changes first. Where
+#' other fields change too there is a line for each of their combinations, distinguished by colour,
+#' symbol and the key above. A cross at the foot of a figure is where a gear did not settle. Depths
 #' grow downwards.
 #'
 #' Of designs that are drawn (`random`, `latin`, `sobol`, `indices`) or change `one_at_a_time` there

@@ -11,6 +11,7 @@ checks <- c(
   "schema of plans and its parts" = "make -s schema-check",
   "an example on every help page; help and guides grouped (_pkgdown.yml)" =
     "Rscript tools/check-help.R",
+  "words of help, guides, README and NEWS (tools/words.csv)" = "Rscript tools/check-words.R",
   "help, NAMESPACE and the binding's registration in step" = "Rscript tools/check-generated.R"
 )
 
