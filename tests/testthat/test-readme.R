@@ -27,7 +27,7 @@ test_that("the blocks of R run in order", {
         found <- withVisible(suppressWarnings(eval(expression, reader)))
         if (found$visible && !inherits(found$value, "htmlwidget")) print(found$value)
       })
-    }, message = NULL)
+    })
   }
   made <- c("trawl.html", "turn.png", "turn.nc", "trawl.vtu", "trawl.glb", "trawl.nc")
   expect_setequal(intersect(made, list.files()), made)
