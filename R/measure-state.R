@@ -23,7 +23,7 @@
 #'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
 #'   points). It is the discretisation's alone, not of drag coefficients. Of a moment of a tow it is
 #'   that of the settled state that the tow started from, as a share of each measure, together with
-#'   that of the steps by the accuracy that they are held to: 1.5 times it of lengths, 2.5 % of
+#'   that of the steps by their accuracy: 1.5 times it of lengths, 2.5 % of
 #'   forces at 0.01 m; `NA` where the tow did not start from a settled state, as one that is shot.
 #'   The attribute `main` says which measures `settle(accuracy = )` looks at.
 #' @examples

@@ -18,7 +18,8 @@ options(device = function(...) grDevices::pdf(NULL, ...))
 slow <- c(
   "command", "command-line", "command-line-export", "draw-gear", "finding", "flume",
   "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
-  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "readme", "report",
+  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "readme",
+  "report",
   "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
   "study-slurm", "study-store", "study-vary", "tow-catch", "validation-cables", "validation-codend",
   "validation-invariants",
