@@ -57,7 +57,7 @@ noticed_by <- function(fault) {
     files <- union(files, every)
   }
   if (!length(files)) return(NA)
-  if (!install(engine)) return("installing")
+  if (!install(engine)) stop("codend with the fault ", fault$to, " could not be installed")
   for (name in files) if (!passes(name)) return(name)
   NA
 }

@@ -255,3 +255,8 @@ test_that("the paper's method is one word, whatever else the plan says", {
   expect_equal(one$position, each$position, tolerance = 1e-7)
   expect_error(update(trawl, method = "papers"), "method", class = "codend_error_plan")
 })
+
+test_that("a ball's area across the flow is that of its circle", {
+  ball <- gear_si(read_gear("midwater_trawl"))$pieces$floats
+  expect_equal(ball$area, pi / 4 * ball$height^2)
+})
