@@ -87,3 +87,13 @@ test_that("an otter board stands on the ground by its shoe", {
   remainder <- summary(state)$balance
   expect_lt(max(abs(unlist(remainder[remainder$force == "remainder", -1]))), 1e-6)
 })
+
+test_that("a sloping bed has the plan's depth below the origin", {
+  bed <- list(depth = 50, slope = list(angle = 0.3, toward = 0.5), friction = 0.5, stiffness = 1e4)
+  ground <- si_seabed(bed, 2)
+  expect_equal(height_above_ground(ground, c(0, 0, -50)), 0)
+  # down the slope by 10 m it is 10 tan(0.3) deeper, and distances are across it
+  down <- 10 * c(cos(0.5), sin(0.5))
+  expect_equal(height_above_ground(ground, c(down, -50 - 10 * tan(0.3))), 0)
+  expect_equal(height_above_ground(ground, c(0, 0, -40)), 10 * cos(0.3))
+})
