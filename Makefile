@@ -27,7 +27,8 @@
 #
 # make wasm    the engine as WebAssembly, into inst/share, for pages that share() writes, and codend with it
 #
-# make site    help, guides and pictures as a site, into site/, by pkgdown without the network
+# make site    help, guides, pictures and living gears as a site, into site/, by pkgdown without the
+#              network; makes wasm first
 #
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
 # make schema-check  fails where it is not what the parts give
@@ -133,7 +134,7 @@ wasm:
 	@$(MAKE) -C tools/wasm
 	@tools/setup
 
-site:
+site: wasm
 	@tools/setup --site
 	@Rscript tools/site.R
 

@@ -8,6 +8,13 @@ site <- pkgdown::as_pkgdown(".", list(destination = normalizePath(folder, mustWo
 pkgdown::init_site(site)
 # pkgdown warns of pictures that it does not copy itself: the gallery's are copied here
 invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
+# every shipped gear as a page that settles it
+live <- file.path(site$dst_path, "live")
+dir.create(live, showWarnings = FALSE)
+for (gear in codend::gears()$name) {
+  state <- suppressWarnings(codend::settle(gear, nodes = 1500))
+  codend::share(state, file.path(live, paste0(gear, ".html")))
+}
 withCallingHandlers(
   pkgdown::build_home(site, quiet = TRUE),
   warning = function(said) {
