@@ -11,7 +11,7 @@ const share = require('./share-model.js');
 const gears = (process.env.GEARS || 'towed_cable,stow_net,t90_codend').split(',');
 const moves = Number(process.env.MOVES || 10);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'codend-share-'));
-const made = execFileSync('Rscript', ['-e', 'cat(codend::can_share())']).toString() === 'TRUE';
+const made = execFileSync('Rscript', ['-e', 'cat(codend:::can_share())']).toString() === 'TRUE';
 const skip = made ? false : 'the engine for pages is not made';
 let browser;
 
