@@ -1,0 +1,159 @@
+# Gears drawn at random: what new_plan() makes over the whole range of its numbers, and variations of
+# each as designers and the sea make them. A number is the seed of one gear, the same on every machine.
+
+# How often each kind is drawn.
+forge_kinds <- c(
+  bottom_trawl = 4, midwater_trawl = 5, pair_trawl = 2, beam_trawl = 1, cage = 2, gillnet = 2,
+  longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1
+)
+# Laws of netting's drag that go with any netting.
+forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
+
+# Gear number `number`. kind, law: that kind or law of netting's drag alone; NULL: any kind, and the
+# kind's own law. changed: whether the plan is varied besides. What the plan's checks refuse is drawn
+# again.
+forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
+  set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
+  any_kind <- sample(names(forge_kinds), 1L, prob = forge_kinds)
+  if (is.null(kind)) kind <- any_kind
+  for (attempt in 1:50) {
+    gear <- tryCatch(
+      suppressWarnings({
+        gear <- do.call(codend::new_plan, c(list(kind), forge_sizes(kind)))
+        if (changed) gear <- do.call(update, c(list(gear), forge_changes(kind, gear$plan)))
+        if (!is.null(law)) gear <- update(gear, netting_drag = law)
+        gear
+      }),
+      codend_error = function(e) NULL
+    )
+    if (!is.null(gear)) return(gear)
+  }
+  stop("no gear of number ", number)
+}
+
+# A number of even chance by its logarithm, as text with its unit.
+drawn <- function(low, high, unit = "") {
+  trimws(paste(signif(exp(stats::runif(1, log(low), log(high))), 4), unit))
+}
+
+# What new_plan() is asked for.
+forge_sizes <- function(kind) {
+  switch(kind,
+    bottom_trawl = list(
+      head_line = drawn(8, 80, "m"), mesh_size = drawn(60, 200, "mm"),
+      codend_mesh_size = drawn(40, 58, "mm"), speed = drawn(2, 4.5, "knot"),
+      depth = drawn(30, 400, "m")
+    ),
+    midwater_trawl = {
+      head_line <- exp(stats::runif(1, log(15), log(250)))
+      list(
+        head_line = paste(signif(head_line, 4), "m"),
+        mesh_size = drawn(max(0.4, head_line / 60), min(64, head_line / 4), "m"),
+        speed = drawn(2.8, 5, "knot"), depth = drawn(60, 300, "m")
+      )
+    },
+    pair_trawl = list(
+      head_line = drawn(10, 60, "m"), speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m")
+    ),
+    beam_trawl = list(beam = drawn(2, 12, "m"), speed = drawn(2, 6, "knot")),
+    cage = list(
+      diameter = drawn(15, 60, "m"), depth = drawn(6, 25, "m"), mesh_size = drawn(20, 80, "mm"),
+      current = drawn(0.02, 1, "m/s")
+    ),
+    gillnet = list(
+      mesh_size = drawn(60, 250, "mm"), length = drawn(20, 100, "m"), current = drawn(0.02, 0.6, "m/s")
+    ),
+    longline = list(main_line = drawn(500, 1000, "m"), branch_line = drawn(5, 30, "m")),
+    purse_seine = list(length = drawn(150, 600, "m"), depth = drawn(25, 80, "m")),
+    stow_net = list(width = drawn(4, 16, "m"), current = drawn(0.3, 1.5, "m/s")),
+    dip_net = list()
+  )
+}
+
+# Changes of a plan's fields, by their paths, which are found by what they are of: each group of them in
+# half of the gears, by one factor.
+forge_changes <- function(kind, plan) {
+  fields <- plan_leaves(plan)
+  changes <- list()
+  scale <- function(pattern, low, high, chance = 0.5) {
+    factor <- exp(stats::runif(1, log(low), log(high)))
+    if (stats::runif(1) >= chance) return(invisible())
+    for (path in grep(pattern, names(fields), value = TRUE, perl = TRUE)) {
+      value <- if (is.null(changes[[path]])) fields[[path]] else changes[[path]]
+      changes[[path]] <<- scaled_value(value, factor)
+    }
+  }
+  # Boards as rigid bodies on a warp keep their speed: below a third of it they fall over, and a gear
+  # that falls over has no balance to find.
+  free <- kind %in% c("bottom_trawl", "midwater_trawl") && stats::runif(1) < 0.15
+  scale("(towing|current)[.]speed$", 0.3, 2, chance = if (free) 0 else 0.5)
+  scale("twine[.]diameter$", 0.7, 1.5)
+  scale("^(head_line|footrope|side_lines)[.](length|hanging_ratio)$", 0.93, 1.05)
+  scale("^belly_lines[.]hanging_ratio$", 0.93, 1.05)
+  scale("^(hammers|weights|shoes|centre_weight|hooks)[.]mass$", 0.5, 2)
+  scale("^ground_gear[.]mass_in_water$", 0.5, 2)
+  scale("^(floats|sinkers)[.]number$", 0.5, 2)
+  scale("^warps?[.]length$", 0.7, 1.4)
+  if (!free) scale("^otter_boards[.]area$", 0.5, 2)
+  scale("^otter_boards[.]mass$", 0.7, 1.5)
+
+  materials <- c("PA", "PE", "PP", "PES", "HMPE", "steel_wire", "combination_rope")
+  of <- "^(head_line|footrope|side_lines|belly_lines|bridles.*|hand_ropes.*|sweeps)[.]material$"
+  for (path in grep(of, names(fields), value = TRUE)) {
+    if (stats::runif(1) < 0.2) changes[[path]] <- sample(materials, 1L)
+  }
+  # No rope keeps an EA of its own where its material is another.
+  trawl <- grepl("trawl$", kind)
+  if (stats::runif(1) < 0.3) {
+    if (!is.null(fields[["water.current.toward"]])) {
+      changes[["water.current.toward"]] <- drawn(1, 359, "deg")
+    } else if (kind %in% c("bottom_trawl", "midwater_trawl", "pair_trawl")) {
+      changes[["water.current"]] <- list(speed = drawn(0.05, 0.5, "knot"), toward = drawn(1, 359, "deg"))
+    }
+  }
+  if (trawl && stats::runif(1) < 0.25) {
+    changes$catch <- list(mass = drawn(50, 5000, "kg"), density = "1050 kg/m3", diameter = drawn(0.3, 2, "m"))
+  }
+  if (free) changes$otter_boards <- free_boards(plan$otter_boards)
+  changes
+}
+
+# The boards of a plan as rigid bodies, alike in area and mass.
+free_boards <- function(boards) {
+  area <- as.numeric(sub(" .*", "", boards$area))
+  span <- sqrt(1.6 * area)
+  chord <- area / span
+  place <- function(aft, up, inward) {
+    lapply(list(aft = aft * chord, up = up * span, inward = inward * chord), function(x) {
+      paste(signif(x, 4), "m")
+    })
+  }
+  list(
+    attitude = "free", chord = paste(signif(chord, 4), "m"), span = paste(signif(span, 4), "m"),
+    mass = boards$mass, density = boards$density, polar = "high_lift",
+    warp_at = place(0.3, 0, 0.25), upper_backstrop_at = place(0.9, 0.3, 0.05),
+    lower_backstrop_at = place(0.9, -0.3, 0.05)
+  )
+}
+
+# All texts and numbers of a plan by their paths.
+plan_leaves <- function(plan, above = character()) {
+  out <- list()
+  for (name in names(plan)) {
+    path <- c(above, name)
+    if (is.list(plan[[name]])) {
+      out <- c(out, plan_leaves(plan[[name]], path))
+    } else if (length(plan[[name]]) == 1L) {
+      out[[paste(path, collapse = ".")]] <- plan[[name]]
+    }
+  }
+  out
+}
+
+# A plan's value, as "12 m2" or a number, times a factor; a whole number stays one.
+scaled_value <- function(value, factor) {
+  if (is.integer(value)) return(max(1L, as.integer(round(value * factor))))
+  if (is.numeric(value)) return(signif(value * factor, 6))
+  number <- sub(" .*", "", value)
+  paste0(signif(as.numeric(number) * factor, 6), substring(value, nchar(number) + 1L))
+}
