@@ -21,6 +21,8 @@
 # make bench-tow  what a second of motion costs by scheme, to bench/results/
 # make netting  what netting's lattice leaves: against known answers, between lattices, and cost
 # make errors  whether the errors of measures hold, to bench/results/; ERRORS="gears=100 nodes=1500"
+# make forge   how many gears drawn at random settle, to bench/results/; COUNT=... SEED=... NODES=...
+#              NETTING=... LAW=... KIND=...
 # make robust  how many of 500 variations of the trawl settle, to bench/results/
 #
 # make validate  codend beside closed forms, flume tests and hauls: validation/book.md
@@ -37,7 +39,7 @@
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
 .PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test soak bench \
-  bench-loops bench-tow netting errors robust validate condition wasm site schema schema-check
+  bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -116,6 +118,13 @@ netting:
 errors:
 	@tools/setup --tests
 	@Rscript bench/errors.R $(ERRORS)
+
+forge: COUNT = 300
+forge: SEED = 1
+forge:
+	@tools/setup
+	@Rscript bench/settle-forge.R count=$(COUNT) seed=$(SEED) nodes=$(or $(NODES),1500) netting=$(NETTING) \
+	  law=$(LAW) kind=$(KIND)
 
 robust:
 	@tools/setup --tests

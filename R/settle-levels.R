@@ -10,7 +10,7 @@ near_steps <- 200L
 from_steps <- 100L
 # Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
 settle_tolerance <- 1e-8
-settle_iterations <- 3200L
+settle_iterations <- 600L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
 # every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to

@@ -4,7 +4,8 @@
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
-#                              and two minutes of tests/fuzz, counted as one
+#                              two minutes of tests/fuzz and a hundred gears drawn at random, each
+#                              counted as one
 
 lane <- c(commandArgs(TRUE), "full")[1]
 stopifnot(lane %in% c("full", "fast", "ci"))
@@ -94,12 +95,25 @@ fuzz <- function() {
   c(passed = !failed, failed = failed, skipped = 0)
 }
 
+# A hundred gears drawn at random, others every time: it says which.
+forge <- function() {
+  seed <- as.integer(Sys.time()) %% 1e6
+  said <- suppressWarnings(system2(
+    "Rscript", c("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9"),
+    stdout = TRUE, stderr = TRUE
+  ))
+  cat(said, sep = "\n")
+  failed <- !is.null(attr(said, "status"))
+  if (failed) fails(tail(said, 40L))
+  c(passed = !failed, failed = failed, skipped = 0)
+}
+
 total <- engine()
 # the package's tests keep one core busy: the checks and the fuzzing run beside them, and what they
 # say comes after, so that lines do not mix
 if (lane == "ci") {
   beside <- parallel::mcparallel({
-    said <- utils::capture.output(count <- checks() + fuzz())
+    said <- utils::capture.output(count <- checks() + fuzz() + forge())
     list(said = said, count = count, failures = failures)
   })
 }

@@ -302,6 +302,18 @@ void Assembly::pseudo_damping(double* damping) {
   for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]];
 }
 
+void Assembly::drag_across(std::vector<double>& drag) const {
+  drag.resize(static_cast<std::size_t>(model_.lines()));
+  model_.each_line([&](const auto& line) {
+    const int point = line.nodes[0];
+    Vector current, slope;
+    model_.water.velocity(at(position_.data(), point).z(), current, slope);
+    const double speed = (current - at(velocity_.data(), point)).norm();
+    drag[static_cast<std::size_t>(line.index)] =
+        0.6 * model_.water.density * model_.material(line).diameter * line.rest * speed * speed;
+  });
+}
+
 double Assembly::largest_tension() const {
   const bool has_bars = model_.bars.count() > 0;
   const int lines = has_bars ? model_.bars.count() : lines_.count();

@@ -112,6 +112,9 @@ class Assembly {
 
   // Pseudo-time damping per free node, N s/m: drag at the present speed, or mass per second.
   void pseudo_damping(double* damping);
+  // Of every line the drag (N) that one across the flow would have, with a coefficient of 1.2, by the flow
+  // past its first point.
+  void drag_across(std::vector<double>& drag) const;
 
   // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only
   // cells (a cell may hold a fraction of a twine, whose tension says little).

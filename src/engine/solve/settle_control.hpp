@@ -40,19 +40,22 @@ struct PseudoTimeControl {
   // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
   // leaves out, here 2e-4 at most.
   double found_rotation = 0.02;
-  // h is divided by the rotation, so that a step turns lines by about their length, within these
-  // factors: more would act on the chance of a single step.
+  // h goes by the rotation that is aimed at, 1 at first, over that of the step, within these factors:
+  // more would act on the chance of a single step.
   double least_factor = 0.3, most_factor = 3.0;
   double longest = 1e12;  // s: damping is then below the rounding of any stiffness
   // Where the matrix is singular the next step is held back more.
   double singular_factor = 0.1;
-  // Undamped steps may go round for ever between shapes. They do where so many in a row turn lines by
-  // more than cycle_rotation and by more than cycle_share of the last, with h beyond cycle_excess times
-  // its own: that in which the step's stiffness alone would make it. h then goes back to cycle_return
-  // times its own, and no further than cycle_least (s).
-  int cycle_steps = 3;
-  double cycle_rotation = 0.1, cycle_share = 0.6, cycle_excess = 10.0;
-  double cycle_return = 3.0, cycle_least = 1e-3;
+  // Netting along the flow has next to no pull, so that steps would turn it far beyond what their
+  // matrix knows. There every line counts as tauter by its drag across the flow, wholly where the last
+  // step turned lines by this much, less where by less: it holds them against turns, not against going
+  // on together.
+  double held_rotation = 0.2;
+  // Most starts are through in so many steps. Later ones are judged: by the size of the step that would
+  // correct one, over its own. Where that is more than `poor` the next turns lines by less, `shorter`
+  // times what this one did; where it is less than `good` by more, up to a whole turn.
+  int free_steps = 20;
+  double poor = 1.0, good = 0.3, shorter = 0.7, least_aim = 1e-5;
 };
 
 // Of the interior path (tension_path.hpp): what its parameter mu is multiplied by in a step. Tensions
@@ -62,8 +65,9 @@ struct PathControl {
     double rotation, factor;  // the factor for rotations below
   };
   std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
-  // Below this h (s) lines turn little because they are held back, not for want of a way to go.
-  double short_step = 1.0, short_step_factor = 0.85;
+  // mu is no less than this times the square of the last rotation, to which it rises by so much a step
+  // at most: where lines still turn, tensions far down the path are of no shape.
+  double least_by_turn = 1e-8, most_rise = 10.0;
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
   // There the first step, which is all tangent, turns lines by this much at most: of loads that would
@@ -119,10 +123,10 @@ struct LinearControl {
 
 // Of beginnings.
 struct AttemptControl {
-  // Slack netting makes the way to the shape chaotic: most starts are through in a hundred steps, a few
-  // wander for ever. A wandering one begins again at another pace, so often.
-  int steps = 400;
-  std::array<double, 8> first_step = {1.0, 0.25, 4.0, 0.1, 0.5, 2.0, 0.15, 0.7};  // h, s
+  // One that is not through in so many steps begins again at another pace, and every other time with bows
+  // that go by steps.
+  int steps = 300;
+  std::array<double, 4> first_step = {1.0, 0.25, 4.0, 0.1};  // h, s
   // From a settled shape under other loads: h (s), next to undamped; steps after which this counts as
   // failed; the residual below which the law itself is tried before any step; and the one that trials
   // count as beginning from, at least, where only the wakes are others.

@@ -177,13 +177,13 @@ void SettleIteration::step() {
     Stopwatch watch(report_.seconds_forces, control_.timed);
     assembly_.bow_to(path_.current());
     assembly_.strain(strain_);
-    path_.prepare(assembly_, strain_, reduction());
+    path_.prepare(assembly_, strain_, reduction(), least_parameter());
     assembly_.residual(force_.data(), &path_.predicted());
     if (closing_in_) add_loads_by_parts();
   }
   {
     Stopwatch watch(report_.seconds_jacobian, control_.timed);
-    assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &path_.current());
+    assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &matrix_tension());
     assembly_.pseudo_damping(damping_.data());
     for (double& d : damping_) d /= pseudo_time_.step();
     assembly_.add_diagonal(damping_.data(), values_.data());
@@ -245,13 +245,30 @@ double SettleIteration::reduction() {
   const double rotation = pseudo_time_.rotation();
   if (correcting_ && loaded_ < 1.0) return 1.0;
   if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
-  if (rotation < path.reductions.back().rotation && pseudo_time_.step() < path.short_step) {
-    return path.short_step_factor;
-  }
   for (const PathControl::Reduction& reduction : path.reductions) {
     if (rotation < reduction.rotation) return reduction.factor;
   }
   return 1.0;
+}
+
+// Below which mu does not go in this step, other than from a settled state.
+double SettleIteration::least_parameter() const {
+  if (closing_in_) return 0.0;
+  const double rotation = pseudo_time_.rotation();
+  return std::min(control_.path.least_by_turn * rotation * rotation,
+                  control_.path.most_rise * path_.parameter());
+}
+
+// The tensions of the step's matrix: the path's, and what holds lines against turns.
+const DualTension& SettleIteration::matrix_tension() {
+  if (closing_in_) return path_.current();
+  if (drag_across_.empty()) assembly_.drag_across(drag_across_);
+  held_ = path_.current();
+  const double share = std::min(1.0, pseudo_time_.rotation() / control_.pseudo_time.held_rotation);
+  for (std::size_t k = 0; k < drag_across_.size(); ++k) {
+    held_.tension[k] += share * drag_across_[k];
+  }
+  return held_;
 }
 
 // Loads that have changed since the start was settled act by a part so far, which grows where the last
@@ -273,13 +290,7 @@ double SettleIteration::first_share(double rotation) {
 }
 
 void SettleIteration::move() {
-  double damped = 0.0, driven = 0.0;
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const Vector dx = at(step_.data(), static_cast<int>(i));
-    at(dx_.data(), free_[i]) = dx;
-    damped += damping_[i] * dx.squaredNorm();
-    driven += dx.dot(at(force_.data(), free_[i]));
-  }
+  take_step();
   swinging_.clear();
   const LineChange& whole = assembly_.line_change(dx_.data());
   const double with_swinging = whole.rotation;
@@ -300,7 +311,10 @@ void SettleIteration::move() {
     judge_swinging(rotation);
     counted = std::max(rotation, std::min(with_swinging, control_.swing.counted));
   }
-  pseudo_time_.advance(counted, damped, driven);
+  if (!closing_in_ && swinging_.empty() && pseudo_time_.judged()) {
+    pseudo_time_.judge(rotation, correction_over_step(share));
+  }
+  pseudo_time_.advance(counted);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
@@ -309,34 +323,59 @@ void SettleIteration::move() {
   }
 }
 
+// What is left of the balance where the last step has led, into force_, as a right side of its own matrix:
+// along their new directions, the stretch that a step's turn makes of second order would push a stiff
+// line's nodes aside.
+void SettleIteration::take_rest() {
+  Stopwatch watch(report_.seconds_forces, control_.timed);
+  assembly_.move_to(x_, v_);
+  if (on_law_) {
+    assembly_.residual(force_.data());
+    return;
+  }
+  assembly_.bow_to(path_.current());
+  assembly_.strain(strain_);
+  path_.correct(assembly_, strain_);
+  assembly_.residual(force_.data(), &path_.current());
+  assembly_.move_to(from_x_.data(), v_);
+  assembly_.bow_to(path_.current());
+  pull_.resize(force_.size());
+  assembly_.pull_of(path_.correction(), pull_.data());
+  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
+}
+
+// The size of the step that would correct the last one, of which `share` was taken, over its own: by the
+// work against the damping.
+double SettleIteration::correction_over_step(double share) {
+  take_rest();
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(force_.data(), free_[i]) -= damping_[i] * share * at(dx_.data(), free_[i]);
+  }
+  take_right_side();
+  linear_.solve_again(right_, step_);
+  double off = 0.0, went = 0.0;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const Vector dx = at(dx_.data(), free_[i]);
+    const Vector left = (1.0 - share) * dx;  // of a step that was not taken whole
+    off += damping_[i] * (at(step_.data(), static_cast<int>(i)) - left).squaredNorm();
+    went += damping_[i] * share * share * dx.squaredNorm();
+  }
+  return went > 0.0 ? std::sqrt(off / went) : 0.0;
+}
+
 // Where the last step has left the path, brought nearer by another one with its factors: what a step of its
-// own costs is mostly these. Tensions and places are both unknowns of it, and lines keep the directions
-// that the matrix has: along their new ones, the stretch that a step's turn makes of second order would push
-// a stiff line's nodes aside. It is not taken where it turns lines by more than the step did.
+// own costs is mostly these. Tensions and places are both unknowns of it. It is not taken where it turns
+// lines by more than the step did.
 void SettleIteration::correct() {
-  {
-    Stopwatch watch(report_.seconds_forces, control_.timed);
-    assembly_.move_to(x_, v_);
-    assembly_.bow_to(path_.current());
-    assembly_.strain(strain_);
-    path_.correct(assembly_, strain_);
-    assembly_.residual(force_.data(), &path_.current());
-    assembly_.move_to(from_x_.data(), v_);
-    assembly_.bow_to(path_.current());
-    pull_.resize(force_.size());
-    assembly_.pull_of(path_.correction(), pull_.data());
-    for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
-    if (loaded_ < 1.0) {
-      for (std::size_t k = 0; k < force_.size(); ++k) {
-        force_[k] -= (1.0 - loaded_) * first_force_[k];
-      }
+  take_rest();
+  if (loaded_ < 1.0) {
+    for (std::size_t k = 0; k < force_.size(); ++k) {
+      force_[k] -= (1.0 - loaded_) * first_force_[k];
     }
   }
   take_right_side();
   linear_.solve_again(right_, step_);
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
-  }
+  take_step();
   const LineChange& change = without_swinging(assembly_.line_change(dx_.data()));
   if (!(change.rotation < turned_)) return;
   has_corrected_ = true;
@@ -402,6 +441,12 @@ void SettleIteration::judge_swinging(double rotation) {
     idle_swings_ = 0;
     swing_pause_ = next_pause_;
     next_pause_ *= 2;
+  }
+}
+
+void SettleIteration::take_step() {
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
   }
 }
 

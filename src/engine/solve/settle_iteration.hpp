@@ -69,14 +69,19 @@ class SettleIteration {
   void leave_law();
   void try_law();
   double reduction();
+  double least_parameter() const;
+  const DualTension& matrix_tension();
   void add_loads_by_parts();
   double first_share(double rotation);
   void move();
+  void take_rest();
+  double correction_over_step(double share);
   void correct();
   const LineChange& without_swinging(const LineChange& whole);
   void find_swinging(const LineChange& change);
   void settle_swinging();
   void judge_swinging(double rotation);
+  void take_step();
   void take_right_side();
   bool at_rounding() const;
   double rounding_force() const;
@@ -113,6 +118,8 @@ class SettleIteration {
   std::vector<double> strain_change_, whole_dx_;
   std::optional<LocalBalance> local_;  // made at the first step
   DualTension no_tension_;
+  std::vector<double> drag_across_;  // of lines, made at the first step
+  DualTension held_;                 // of matrix_tension()
   // Of steps with such nodes, other than from a settled state.
   double least_swing_ = 1.0;
   int idle_swings_ = 0, swing_pause_ = 0, next_pause_;

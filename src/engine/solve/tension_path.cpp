@@ -93,8 +93,8 @@ void TensionPath::rest_contact(std::size_t k, double penetration) {
 }
 
 void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& strain,
-                          double reduction) {
-  parameter_ = std::max(parameter_ * reduction, least_parameter);
+                          double reduction, double least) {
+  parameter_ = std::max({parameter_ * reduction, least, least_parameter});
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;  // carries no tension, from the start
     if (strut_[k]) {  // either sign: nothing to approach, tension and position meet at once

@@ -34,9 +34,10 @@ class TensionPath {
   // The same for one line at the present mu.
   void follow(std::size_t k, double strain);
 
-  // Before a Newton step at strains towards `reduction` times the present mu: after it `current()`
+  // Before a Newton step at strains towards `reduction` times the present mu, or `least`: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
-  void prepare(const Assembly& assembly, const std::vector<double>& strain, double reduction);
+  void prepare(const Assembly& assembly, const std::vector<double>& strain, double reduction,
+               double least);
   const DualTension& current() const { return current_; }
   const DualTension& predicted() const { return predicted_; }
 

@@ -1,0 +1,67 @@
+# make forge: how many gears that are drawn at random settle. Arguments, by name: count=300,
+# seed=1 of the first, nodes=1500, netting=, law=, kind= (each empty: the gear's own), least=0, the
+# share that must settle. Writes to bench/results/: forge.csv, a row per gear; forge.md; and in
+# forge-failed/ the plan of each gear that did not settle.
+library(codend)
+for (room in c("forge", "own-process", "sizes", "results")) {
+  source(file.path("bench", paste0(room, ".R")))
+}
+
+asked <- list(count = "300", seed = "1", nodes = "1500", netting = "", law = "", kind = "",
+  least = "0")
+for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
+  stopifnot(one[1L] %in% names(asked))
+  asked[[one[1L]]] <- c(one, "")[2L]
+}
+given <- function(name) if (nzchar(asked[[name]])) asked[[name]]
+failed_folder <- file.path(results_folder, "forge-failed")
+unlink(failed_folder, recursive = TRUE)
+dir.create(failed_folder, recursive = TRUE)
+
+of_number <- function(number) {
+  gear <- forge_gear(number, given("kind"), given("law"))
+  seconds <- cpu(found <- tryCatch(
+    suppressWarnings(settle(gear, as.numeric(asked$nodes), given("netting"))), error = identity
+  ))
+  settled <- inherits(found, "codend_state")
+  report <- found$report
+  if (!settled) write_gear(gear, file.path(failed_folder, paste0(number, ".yaml")))
+  list(
+    gear = number, kind = gear$plan$kind, name = gear$plan$name, settled = settled,
+    steps = if (is.null(report)) NA else report$iterations,
+    residual = if (is.null(report)) NA else report$residual, cpu = seconds,
+    said = if (settled) "" else gsub("[[:space:]]+", " ", conditionMessage(found))
+  )
+}
+
+rows <- bind_rows(lapply(as.numeric(asked$seed) - 1 + seq_len(as.integer(asked$count)), of_number))
+save_table(rows, "forge")
+of_kind <- function(name, rows) {
+  steps <- rows$steps[rows$settled]
+  part <- function(share) if (length(steps)) stats::quantile(steps, share, names = FALSE) else NA
+  list(
+    kind = name, gears = nrow(rows), `settled, %` = 100 * mean(rows$settled),
+    `steps, median` = part(0.5), `steps, 99 of 100` = part(0.99), `steps, most` = part(1),
+    `CPU s, mean` = mean(rows$cpu), `CPU s, most of one that failed` =
+      max(c(0, rows$cpu[!rows$settled]))
+  )
+}
+counts <- bind_rows(c(
+  lapply(sort(unique(rows$kind)), function(kind) of_kind(kind, rows[rows$kind == kind, ])),
+  list(of_kind("all", rows))
+))
+names(counts) <- names(of_kind("all", rows))
+failed <- rows[!rows$settled, ]
+save_page(c(
+  "# Whether gears drawn at random settle", "",
+  sprintf("Written by `make forge`; [what is drawn](../README.md). Seeds from %s, %s nodes%s. %s",
+    asked$seed, asked$nodes,
+    paste0(c("", given("netting"), given("law"), given("kind")), collapse = ", "),
+    measured_with()), "",
+  markdown_table(counts), "",
+  if (nrow(failed)) {
+    c("What did not settle:", "", sprintf("- %s, %s: %s", failed$gear, failed$name, failed$said))
+  }
+), "forge")
+cat(readLines(file.path(results_folder, "forge.md")), sep = "\n")
+quit(status = as.integer(mean(rows$settled) < as.numeric(asked$least)))
