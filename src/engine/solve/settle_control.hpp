@@ -46,16 +46,19 @@ struct PseudoTimeControl {
   double longest = 1e12;  // s: damping is then below the rounding of any stiffness
   // Where the matrix is singular the next step is held back more.
   double singular_factor = 0.1;
-  // Netting along the flow has next to no pull, so that steps would turn it far beyond what their
-  // matrix knows. There every line counts as tauter by its drag across the flow, wholly where the last
-  // step turned lines by this much, less where by less: it holds them against turns, not against going
-  // on together.
-  double held_rotation = 0.2;
   // Most starts are through in so many steps. Later ones are judged: by the size of the step that would
   // correct one, over its own. Where that is more than `poor` the next turns lines by less, `shorter`
   // times what this one did; where it is less than `good` by more, up to a whole turn.
   int free_steps = 20;
   double poor = 1.0, good = 0.3, shorter = 0.7, least_aim = 1e-5;
+};
+
+// Netting along the flow has next to no pull, so that steps would turn it far beyond what their matrix
+// knows. There every line counts as tauter by this share of its drag across the flow, wholly where the last
+// step turned lines by `rotation`, less where by less: that holds them against turns, not against going on
+// together.
+struct HeldControl {
+  double share = 0.3, rotation = 0.2;
 };
 
 // Of the interior path (tension_path.hpp): what its parameter mu is multiplied by in a step. Tensions
@@ -189,6 +192,7 @@ struct SettleControl {
   // together that rounding may leave.
   double greatest_rounding = 1e-3;
   PseudoTimeControl pseudo_time;
+  HeldControl held;
   PathControl path;
   SwingControl swing;
   LawControl law;

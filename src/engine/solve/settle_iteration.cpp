@@ -264,7 +264,8 @@ const DualTension& SettleIteration::matrix_tension() {
   if (closing_in_) return path_.current();
   if (drag_across_.empty()) assembly_.drag_across(drag_across_);
   held_ = path_.current();
-  const double share = std::min(1.0, pseudo_time_.rotation() / control_.pseudo_time.held_rotation);
+  const HeldControl& held = control_.held;
+  const double share = held.share * std::min(1.0, pseudo_time_.rotation() / held.rotation);
   for (std::size_t k = 0; k < drag_across_.size(); ++k) {
     held_.tension[k] += share * drag_across_[k];
   }
