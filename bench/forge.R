@@ -1,5 +1,6 @@
-# Gears drawn at random: what new_plan() makes over the whole range of its numbers, and variations of
-# each as designers and the sea make them. A number is the seed of one gear, the same on every machine.
+# Gears drawn at random: what new_plan() makes over the whole range of its numbers, and variations
+# of each as designers and the sea make them. A number is the seed of one gear, the same on every
+# machine.
 
 # How often each kind is drawn.
 forge_kinds <- c(
@@ -9,9 +10,9 @@ forge_kinds <- c(
 # Laws of netting's drag that go with any netting.
 forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
 
-# Gear number `number`. kind, law: that kind or law of netting's drag alone; NULL: any kind, and the
-# kind's own law. changed: whether the plan is varied besides. What the plan's checks refuse is drawn
-# again.
+# Gear number `number`. kind, law: that kind or law of netting's drag alone; NULL: any kind, and
+# the kind's own law. changed: whether the plan is varied besides. What the plan's checks refuse is
+# drawn again.
 forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   any_kind <- sample(names(forge_kinds), 1L, prob = forge_kinds)
@@ -61,7 +62,8 @@ forge_sizes <- function(kind) {
       current = drawn(0.02, 1, "m/s")
     ),
     gillnet = list(
-      mesh_size = drawn(60, 250, "mm"), length = drawn(20, 100, "m"), current = drawn(0.02, 0.6, "m/s")
+      mesh_size = drawn(60, 250, "mm"), length = drawn(20, 100, "m"),
+      current = drawn(0.02, 0.6, "m/s")
     ),
     longline = list(main_line = drawn(500, 1000, "m"), branch_line = drawn(5, 30, "m")),
     purse_seine = list(length = drawn(150, 600, "m"), depth = drawn(25, 80, "m")),
@@ -70,8 +72,8 @@ forge_sizes <- function(kind) {
   )
 }
 
-# Changes of a plan's fields, by their paths, which are found by what they are of: each group of them in
-# half of the gears, by one factor.
+# Changes of a plan's fields, by their paths, which are found by what they are of: each group of
+# them in half of the gears, by one factor.
 forge_changes <- function(kind, plan) {
   fields <- plan_leaves(plan)
   changes <- list()
@@ -83,8 +85,8 @@ forge_changes <- function(kind, plan) {
       changes[[path]] <<- scaled_value(value, factor)
     }
   }
-  # Boards as rigid bodies on a warp keep their speed: below a third of it they fall over, and a gear
-  # that falls over has no balance to find.
+  # Boards as rigid bodies on a warp keep their speed: below a third of it they fall over, and a
+  # gear that falls over has no balance to find.
   free <- kind %in% c("bottom_trawl", "midwater_trawl") && stats::runif(1) < 0.15
   scale("(towing|current)[.]speed$", 0.3, 2, chance = if (free) 0 else 0.5)
   scale("twine[.]diameter$", 0.7, 1.5)
@@ -102,17 +104,20 @@ forge_changes <- function(kind, plan) {
   for (path in grep(of, names(fields), value = TRUE)) {
     if (stats::runif(1) < 0.2) changes[[path]] <- sample(materials, 1L)
   }
-  # No rope keeps an EA of its own where its material is another.
   trawl <- grepl("trawl$", kind)
   if (stats::runif(1) < 0.3) {
     if (!is.null(fields[["water.current.toward"]])) {
       changes[["water.current.toward"]] <- drawn(1, 359, "deg")
     } else if (kind %in% c("bottom_trawl", "midwater_trawl", "pair_trawl")) {
-      changes[["water.current"]] <- list(speed = drawn(0.05, 0.5, "knot"), toward = drawn(1, 359, "deg"))
+      changes[["water.current"]] <- list(
+        speed = drawn(0.05, 0.5, "knot"), toward = drawn(1, 359, "deg")
+      )
     }
   }
   if (trawl && stats::runif(1) < 0.25) {
-    changes$catch <- list(mass = drawn(50, 5000, "kg"), density = "1050 kg/m3", diameter = drawn(0.3, 2, "m"))
+    changes$catch <- list(
+      mass = drawn(50, 5000, "kg"), density = "1050 kg/m3", diameter = drawn(0.3, 2, "m")
+    )
   }
   if (free) changes$otter_boards <- free_boards(plan$otter_boards)
   changes
