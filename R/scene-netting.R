@@ -2,6 +2,20 @@
 # which the viewer draws the twines of the real meshes. A panel of cells is a grid of its points;
 # one of equivalent bars is a cloud of them, which the viewer divides into triangles.
 
+# What netting is drawn by: list(drawn = the lattice's panels, part = the number of each, of_bars =
+# whether it is, block = cells drawn as one, places, clouds = of those of bars or NULL).
+netting_to_draw <- function(state, limit) {
+  drawn <- state$lattice$panels
+  part <- netting_parts(state)
+  of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
+  block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
+  places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
+  clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
+  list(
+    drawn = drawn, part = part, of_bars = of_bars, block = block, places = places, clouds = clouds
+  )
+}
+
 # limit: of cells and points of clouds together.
 # Returns list(panels = a list of list(part, columns, rows (0 of a cloud), point = numbers of the
 # state's points, mesh = twine coordinates u and v of each (see netting.hpp)), u, v = mean
@@ -9,17 +23,12 @@
 # clouds (NA where no twine of the family ends), panel after panel, at = the corners of those places
 # (4 x places; of a point four times itself), panel = their panel's number).
 netting_surfaces <- function(state, limit = drawn_lines) {
-  drawn <- state$lattice$panels
-  part <- netting_parts(state)
-  of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
-  block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
-  places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
-  clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
-  made <- lapply(seq_along(drawn), function(p) {
-    if (of_bars[p]) {
-      cloud_surface(state, clouds[[p]])
+  draw <- netting_to_draw(state, limit)
+  made <- lapply(seq_along(draw$part), function(p) {
+    if (draw$of_bars[p]) {
+      cloud_surface(state, draw$clouds[[p]])
     } else {
-      grid_surface(state, p, part[p], block, places)
+      grid_surface(state, p, draw$part[p], draw$block, draw$places)
     }
   })
   join <- function(field) unlist(lapply(made, `[[`, field), use.names = FALSE)

@@ -50,12 +50,7 @@ rope_groups <- function(state, limit = scene_limit) {
 # Elements by the place of netting that shows their tension, for u and v; see netting_surfaces().
 # Of those the first `split` are bars, the others cells.
 netting_groups <- function(state, limit = scene_limit) {
-  drawn <- state$lattice$panels
-  part <- netting_parts(state)
-  of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
-  block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
-  places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
-  clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
+  draw <- netting_to_draw(state, limit)
   none <- list(element = integer(), group = integer(), weight = numeric())
   of <- list(u = list(bars = none, cells = none), v = list(bars = none, cells = none))
   add <- function(way, kind, element, group, weight) {
@@ -64,15 +59,15 @@ netting_groups <- function(state, limit = scene_limit) {
       weight = c(old$weight, weight))
   }
   last <- 0L
-  for (p in seq_along(drawn)) {
-    if (of_bars[p]) {
-      cloud <- clouds[[p]]
+  for (p in seq_along(draw$part)) {
+    if (draw$of_bars[p]) {
+      cloud <- draw$clouds[[p]]
       for (way in c("u", "v")) {
         add(way, "bars", cloud[[way]]$bar, last + cloud[[way]]$at, rep(1, length(cloud[[way]]$at)))
       }
       last <- last + length(cloud$point)
     } else {
-      cells <- block_cells(state, names(drawn)[p], part[p], block)
+      cells <- block_cells(state, names(draw$drawn)[p], draw$part[p], draw$block)
       for (way in c("u", "v")) add(way, "cells", cells$cell, last + cells$block, cells$weight)
       last <- last + cells$count
     }
