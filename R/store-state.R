@@ -91,7 +91,7 @@ read_state <- function(file) {
       stop("its places do not fit its lattice")
     }
     state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
-    state$time <- what$time
+    for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
     levels <- what$levels
     if (length(levels)) state$levels <- list(own = function() levels)
     state
@@ -134,7 +134,7 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time")]
+  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time", "compared", "step_accuracy")]
   kept$levels <- levels_of(state, plain_measures(measures(state)))
   c(
     do.call(c, vectors),

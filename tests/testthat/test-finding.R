@@ -121,14 +121,16 @@ test_that("a net that is closed, and ropes that break, show first and by the fie
   expect_lt(found$value, 0)
   expect_identical(found$field, "floats")
   thin <- quiet(update(gear, warps.diameter = "6 mm"), nodes = 500)
-  found <- expect_finding(thin, "rope load", "rope warp_port")
+  # of two warps alike, whichever carries more in the last digit
+  side <- if (any(findings(thin)$place == "rope warp_port")) "port" else "starboard"
+  found <- expect_finding(thin, "rope load", paste0("rope warp_", side))
   # breaking load of wire rope by EN 12385-4, 0.356 x 1770 MPa x d^2
   pull <- measures(thin)[["warp_tension_port_kN"]]
   expect_equal(found$value, 100 * pull * 1e3 / (0.356 * 1770e6 * 0.006^2), tolerance = 0.01)
   expect_identical(found$field, "warps.diameter")
   # of both warps one line, and what breaks before what is out of proportion
   expect_equal(found$alike, 1)
-  expect_match(finding_sentences(findings(thin))[1], "^rope warp_port and 1 more: .*warps.diameter")
+  expect_match(finding_sentences(findings(thin))[1], "^rope warp_.* and 1 more: .*warps.diameter")
   expect_false(is.unsorted(findings(thin)$rank))
 })
 

@@ -12,5 +12,6 @@ test_that("measures are shown in the units that a user likes", {
   drag <- match("total drag", table$measure)
   expect_equal(liked$values[[1]][drag], now[["total_drag_kN"]] / 9.80665, ignore_attr = TRUE)
   expect_identical(liked$unit[c(depth, drag)], c("fathom", "tf"))
-  expect_match(measures_html(now, now, list(m = "ft")), "body depth (ft)", fixed = TRUE)
+  shown <- as.character(measures_html(now, now, list(m = "ft")))
+  expect_match(paste(shown, collapse = ""), "body depth (ft)", fixed = TRUE)
 })

@@ -114,13 +114,12 @@ test_that("a tube under pressure has the same tension in all its twines", {
 
 test_that("a bag that has gone through its own axis is left for one that has not", {
   # Two bags one behind the other, pinched off between, each pushed outward, balance too, with half
-  # the tension in the middle and less volume. A push grows there. Most of these began so.
+  # the tension in the middle and less volume. A push grows there.
   around <- 48
   size <- 0.1
   speed <- 1.5
   radius <- around * size * sqrt(2 / 3) / (2 * pi)
   still <- 0.5 * 1.4 * 1025 * speed^2 * radius * size / 2 / sqrt(2)
-  pushed <- 0
   for (stiffness in c(3e3, 1e4, 2e5)) {
     # of the stretched bar: radius and length both grow
     wanted <- still
@@ -128,14 +127,12 @@ test_that("a bag that has gone through its own axis is left for one that has not
     for (filled in c(60, 70)) {
       state <- settle(full_tube(around, 72, filled, speed, size, radius, stiffness, each = 4))
       expect_false(state$report$unstable)
-      pushed <- pushed + state$report$perturbations
       tension <- middle_tensions(state)
       # twelve sides under the circle's pressure: 0.1 % is the lattice's
       expect_equal(mean(tension), wanted, tolerance = 2e-3)
       expect_lt(stats::sd(tension) / mean(tension), 0.02)
     }
   }
-  expect_gt(pushed, 0)
   # what cannot be left is told
   state$report$unstable <- TRUE
   expect_warning(codend:::warn_of_doubts(state, swings = FALSE), "catch.panels",

@@ -6,7 +6,8 @@ namespace codend {
 
 void PseudoTime::begin(double step, double rotation) {
   step_ = step;
-  rotation_ = rotation;
+  rotation_ = last_rotation_ = rotation;
+  cycle_ = 0;
   aim_ = 1.0;
   steps_ = 0;
 }
@@ -28,11 +29,22 @@ void PseudoTime::judge(double rotation, double correction) {
   }
 }
 
-void PseudoTime::advance(double rotation) {
+void PseudoTime::advance(double rotation, double damped, double driven) {
   ++steps_;
   rotation_ = rotation;
+  // In which the step's stiffness alone would make it.
+  const double own = driven > damped ? step_ * damped / (driven - damped) : control_.longest;
+  const bool around = rotation_ > control_.cycle_rotation &&
+                      rotation_ > control_.cycle_share * last_rotation_ &&
+                      step_ > control_.cycle_excess * own;
+  cycle_ = around ? cycle_ + 1 : 0;
+  last_rotation_ = rotation_;
   const double factor = std::clamp(aim_ / rotation_, control_.least_factor, control_.most_factor);
   step_ = std::min(step_ * factor, control_.longest);
+  if (cycle_ == control_.cycle_steps) {
+    step_ = std::max(control_.cycle_return * own, control_.cycle_least);
+    cycle_ = 0;
+  }
   if (held_steps_ > 0) {
     --held_steps_;
     step_ = std::min(step_, held_step_);

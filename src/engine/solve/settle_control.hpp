@@ -46,6 +46,13 @@ struct PseudoTimeControl {
   double longest = 1e12;  // s: damping is then below the rounding of any stiffness
   // Where the matrix is singular the next step is held back more.
   double singular_factor = 0.1;
+  // Undamped steps may go round for ever between shapes. They do where so many in a row turn lines by
+  // more than cycle_rotation and by more than cycle_share of the last, with h beyond cycle_excess times
+  // its own: that in which the step's stiffness alone would make it. h then goes back to cycle_return
+  // times its own, and no further than cycle_least (s).
+  int cycle_steps = 3;
+  double cycle_rotation = 0.1, cycle_share = 0.6, cycle_excess = 10.0;
+  double cycle_return = 3.0, cycle_least = 1e-3;
   // Most starts are through in so many steps. Later ones are judged: by the size of the step that would
   // correct one, over its own. Where that is more than `poor` the next turns lines by less, `shorter`
   // times what this one did; where it is less than `good` by more, up to a whole turn.

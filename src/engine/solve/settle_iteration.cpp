@@ -292,6 +292,12 @@ double SettleIteration::first_share(double rotation) {
 
 void SettleIteration::move() {
   take_step();
+  double damped = 0.0, driven = 0.0;
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const Vector dx = at(dx_.data(), free_[i]);
+    damped += damping_[i] * dx.squaredNorm();
+    driven += dx.dot(at(force_.data(), free_[i]));
+  }
   swinging_.clear();
   const LineChange& whole = assembly_.line_change(dx_.data());
   const double with_swinging = whole.rotation;
@@ -315,7 +321,7 @@ void SettleIteration::move() {
   if (!closing_in_ && swinging_.empty() && pseudo_time_.judged()) {
     pseudo_time_.judge(rotation, correction_over_step(share));
   }
-  pseudo_time_.advance(counted);
+  pseudo_time_.advance(counted, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
