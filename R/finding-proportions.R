@@ -52,7 +52,7 @@ band_words <- function(least, greatest, unit) {
 # One of the plan's own measures of a state by its name without unit, SI, or NULL.
 measure_of <- function(state, name) {
   measure <- state$si$measures[[name]]
-  if (!is.null(measure)) measure_kinds[[measure$kind]]$value(state, measure)
+  if (!is.null(measure)) measure_values(state, list(measure))
 }
 
 # The head line's length (m) of a gear that has one such rope, or NULL.
@@ -169,7 +169,7 @@ define_band("bridle angle", "state",
 define_band("ground friction over drag", "state",
   "Friction on the sea bed is a large share of the drag.",
   function(gear, state) {
-    if (has_ground(state)) 100 * ground_forces(state)$along_flow / total_drag(state)
+    if (has_ground(state)) 100 * measure_value(state, "ground_friction")
   },
   place = "ground_gear", low = "", high = "Check the weights in water of what lies on the bed."
 )
@@ -189,7 +189,7 @@ define_band("hammers' weight over drag", "state",
   "The weights at a midwater trawl's lower wing tips are a large share of its drag.",
   function(gear, state) {
     of_hammers <- state$lattice$parts$role %in% "hammer"
-    drag <- total_drag(state)
+    drag <- measure_value(state, "total_drag")
     if (any(of_hammers) && drag > 0) 100 * sum(part_weight(state)[of_hammers]) / drag
   },
   place = "hammers.mass", low = "", high = "Check the mass of one side's weight."

@@ -53,7 +53,7 @@ define_finding("opening", "state",
     opening <- Filter(function(one) one$kind %in% c("height", "area", "volume"), state$si$measures)
     opening <- opening[grepl("height|opening|area|volume", names(opening))]
     found <- lapply(names(opening), function(name) {
-      value <- measure_kinds[[opening[[name]]$kind]]$value(state, opening[[name]])
+      value <- measure_values(state, opening[name])
       if (!is.finite(value) || value > 0) return(NULL)
       unit <- c(height = "m", area = "m2", volume = "m3")[[opening[[name]]$kind]]
       shown <- paste(figures(value), unit)
@@ -82,7 +82,7 @@ define_finding("idle rope", "state",
     free <- names(Filter(function(rope) is.null(rope$along) && !rope$strut, state$si$ropes))
     idle <- table$kind == "rope" & table$part %in% free &
       table$max_kN < idle_share * max(table$max_kN) &
-      table$counts < idle_share * in_unit(abs(total_drag(state)), "kN")
+      table$counts < idle_share * in_unit(abs(measure_value(state, "total_drag")), "kN")
     lapply(which(idle), function(k) {
       shown <- paste(figures(1000 * table$max_kN[k]), "N")
       finding(paste("rope", table$part[k]), 1000 * table$max_kN[k], shown,
@@ -165,7 +165,7 @@ define_finding("bundle", "state",
     if (!is.null(state$time)) return(list())
     asked <- Filter(function(one) identical(one$kind, "enclosed_volume"), state$si$measures)
     found <- lapply(asked, function(measure) {
-      volume <- measure_kinds$enclosed_volume$value(state, measure)
+      volume <- measure_values(state, list(measure))
       node <- state$lattice$ropes[[measure$rope]]$node
       could <- state$si$ropes[[measure$rope]]$length^2 / (4 * pi) * -min(state$position[3, node])
       if (!is.finite(volume) || volume >= least_open_share * could) return(NULL)

@@ -8,12 +8,12 @@ measure_kinds <- new.env(parent = emptyenv())
 # kind: as in the plan; unit: in which it is shown, in_unit() knows it; definition: what it is, in
 # the field's words; asks(asked, path, known): what the plan asks for, checked and taken apart, as a
 # named list (an unknown place, rope, panel or piece is an error of class `codend_error_plan`);
-# value(state, measure): the measure, SI, where `measure` holds that list; sensor: what tells it on
-# a vessel or a model, and what that sees otherwise, or NA.
-define_measure <- function(kind, unit, definition, asks, value, sensor = NA_character_) {
+# sensor: what tells it on a vessel or a model, and what that sees otherwise, or NA. The engine
+# computes it (src/engine/measure).
+define_measure <- function(kind, unit, definition, asks, sensor = NA_character_) {
   measure_kinds[[kind]] <- list(
     kind = kind, unit = unit, definition = one_line(definition), sensor = one_line(sensor),
-    asks = asks, value = value
+    asks = asks
   )
 }
 

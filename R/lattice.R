@@ -13,7 +13,8 @@
 # fraction of its length, points = node of each point, place = function from a parsed place to a
 # node, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
 # hung = of a gear that is shot, positions before it is in the water; let_go = TRUE once it is,
-# division = how edges and grids are divided, see gear_division(), held_edges = of every seam held
+# frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids are
+# divided, see gear_division(), held_edges = of every seam held
 # on a line its nodes, their fraction of its length and the names of its two points (between),
 # panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
@@ -24,6 +25,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   asked <- list(nodes = nodes, bars = bars, meshes = panels[c(side_fields, "orientation")])
   counts <- c("pieces", "ropes", "grouping")
   alike <- identical(asked, from$lattice$counts$asked)
+  if (alike && differ_in_conditions(si, from$settled)) return(lattice_in(si, from))
   found <- engine_lattice(
     gear_numbers(si, netting), nodes, if (alike) from$lattice$counts[counts],
     if (!is.null(from) && !alike) part_map(si, from$lattice), as.double(from$position), alike
@@ -38,7 +40,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     ),
     gear_division(si, found$division),
     list(panels = drawn_panels(si, found), counts = c(list(asked = asked), found$counts[counts])),
-    found[c("sheets", "on_cell", "on_sheet")],
+    found[c("sheets", "on_cell", "on_sheet", "frame")],
     list(start = matrix(found$start, 3L))
   )
   class(lattice) <- "codend_lattice"
@@ -50,6 +52,28 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice$engine <- multiplied_engine(lattice, si, unlist(si$multipliers))
   lattice <- add_catch(si, lattice, found$bag)
   if (!is.null(si$shooting)) lattice$hung <- matrix(found$hung, 3L)
+  lattice
+}
+
+# Whether two gears are the same but for the water's motion and how they are towed. shot: what is let
+# go hangs by that too.
+differ_in_conditions <- function(si, other) {
+  if (is.null(other) || !is.null(si$shooting)) return(FALSE)
+  still <- function(si) {
+    si$water <- si$water[c("density", "free_surface")]
+    si[c("towing", "vessel", "measures")] <- NULL
+    if (!is.null(si$ground)) si$ground$velocity <- NULL
+    si
+  }
+  identical(still(si), still(other))
+}
+
+# The lattice of a settled shape in a gear's conditions.
+lattice_in <- function(si, from) {
+  lattice <- from$lattice
+  lattice$engine$water <- engine_water(si)
+  if (!is.null(si$ground)) lattice$engine$ground$velocity <- si$ground$velocity
+  lattice$start <- matrix(from$position, 3L)[, seq_len(lattice$nodes), drop = FALSE]
   lattice
 }
 

@@ -34,13 +34,8 @@ define_measure("attitude", "deg",
   (positive where its leading edge is high).",
   sensor = "Heel (roll) and trim (pitch): an inclinometer in a door sensor, each maker with its own
   signs and its zero as it is mounted. Attack: none at sea.",
-  asks_board_angle, function(state, measure) measure_attitude(state, measure)
+  asks_board_angle
 )
-
-measure_attitude <- function(state, measure) {
-  k <- match(measure$board, names(state$si$otter_boards))
-  state$boards[[measure$angle]][k]
-}
 
 # Warns of boards that do not fly, or not for long; swings: see warn_of_doubts().
 warn_of_boards <- function(state, swings) {

@@ -4,46 +4,16 @@ define_measure("tension", "kN",
   "Tension of a rope at a place, or the largest along it. At its start or end it is that at the
   very end: that of the middle of the outermost element, and what pulls at the half beyond.",
   sensor = "A load cell in the line. What a winch tells has the friction of the blocks in it.",
-  asks_rope_place, function(state, measure) measure_tension(state, measure)
+  asks_rope_place
 )
 
-measure_tension <- function(state, measure) {
-  if (measure$place == "max") {
-    return(max(end_tensions(state, rope_bars(state$lattice, measure$rope))))
-  }
-  bar <- rope_bar(state$lattice, measure$rope, measure$place)
-  if (measure$place == "middle") return(state$bar_tension[bar])
-  at <- end_tensions(state, bar)
-  at[if (measure$place == "start") 1L else 2L]
+# Tension at both ends of bars of ropes, N, 2 x bars.
+end_tensions <- function(state, bars) {
+  matrix(engine_end_tensions(state$lattice$engine, state$lattice$frame, state, as.integer(bars)), 2L)
 }
 
-# Tension at both ends of bars of ropes, N, 2 x bars. A bar's own tension is that of its middle; at
-# an end it carries what water and weight pull at the half between, which the lattice gathers in
-# the node. Where they push a bar together its own is kept.
-end_tensions <- function(state, bars) {
-  engine <- state$lattice$engine
-  node <- bar_ends(state, bars)
-  along <- state$position[, node[2L, ], drop = FALSE] - state$position[, node[1L, ], drop = FALSE]
-  along <- along / rep(sqrt(colSums(along^2)), each = 3L)
-  tension <- state$bar_tension[bars]
-  pull <- along * rep(tension, each = 3L)
-  ropes <- state$si$ropes[state$lattice$bar_part[bars]]
-  of <- function(field) vapply(ropes, `[[`, 0, field, USE.NAMES = FALSE)
-  half <- gear_gravity * engine$bars$rest[bars] / 2
-  force <- flow_force(state, "bars")[, bars, drop = FALSE] / 2
-  at <- vapply(1:2, function(end) {
-    # half of what lies in the surface is wet
-    wet <- if (engine$water$free_surface) (1 - sign(state$position[3, node[end, ]])) / 2 else 1
-    force[3, ] <- force[3, ] - half * (of("mass_per_length") -
-      wet * engine$water$density * of("volume_per_length"))
-    # the bar pulls its start along itself, its end the other way
-    sqrt(colSums((pull + c(1, -1)[end] * force)^2))
-  }, numeric(length(bars)))
-  at <- t(matrix(at, length(bars), 2L))
-  loose <- tension <= 0
-  at[, loose] <- rep(tension[loose], each = 2L)
-  at
-}
+# Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
+part_drag <- function(state) matrix(engine_part_forces(state$lattice$frame, state), 3L)
 
 # Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
 # gear meets the flow along x; a held one along the fastest current of its profile, and along x when
@@ -65,19 +35,6 @@ sum_by_part <- function(force, part, parts) {
   if (length(part)) {
     sums <- rowsum(t(force), part)
     total[, as.integer(rownames(sums))] <- t(sums)
-  }
-  total
-}
-
-# Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
-part_drag <- function(state) {
-  parts <- nrow(state$lattice$parts)
-  by_flow <- reported_forces("flow")
-  total <- matrix(0, 3L, parts)
-  for (k in seq_len(nrow(by_flow))) {
-    total <- total + sum_by_part(
-      state$forces[[by_flow$name[k]]], element_part(state$lattice, by_flow$kind[k]), parts
-    )
   }
   total
 }
@@ -124,19 +81,13 @@ drag_table <- function(state) {
 define_measure("drag", "kN",
   "Hydrodynamic force on ropes, panels and pieces together, along the flow.",
   sensor = "None at sea; of a model, the balance of the flume.",
-  asks_parts, function(state, measure) part_force(state, measure$parts, "flow")
+  asks_parts
 )
 
 define_measure("lift", "kN",
   "Hydrodynamic force on ropes, panels and pieces together, upwards.",
-  asks_parts, function(state, measure) part_force(state, measure$parts, "up")
+  asks_parts
 )
-
-# Hydrodynamic force on parts by name along one of flow_axes(), N.
-part_force <- function(state, parts, axis) {
-  along <- drop(flow_axes(state$si)[, axis] %*% part_drag(state))
-  sum(along[state$lattice$parts$name %in% parts])
-}
 
 # Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
 # pieces), then all.
@@ -188,7 +139,7 @@ balance_table <- function(state) {
     hydrodynamic = rowSums(part_drag(state)),
     weight_in_water = c(0, 0, -sum(part_weight(state))),
     loads = loads,
-    sea_bed = if (!is.null(state$si$ground)) ground_forces(state)$total,
+    sea_bed = if (!is.null(state$si$ground)) total_force(state, "ground"),
     out_of_water = if (state$si$water$free_surface) total_force(state, "surface")
   )
   forces <- in_unit(forces, "kN")

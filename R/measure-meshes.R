@@ -13,108 +13,24 @@
 # across and from `fore` to `aft` down the panel, in meshes from the place), and for each family of
 # bars its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
 mesh_places <- function(state, names = base::names(state$si$panels)) {
-  lattice <- state$lattice
-  frame <- if (lattice$nodes > most_remembered_nodes) mesh_frame else mesh_frame_again
-  at <- frame(
-    panel_table(state$si$panels)[panel_shape_fields], match(names, base::names(state$si$panels)),
-    lattice[c("nodes", "division", "panels")]
-  )
-  all <- between_places(state_points(state), at$rows)
-  x <- all[, at$kept, drop = FALSE]
-  step <- function(from, to) x[, to, drop = FALSE] - x[, from, drop = FALSE]
-  long <- function(x) sqrt(x[1L, ]^2 + x[2L, ]^2 + x[3L, ]^2)
-  each <- function(x) rep(x, each = 3L)
-
-  # Along a row: to the neighbours on both sides.
-  opening <- (long(step(at$before, at$place)) + long(step(at$place, at$after))) * at$per_mesh
-  x_i <- step(at$before, at$after) * each(at$per_mesh)
-  # Where the row bends the bars follow it.
-  straight <- long(x_i)
-  bent <- opening / pmax(straight, 1e-300)
-  bent[straight == 0] <- 1
-  x_i <- x_i * each(bent)
-
-  # Between rows: from the one above to the one below, at the same share of the width. Down a column
-  # i changes with j where the panel tapers.
-  x_t <- (values_on_rows(all, at$below) - values_on_rows(all, at$above)) * each(at$per_row)
-  x_j <- x_t - x_i * each(at$slant)
-
-  u <- (x_j * each(!at$square) + x_i) * each(at$half)
-  v <- (x_j - x_i * each(!at$square)) * each(at$half)
-  # Of diamonds u leans one way and v the other; of squares they are across and down.
-  cosine <- (u[1L, ] * v[1L, ] + u[2L, ] * v[2L, ] + u[3L, ] * v[3L, ]) / (long(u) * long(v))
-  angle <- acos(pmin(pmax(cosine, -1), 1))
-  angle[at$turned] <- pi - angle[at$turned]
-  angle[!is.finite(cosine)] <- NA
-  list2DF(c(
-    at[c("panel", "row", "s", "t")], list(opening = opening, depth = long(x_j), angle = angle),
-    at[c("meshes", "port", "starboard", "fore", "aft")],
-    list(
-      u_x = u[1, ], u_y = u[2, ], u_z = u[3, ], v_x = v[1, ], v_y = v[2, ], v_z = v[3, ],
-      x = x[1, ], y = x[2, ], z = x[3, ]
-    )
+  at <- state$lattice$frame$meshes
+  found <- engine_mesh_places(state$lattice$frame, as.double(state_points(state)))
+  found$angle[is.nan(found$angle)] <- NA
+  panel <- at$row_panel[at$row + 1L]
+  all <- list2DF(c(
+    list(panel = panel, row = at$row + 1L, s = at$s, t = at$row_t[at$row + 1L]),
+    found[c("opening", "depth", "angle")], at[c("meshes", "port", "starboard", "fore", "aft")],
+    found[c("u_x", "u_y", "u_z", "v_x", "v_y", "v_z", "x", "y", "z")]
   ))
-}
-
-# What mesh_places() needs of a lattice (list(nodes, division, panels)) whatever its shape. panels:
-# the table of all, no more of it than where their meshes lie; numbers: of those asked for.
-mesh_frame <- function(panels, numbers, lattice) {
-  rows <- row_places(panels, lattice)
-  kept <- which(rows$panel[rows$row] %in% numbers)
-  row <- rows$row[kept]
-  s <- rows$s[kept]
-  panel <- rows$panel[row]
-  own <- pick_panels(panels, panel)
-  t <- rows$t[row]
-  across <- own$upper + (own$lower - own$upper) * t
-
-  place <- seq_along(row)
-  before <- pmax(place - 1L, 1L)
-  before[row[before] != row] <- place[row[before] != row]
-  after <- pmin(place + 1L, length(row))
-  after[row[after] != row] <- place[row[after] != row]
-  lost <- s[after] - s[before]
-
-  count <- length(rows$panel)
-  number <- seq_len(count)
-  above <- pmax(number - 1L, 1L)
-  above[rows$panel[above] != rows$panel] <- number[rows$panel[above] != rows$panel]
-  below <- pmin(number + 1L, count)
-  below[rows$panel[below] != rows$panel] <- number[rows$panel[below] != rows$panel]
-  at <- function(other) rows_at(list(panel = panel, s = s, t = rows$t[other][row]), rows)
-  deep <- (rows$t[below] - rows$t[above])[row] * own$deep
-  # Each place stands for half the way to its neighbours.
-  fore <- ((rows$t[above] - rows$t) / 2)[row] * own$deep
-  aft <- ((rows$t[below] - rows$t) / 2)[row] * own$deep
-  square <- is_square(own)
-  list(
-    rows = rows[c("from", "to", "share")], kept = kept,
-    panel = panel, row = row, s = s, t = t, place = place, before = before, after = after,
-    per_mesh = 1 / pmax(lost * across, 1e-12), above = at(above), below = at(below),
-    per_row = 1 / pmax(deep, 1e-12),
-    slant = panel_left(own, 1) + s * (panel_right(own, 1) - panel_left(own, 1) -
-      (panel_right(own, 0) - panel_left(own, 0))),
-    square = square, half = ifelse(square, 1, 0.5), turned = own$orientation == "turned",
-    meshes = lost / 2 * across * (aft - fore), port = (s[before] - s) / 2 * across,
-    starboard = (s[after] - s) / 2 * across, fore = fore, aft = aft
-  )
-}
-
-# Settled shapes of one lattice have it in common.
-mesh_frame_again <- remembered(mesh_frame)
-
-# Mean over the meshes of panels, SI.
-mean_of_meshes <- function(state, panels, field) {
-  found <- mesh_places(state, panels)
-  known <- !is.na(found[[field]]) & found$meshes > 0
-  sum((found[[field]] * found$meshes)[known]) / sum(found$meshes[known])
+  kept <- panel %in% match(names, base::names(state$si$panels))
+  if (all(kept)) all else list2DF(lapply(all, `[`, kept))
 }
 
 define_measure("mesh_opening", "mm",
   "How wide the meshes of panels stand across them, the mean over their meshes: of diamonds from
   knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
   sensor = "A camera in the net, with a scale.",
-  asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "opening")
+  asks_panels
 )
 
 define_measure("mesh_angle", "deg",
@@ -122,54 +38,8 @@ define_measure("mesh_angle", "deg",
   closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
   panel.",
   sensor = "A camera in the net.",
-  asks_panels, function(state, measure) mean_of_meshes(state, measure$panels, "angle")
+  asks_panels
 )
-
-# Area (m2) across the flow that the twine of a net hides: twine behind other twine counts once.
-#
-# A piece of netting that casts a shadow of the area A lets the share (1 - a_u / A) (1 - a_v / A) of
-# it through, a_u and a_v the areas that its two families of bars show, and never less than a
-# hundredth. Pieces one behind another let through the product of their shares: seen along the flow,
-# twines of different pieces lie anyhow to each other. That is summed up over a grid across the flow
-# whose cells are as large as the shadow of a place on the mean; each place is cut into 16 parts or
-# so.
-twine_shadow <- function(state) {
-  found <- mesh_places(state)
-  kept <- which(found$meshes > 0)
-  if (!length(kept)) return(0)
-  of <- function(field) found[[field]][kept]
-  panels <- state$si$panels
-  number <- of("panel")
-  width <- vapply(panels, twine_width, 0)[number]
-  square <- is_square(panel_table(panels))[number]
-  # rows: across the flow, up
-  seen <- t(flow_axes(state$si)[, c("across", "up")])
-  seen_along <- function(fields) seen %*% rbind(of(fields[1]), of(fields[2]), of(fields[3]))
-  u <- seen_along(c("u_x", "u_y", "u_z"))
-  v <- seen_along(c("v_x", "v_y", "v_z"))
-  # a mesh of diamonds is the parallelogram of two bars of each family, one of squares of one
-  bars <- of("meshes") * (2 - square)
-  area <- bars * abs(u[1L, ] * v[2L, ] - u[2L, ] * v[1L, ])
-  through <- function(bar) {
-    hidden <- bars * width * sqrt(bar[1L, ]^2 + bar[2L, ]^2) / pmax(area, 1e-12)
-    hidden[hidden > 1] <- 1
-    1 - hidden
-  }
-  depth <- -log(pmax(through(u) * through(v), 0.01)) * area
-
-  # derivatives of the place by meshes across and down
-  both <- rep(square, each = 2L)
-  by_i <- u - v * !both
-  by_j <- u * (!both) + v
-  # parts as long across as they are deep, on the mean
-  long <- function(by) sqrt(by[1L, ]^2 + by[2L, ]^2)
-  reach <- rbind(of("port"), of("starboard"), of("fore"), of("aft"))
-  wide <- mean(long(by_i) * (reach[2L, ] - reach[1L, ]))
-  deep <- mean(long(by_j) * (reach[4L, ] - reach[3L, ]))
-  ways <- max(1, min(16, round(4 * sqrt(wide / max(deep, 1e-9)))))
-  shadow_area(seen_along(c("x", "y", "z")), by_i, by_j, reach, depth, as.integer(ways),
-    as.integer(round(16 / ways)), sqrt(sum(area) / length(kept)))
-}
 
 # Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
 # knotless netting once, and knots, over the area of the netting.

@@ -35,19 +35,32 @@ measures <- function(state) {
   check_given("state")
   check_is_state(state)
   asked <- state$si$measures
+  check_enclosing(state, asked)
   kinds <- lapply(asked, function(measure) measure_kinds[[measure$kind]])
-  own <- Map(function(kind, measure) kind$value(state, measure), kinds, asked)
-  names(own) <- vapply(asked, `[[`, "", "column")
+  own <- vapply(asked, `[[`, "", "column")
   standard <- setNames(standard_measures, standard_names())
-  standard <- standard[setdiff(names(standard), names(own))]
-  found <- measured_once(state)
-  general <- lapply(standard, function(measure) measure$value(state, found))
-  applies <- lengths(general) > 0L
+  standard <- standard[setdiff(names(standard), own)]
+  drag <- list(list(kind = "total_drag"))
+  of_all <- lapply(standard, function(measure) list(kind = measure$computed))
+  values <- measure_values(state, c(asked, of_all, drag))
+  light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
+  values <- setNames(values[-length(values)], c(own, names(standard)))
+  applies <- !is.nan(values) | seq_along(values) <= length(own)
   new_measures(
-    c(own, general[applies]), c(kinds, standard[applies]), state$lattice$nodes,
-    function(shown) levels_of(state, shown), is_drag_light(state, found),
-    if (!is.null(state$time)) state
+    values[applies], c(kinds, standard)[applies], state$lattice$nodes,
+    function(shown) levels_of(state, shown), light, if (!is.null(state$time)) state
   )
+}
+
+# Stops where the water within netting is asked for that is of no cells.
+check_enclosing <- function(state, asked) {
+  enclosing <- vapply(asked, function(one) one$kind == "enclosed_volume", NA)
+  if (any(enclosing) && !length(state$lattice$engine$cells$rest)) {
+    abort_argument(
+      "The enclosed volume is that of netting of cells; this gear has none
+      ({.code netting: cells})."
+    )
+  }
 }
 
 # The standard measures' names in a state, with their units.

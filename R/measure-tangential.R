@@ -16,7 +16,7 @@ tangential_sensitivity <- function(state) {
     forces <- engine_evaluate(engine, as.vector(state$position), still)$forces
     in_unit(sum(flow * total_force(list(forces = lapply(forces, matrix, 3L)), "flow")), "kN")
   }
-  now <- in_unit(total_drag(state), "kN")
+  now <- in_unit(measure_value(state, "total_drag"), "kN")
   as_settled <- along(1)
   list(
     halved = now + along(0.5) - as_settled, settled = now, doubled = now + along(2) - as_settled

@@ -106,15 +106,19 @@ letters_of <- function(bytes) {
   list(count, intToUtf8(codes[rbind(bits %% 91, bits %/% 91) + 1L]))
 }
 
-# What of a gear's lattice a page fills anew where a slider moves, by name: the engine's arrays,
-# with `page/` those that measures and pictures take. A catch's pressure follows its front.
-filled_arrays <- function(si, lattice) {
+# What of a gear's lattice a page fills anew where a slider moves, by name: what its engine reads,
+# with `page/` what pictures and warnings take. A catch's pressure follows its front. standard: the
+# engine's names of measures of every gear that it is asked for.
+filled_arrays <- function(si, lattice, standard) {
   engine <- lattice$engine
   # they act at a surface alone, and one that joins others changes their number
   if (!si$water$free_surface) engine$volumes <- lapply(engine$volumes, `[`, 0L)
-  engine <- flat_arrays(engine)
-  engine <- engine[!names(engine) %in% c("wake", "pressure.weight")]
-  c(engine, page_arrays(si, lattice))
+  engine[c("wake", "pressure")] <- list(NULL, engine$pressure[c("node", "drag_coefficient")])
+  read <- list(
+    model = engine, frame = lattice$frame,
+    questions = shared_questions(si, lattice, standard), bag = filled_bag(lattice)
+  )
+  c(flat_arrays(read), page_arrays(si, lattice))
 }
 
 page_arrays <- function(si, lattice) {
@@ -127,32 +131,14 @@ page_arrays <- function(si, lattice) {
   boards <- unlist(lapply(unname(si$otter_boards), function(board) {
     c(board$attachment, board$chord, board$span)
   }))
-  vessel <- si$vessel
+  by_volume <- !is.null(si$catch) && !is.na(si$catch$volume)
   of <- list(
-    rope_mass = vapply(si$ropes, `[[`, 0, "mass_per_length", USE.NAMES = FALSE),
-    rope_volume = vapply(si$ropes, `[[`, 0, "volume_per_length", USE.NAMES = FALSE),
     speed = si$towing$speed, held = as.vector(lattice$start[, held]),
     size = part_sizes(si, lattice), strength = strength, boards = as.double(boards),
-    vessel.speed = vessel$pull$speed, vessel.pull = vessel$pull$pull, vessel.power = vessel$power,
-    vessel.load = vessel[["fuel"]]$load, vessel.consumption = vessel[["fuel"]]$consumption,
-    vessel.density = if (!is.null(vessel[["fuel"]])) vessel$fuel_density,
-    vessel.catch = vessel$catch_per_hour,
-    width = vapply(si$panels, twine_width, 0, USE.NAMES = FALSE),
     stall = vapply(si$otter_boards, stall_angle, 0, USE.NAMES = FALSE),
-    shares = unlist(lapply(si$measures, function(measure) {
-      if (measure$kind == "volume_share") measure$of
-    }), use.names = FALSE)
+    catch.volume = if (by_volume) as.double(si$catch$volume),
+    catch.deep = if (by_volume) as.double(si$catch$deep)
   )
-  if (!is.null(si$catch)) {
-    of <- c(of, list(
-      catch.volume = as.double(si$catch$volume), catch.blocked = as.double(si$catch$blocked),
-      catch.deep = as.double(si$catch$deep), catch.depth = as.vector(lattice$catch$depth),
-      catch.across = as.vector(lattice$catch$across), catch.real = lattice$catch$real,
-      catch.weight = lattice$catch$weight
-    ))
-    # a volume or a front
-    of <- Filter(function(x) !anyNA(x), of)
-  }
   of <- Filter(Negate(is.null), of)
   setNames(of, paste0("page/", names(of)))
 }

@@ -5,10 +5,10 @@
 # what the scripts take), which becomes JSON; left_out: words of sliders that do not fit, by field;
 # misfit: how far series of sliders are from lattices.
 shared_model <- function(state, fields) {
-  series <- slider_series(state, fields)
-  shape <- scene_shape(state)
   measured <- shared_measures(state)
-  arrays <- c(series$base, measured$arrays)
+  series <- slider_series(state, fields, measured$standard)
+  shape <- scene_shape(state)
+  arrays <- series$base
   keep <- function(x) {
     name <- paste0("series/", length(arrays))
     arrays[[name]] <<- x
@@ -38,7 +38,8 @@ shared_model <- function(state, fields) {
   list(
     head = packed$head, body = packed$body, nodes = state$lattice$nodes,
     tolerance = settle_tolerance, fields = lapply(series$fields, told_field), terms = terms,
-    programs = measured$programs, whole = measured$whole, scene = scene,
+    programs = measured$programs, order = I(names(measured$programs)), scene = scene,
+    bag = if (!is.null(state$si$catch)) if (is.na(state$si$catch$volume)) "front" else "volume",
     names = I(vapply(gsub("_", " ", state$lattice$parts$name), capital, "", USE.NAMES = FALSE)),
     boards = I(vapply(gsub("_", " ", names(boards)), capital, "", USE.NAMES = FALSE)),
     fallen_heel = fallen_heel, knot = plan_units$speed[["knot"]],
@@ -46,7 +47,7 @@ shared_model <- function(state, fields) {
       waves = wave_conditions(state), still = still_conditions(state),
       water = state$si$water$density > 0
     ),
-    missing = I(measured$missing), left_out = series$left_out, misfit = series$misfit
+    left_out = series$left_out, misfit = series$misfit
   )
 }
 

@@ -2,7 +2,7 @@
 
 # Scripts of the package's own, in the order in which they are read, and those of the worker.
 page_scripts <- c("arrays.js", "page.js")
-worker_scripts <- c("engine.js", "arrays.js", "measures.js", "catch.js", "model.js", "worker.js")
+worker_scripts <- c("engine.js", "arrays.js", "model.js", "worker.js")
 
 # Bytes of a page that a tow is cut to fit into.
 shared_bytes <- 1e6
@@ -132,10 +132,7 @@ shared_body <- function(state, model, moves) {
       tag$section(class = "measured", `aria-labelledby` = "measures-heading",
         tag$h2(id = "measures-heading", "Measures"),
         tag$ul(id = "warnings", `aria-live` = "polite", hidden = NA),
-        shared_measure_table(model$programs),
-        if (length(model$missing)) {
-          tag$p(class = "note", "Not on this page: ", paste(model$missing, collapse = ", "), ".")
-        }),
+        shared_measure_table(model$programs)),
       tag$section(class = "more", `aria-label` = "More of the gear",
         if (nrow(found)) tag$details(open = NA,
           tag$summary("Worth a look, of the gear as shared"),

@@ -93,53 +93,30 @@ shared_marks <- function(state, marks) {
   })
 }
 
-# What mesh_places() and mesh_means() take of the lattice.
+# What mesh_means() takes of the lattice.
 shared_meshes <- function(state, netting, keep) {
-  panels <- panel_table(state$si$panels)
-  at <- mesh_frame(panels[panel_shape_fields], seq_along(state$si$panels),
-    state$lattice[c("nodes", "division", "panels")])
-  n <- length(at$kept)
-  terms <- function(on, sign) {
-    list(
-      row = rep(seq_len(n), 4L),
-      column = c(on$before$low, on$before$high, on$after$low, on$after$high),
-      weight = sign * at$per_row * c(
-        (1 - on$share) * (1 - on$before$share), (1 - on$share) * on$before$share,
-        on$share * (1 - on$after$share), on$share * on$after$share
-      )
-    )
-  }
-  down <- Map(c, terms(at$below, 1), terms(at$above, -1))
-  panel <- at$panel
+  meshes <- state$lattice$frame$meshes
+  panel <- meshes$row_panel[meshes$row + 1L]
   list(
-    from = keep(at$rows$from - 1L), to = keep(at$rows$to - 1L), share = keep(at$rows$share),
-    kept = keep(at$kept - 1L), before = keep(at$before - 1L), after = keep(at$after - 1L),
-    per_mesh = keep(at$per_mesh), down = keep_sparse(down, n, keep), slant = keep(at$slant),
-    panel = keep(panel - 1L), square = keep(as.integer(at$square)),
-    turned = keep(as.integer(at$turned)), meshes = keep(at$meshes),
-    reach = keep(as.vector(rbind(at$port, at$starboard, at$fore, at$aft))),
-    unit = keep(mesh_unit(panels)), panel_square = keep(as.integer(is_square(panels))),
-    means = keep_sparse(mesh_mean_terms(state, netting, at), NULL, keep)
+    panel = keep(panel - 1L), unit = keep(meshes$unit),
+    means = keep_sparse(mesh_mean_terms(state, netting, meshes, panel), keep)
   )
 }
 
-# Rows of a sparse matrix, one after the other; rows: how many, NULL for those that `terms` has.
-keep_sparse <- function(terms, rows, keep) {
+# Rows of a sparse matrix, one after the other.
+keep_sparse <- function(terms, keep) {
   good <- which(terms$weight != 0)
   order <- good[order(terms$row[good], terms$column[good])]
-  if (is.null(rows)) rows <- terms$rows
   list(
-    count = keep(tabulate(terms$row[order], rows)), column = keep(terms$column[order] - 1L),
+    count = keep(tabulate(terms$row[order], terms$rows)), column = keep(terms$column[order] - 1L),
     weight = keep(terms$weight[order])
   )
 }
 
 # How mesh_means() takes what the netting's places show from all places of meshes.
-mesh_mean_terms <- function(state, netting, found) {
+mesh_mean_terms <- function(state, netting, meshes, panel) {
   table <- panel_table(state$si$panels)
-  first <- !duplicated(found$row)
-  row <- match(found$row, found$row[first])
-  rows <- list(panel = found$panel[first], t = found$t[first], row = row, s = found$s)
+  rows <- list(panel = meshes$row_panel, t = meshes$row_t, row = meshes$row + 1L, s = meshes$s)
   places <- panel_places(table, state$lattice$division, state$lattice$panels)
   on <- rows_at(places, rows)
   key <- function(panel, node) panel * 1e9 + node

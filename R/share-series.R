@@ -15,7 +15,7 @@ pair_nodes <- c(2L, 3L, 5L)
 
 # A function(values) that fills the lattice of a state with sliders at values: arrays, or a text
 # that says why it cannot.
-lattice_filler <- function(state, fields) {
+lattice_filler <- function(state, fields, standard) {
   shape <- state_shape(state)
   asked <- state$lattice$counts$asked
   netting <- Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
@@ -34,7 +34,7 @@ lattice_filler <- function(state, fields) {
     if (is.null(lattice)) return("is not allowed by the plan")
     if (!settled_alike(lattice, shape)) return("divides the gear otherwise")
     if (!is.null(si$catch)) lattice <- set_catch_front(lattice, shape$lattice$catch$blocked)
-    arrays <- filled_arrays(si, lattice)
+    arrays <- filled_arrays(si, lattice, standard)
     if (is.null(base)) base <<- arrays
     first_of(odd_array(arrays, base, real), arrays)
   }
@@ -48,9 +48,9 @@ odd_array <- function(arrays, base, real) {
   if (!identical(lengths(arrays), lengths(base))) return("divides the gear otherwise")
   for (name in names(arrays)) {
     if (identical(arrays[[name]], base[[name]])) next
-    number <- is.numeric(arrays[[name]]) && !inherits(arrays[[name]], "groups") &&
-      (startsWith(name, "page/") || sub(".*[.]", "", name) %in% real)
-    if (!number) return(paste0("changes ", gsub("[._/]", " ", name)))
+    number <- is.double(arrays[[name]]) &&
+      (!startsWith(name, "model.") || sub(".*[.]", "", name) %in% real)
+    if (!number) return(paste0("changes ", gsub("[._/]", " ", sub("^[a-z]+[./]", "", name))))
   }
   NULL
 }
@@ -59,9 +59,9 @@ odd_array <- function(arrays, base, real) {
 # fields, array, index (from 0), pattern (numbers x patterns), series (a matrix patterns x
 # coefficients)), base = arrays, left_out = words by field, misfit = the largest share left
 # between). A slider whose range was asked for and does not fit is an error.
-slider_series <- function(state, fields) {
+slider_series <- function(state, fields, standard) {
   gear <- state$gear
-  fill <- lattice_filler(state, fields)
+  fill <- lattice_filler(state, fields, standard)
   base <- fill()
   left_out <- character()
   singles <- list()

@@ -76,9 +76,10 @@ kept_numbers <- function(what) {
   what$plan_text <- enc2utf8(format(what$gear))
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
-  # a function of what it was made from
+  # both follow from what it was made from
   what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
+  what$lattice$frame <- list()
   flat <- flatten_tree(what)
   list(
     kept_form = list(value = charToRaw(flat$form), type = "NC_CHAR", across = "kept_byte",
@@ -105,8 +106,20 @@ read_kept_numbers <- function(get) {
   }
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
+  what$lattice$frame <- frame_again(what$si, what$lattice)
   what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL
   c(list(gear = gear), what)
+}
+
+# What measures take of a lattice, which files do not hold.
+frame_again <- function(si, lattice) {
+  bars <- lattice$counts$asked$bars
+  si$panels <- Map(function(panel, of_bars) {
+    panel$netting <- if (of_bars) "bars" else "cells"
+    panel
+  }, si$panels, bars)
+  shape <- list(lattice = lattice, position = numeric(3 * length(lattice$engine$mass)))
+  build_lattice(si, lattice$counts$asked$nodes, NULL, shape)$frame
 }
 
 gear_of_text <- function(text, file, source) {

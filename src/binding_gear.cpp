@@ -2,6 +2,7 @@
 #include "binding_list.h"
 #include "binding_model.h"
 #include "engine/gear/lattice.hpp"
+#include "engine/measure/frame.hpp"
 #include "engine/solve/layout.hpp"
 
 using namespace binding;
@@ -20,6 +21,18 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     return true;
   });
 }
+
+// A lattice with what measures take of it.
+struct Framed {
+  codend::Lattice lattice;
+  codend::MeasureFrame frame;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    lattice.fields(visit);
+    visit.group("frame", frame);
+  }
+};
 
 }  // namespace
 
@@ -41,8 +54,10 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     from.alike = alike;
     from.position = binding::numbers(position);
     if (!Rf_isNull(map)) from.map = codend::read_fields<codend::PartMap>(ListSource(map));
-    codend::Lattice lattice = codend::build_lattice(gear, fineness, from, lay_out_strings);
-    return ListWriter::written(lattice);
+    Framed framed;
+    framed.lattice = codend::build_lattice(gear, fineness, from, lay_out_strings);
+    framed.frame = codend::measure_frame(gear, framed.lattice);
+    return ListWriter::written(framed);
   });
 }
 

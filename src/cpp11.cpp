@@ -5,6 +5,48 @@
 #include "cpp11/declarations.hpp"
 #include <R_ext/Visibility.h>
 
+// binding.cpp
+list engine_evaluate(list lattice, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+  END_CPP11
+}
+// binding.cpp
+list engine_fields();
+extern "C" SEXP _codend_engine_fields() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_fields());
+  END_CPP11
+}
+// binding.cpp
+list engine_forces();
+extern "C" SEXP _codend_engine_forces() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_forces());
+  END_CPP11
+}
+// binding.cpp
+doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
+extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_wave_number(doubles frequency, double depth);
+extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
+extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
+  END_CPP11
+}
 // binding_gear.cpp
 list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
 extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
@@ -52,6 +94,48 @@ list engine_schemes();
 extern "C" SEXP _codend_engine_schemes() {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_schemes());
+  END_CPP11
+}
+// binding_measure.cpp
+doubles engine_measures(list lattice, list frame, list questions, SEXP bag, list state);
+extern "C" SEXP _codend_engine_measures(SEXP lattice, SEXP frame, SEXP questions, SEXP bag, SEXP state) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<SEXP>>(bag), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+  END_CPP11
+}
+// binding_measure.cpp
+doubles engine_part_forces(list frame, list state);
+extern "C" SEXP _codend_engine_part_forces(SEXP frame, SEXP state) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_part_forces(cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+  END_CPP11
+}
+// binding_measure.cpp
+doubles engine_end_tensions(list lattice, list frame, list state, integers bars);
+extern "C" SEXP _codend_engine_end_tensions(SEXP lattice, SEXP frame, SEXP state, SEXP bars) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
+  END_CPP11
+}
+// binding_measure.cpp
+list engine_mesh_places(list frame, doubles points);
+extern "C" SEXP _codend_engine_mesh_places(SEXP frame, SEXP points) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_mesh_places(cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
+  END_CPP11
+}
+// binding_measure.cpp
+doubles engine_bag_weights(list bag);
+extern "C" SEXP _codend_engine_bag_weights(SEXP bag) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_bag_weights(cpp11::as_cpp<cpp11::decay_t<list>>(bag)));
+  END_CPP11
+}
+// binding_measure.cpp
+doubles engine_bag_sizes(list bag, doubles points);
+extern "C" SEXP _codend_engine_bag_sizes(SEXP bag, SEXP points) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_bag_sizes(cpp11::as_cpp<cpp11::decay_t<list>>(bag), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
 // binding_schedule.cpp
@@ -103,48 +187,6 @@ extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position
     return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
   END_CPP11
 }
-// binding.cpp
-list engine_evaluate(list lattice, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
-  END_CPP11
-}
-// binding.cpp
-list engine_fields();
-extern "C" SEXP _codend_engine_fields() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_fields());
-  END_CPP11
-}
-// binding.cpp
-list engine_forces();
-extern "C" SEXP _codend_engine_forces() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_forces());
-  END_CPP11
-}
-// binding.cpp
-doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
-extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
-  END_CPP11
-}
-// binding.cpp
-doubles engine_wave_number(doubles frequency, double depth);
-extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
-  END_CPP11
-}
-// binding.cpp
-doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
-extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
-  END_CPP11
-}
 // file_sync.cpp
 double file_size(cpp11::strings path);
 extern "C" SEXP _codend_file_size(SEXP path) {
@@ -180,20 +222,16 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
     return cpp11::as_sexp(limit_memory(cpp11::as_cpp<cpp11::decay_t<double>>(bytes)));
   END_CPP11
 }
-// shadow.cpp
-double shadow_area(doubles place, doubles by_i, doubles by_j, doubles reach, doubles depth, int across, int down, double size);
-extern "C" SEXP _codend_shadow_area(SEXP place, SEXP by_i, SEXP by_j, SEXP reach, SEXP depth, SEXP across, SEXP down, SEXP size) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(shadow_area(cpp11::as_cpp<cpp11::decay_t<doubles>>(place), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_i), cpp11::as_cpp<cpp11::decay_t<doubles>>(by_j), cpp11::as_cpp<cpp11::decay_t<doubles>>(reach), cpp11::as_cpp<cpp11::decay_t<doubles>>(depth), cpp11::as_cpp<cpp11::decay_t<int>>(across), cpp11::as_cpp<cpp11::decay_t<int>>(down), cpp11::as_cpp<cpp11::decay_t<double>>(size)));
-  END_CPP11
-}
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
+    {"_codend_engine_bag_sizes",       (DL_FUNC) &_codend_engine_bag_sizes,       2},
+    {"_codend_engine_bag_weights",     (DL_FUNC) &_codend_engine_bag_weights,     1},
     {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
+    {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,    4},
     {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,    0},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
@@ -201,7 +239,10 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
     {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
+    {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,        5},
+    {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,     2},
     {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,     2},
+    {"_codend_engine_part_forces",     (DL_FUNC) &_codend_engine_part_forces,     2},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
     {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
@@ -215,7 +256,6 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
     {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
     {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
-    {"_codend_shadow_area",            (DL_FUNC) &_codend_shadow_area,            8},
     {NULL, NULL, 0}
 };
 }

@@ -16,7 +16,7 @@ complain() {
 sources() { find . -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' | LC_ALL=C sort; }
 
 # A folder includes only itself and those before it; the last is the engine's own, with codend.hpp.
-order=(base elements model gear solve march .)
+order=(base elements model gear solve march measure .)
 place() { for k in "${!order[@]}"; do [ "${order[$k]}" = "$1" ] && echo "$k"; done; }
 
 # Netting, twine, knot, mesh and rope are structural and allowed.

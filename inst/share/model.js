@@ -95,15 +95,14 @@ function codendModel(engine, page, bytes) {
         for (var k = 0; k < n; k++) x[index[k]] += pattern[r * n + k] * share[r];
       }
     });
-    if (of.catching && page.whole.catch.given === 'front') of.catching.set(of.array('page/catch.blocked')[0]);
+    if (page.bag === 'front') engine._codend_front(0);
   }
   // Hands the arrays that have changed over and reads the model anew.
   function read() {
     Object.keys(touched).forEach(function (name) {
-      if (name.slice(0, 5) !== 'page/') hand_over(name, arrays[name]);
+      if (!/^page\//.test(name)) hand_over(name, arrays[name]);
     });
-    if (of.catching) hand_over('pressure.weight', of.catching.weights());
-    if (wake.length) hand_over('wake', wake);
+    if (wake.length) hand_over('model.wake', wake);
     checked(engine._codend_read());
     hold();
   }
@@ -134,15 +133,14 @@ function codendModel(engine, page, bytes) {
   }
   // With a catch that is given by its volume the front moves until it is met: a secant, as R's.
   function settle_catch(start) {
-    if (!of.catching || page.whole.catch.given === 'front') return settle(start, 300);
+    if (page.bag !== 'volume') return settle(start, 300);
     var wanted = Math.log(of.array('page/catch.volume')[0]), end = Math.log(of.array('page/catch.deep')[0]);
-    var front = Math.log(of.catching.blocked()), before = null, low = null, high = null;
+    var front = Math.log(engine._codend_blocked()), before = null, low = null, high = null;
     for (var turn = 0; turn < 40; turn++) {
-      of.catching.set(Math.exp(front));
+      engine._codend_front(Math.exp(front));
       read();
       if (!settle(turn ? starts.settled : start, 300)) return false;
-      engine._codend_evaluate();
-      var volume = of.catching.volume(measures.points(position()));
+      var volume = engine._codend_volume();
       var off = volume > 0 ? Math.log(volume) - wanted : -Infinity;
       if (Math.abs(off) < 1e-9) return true;
       if (off < 0 && front >= end) return false;
@@ -177,7 +175,7 @@ function codendModel(engine, page, bytes) {
     wake = found('wake');
     good = {
       values: values.slice(), x: position(), strain: found('strain'), wake: wake,
-      blocked: of.catching ? of.catching.blocked() : 0, unstable: engine._codend_unstable() === 1,
+      blocked: engine._codend_blocked(), unstable: engine._codend_unstable() === 1,
       steps: engine._codend_iterations()
     };
     return true;
@@ -186,7 +184,7 @@ function codendModel(engine, page, bytes) {
     put(good.x);
     put_strain(good.strain);
     wake = good.wake;
-    if (of.catching) of.catching.set(good.blocked);
+    if (page.bag) engine._codend_front(good.blocked);
     if (whole) { fill(good.values); read(); }
   }
 
@@ -229,11 +227,11 @@ function codendModel(engine, page, bytes) {
     for (k = 0; k < n; k++) into[k] = all[k] ? total[k] / all[k] : NaN;
     return into;
   }
-  function mesh_means(meshes, field) {
+  function mesh_means(found, angles) {
     var m = page.scene.meshes, panel = of.array(m.panel), unit = of.array(m.unit);
-    var value = Array.from(meshes[field], function (v, k) {
+    var value = Array.from(found, function (v, k) {
       if (isNaN(v)) return 0;
-      return field === 'angle' ? v * 180 / Math.PI : 100 * v / unit[panel[k]];
+      return angles ? v * 180 / Math.PI : 100 * v / unit[panel[k]];
     });
     var count = of.array(m.means.count), column = of.array(m.means.column), weight = of.array(m.means.weight);
     var out = new Float32Array(count.length), at = 0, middle = null;
@@ -283,44 +281,43 @@ function codendModel(engine, page, bytes) {
   function shape() {
     checked(engine._codend_evaluate());
     var now = {
-      x: position(), force: found('force'), bar_tension: found('bar_tension'),
-      u_tension: found('u_tension'), v_tension: found('v_tension'),
-      straight_tension: found('straight_tension'), plates: found('plates'), reported: found
+      x: position(), bar_tension: found('bar_tension'), u_tension: found('u_tension'),
+      v_tension: found('v_tension'), plates: found('plates')
     };
-    var measured = measures.measure(now), scene = page.scene, drawn = of.array(scene.drawn), k, c;
+    var at = found('points'), values = {}, drag = new Float32Array(found('drag'));
+    found('measures').forEach(function (value, k) { values[page.order[k]] = value; });
+    var scene = page.scene, drawn = of.array(scene.drawn), size = of.array('page/size'), k, c;
+    for (k = 0; k < drag.length; k++) {
+      drag[k] = size[k] > 0 ? Math.max(drag[k], 0) / Math.max(size[k], 1e-9) : 0;
+    }
     var points = new Float32Array(3 * drawn.length), places = new Float32Array(3 * scene.marks.length);
     for (k = 0; k < drawn.length; k++) {
-      for (c = 0; c < 3; c++) points[3 * k + c] = measured.points[3 * drawn[k] + c];
+      for (c = 0; c < 3; c++) points[3 * k + c] = at[3 * drawn[k] + c];
     }
     scene.marks.forEach(function (nodes, k) {
       nodes.forEach(function (n) {
-        for (var c = 0; c < 3; c++) places[3 * k + c] += measured.points[3 * n + c] / nodes.length;
+        for (var c = 0; c < 3; c++) places[3 * k + c] += at[3 * n + c] / nodes.length;
       });
     });
     var out = {
-      points: points, places: places, boards: board_corners(now.x), drag: measured.drag,
+      points: points, places: places, boards: board_corners(now.x), drag: drag,
       rope_tension: group_means(scene.rope, now.bar_tension, null, new Float32Array(scene.rope.count)),
       u: group_means(scene.u, now.bar_tension, now.u_tension, new Float32Array(scene.u.count)),
       v: group_means(scene.v, now.bar_tension, now.v_tension, new Float32Array(scene.v.count))
     };
-    var low = Infinity, high = -Infinity;
-    for (k = 2; k < now.x.length; k += 3) {
-      low = Math.min(low, now.x[k]);
-      high = Math.max(high, now.x[k]);
-    }
-    var flow = page.conditions.water ? measures.water_at(-(low + high) / 2) : [0, 0];
-    if (measured.meshes) {
-      out.opening = mesh_means(measured.meshes, 'opening');
-      out.angle = mesh_means(measured.meshes, 'angle');
+    var flow = page.conditions.water ? found('flow') : [0, 0];
+    if (scene.meshes) {
+      out.opening = mesh_means(found('opening'), false);
+      out.angle = mesh_means(found('angle'), true);
     }
     return {
-      moved: out, measures: measured.values, warnings: warnings(now, measured),
+      moved: out, measures: values, warnings: warnings(now, values),
       flow: flow, conditions: conditions(flow), values: good.values.slice(), steps: good.steps
     };
   }
 
   // What a reader is warned of: [words] each.
-  function warnings(now, measured) {
+  function warnings(now, values) {
     var out = [], degrees = 180 / Math.PI;
     if (good.unstable) out.push('The balance that was found does not last: a small push carries the gear away from it.');
     (page.boards || []).forEach(function (board, k) {
@@ -330,17 +327,17 @@ function codendModel(engine, page, bytes) {
       else if (attack < 0) out.push(board + ' is back-winded: the flow meets its outer face, at ' + attack.toFixed(0) + ' deg.');
       else if (attack > stall) out.push(board + ' is stalled: it meets the flow at ' + attack.toFixed(0) + ' deg, and its lift is largest at ' + stall.toFixed(0) + ' deg.');
     });
-    var strength = of.array('page/strength'), part = of.array(page.whole.bar_part), most = {};
+    var strength = of.array('page/strength'), part = of.array('frame.part.bars'), most = {};
     for (var k = 0; k < part.length; k++) {
-      var share = strength[part[k]] > 0 ? now.bar_tension[k] / strength[part[k]] : 0;
-      if (share > 1) most[part[k]] = Math.max(most[part[k]] || 0, share);
+      var p = part[k] - 1, share = strength[p] > 0 ? now.bar_tension[k] / strength[p] : 0;
+      if (share > 1) most[p] = Math.max(most[p] || 0, share);
     }
     Object.keys(most).forEach(function (p) {
       out.push(page.names[p] + ' carries ' + (100 * most[p]).toFixed(0) + ' % of its breaking load.');
     });
     Object.keys(page.programs).forEach(function (name) {
-      if (page.programs[name].kind === 'pull_used' && measured.values[name] > 1) {
-        out.push('The vessel cannot tow this gear so fast: it would take ' + (100 * measured.values[name]).toFixed(0) + ' % of what it can pull.');
+      if (page.programs[name].kind === 'pull_used' && values[name] > 1) {
+        out.push('The vessel cannot tow this gear so fast: it would take ' + (100 * values[name]).toFixed(0) + ' % of what it can pull.');
       }
     });
     return out;
@@ -355,24 +352,23 @@ function codendModel(engine, page, bytes) {
   // ---- the beginning ----------------------------------------------------------------------------
 
   Object.keys(head).forEach(function (name) {
-    if (/^(page|measure|series|start)\//.test(name)) return;
+    if (/^(page|series|start)\//.test(name)) return;
     if (head[name][0] === 'g') {
       text(name, function (at) { engine._codend_groups(at, head[name][1]); });
     } else {
       hand_over(name, of.array(name));
     }
   });
-  if (page.whole.catch) of.catching = codendCatch(of, page.whole.catch);
-  var measures = codendMeasures(of, page), lines = of.array('start/part');
+  var lines = of.array('start/part');
   parts_at = engine._malloc(4 * lines.length);
   engine.HEAP32.set(lines, parts_at >> 2);
-  var fixed = of.array('held');
+  var fixed = of.array('model.held');
   for (var k = 0; k < page.nodes; k++) if (fixed[k]) held.push(k);
   put(Float64Array.from(of.array('start/position')));
   put_strain(Float64Array.from(of.array('start/strain')));
   wake = of.has('start/wake') ? Float64Array.from(of.array('start/wake')) : wake;
-  hand_over('wake', wake);
-  if (!of.catching) hand_over('pressure.weight', new Float64Array(0));
+  hand_over('model.wake', wake);
+  if (!page.bag) hand_over('model.pressure.weight', new Float64Array(0));
   var own = fields.map(function (field) { return field.value; });
   if (!settle_at(own)) throw new Error('The gear did not settle on this page.');
 

@@ -22,6 +22,7 @@
 #include "march/march.hpp"
 #include "march/scheduled_conditions.hpp"
 #include "march/schemes.hpp"
+#include "measure/measures.hpp"
 #include "model/assembly.hpp"
 #include "model/evaluate.hpp"
 #include "model/model.hpp"

@@ -17,7 +17,8 @@ for (name in arguments[-(1:2)]) {
   file <- file.path(folder, paste0(name, ".html"))
   tow <- if (name == "towed_cable") tow(state, until = "20 s", every = "2 s")
   share(state, file, tow = tow)
-  series <- ns$slider_series(state, ns$slider_fields(gear, NULL, NULL))
+  series <- ns$slider_series(state, ns$slider_fields(gear, NULL, NULL),
+    ns$shared_measures(state)$standard)
   fields <- series$fields
   values <- ns$own_values(fields)
   log <- lapply(seq_len(moves), function(k) {

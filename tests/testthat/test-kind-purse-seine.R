@@ -52,12 +52,12 @@ test_that("the enclosed volume is that of a prism", {
   deep <- -hung[3, ] * 30 / max(-hung[3, along_rope(lattice, "lead_line")$node])
   lead <- along_rope(lattice, "lead_line")$node
   deep[lead] <- 30
-  state <- structure(list(
-    si = si, lattice = lattice, position = rbind(48 * cos(angle), 48 * sin(angle), -deep)
-  ), class = "codend_state")
+  state <- codend:::new_state(gear, si, lattice,
+    as.vector(rbind(48 * cos(angle), 48 * sin(angle), -deep)), list(converged = TRUE))
   at <- angle[lead]
   area <- sum(48^2 * sin(diff(c(at, at[1] + 2 * pi))) / 2)
-  found <- codend:::measure_enclosed_volume(state, list(rope = "lead_line"))
+  found <- codend:::measure_values(state,
+    list(list(kind = "enclosed_volume", rope = "lead_line")))
   # corners of the netting between lie up to half a column, some 1/40 of the circle, beside those of
   # the lead line: polygons of 40 corners are 4e-3 smaller than the circle
   expect_equal(found, area * 30, tolerance = 4e-3)

@@ -22,13 +22,13 @@ test_that("power and fuel follow from the stated pull, power and consumption", {
 })
 
 test_that("the pull goes on straight beyond its rows, to nothing", {
-  vessel <- gear_si(cable_with_engine())$vessel
-  knot <- 1852 / 3600
-  expect_equal(vessel_pull(vessel, 5 * knot), 100e3)
-  expect_equal(vessel_pull(vessel, 12 * knot), 30e3)
-  expect_equal(vessel_pull(vessel, 20 * knot), 0)
-  expect_equal(engine_need_at(vessel, 1, 20 * knot)$power, Inf)
-  expect_null(engine_need_at(vessel, 1, 1)$fuel)
+  pull <- c(`5 knot` = 100, `12 knot` = 30, `20 knot` = 0)
+  for (speed in names(pull)) {
+    found <- measures(settle(update(cable_with_engine(), towing.speed = speed), nodes = 50))
+    expect_equal(found[["pull_used_percent"]], 100 * found[["total_drag_kN"]] / pull[[speed]])
+  }
+  expect_equal(found[["engine_power_kW"]], Inf)
+  expect_false(any(grepl("fuel", names(found))))
 })
 
 test_that("the speed that a power tows is that at which the drag is what the vessel pulls", {

@@ -47,8 +47,16 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
   expect_equal(turning[["swept_area_km2_per_h"]], rate / 2 * abs(diff(reach)) * 0.0036,
     tolerance = 1e-3)
   # the water stands still, so what flows through the mouth is what it passes over
-  outline <- rope_outline(state, c("head", "right", "foot", "left"))
-  ahead <- outline_area(outline) / turning[["mouth_area_m2"]]
+  nodes <- lapply(c("head", "right", "foot", "left"), function(rope) along_rope(state, rope)$node)
+  outline <- nodes[[1L]]
+  if (!outline[length(outline)] %in% nodes[[2L]]) outline <- rev(outline)
+  for (next_rope in nodes[-1L]) {
+    if (next_rope[1L] != outline[length(outline)]) next_rope <- rev(next_rope)
+    outline <- c(outline, next_rope)
+  }
+  x <- state$position[, outline]
+  ahead <- c(polygon_area(x[2, ], x[3, ]), polygon_area(x[3, ], x[1, ])) /
+    turning[["mouth_area_m2"]]
   middle <- rowMeans(state$position[1:2, unique(unlist(lapply(
     c("head", "right", "foot", "left"), function(rope) along_rope(state, rope)$node)))])
   velocity <- rate * c(centre[2] - middle[2], middle[1])

@@ -1,6 +1,6 @@
 # Numbers of a lattice filled anew at random values of all sliders are those of the series.
 misfit_at_random <- function(series, state, places = 3) {
-  fill <- lattice_filler(state, series$fields)
+  fill <- lattice_filler(state, series$fields, shared_measures(state)$standard)
   base <- fill()
   max(vapply(seq_len(places), function(k) {
     values <- vapply(series$fields, function(field) {
@@ -16,7 +16,8 @@ test_that("series of sliders are the lattices that the plan gives", {
   set.seed(38)
   for (name in c("towed_cable", "stow_net", "t90_codend")) {
     state <- suppressWarnings(settle(name, nodes = 300))
-    series <- slider_series(state, slider_fields(state$gear, NULL, NULL))
+    standard <- shared_measures(state)$standard
+    series <- slider_series(state, slider_fields(state$gear, NULL, NULL), standard)
     # of double precision, after sums of a dozen terms
     expect_lt(misfit_at_random(series, state), 1e-12)
     # and the test can tell: without its last term a series is off
@@ -29,7 +30,7 @@ test_that("series of sliders are the lattices that the plan gives", {
 test_that("a length and a weight per length meet in a cross term", {
   state <- settle("towed_cable")
   fields <- slider_fields(state$gear, c("ropes.cable.length", "ropes.cable.mass_per_length"), NULL)
-  series <- slider_series(state, fields)
+  series <- slider_series(state, fields, shared_measures(state)$standard)
   expect_true(any(lengths(lapply(series$terms, `[[`, "of")) == 2L))
   set.seed(1)
   expect_lt(misfit_at_random(series, state), 1e-12)
@@ -40,10 +41,10 @@ test_that("fields that cannot be sliders are refused by name", {
   expect_error(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments",
     class = "codend_error_argument")
   # what divides the gear otherwise changes more than numbers
-  base <- list(bars.node = 1:4, bars.rest = c(1, 2))
-  expect_match(odd_array(list(bars.node = 1:6, bars.rest = 1:3 + 0), base, "rest"), "divides")
-  expect_match(odd_array(list(bars.node = 4:1, bars.rest = c(1, 2)), base, "rest"), "bars node")
-  expect_null(odd_array(list(bars.node = 1:4, bars.rest = c(1, 3)), base, "rest"))
+  base <- list(model.bars.node = 1:4, model.bars.rest = c(1, 2))
+  expect_match(odd_array(list(model.bars.node = 1:6, model.bars.rest = 1:3 + 0), base, "rest"), "divides")
+  expect_match(odd_array(list(model.bars.node = 4:1, model.bars.rest = c(1, 2)), base, "rest"), "bars node")
+  expect_null(odd_array(list(model.bars.node = 1:4, model.bars.rest = c(1, 3)), base, "rest"))
 })
 
 test_that("arguments are checked before anything is computed", {

@@ -1,5 +1,9 @@
-// The engine for a page (inst/share/worker.js): named arrays in, a settled shape and what acts on it
-// out, by plain C calls. One model at a time; a page has one engine in one worker.
+// The engine for a page (inst/share/worker.js): named arrays in, a settled shape, what acts on it and its
+// measures out, by plain C calls. One gear at a time; a page has one engine in one worker.
+//
+// Arrays are those of `model`, of `frame` and `questions` (measure/measures.hpp) and, of a gear with a
+// filled bag, of `bag` (measure/filled_bag.hpp).
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <map>
@@ -24,7 +28,7 @@ struct Array {
   int groups = 0;
 };
 
-// By path, such as bars.rest; the k-th group of a list stands under its name and .k, from 1.
+// By path, such as model.bars.rest; the k-th group of a list stands under its name and .k, from 1.
 std::map<std::string, Array> arrays;
 
 // The arrays as a source of fields (base/read_fields.hpp).
@@ -80,7 +84,13 @@ std::optional<codend::Model> model;
 std::unique_ptr<codend::Assembly> assembly;
 codend::SettleReport report;
 codend::Evaluation evaluation;
+codend::MeasureFrame frame;
+codend::Questions questions;
+std::optional<codend::FilledBag> bag;
+double front = 0.0;  // meshes that the bag is filled up to; 0: as it is given
 std::vector<double> position, strain, plates;
+// As found() names them.
+std::vector<double> points, measures, drag, opening, angle, flow, weights;
 std::string error;
 
 template <class Work>
@@ -106,6 +116,12 @@ const std::vector<double>* found(const std::string& name) {
   static std::vector<double> wake;
   if (name == "position") return &position;
   if (name == "strain") return &strain;
+  if (name == "points") return &points;
+  if (name == "measures") return &measures;
+  if (name == "drag") return &drag;
+  if (name == "opening") return &opening;
+  if (name == "angle") return &angle;
+  if (name == "flow") return &flow;
   if (name == "plates") return &plates;
   if (name == "wake") {
     wake = assembly && assembly->has_wake() ? assembly->wake() : std::vector<double>();
@@ -165,11 +181,19 @@ double* codend_strain(int count) {
   return strain.data();
 }
 
-// Reads the model from its arrays anew. Returns its nodes, or -1 (codend_error()).
+// Reads the gear from its arrays anew. Returns its nodes, or -1 (codend_error()).
 int codend_read() {
   return guarded([] {
     assembly.reset();
-    model.emplace(codend::read_fields<codend::Model>(PageSource("")));
+    bag.reset();
+    if (arrays.count("bag.blocked") != 0) {
+      bag.emplace(codend::read_fields<codend::FilledBag>(PageSource("bag.")));
+      if (front > 0.0) bag->blocked = front;
+      fresh("model.pressure.weight", Type::numbers).numbers = codend::pressure_weights(*bag);
+    }
+    frame = codend::read_fields<codend::MeasureFrame>(PageSource("frame."));
+    questions = codend::read_fields<codend::Questions>(PageSource("questions."));
+    model.emplace(codend::read_fields<codend::Model>(PageSource("model.")));
     model->prepare();
     assembly = std::make_unique<codend::Assembly>(*model);
     return model->nodes;
@@ -197,11 +221,19 @@ int codend_settle(int start, const int* part, double tolerance, int iterations) 
     return 1;
   });
 }
+// The bag's front, meshes; and the volume (m3) behind it where the gear is.
+void codend_front(double meshes) { front = meshes; }
+double codend_blocked() { return bag ? bag->blocked : 0.0; }
+double codend_volume() {
+  return bag ? codend::bag_volume(*bag, codend::all_points(*model, position)) : 0.0;
+}
 int codend_iterations() { return report.iterations; }
 int codend_unstable() { return report.unstable ? 1 : 0; }
 double codend_residual() { return report.residual; }
 
-// Forces and tensions at the shape. Plates: attack, heel, trim (rad), lift, drag (N) each.
+// Forces, tensions and measures at the shape. Plates: attack, heel, trim (rad), lift, drag (N) each;
+// drag: of every part along the flow (N); opening (m), angle (rad): of meshes; flow: of the water past
+// the gear's middle (m/s).
 int codend_evaluate() {
   return guarded([] {
     const std::vector<double> still(position.size(), 0.0);
@@ -210,6 +242,29 @@ int codend_evaluate() {
     for (const codend::PlateAttitude& plate : evaluation.plates) {
       plates.insert(plates.end(), {plate.attack, plate.heel, plate.trim, plate.lift, plate.drag});
     }
+    const codend::MeasuredShape<double> shape = codend::measured_shape(evaluation, position, still);
+    measures = codend::measure(frame, *model, questions, bag ? &*bag : nullptr, shape);
+    points = codend::all_points(*model, position);
+    const codend::Three<double> way = codend::flow_axis(*model, questions);
+    const std::vector<double> forces = codend::part_forces(frame, shape);
+    drag.clear();
+    for (int part = 0; part < frame.parts; ++part) {
+      drag.push_back(codend::dot(codend::three(forces, part), way));
+    }
+    opening.clear();
+    angle.clear();
+    for (const auto& place : codend::mesh_places(frame.meshes, points)) {
+      opening.push_back(place.opening);
+      angle.push_back(place.angle);
+    }
+    double low = position[2], high = position[2];
+    for (std::size_t k = 2; k < position.size(); k += 3) {
+      low = std::min(low, position[k]);
+      high = std::max(high, position[k]);
+    }
+    codend::Vector current, slope;
+    model->water.velocity((low + high) / 2, current, slope);
+    flow = {current.x(), current.y()};
     return 0;
   });
 }

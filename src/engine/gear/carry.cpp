@@ -52,17 +52,6 @@ void PartMap::check(const Gear& gear, std::size_t points_of_shape) const {
 
 namespace {
 
-// A place on the straight line between two points.
-struct Between {
-  int from, to;
-  double share;
-  Vector operator()(const double* position) const {
-    if (share == 1.0) return at(position, to);
-    const Vector first = at(position, from);
-    return first + (Vector(at(position, to)) - first) * share;
-  }
-};
-
 double clamped_share(double x, double low, double high) {
   return x >= high ? 1.0 : x <= low ? 0.0 : (x - low) / (high - low);
 }
@@ -104,16 +93,6 @@ PanelPlace bar_place(const Gear& gear, const PartMap& map, int p, std::size_t k)
   return {map.point(drawn.node[k]), p, std::min(std::max(s, 0.0), 1.0), drawn.j[k] / panel.deep};
 }
 
-// The shape of panels as rows of places, each running from the left edge to the right edge: the rows
-// of a grid, or those of knots. Rows and the places of a row follow each other.
-struct PanelRows {
-  std::vector<int> panel;        // of every row
-  std::vector<double> t, t_key;  // and how deep it is
-  std::vector<int> row;          // of every place
-  std::vector<double> s, s_key;  // and how far across
-  std::vector<Between> at;
-};
-
 struct RowPlace {
   int panel;
   double s, t;
@@ -130,6 +109,22 @@ void add_inner_knots(std::vector<RowPlace>& out, const Gear& gear, const PartMap
     out.push_back({p, place.s, row / rows, {place.node, place.node, 0.0}});
   }
 }
+
+// The values (0 to 1) of a group next to x in it, and the share of the way between them; groups and
+// values in order, keys: 2 (group + 1) + value.
+Beside values_beside(int group, double x, const std::vector<int>& groups,
+                     const std::vector<double>& values, const std::vector<double>& keys) {
+  const double key = 2.0 * (group + 1) + x;
+  int low = static_cast<int>(std::upper_bound(keys.begin(), keys.end(), key) - keys.begin()) - 1;
+  low = std::max(low, static_cast<int>(std::lower_bound(groups.begin(), groups.end(), group) -
+                                       groups.begin()));
+  int high = std::min(low + 1, static_cast<int>(groups.size()) - 1);
+  if (groups[high] != group) high = low;
+  const double width = values[high] - values[low];
+  const double share = (x - values[low]) / std::max(width, 1e-12);
+  return {low, high, std::min(std::max(share, 0.0), 1.0)};
+}
+}  // namespace
 
 PanelRows panel_rows(const Gear& gear, const PartMap& map) {
   std::vector<RowPlace> all;
@@ -192,26 +187,9 @@ PanelRows panel_rows(const Gear& gear, const PartMap& map) {
   return out;
 }
 
-// The values (0 to 1) of a group next to x in it, and the share of the way between them; groups and
-// values in order, keys: 2 (group + 1) + value.
-struct Beside {
-  int low, high;
-  double share;
-};
-Beside values_beside(int group, double x, const std::vector<int>& groups,
-                     const std::vector<double>& values, const std::vector<double>& keys) {
-  const double key = 2.0 * (group + 1) + x;
-  int low = static_cast<int>(std::upper_bound(keys.begin(), keys.end(), key) - keys.begin()) - 1;
-  low = std::max(low, static_cast<int>(std::lower_bound(groups.begin(), groups.end(), group) -
-                                       groups.begin()));
-  int high = std::min(low + 1, static_cast<int>(groups.size()) - 1);
-  if (groups[high] != group) high = low;
-  const double width = values[high] - values[low];
-  const double share = (x - values[low]) / std::max(width, 1e-12);
-  return {low, high, std::min(std::max(share, 0.0), 1.0)};
+Beside PanelRows::beside(int of_row, double x) const {
+  return values_beside(of_row, x, row, s, s_key);
 }
-
-}  // namespace
 
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map) {
   std::vector<PanelPlace> out;
@@ -256,7 +234,7 @@ std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const P
   }
   const PanelRows rows = panel_rows(gear, from);
   const auto along = [&](int row, double s) -> Vector {
-    const Beside on = values_beside(row, s, rows.row, rows.s, rows.s_key);
+    const Beside on = rows.beside(row, s);
     const Vector low = rows.at[on.low](position.data());
     return low + (rows.at[on.high](position.data()) - low) * on.share;
   };

@@ -45,6 +45,37 @@ struct PanelPlace {
 };
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map);
 
+// A place on the straight line between two points.
+struct Between {
+  int from, to;
+  double share;
+  Vector operator()(const double* position) const {
+    if (share == 1.0) return at(position, to);
+    const Vector first = at(position, from);
+    return first + (Vector(at(position, to)) - first) * share;
+  }
+};
+
+// The values (0 to 1) of a group next to one in it, and the share of the way between them.
+struct Beside {
+  int low, high;
+  double share;
+};
+
+// The shape of panels as rows of places, each running from the left edge to the right edge: the rows
+// of a grid, or those of knots. Rows and the places of a row follow each other.
+struct PanelRows {
+  std::vector<int> panel;        // of every row
+  std::vector<double> t, t_key;  // and how deep it is
+  std::vector<int> row;          // of every place
+  std::vector<double> s, s_key;  // and how far across
+  std::vector<Between> at;
+
+  // The places next to a share across in a row.
+  Beside beside(int row, double s) const;
+};
+PanelRows panel_rows(const Gear& gear, const PartMap& map);
+
 // Positions (m, 3 per node) of the nodes of `to`, from those of all points of `from`.
 std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const PartMap& from,
                                     const std::vector<double>& position);

@@ -1,0 +1,117 @@
+// Measures of states for R.
+#include <map>
+
+#include "binding_list.h"
+#include "binding_model.h"
+#include "engine/measure/measures.hpp"
+
+using namespace binding;
+
+namespace {
+
+// Of a state's tensions, forces and places.
+codend::MeasuredShape<double> read_shape(const list& state) {
+  codend::MeasuredShape<double> out;
+  out.position = numbers(state, "position");
+  out.velocity = numbers(state, "velocity");
+  out.force = numbers(state, "force");
+  out.bar_tension = numbers(state, "bar_tension");
+  out.u_tension = numbers(state, "u_tension");
+  out.v_tension = numbers(state, "v_tension");
+  out.straight_tension = numbers(state, "straight_tension");
+  const list forces(state["forces"]), plates(state["boards"]);
+  for (const codend::ReportedForce& force : codend::reported_forces()) {
+    out.forces.push_back(numbers(forces, force.name));
+  }
+  out.attack = numbers(plates, "attack");
+  out.heel = numbers(plates, "heel");
+  out.trim = numbers(plates, "trim");
+  return out;
+}
+
+codend::MeasureFrame read_frame(const list& frame) {
+  return codend::read_fields<codend::MeasureFrame>(ListSource(frame));
+}
+
+codend::FilledBag read_bag(SEXP bag) {
+  return codend::read_fields<codend::FilledBag>(ListSource(bag));
+}
+
+}  // namespace
+
+// Measures in SI, not a number where the gear does not have one. lattice: the engine's; frame: as
+// engine_lattice() gives it; questions: see measures.hpp; bag: or NULL; state: what acts in it.
+[[cpp11::register]] doubles engine_measures(list lattice, list frame, list questions, SEXP bag,
+                                            list state) {
+  return guarded([&]() -> doubles {
+    const codend::Model model = read_model(lattice);
+    codend::FilledBag filled;
+    if (!Rf_isNull(bag)) filled = read_bag(bag);
+    return as_doubles(codend::measure(
+        read_frame(frame), model, codend::read_fields<codend::Questions>(ListSource(questions)),
+        Rf_isNull(bag) ? nullptr : &filled, read_shape(state)));
+  });
+}
+
+// Force of the flow on every part, 3 each, N.
+[[cpp11::register]] doubles engine_part_forces(list frame, list state) {
+  return guarded([&]() -> doubles {
+    return as_doubles(codend::part_forces(read_frame(frame), read_shape(state)));
+  });
+}
+
+// Tension at both ends of bars of ropes, 2 each, N.
+[[cpp11::register]] doubles engine_end_tensions(list lattice, list frame, list state,
+                                                integers bars) {
+  return guarded([&]() -> doubles {
+    const codend::Model model = read_model(lattice);
+    const codend::MeasureFrame read = read_frame(frame);
+    const codend::MeasuredShape<double> shape = read_shape(state);
+    std::vector<double> out;
+    for (const int bar : places(bars)) {
+      for (const double end : codend::end_tensions(read, model, shape, bar)) out.push_back(end);
+    }
+    return as_doubles(out);
+  });
+}
+
+// Meshes at all places of panels, as columns; points: 3 each, m.
+[[cpp11::register]] list engine_mesh_places(list frame, doubles points) {
+  return guarded([&]() -> list {
+    const codend::MeshFrame meshes = read_frame(frame).meshes;
+    std::map<std::string, std::vector<double>> columns;
+    for (const auto& place : codend::mesh_places(meshes, numbers(points))) {
+      columns["opening"].push_back(place.opening);
+      columns["depth"].push_back(place.depth);
+      columns["angle"].push_back(place.angle);
+      const auto add = [&](const char* const names[3], codend::Three<double> x) {
+        for (int c = 0; c < 3; ++c) columns[names[c]].push_back(x[c]);
+      };
+      constexpr const char* u[3] = {"u_x", "u_y", "u_z"};
+      constexpr const char* v[3] = {"v_x", "v_y", "v_z"};
+      constexpr const char* x[3] = {"x", "y", "z"};
+      add(u, place.u);
+      add(v, place.v);
+      add(x, place.at);
+    }
+    writable::list out;
+    for (const auto& [name, values] : columns) {
+      out.push_back(cpp11::named_arg(name.c_str()) = as_doubles(values));
+    }
+    return out;
+  });
+}
+
+// Of a filled bag: weights of its pressure, 3 per triangle; volume (m3) and surface (m2), points: 3
+// each, m.
+[[cpp11::register]] doubles engine_bag_weights(list bag) {
+  return guarded([&]() -> doubles { return as_doubles(codend::pressure_weights(read_bag(bag))); });
+}
+[[cpp11::register]] doubles engine_bag_sizes(list bag, doubles points) {
+  return guarded([&]() -> doubles {
+    const codend::FilledBag read = read_bag(bag);
+    const std::vector<double> x = numbers(points);
+    return as_doubles(std::vector<double>{codend::bag_volume(read, x),
+                                          codend::bag_surface(read, x)});
+  });
+}

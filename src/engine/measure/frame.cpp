@@ -1,0 +1,66 @@
+#include "frame.hpp"
+
+namespace codend {
+
+MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
+  MeasureFrame out;
+  const Division& division = lattice.division;
+  out.nodes = lattice.nodes;
+  out.points = static_cast<int>(lattice.mass.size());
+  out.parts = gear.parts();
+  out.panel_count = gear.panel_count;
+  out.places = division.places;
+  for (int p = 0; p < gear.point_count; ++p) {
+    if (gear.points[p].held) out.supports.push_back(division.places[p]);
+  }
+  for (const Division::Held& edge : division.held_edges) {
+    if (edge.node.size() > 2) {
+      out.supports.insert(out.supports.end(), edge.node.begin() + 1, edge.node.end() - 1);
+    }
+  }
+  out.part.bars = lattice.bar_part;
+  out.part.cells = lattice.cell_part;
+  out.part.spheres = lattice.sphere_part;
+  out.part.lifts = lattice.lift_part;
+  const int before = gear.rope_count + gear.panel_count + static_cast<int>(gear.pieces.size());
+  for (std::size_t k = 0; k < gear.plates.size(); ++k) {
+    out.part.plates.push_back(before + static_cast<int>(k));
+  }
+  const auto whole = [&](const std::vector<int>& on_cell, const std::vector<int>& on_sheet) {
+    std::vector<int> part;
+    for (const int cell : on_cell) part.push_back(lattice.cell_part[cell]);
+    for (const int sheet : on_sheet) part.push_back(lattice.sheets.part[sheet]);
+    return part;
+  };
+  out.part.screens = whole(lattice.on_cell.screens, lattice.on_sheet.screens);
+  out.part.blended = whole(lattice.on_cell.blended, lattice.on_sheet.blended);
+  for (int r = 0; r < gear.rope_count; ++r) {
+    const GearRope& rope = gear.ropes[r];
+    out.ropes.push_back(
+        {division.ropes[r].node, rope.mass_per_length, rope.volume_per_length, rope.strut});
+  }
+  for (const GearSeam& seam : gear.seams) {
+    SeamFrame joined;
+    for (const Chain& chain : seam.chains) {
+      for (const Link& link : chain.links) joined.edge.push_back(link.edge);
+    }
+    joined.gathered = seam.gathered_at >= 0;
+    out.seams.push_back(std::move(joined));
+  }
+  out.edges = division.edges;
+  const CellList& cells = lattice.cells;
+  out.cells.node = cells.node;
+  out.cells.rest = cells.rest;
+  out.cells.straight = cells.straight;
+  out.cells.multiplicity = cells.multiplicity;
+  for (std::size_t c = 0; c < cells.rest.size(); ++c) {
+    const double* twine = &cells.twine[8 * c];
+    const double u[4] = {twine[0], twine[2], twine[4], twine[6]};
+    const double v[4] = {twine[1], twine[3], twine[5], twine[7]};
+    out.cells.bars.push_back(cell_area(u, v) * cells.multiplicity[c]);
+  }
+  out.meshes = mesh_frame(gear, part_map(gear, division, lattice.nodes, lattice.panels));
+  return out;
+}
+
+}  // namespace codend
