@@ -118,7 +118,7 @@ frame_again <- function(si, lattice) {
     panel$netting <- if (of_bars) "bars" else "cells"
     panel
   }, si$panels, bars)
-  shape <- list(lattice = lattice, position = numeric(3 * length(lattice$engine$mass)))
+  shape <- list(lattice = lattice, position = lattice_points(lattice, lattice$start))
   build_lattice(si, lattice$counts$asked$nodes, NULL, shape)$frame
 }
 
