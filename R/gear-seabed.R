@@ -1,8 +1,12 @@
 # The sea bed as the engine takes it, and what of a gear may lie on it.
 
-# seabed: checked fields, or NULL. Returns list(normal, height, velocity, friction, stiffness), see
-# ground.hpp; the ground passes a towed gear at the towing speed.
-si_seabed <- function(seabed, towing_speed) {
+# What friction gives before it slips, m, at most, and as a share of the gear's longest rope.
+most_slip_distance <- 0.01
+slip_share <- 1e-3
+
+# seabed: checked fields, or NULL; longest: rope, m. Returns list(normal, height, velocity, friction,
+# stiffness, slip_distance), see ground.hpp; the ground passes a towed gear at the towing speed.
+si_seabed <- function(seabed, towing_speed, longest) {
   if (is.null(seabed)) return(NULL)
   slope <- first_of(seabed$slope, list(angle = 0, toward = 0))
   fall <- sin(slope$angle) * c(cos(slope$toward), sin(slope$toward))
@@ -10,7 +14,8 @@ si_seabed <- function(seabed, towing_speed) {
   along <- c(1, 0, 0) - normal[1] * normal
   list(
     normal = normal, height = -seabed$depth * normal[3], velocity = towing_speed * along,
-    friction = seabed$friction, stiffness = seabed$stiffness
+    friction = seabed$friction, stiffness = seabed$stiffness,
+    slip_distance = first_of(seabed$slip_distance, min(most_slip_distance, slip_share * longest))
   )
 }
 

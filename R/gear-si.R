@@ -156,7 +156,8 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known$otter_boards <- names(si$otter_boards)
   known$pieces <- names(si$pieces)
   known$ground <- !is.null(fields$seabed)
-  si$ground <- si_seabed(fields$seabed, fields$towing$speed)
+  longest <- if (length(si$ropes)) max(vapply(si$ropes, `[[`, 0, "length")) else Inf
+  si$ground <- si_seabed(fields$seabed, fields$towing$speed, longest)
   si$vessel <- if (!is.null(last) && same("vessel")) {
     last$vessel
   } else if (!is.null(fields$vessel)) {

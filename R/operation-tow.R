@@ -12,8 +12,8 @@
 #' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
 #' `time` and `value` (straight between its rows, the last value for good; two rows of one time
 #' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI
-#' (taken every 0.1 s and smooth between). A gear that is not yet a state settles first, in the
-#' conditions of time 0, and what is not given here is taken from its plan's section `tow`, which
+#' (taken every 0.1 s and smooth between, up to where it jumps). A gear that is not yet a state
+#' settles first, in the conditions of time 0, and what is not given here is taken from its plan's section `tow`, which
 #' has fields of the same names and lists of `time` and `value` for tables. A state that is towed to
 #' no given time goes on in its plan's section `tow` too, if that begins where the state is. Towed
 #' `until` a time it goes on as it is but for what is given here: then only `scheme` and `accuracy`
@@ -45,9 +45,15 @@
 #'
 #' Water that accelerates pushes what is in it: by its acceleration times the water that is
 #' displaced (Froude and Krylov) and times the added mass, whose own acceleration is the gear's less
-#' the water's. A current that changes with time does so, but not by its jumps, which happen at
-#' once. Behind netting that slows the water its acceleration is that of the free flow, and a catch
+#' the water's. A current that changes with time does so, but not by jumps of its speed or its
+#' direction, which happen at once. Behind netting that slows the water its acceleration is that of the free flow, and a catch
 #' in netting, as heavy as water, is moved by the netting around it alone.
+#'
+#' What lies on the sea bed sticks to it unless the plan says otherwise. Friction gives by the
+#' plan's `slip_distance` before it slips: 10 mm, or a thousandth of the longest rope where that is
+#' less. When what slips turns back it builds up over twice as much, so that over a way `s` back it
+#' is a share of `2 slip_distance / s` less in the mean: 4 % over half a metre at 10 mm, all of it
+#' where something swings by less than 20 mm.
 #'
 #' With `waves` in the plan's `water` they run over the gear: Airy's, of the water's depth,
 #' stretched to the surface (Wheeler 1970), one or as many as stand for a spectrum, from a seed that
@@ -68,7 +74,7 @@
 #' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp` or `purse_wire`,
 #'   or a list of them by rope or by `port` and `starboard`. At least 1 m.
 #' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
-#'   faster, and pay out where their tension at the vessel exceeds the limit.
+#'   faster, and pay out where their tension at the vessel, at the very end, exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that
 #'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope. It is
 #'   asked every `control_every` seconds.

@@ -4,7 +4,7 @@
 # from value begin[k] at rate begin_rate[k] to end[k] at end_rate[k]; before the first and after the
 # last the number stays.
 
-# A function is taken at steps of this length, s, and smooth between.
+# A function is taken at steps of this length, s, and smooth between but for its jumps.
 function_step <- 0.1
 
 # value: a number or text with a unit, a data frame of time and value, or a function of time (s)
@@ -61,14 +61,72 @@ straight_curve <- function(time, value) {
 
 function_curve <- function(value, path, until) {
   time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 3)
-  found <- vapply(time, function(t) {
+  at <- function(t) {
     y <- value(t)
     if (!is.numeric(y) || length(y) != 1L || !is.finite(y)) {
       abort_schedule(path, sprintf("must give one finite number; at %s s it does not.", format(t)))
     }
     as.double(y)
-  }, 0)
-  smooth_curve(time, found)
+  }
+  found <- vapply(time, at, 0)
+  join_curves(pieces_between(function_jumps(at, time, found), time, found))
+}
+
+# Where a function jumps between two of its times, found by halving: list(before, after (s),
+# from, to (the values there)).
+function_jumps <- function(at, time, value) {
+  change <- abs(diff(value))
+  beside <- pmax(c(0, change[-length(change)]), c(change[-1L], 0))
+  lapply(which(change > 2 * beside + 1e-9 * max(abs(value))), function(k) {
+    before <- time[k]
+    after <- time[k + 1L]
+    from <- value[k]
+    to <- value[k + 1L]
+    while (after - before > 1e-9 * max(1, after)) {
+      middle <- (before + after) / 2
+      found <- at(middle)
+      if (abs(found - from) > abs(to - found)) {
+        after <- middle
+        to <- found
+      } else {
+        before <- middle
+        from <- found
+      }
+    }
+    if (abs(to - from) > change[k] / 2) list(before = before, after = after, from = from, to = to)
+  })
+}
+
+# Smooth curves through values, one from jump to jump.
+pieces_between <- function(jumps, time, value) {
+  jumps <- Filter(Negate(is.null), jumps)
+  at <- vapply(jumps, `[[`, 0, "after")
+  lapply(seq_len(length(jumps) + 1L), function(k) {
+    inside <- time > c(-Inf, at)[k] + 1e-6 & time < c(at, Inf)[k] - 1e-6
+    t <- time[inside]
+    y <- value[inside]
+    if (k > 1L) {
+      t <- c(at[k - 1L], t)
+      y <- c(jumps[[k - 1L]]$to, y)
+    }
+    if (k <= length(jumps)) {
+      t <- c(t, at[k])
+      y <- c(y, jumps[[k]]$from)
+    }
+    if (length(t) > 1L) smooth_curve(t, y)
+  })
+}
+
+# Curves that follow one another, as one.
+join_curves <- function(curves) {
+  curves <- Filter(Negate(is.null), curves)
+  each <- function(field) unlist(lapply(curves, `[[`, field))
+  time <- unlist(lapply(curves, function(curve) curve$time[-length(curve$time)]))
+  last <- curves[[length(curves)]]$time
+  list(
+    time = c(time, last[length(last)]), begin = each("begin"), end = each("end"),
+    begin_rate = each("begin_rate"), end_rate = each("end_rate")
+  )
 }
 
 # Through all values, with rates from their neighbours (Catmull and Rom 1974).

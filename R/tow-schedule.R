@@ -232,12 +232,37 @@ current_curves <- function(si, given, until) {
         x = scale_curve(speed, cos(toward$begin)), y = scale_curve(speed, sin(toward$begin))
       ))
     }
-    time <- seq(0, until + 2 * function_step, by = function_step)
-    s <- curve_at(speed, time)
-    a <- curve_at(toward, time)
-    list(x = smooth_curve(time, s * cos(a)), y = smooth_curve(time, s * sin(a)))
+    turned_current(speed, toward, until)
   })
   list(x = lapply(curves, `[[`, "x"), y = lapply(curves, `[[`, "y"))
+}
+
+# A current (curves of m/s and rad) along x and y: list(x, y), smooth from break to break. Water that
+# is turned at once pushes nothing; turned within a short time it would by its acceleration.
+turned_current <- function(speed, toward, until) {
+  until <- until + 2 * function_step
+  breaks <- c(curve_breaks(speed, TRUE), curve_breaks(toward, TRUE))
+  breaks <- sort(unique(breaks[breaks > 0 & breaks < until]))
+  begun <- c(0, breaks)
+  parts <- lapply(seq_along(begun), function(k) {
+    time <- c(begun, until)[k + 0:1]
+    time <- seq(time[1L], time[2L], length.out = max(2, ceiling(diff(time) / function_step) + 1))
+    last <- length(time)
+    values <- function(curve) c(curve_at(curve, time[-last], after = TRUE), curve_at(curve, time[last]))
+    s <- values(speed)
+    a <- values(toward)
+    list(x = smooth_curve(time, s * cos(a)), y = smooth_curve(time, s * sin(a)))
+  })
+  before <- function(curve, way) {
+    # a jump where the tow begins: the water is settled in before it
+    first <- curve_at(speed, 0) * way(curve_at(toward, 0))
+    if (first == curve$begin[1L]) return(curve)
+    join_curves(list(straight_curve(c(-1, 0), rep(first, 2)), curve))
+  }
+  list(
+    x = before(join_curves(lapply(parts, `[[`, "x")), cos),
+    y = before(join_curves(lapply(parts, `[[`, "y")), sin)
+  )
 }
 
 # Ropes that may break. given: a list of list(rope, time, place) or list(rope), which goes at its

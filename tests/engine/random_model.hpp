@@ -49,7 +49,7 @@ struct Ingredients {
   bool wake = false;    // a flow slowed by netting, differently at every point
   bool struts = false;  // every other bar also pushes
   // What friction gives (m) before what sticks to the ground slips; 0: nothing sticks.
-  double stick_give = 0.0;
+  double slip_distance = 0.0;
   bool multiplied = false;  // components of force, by multipliers
 };
 
@@ -112,7 +112,7 @@ class Specimen {
     }
     model.prepare();
     stretch(random);
-    if (wanted.stick_give > 0.0) stick(random, wanted.stick_give);
+    if (wanted.slip_distance > 0.0) stick(random, wanted.slip_distance);
   }
   Specimen(const Specimen&) = delete;
 
@@ -137,7 +137,7 @@ class Specimen {
 
   // To anchors that are up to half a metre off.
   void stick(Random& random, double give) {
-    model.ground.stick_give = give;
+    model.ground.slip_distance = give;
     Assembly assembly(model);
     assembly.move_to(x.data(), v.data());
     std::vector<Vector> anchor = assembly.ground_places();

@@ -270,13 +270,13 @@ TEST_CASE("derivatives of what sticks to the ground, or slips there") {
     CAPTURE(give);
     SUBCASE("contacts") {
       check_points([give](Ingredients& i) -> int& {
-        i.stick_give = give;
+        i.slip_distance = give;
         return i.contacts;
       });
     }
     SUBCASE("shoes of plates") {
       check_points([give](Ingredients& i) -> int& {
-        i.stick_give = give;
+        i.slip_distance = give;
         return i.plates;
       });
     }

@@ -95,6 +95,27 @@ TEST_CASE("a body that is thrown comes to rest where its energy is gone") {
   CHECK(at(end.v.data(), 0).norm() < 1e-6);
 }
 
+TEST_CASE("after a reversal friction builds up over twice its slip distance") {
+  Ground ground;
+  ground.friction = 1.0;
+  ground.slip_distance = 0.004;
+  const Rubbing rub = ground.rubbing();
+  Vector anchor = Vector::Zero();
+  Matrix by_position, by_velocity;
+  double work = 0.0;
+  const double step = 1e-5;
+  // 0.1 m forth, and 0.05 m back, too slowly for what damps
+  for (int k = 1; k <= 15000; ++k) {
+    const Vector x((k <= 10000 ? k : 20000 - k) * step, 0.0, 0.0);
+    const Vector away = x - anchor;
+    const Vector force = ground.per_press(Vector::Zero(), rub, &away, by_position, by_velocity);
+    if (k > 10000) work += force.x() * step;
+    anchor = ground.draw(anchor, x, Vector::Zero(), true);
+  }
+  // a share of 2 g / s less than all of it; to a step
+  CHECK(work == doctest::Approx(0.05 * (1.0 - 2.0 * 0.004 / 0.05)).epsilon(1e-3));
+}
+
 TEST_CASE("a line rubs along and across itself with its own friction") {
   // Between nodes on the way (1, 1): sliding along x pushes back by both.
   Body body(0.0);

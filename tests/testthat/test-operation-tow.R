@@ -85,11 +85,11 @@ test_that("a winch turns no faster than it can, and gives way at its tension", {
   tension <- as.data.frame(free)
   tension <- tension$value[tension$measure == "tension_kN"]
   expect_gt(tension[1], 0.88)
-  # it slips at full speed where 10 % above its limit; the winch feels the middle of its first
-  # element, half of which hangs below the end that is measured: its weight and the drag along it
-  weight <- (0.4 - 1025 * pi / 4 * 0.012^2) * 9.80665
-  element <- 60 / 12 * (weight + 0.5 * 1025 * 0.02 * pi * 0.012 * 2^2) / 1000
-  expect_lt(max(tension[-1]), 0.88 + element / 2)
+  # it slips at full speed where 10 % above its limit at the vessel; its speed is chosen every 0.05 s
+  expect_lt(max(tension[-1]), 0.88 * 1.002)
+  # slower, by the law of the brake; between two of these times it is 1 % off at most
+  speed <- diff(free$conditions$cable) / 5
+  expect_gt(max(tension[-1]), 0.8 * (1 + 0.1 * min(speed) / 3) * 0.99)
 })
 
 test_that("a control holds a weight at its depth by the warp", {
@@ -144,6 +144,43 @@ test_that("at the time of a jump a state is that after it, as the motion goes on
   expect_identical(spheres(state), spheres(state_at(found, 20)))
   mass <- function(state) sum(state$lattice$engine$mass)
   expect_equal(mass(state_at(found, 0)) - mass(state), 50, tolerance = 1e-12)
+})
+
+test_that("water that is turned at once pushes nothing by its acceleration", {
+  # a weight without drag on a line, which only water that accelerates can move
+  ball <- as_gear(list(
+    codend = 1, name = "A ball in a current",
+    water = list(current = list(speed = 0.5, toward = 0)),
+    points = list(nail = list(position = c(0, 0, 0), held = "fixed"), end = c(a = 1)[0]),
+    ropes = list(line = list(from = "nail", to = "end", length = 10, diameter = 0.001,
+      axial_stiffness = 1e5, mass_per_length = 0, volume_per_length = 0, segments = 1,
+      coefficients = list(normal = 0, tangential = 0, skin = 0))),
+    pieces = list(ball = list(at = "end", mass = 200, volume = 0.1, diameter = 0.5,
+      drag_coefficient = 1e-6))
+  ))
+  moved <- function(...) {
+    found <- tow(ball, until = 4, every = 2, current = list(...))
+    end <- found$position[, nodes_at(found, "end"), ]
+    max(abs(end[, 3] - end[, 1]))
+  }
+  jump <- function(to) data.frame(time = c(0, 2, 2), value = c(0, 0, to))
+  expect_lt(moved(speed = 0.5, toward = jump("90 deg")), 1e-4)
+  expect_lt(moved(speed = 0.5, toward = function(t) if (t < 2.03) 0 else pi / 2), 1e-4)
+  expect_lt(moved(speed = function(t) if (t < 2.03) 0.5 else -0.3), 1e-4)
+  # and so it is by water that turns within a second
+  expect_gt(moved(speed = 0.5, toward = data.frame(time = c(0, 2, 3), value = c(0, 0, pi / 2))), 0.1)
+})
+
+test_that("a function of time is smooth up to where it jumps", {
+  curve <- function_curve(function(t) sin(t) + (t >= 1.234) - 3 * (t >= 2), "speed", 4)
+  expect_equal(curve_breaks(curve, FALSE), c(1.234, 2), tolerance = 1e-7)
+  expect_equal(curve_at(curve, c(1, 1.234, 1.9)), c(sin(1), sin(1.234), 1 + sin(1.9)),
+    tolerance = 1e-3)
+  expect_equal(curve_at(curve, c(1.2341, 2.05, 4)), c(1, -2, -2) + sin(c(1.2341, 2.05, 4)),
+    tolerance = 1e-3)
+  # steep is no jump
+  steep <- function_curve(function(t) tanh((t - 2) / 0.01), "speed", 4)
+  expect_length(curve_breaks(steep, FALSE), 0)
 })
 
 test_that("a curve is the same number on both sides of the engine's jumps", {

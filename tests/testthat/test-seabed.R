@@ -90,7 +90,7 @@ test_that("an otter board stands on the ground by its shoe", {
 
 test_that("a sloping bed has the plan's depth below the origin", {
   bed <- list(depth = 50, slope = list(angle = 0.3, toward = 0.5), friction = 0.5, stiffness = 1e4)
-  ground <- si_seabed(bed, 2)
+  ground <- si_seabed(bed, 2, 100)
   expect_equal(height_above_ground(ground, c(0, 0, -50)), 0)
   # down the slope by 10 m it is 10 tan(0.3) deeper, and distances are across it
   down <- 10 * c(cos(0.5), sin(0.5))

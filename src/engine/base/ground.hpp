@@ -13,9 +13,9 @@
 // that would take more than Coulomb's force, drawing the anchor along (P. A. Cundall and O. D. L.
 // Strack, A discrete numerical model for granular assemblies, Geotechnique 29, 1979):
 //   F_t = -mu N w / max(1, |w|),  w = (d + t v_t) / g,
-// d the way along the ground from the anchor, g what friction gives before it slips, t a short time
-// that damps what sticks. Of a line that rubs differently along and across itself, F_t's two parts have
-// their own mu: what slips lies on an ellipse.
+// d the way along the ground from the anchor, g the slip distance, what friction gives before it slips
+// (after a reversal it builds up over 2 g), t a short time that damps what sticks. Of a line that rubs
+// differently along and across itself, F_t's two parts have their own mu: what slips lies on an ellipse.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct Ground {
   double stiffness = 3e6;            // k, Pa/m
   double onset = 0.02;               // h, m
   double slip = 0.02;                // e, m/s
-  double stick_give = 0.01;          // g, m
+  double slip_distance = 0.01;       // g, m
   double stick_lag = 0.1;            // t, s
 
   template <class Visit>
@@ -49,6 +49,7 @@ struct Ground {
     visit("velocity", velocity);
     visit("friction", friction);
     visit("stiffness", stiffness);
+    visit("slip_distance", slip_distance);
   }
 
   // Normal force (N) at a penetration (m) over an area (m2), and its derivative.
@@ -76,7 +77,7 @@ struct Ground {
 
   // How far a body on an anchor is on its way to slipping (w), 1 where it slips; at x - anchor (m), v.
   Vector stretch(const Vector& from_anchor, const Vector& v) const {
-    const Vector w = (from_anchor + stick_lag * (v - velocity)) / stick_give;
+    const Vector w = (from_anchor + stick_lag * (v - velocity)) / slip_distance;
     return w - normal.dot(w) * normal;
   }
 
@@ -86,7 +87,7 @@ struct Ground {
     if (!touches) return x;
     const Vector w = stretch(x - anchor, v);
     const double size = w.norm();
-    return size > 1.0 ? Vector(x - stick_give / size * w) : anchor;
+    return size > 1.0 ? Vector(x - slip_distance / size * w) : anchor;
   }
 
   // Force on a point that moves at v, per normal force, and its derivatives by position and v.
@@ -104,8 +105,8 @@ struct Ground {
         e = w / size;
         slope = (along - e * e.transpose()) / size;
       }
-      by_position = slope / stick_give;
-      by_velocity = slope * (stick_lag / stick_give);
+      by_position = slope / slip_distance;
+      by_velocity = slope * (stick_lag / slip_distance);
     } else {
       const Vector sliding = along * (v - velocity);
       const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);

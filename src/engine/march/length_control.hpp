@@ -20,7 +20,7 @@ struct LengthControl {
   double speed_limit = std::numeric_limits<double>::infinity();    // m/s
   double tension_limit = std::numeric_limits<double>::infinity();  // N; lengthens above it
   double stiffness = 0.0;                                          // EA, N
-  int bar = 0;                                                     // where it pulls
+  int bar = 0;                                                     // at whose first point it pulls
   double full_length = 1.0;                                        // m, where the factor is 1
   double least_length = 1.0;                                       // m
   double most_length = std::numeric_limits<double>::infinity();    // m

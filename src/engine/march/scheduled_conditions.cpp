@@ -215,6 +215,23 @@ double ScheduledConditions::longest_step() const {
   return longest;
 }
 
+Vector ScheduledConditions::end_load(const GrowingGroup& group) const {
+  const Model& model = model_.now();
+  const std::size_t g = static_cast<std::size_t>(&group - schedule_.growing.data());
+  const int end = model.bars.node[2 * static_cast<std::size_t>(group.control.bar)];
+  Vector load = Vector::Zero();
+  for (std::size_t k = 0; k < group.points.size(); ++k) {
+    if (group.points[k] == end) load.z() += factor_[g] * group.load[k];
+  }
+  for (std::size_t k = 0; k < group.volumes.size(); ++k) {
+    const int volume = group.volumes[k];
+    if (model.volumes.node[volume] != end) continue;
+    load += factor_[g] * group.buoyancy[k] / model.volumes.buoyancy[volume] *
+            model.volumes.element_force(volume, assembly_.field());
+  }
+  return load;
+}
+
 bool ScheduledConditions::broken_at(const Motion& now) {
   bool broken = false;
   if (!answers_) return broken;
@@ -235,7 +252,7 @@ bool ScheduledConditions::broken_at(const Motion& now) {
   }
   for (GrowingGroup& group : schedule_.growing) {
     if (!group.controlled) continue;
-    group.control.choose_speed(now.time, assembly_.bar_pull(group.control.bar));
+    group.control.choose_speed(now.time, assembly_.end_pull(group.control.bar, end_load(group)));
   }
   if (sticks_) {
     model_.draw_anchors();

@@ -35,6 +35,8 @@ class ScheduledConditions : public Conditions {
   void stick();
   void keep_anchors();
   void grow(const ScheduledValues& values);
+  // What a controlled rope's weight and buoyancy pull at its end, N.
+  Vector end_load(const GrowingGroup& group) const;
   void release(double time);
   void break_rope(Rupture& rope, int bar, double time);
 

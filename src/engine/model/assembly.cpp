@@ -241,6 +241,16 @@ double Assembly::bar_pull(int bar) const {
   return pull;
 }
 
+double Assembly::end_pull(int bar, const Vector& load) const {
+  const double pull = bar_pull(bar);
+  if (pull <= 0.0) return pull;
+  const LineArrays& known = lines();
+  const Vector along =
+      known.inverse_length[bar] * Vector(known.e[0][bar], known.e[1][bar], known.e[2][bar]);
+  const Vector drag(known.drag[0][bar], known.drag[1][bar], known.drag[2][bar]);
+  return (pull * along + drag + load).norm();
+}
+
 void Assembly::add_diagonal(const double* numbers, double* values) const {
   const std::vector<std::int64_t>& diagonal = blocks().diagonal;
   for (int i = 0; i < unknowns(); ++i) {

@@ -122,6 +122,9 @@ class Assembly {
 
   // Tension of a bar, all its lines together, or of the rope that slides along it, N.
   double bar_pull(int bar) const;
+  // At the bar's first point, where nothing else pulls: with the drag of its half there, and a load of
+  // that half (N), beside the pull of its middle. A slack bar has none.
+  double end_pull(int bar, const Vector& load) const;
 
   // Strain of every line, then penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
