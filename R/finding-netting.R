@@ -14,7 +14,9 @@ define_finding("cells finer than meshes", "state",
     meshes <- cell_bars(engine$cells) / bars_a_mesh[panel]
     held <- vapply(split(meshes[plain], panel[plain]), stats::median, 0)
     # what only bars would do otherwise
-    stays <- vapply(state$si$panels, function(p) !is.null(p$opening_stiffness), NA) |
+    stays <- vapply(state$si$panels, function(p) {
+      !is.null(p$opening_stiffness) && !isTRUE(p$opening_stiffness$assumed)
+    }, NA) |
       names(state$si$panels) %in% state$si$catch$panels
     held <- held[!stays[as.integer(names(held))]]
     if (!length(held) || min(held) >= 1) return(list())

@@ -8,7 +8,7 @@
 #' `orientation` is how meshes lie between the upper and the lower edge of a panel:
 #'
 #' - `diamond`: with the netting's normal direction down the panel; `turned`: by 90 degrees (T90).
-#'   Thin twines know no difference: only an opening stiffness distinguishes them.
+#'   Thin twines know no difference: only the stiffness of knots distinguishes them.
 #' - `square`: bars run down and across (T45).
 #' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run
 #'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
@@ -68,11 +68,33 @@
 #' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
 #' @section Stiffness of meshes:
-#' `opening_stiffness` gives every knot a couple `couple` times the change of the angle between its
-#' twines from `angle`, its angle at rest (D. Priour, 2013, as above); of turned meshes the
-#' angle is measured across the panel. It matters in codends of thick twine. Values are to be
-#' measured: none is assumed. In netting of bars the couples act on the sheets between the rows of
-#' its knots.
+#' Knots and stiff twine resist opening and closing of meshes: every knot has a couple, `couple` times
+#' the change of the angle between its twines from `angle`, its angle at rest (D. Priour, 2013, as
+#' above); of turned meshes the angle is measured across the panel. Where a plan gives no
+#' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a fibre
+#' in the table below, has that of its twine: its knots hold its meshes open. Multifilament (PA, PES,
+#' HMPE) and thin twine are limp, and so is diamond netting: the same couples would change its
+#' openings by 1 to 2 % of the mesh size where water or a catch opens them, and only a slack codend
+#' by more. Between two knots that do not turn, twine is a beam of the bending stiffness
+#' EI (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
+#' part of its tension, which makes it stiffer), of the length of a bar less a knot, so that
+#'
+#' couple = 6 n EI / (bar - knot), angle = 2 asin(knot / bar)
+#'
+#' with n = 2 of double twine, knot = `knot_diameter`, times the root of 2 of double twine, and at
+#' rest twines that leave both sides of a knot along the netting's normal direction (an assumption).
+#' EI goes with the cube of the diameter, and is for one twine of 4 mm:
+#'
+#' | fibre | EI, N m2 |
+#' |---|---|
+#' `r twine_bending_rows()`
+#'
+#' All of these are assumed, within a factor of 2 (the file `twine_bending.csv` of
+#' `system.file("extdata", package = "codend")` says from what); measured values for a netting are
+#' better. `couple: 0` leaves meshes limp, and `multipliers.mesh_opening` multiplies all couples:
+#' [uncertainty()] knows it. In netting of bars no couple is assumed; one that a plan gives acts on
+#' the sheets between the rows of its knots. `vignette("forces", "codend")` shows what the couples do
+#' to codends and to the height of trawls.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -107,6 +129,44 @@ NULL
 #' measures(fuller)[c("catch_volume_m3", "catch_front_meshes")]
 #' @name catch
 NULL
+
+# Bending stiffness (N m2) of one twine of 4 mm by fibre, with its sources.
+read_twine_bending <- function() {
+  utils::read.csv(system.file("extdata", "twine_bending.csv", package = "codend"),
+    comment.char = "#", row.names = "material")
+}
+
+known_twine_bending <- remembered(read_twine_bending)
+
+# Rows of the table of these in help.
+twine_bending_rows <- function() {
+  known <- read_twine_bending()
+  sprintf("| %s | %s |", rownames(known), format(known$bending_stiffness_N_m2))
+}
+
+# Thinner twine is limp, m.
+thinnest_stiff_twine <- 2e-3
+
+# list(couple (N m/rad), angle (rad), assumed = TRUE) of the knots of a panel of `gear_si()`, from its twine; NULL
+# where none is assumed: see help of netting.
+usual_opening_stiffness <- function(panel) {
+  fibre <- panel$material
+  if (fibre %in% names(material_abbreviations)) fibre <- material_abbreviations[[fibre]]
+  known <- known_twine_bending()
+  thin <- panel$twine_diameter < thinnest_stiff_twine * (1 - 1e-9)
+  if (thin || !fibre %in% rownames(known) || panel$knot_diameter == 0 || panel$netting != "cells" ||
+    panel$orientation != "turned") {
+    return(NULL)
+  }
+  bar <- panel$mesh_size / 2
+  # where knots leave no twine between them they are as large as leaves a third
+  knot <- min(panel$knot_diameter * sqrt(panel$twine_count), 2 / 3 * bar)
+  stiffness <- known[fibre, "bending_stiffness_N_m2"] * (panel$twine_diameter / 4e-3)^3
+  list(
+    couple = 6 * panel$twine_count * stiffness / (bar - knot), angle = 2 * asin(knot / bar),
+    assumed = TRUE
+  )
+}
 
 # Length (m) of the straight bars of a panel, 0 where it has none.
 si_hexagons <- function(panel, path) {

@@ -280,7 +280,7 @@ si_panel <- function(panel, path, fields, law) {
     fields$netting_drag
   }
   left <- left_taper(panel, path)
-  list(
+  si <- list(
     mesh_size = panel$mesh_size,
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,
     twine_diameter = twine$diameter, twine_count = count,
@@ -300,11 +300,13 @@ si_panel <- function(panel, path, fields, law) {
     shielding = first_of(panel$shielding, fields$shielding),
     coefficients = line_law(panel$coefficients, twine$material, fields, law),
     netting_drag = first_of(panel$netting_drag, usual_drag),
-    opening_stiffness = panel$opening_stiffness,
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,
     bar_segments = panel$bar_segments, part = first_of(panel$part, NA_character_)
   )
+  stiff <- first_of(panel$opening_stiffness, usual_opening_stiffness(si))
+  if (isTRUE(stiff$couple > 0)) si$opening_stiffness <- stiff
+  si
 }
 
 si_point <- function(point, path, known) {

@@ -10,6 +10,7 @@ force_multipliers <- c(
   screen_drag = "drag of netting as a screen",
   screen_lift = "lift of netting as a screen",
   knot_drag = "drag of knots",
+  mesh_opening = "stiffness of meshes against opening",
   float_drag = "drag of floats",
   piece_drag = "drag of weights and other pieces",
   board_lift = "lift of boards, kites and canvas",
@@ -58,6 +59,7 @@ multiplied_engine <- function(lattice, si, by, weight = 1) {
   kind <- sphere_kinds(lattice)
   engine$spheres$drag_area <- engine$spheres$drag_area *
     vapply(c("knot_drag", "float_drag", "piece_drag", "board_drag"), factor, 0)[kind]
+  engine$openings$couple <- factor("mesh_opening") * engine$openings$couple
   engine$lifts$lift_area <- factor("board_lift") * engine$lifts$lift_area
   engine$plates <- lapply(engine$plates, function(plate) {
     for (way in c("lift", "drag")) {

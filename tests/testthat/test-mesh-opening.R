@@ -4,7 +4,7 @@ t90_codend <- function(orientation = "turned", couple = 0.1) {
   plan <- read_gear("t90_codend")$plan
   plan$panels <- lapply(plan$panels, function(panel) {
     panel$orientation <- orientation
-    panel$opening_stiffness <- if (couple > 0) list(couple = couple, angle = "23 deg")
+    panel$opening_stiffness <- list(couple = couple, angle = "23 deg")
     panel
   })
   settle(as_gear(plan), nodes = 300)
@@ -32,6 +32,47 @@ test_that("the stiffer the meshes the further the two are apart", {
   expect_true(all(diff(apart) > 0))
   # Small couples change the shape in proportion: 3 times the couple, to some 10 %.
   expect_equal(apart[2] / apart[1], 3, tolerance = 0.1)
+})
+
+test_that("knots have the couple of twine bent between them", {
+  si <- gear_si(read_gear("t90_codend"))$panels[[1]]
+  # double twine of 4 mm between knots of 2 d sqrt(2) in bars of 50 mm, by finite differences: both
+  # ends clamped, one chord turned against them
+  length <- 0.05 - 0.008 * sqrt(2)
+  n <- 401
+  h <- length / (n - 1)
+  bend <- diff(diag(n), differences = 2) / h^2
+  matrix <- 2 * 3e-4 * h * crossprod(bend)
+  turn <- 0.01
+  held <- c(1, 2, n - 1, n)
+  # the slope at both clamps is that of rest, the far end is aside by the turn
+  at <- c(0, 0, turn * length, turn * length)
+  free <- setdiff(seq_len(n), held)
+  inner <- solve(matrix[free, free], -matrix[free, held] %*% at)
+  y <- numeric(n)
+  y[held] <- at
+  y[free] <- inner
+  energy <- sum(y * (matrix %*% y)) / 2
+  # a knot has a bar of each family, each of which turns by half of the change of the angle
+  expect_equal(2 * energy, si$opening_stiffness$couple * (2 * turn)^2 / 2, tolerance = 0.02)
+  expect_equal(sin(si$opening_stiffness$angle / 2), 0.008 * sqrt(2) / 0.05)
+})
+
+test_that("soft or thin twine, knotless, diamond netting and a couple of 0 are limp", {
+  limp <- function(...) {
+    plan <- panel_in_current_plan
+    plan$panels$net <- utils::modifyList(c(plan$panels$net, orientation = "turned"), list(...))
+    is.null(gear_si(as_gear(plan))$panels$net$opening_stiffness)
+  }
+  stiff <- list(diameter = "4 mm", material = "PE")
+  thick <- list(mesh_size = "100 mm", twine = stiff)
+  expect_false(do.call(limp, thick))
+  expect_true(limp(mesh_size = "100 mm", twine = list(diameter = "4 mm", material = "PA")))
+  expect_true(limp(mesh_size = "100 mm", twine = list(diameter = "1.9 mm", material = "PE")))
+  expect_true(do.call(limp, c(thick, knotted = FALSE)))
+  expect_true(do.call(limp, c(thick, orientation = "diamond")))
+  expect_true(do.call(limp, c(thick, netting = "bars")))
+  expect_true(do.call(limp, c(thick, list(opening_stiffness = list(couple = 0, angle = 0)))))
 })
 
 test_that("stiff meshes settle where their twine is slack", {
