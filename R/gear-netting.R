@@ -68,15 +68,15 @@
 #' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
 #'
 #' @section Stiffness of meshes:
-#' Knots and stiff twine resist opening and closing of meshes: every knot has a couple, `couple` times
-#' the change of the angle between its twines from `angle`, its angle at rest (D. Priour, 2013, as
-#' above); of turned meshes the angle is measured across the panel. Where a plan gives no
-#' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a fibre
-#' in the table below, has that of its twine: its knots hold its meshes open. Multifilament (PA, PES,
-#' HMPE) and thin twine are limp, and so is diamond netting: the same couples would change its
-#' openings by 1 to 2 % of the mesh size where water or a catch opens them, and only a slack codend
-#' by more. Between two knots that do not turn, twine is a beam of the bending stiffness
-#' EI (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
+#' Knots and stiff twine resist opening and closing of meshes: every knot has a couple, `couple`
+#' times the change of the angle between its twines from `angle`, its angle at rest (D. Priour,
+#' 2013, as above); of turned meshes the angle is measured across the panel. Where a plan gives no
+#' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a
+#' fibre in the table below, has that of its twine: its knots hold its meshes open. Multifilament
+#' (PA, PES, HMPE) and thin twine are limp, and so is diamond netting: the same couples would change
+#' its openings by 1 to 2 % of the mesh size where water or a catch opens them, and only a slack
+#' codend by more. Between two knots that do not turn, twine is a beam of the bending stiffness EI
+#' (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
 #' part of its tension, which makes it stiffer), of the length of a bar less a knot, so that
 #'
 #' couple = 6 n EI / (bar - knot), angle = 2 asin(knot / bar)
@@ -93,8 +93,8 @@
 #' `system.file("extdata", package = "codend")` says from what); measured values for a netting are
 #' better. `couple: 0` leaves meshes limp, and `multipliers.mesh_opening` multiplies all couples:
 #' [uncertainty()] knows it. In netting of bars no couple is assumed; one that a plan gives acts on
-#' the sheets between the rows of its knots. `vignette("forces", "codend")` shows what the couples do
-#' to codends and to the height of trawls.
+#' the sheets between the rows of its knots. `vignette("forces", "codend")` shows what the couples
+#' do to codends and to the height of trawls.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -147,8 +147,8 @@ twine_bending_rows <- function() {
 # Thinner twine is limp, m.
 thinnest_stiff_twine <- 2e-3
 
-# list(couple (N m/rad), angle (rad), assumed = TRUE) of the knots of a panel of `gear_si()`, from its twine; NULL
-# where none is assumed: see help of netting.
+# list(couple (N m/rad), angle (rad), assumed = TRUE) of the knots of a panel of `gear_si()`, from
+# its twine; NULL where none is assumed: see help of netting.
 usual_opening_stiffness <- function(panel) {
   fibre <- panel$material
   if (fibre %in% names(material_abbreviations)) fibre <- material_abbreviations[[fibre]]
