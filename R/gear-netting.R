@@ -74,7 +74,7 @@
 #' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a
 #' fibre in the table below, has that of its twine: its knots hold its meshes open. Multifilament
 #' (PA, PES, HMPE) and thin twine are limp, and so is diamond netting: the same couples would change
-#' its openings by 1 to 2 % of the mesh size where water or a catch opens them, and only a slack
+#' its openings by 1 to 3 % of the mesh size where water or a catch opens them, and only a slack
 #' codend by more. Between two knots that do not turn, twine is a beam of the bending stiffness EI
 #' (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
 #' part of its tension, which makes it stiffer), of the length of a bar less a knot, so that
