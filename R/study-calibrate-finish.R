@@ -1,6 +1,9 @@
 # From a fit to the calibration that is returned.
 
-finish_calibration <- function(task, fit) {
+# refined: as refine_fit() gives it.
+finish_calibration <- function(refined) {
+  task <- refined$task
+  fit <- refined$fit
   scaled <- fit$scaled
   fields <- task$points$fields
   at <- character(length(fields))
@@ -27,7 +30,8 @@ finish_calibration <- function(task, fit) {
       standardised = residual / error[k]
     )
   }))
-  covariance <- fields_covariance(task, model, used, error, at)
+  found <- fields_covariance(task, model, used, error, at)
+  covariance <- found$covariance
   values <- points_values(task$points, scaled)
   prior <- t(vapply(fields, function(field) first_of(field$prior, c(NA_real_, NA_real_)), c(0, 0)))
   structure(
@@ -36,14 +40,15 @@ finish_calibration <- function(task, fit) {
       fields = data.frame(
         field = field_names(fields), unit = vapply(fields, `[[`, "", "unit"),
         begun = own_values(fields), value = values, error = sqrt(diag(covariance)),
+        lattice = found$lattice,
         lower = lower_ends(fields), upper = upper_ends(fields), at = at,
         prior_mean = prior[, 1L], prior_sd = prior[, 2L], row.names = NULL
       ),
       covariance = covariance, matched = matched,
       match = match_table(task, matched, error), left_out = task$left_out,
       conditions = task$conditions, converged = fit$converged, misfit = fit$value,
-      settles = task$points$count$settles, slopes = task$points$count$slopes, task = task,
-      scaled = scaled
+      settles = task$points$count$settles, slopes = task$points$count$slopes,
+      nodes = refined$nodes, accuracy = refined$accuracy, task = task, scaled = scaled
     ),
     class = "codend_calibration"
   )
@@ -61,7 +66,8 @@ match_table <- function(task, matched, error) {
   )
 }
 
-# Of fields in their units, NA for those at the end of their range.
+# Of fields in their units, NA for those at the end of their range: list(covariance, lattice (by
+# field, standard errors that the lattice leaves)).
 fields_covariance <- function(task, model, used, error, at) {
   n <- length(task$points$fields)
   information <- matrix(0, n, n)
@@ -74,10 +80,18 @@ fields_covariance <- function(task, model, used, error, at) {
   }
   names <- field_names(task$points$fields)
   covariance <- matrix(NA_real_, n, n, dimnames = list(names, names))
+  lattice <- rep(NA_real_, n)
   free <- which(at == "")
   inverse <- tryCatch(solve(information[free, free, drop = FALSE]), error = function(e) NULL)
-  # what the data do not tell is not known at all
-  if (is.null(inverse)) inverse <- diag(Inf, length(free))
-  covariance[free, free] <- inverse * outer(task$points$width[free], task$points$width[free])
-  covariance
+  width <- task$points$width[free]
+  if (is.null(inverse)) {
+    # what the data do not tell is not known at all
+    covariance[free, free] <- diag(Inf, length(free)) * outer(width, width)
+  } else {
+    model <- lapply(model, function(one) list(slopes = one$slopes[, free, drop = FALSE]))
+    left <- lattice_covariance(task, model, used, error, inverse)
+    covariance[free, free] <- (inverse + left) * outer(width, width)
+    lattice[free] <- sqrt(diag(left)) * width
+  }
+  list(covariance = covariance, lattice = lattice)
 }

@@ -162,8 +162,16 @@ profile_ends <- function(object, k, level) {
     }
     x
   }
-  ends <- c(end_of(-1), end_of(1))
-  task$points$lower[k] + ends * task$points$width[k]
+  ends <- best[k] + widened_by(object, k) * (c(end_of(-1), end_of(1)) - best[k])
+  task$points$lower[k] + pmin(pmax(ends, 0), 1) * task$points$width[k]
+}
+
+# How many times wider an interval is for what the lattice leaves, which the likelihood does not
+# see.
+widened_by <- function(object, k) {
+  fields <- object$fields
+  own <- fields$error[k]^2 - fields$lattice[k]^2
+  if (is.finite(own) && own > 0) fields$error[k] / sqrt(own) else 1
 }
 
 # Steps to an end of a profile, at most.
@@ -192,6 +200,7 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
     task$memory$tried <- list()
     near <- Find(Negate(is.null), object$task$memory$near)
     task$memory$near <- rep(list(near), length(task$cases))
+    task$cases <- corrected_alike(task$cases, object$task$cases)
   }
   model <- model_at(task, object$scaled, slopes = TRUE)
   width <- task$points$width
@@ -213,6 +222,17 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
   }))
 }
 
+# New cases with the mean of the corrections that others have.
+corrected_alike <- function(cases, others) {
+  known <- Filter(Negate(is.null), lapply(others, `[[`, "correction"))
+  if (!length(known)) return(cases)
+  mean_of <- function(field) Reduce(`+`, lapply(known, `[[`, field)) / length(known)
+  lapply(cases, function(case) {
+    case$correction <- list(at = known[[1L]]$at, value = mean_of("value"), slope = mean_of("slope"))
+    case
+  })
+}
+
 #' @export
 print.codend_calibration <- function(x, ...) {
   cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
@@ -220,18 +240,19 @@ print.codend_calibration <- function(x, ...) {
   fields <- x$fields
   cat(paste0(align_columns(list(
     paste0("  ", fields$field), slope_figures(fields$value), fields$unit,
-    ifelse(is.na(fields$error), "", paste("+-", slope_figures(fields$error))),
+    ifelse(is.na(fields$error), "", paste("+-", slope_figures(signif(fields$error, 2)))),
+    ifelse(is.na(fields$lattice), "", paste("lattice", slope_figures(signif(fields$lattice, 2)))),
     paste("from", slope_figures(fields$begun)),
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
-  ), left = c(1L, 3L, 6L)), "\n"), sep = "")
+  ), left = c(1L, 3L, 7L)), "\n"), sep = "")
   match <- x$match
   cat(paste0(align_columns(list(
     paste0("  ", match$text), paste(match$hauls, "hauls"),
     paste("off by", slope_figures(match$rms)), paste("before", slope_figures(match$rms_begun)),
     paste("mean", slope_figures(match$bias))
   ), left = 1L), "\n"), sep = "")
-  cat("  ", if (x$converged) "converged" else "not converged", ", ", x$settles, " gears settled\n",
-    sep = "")
+  cat("  ", if (x$converged) "converged" else "not converged", ", ", x$settles,
+    " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n", sep = "")
   invisible(x)
 }
 

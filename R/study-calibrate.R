@@ -11,6 +11,12 @@
 #' sensor, of the model and of what varies between hauls together. It is estimated where `error`
 #' does not give it, so that what fits badly weighs little. Priors add to the likelihood.
 #'
+#' A coarse lattice is off by a few percent, alike in all hauls, and fields would make up for that.
+#' So where it leaves more than `accuracy`, up to 8 hauls are settled on a finer lattice at the best
+#' values, what it says otherwise is added to what the coarse one says (as in [optimise_gear()]),
+#' and fields are fitted again until they stay. What the last lattice leaves is part of the fields'
+#' errors and of their intervals: `lattice` is its part.
+#'
 #' The covariance is that of the slopes at the best values. Intervals of [confint()][stats::confint]
 #' follow the likelihood itself, the other fields found again at each value; with estimated errors
 #' their reach is that of Student's t.
@@ -30,13 +36,17 @@
 #'   not matched.
 #' @param error Standard deviations by what is matched, in the same order and units; `NULL`, or `NA`
 #'   for one of them, to estimate it.
-#' @param nodes,netting As in [settle()].
+#' @param nodes,netting Of the lattice that the fit steps on, as in [settle()].
+#' @param accuracy Error that the lattice may leave in what is fitted, as a share of what is
+#'   measured: where it is larger with `nodes`, the fit ends on a finer lattice. `NULL` stays with
+#'   `nodes`.
 #' @return An object of class `codend_calibration`, a list of
 #'
 #'   - `gear`: with the fields found, [update()][update.codend_gear]d;
 #'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `error` (standard error, `NA`
-#'     at an end), `lower`, `upper`, `at` (`"lower"`, `"upper"` or empty: the end of the range that
-#'     it lies at), `prior_mean` and `prior_sd`;
+#'     at an end), `lattice` (what of it is the lattice's), `lower`, `upper`, `at`
+#'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at), `prior_mean` and
+#'     `prior_sd`;
 #'   - `covariance` of the fields;
 #'   - `matched`: a data frame with a row per haul and thing matched: `row` of the data, `match`,
 #'     `measured`, `begun` (of the gear as it was), `fitted`, `residual` (measured less fitted) and
@@ -45,7 +55,9 @@
 #'     whether it was `estimated`, the mean of residuals (`bias`), and the root mean square of
 #'     residuals before (`rms_begun`) and now (`rms`);
 #'   - `left_out`: rows whose gear does not settle; `conditions`: columns that set fields;
-#'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken.
+#'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken;
+#'     `nodes` of the last lattice and `accuracy`, the error that it leaves in what is fitted, as a
+#'     share.
 #'
 #'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,
 #'   `summary()` and `plot()` know it; see [calibration_methods], [sample_posterior()] and
@@ -65,11 +77,13 @@
 #' )
 #' fit
 #' confint(fit, level = 0.9)
-calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, netting = NULL) {
+calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, netting = NULL,
+                      accuracy = "1 %") {
   check_given("gear", "data", "change")
+  if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
   task <- new_calibration(gear, data, change, match, error, nodes, netting)
   fit <- fit_fields(task, points_scaled(task$points, own_values(task$points$fields)))
-  finish_calibration(task, fit)
+  finish_calibration(refine_fit(task, fit, accuracy))
 }
 
 # What is fitted: list(points, cases (a list per different setting: points, rows), words, match (a
@@ -234,7 +248,9 @@ model_at <- function(task, scaled, slopes = FALSE) {
     by_case <- lapply(seq_along(task$cases), function(k) {
       point <- found$points[[k]]
       if (is.null(point)) return(list(value = NA_real_, slope = rep(NA_real_, length(scaled))))
-      at <- formula_point(task$cases[[k]], point, task$words, found$slopes[[k]])
+      by <- found$slopes[[k]]
+      if (!is.null(by)) by <- corrected_slopes(task$cases[[k]], by)
+      at <- formula_point(task$cases[[k]], point, task$words, by)
       evaluate_formula(one$formula, at)
     })
     fitted <- vapply(by_case, `[[`, 0, "value")[task$case_of]

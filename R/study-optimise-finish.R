@@ -1,11 +1,18 @@
 # From searches to the optimum that is returned: whole numbers, the last check, the tables.
 
-finish_optimum <- function(task, runs) {
+# accuracy: as in optimise_gear(), a share; NULL stays on the lattice of the search.
+finish_optimum <- function(task, runs, accuracy = NULL) {
   best <- best_run(runs)
   if (is.null(best)) abort_not_converged("No gear of the search settles.", report = NULL)
-  ended <- best$ended
+  refined <- refine_optimum(task, best, accuracy)
   whole <- which(whole_fields(task$points$fields))
-  if (length(whole)) best <- round_optimum(task, best, whole)
+  if (length(whole)) {
+    rounded <- round_optimum(refined$coarse, refined$run, whole)
+    refined <- refine_optimum(refined$coarse, rounded, accuracy, rounded$held)
+  }
+  task <- refined$task
+  best <- best_run(c(list(refined$run), begun_run(task, refined$run$best)))
+  ended <- best$ended
   tried <- best$best
   found <- optimality_of(task, tried, best$held)
   state <- tried$point$state
@@ -17,7 +24,8 @@ finish_optimum <- function(task, runs) {
     aim = optimum_aim(task, tried), fields = fields,
     keep = optimum_keep(task, tried, found$price), optimality = found$left,
     optimal = found$left <= most_optimality && tried$values$worst <= keep_tolerance,
-    smooth = !nrow(kinks), kinks = kinks, history = optimum_history(task),
+    smooth = !nrow(kinks), kinks = kinks, nodes = state$lattice$nodes,
+    accuracy = task_error(task, tried), history = optimum_history(task),
     starts = optimum_starts(task, runs), settles = task$points$count$settles, ended = ended
   )
   if (!all(result$keep$holds)) {
@@ -62,20 +70,15 @@ round_optimum <- function(task, run, whole) {
   best
 }
 
-# Share of the aim by which rounding may make an end worse than its start.
-worse_share <- 1e-6
-
-# Stops where the gear as it was keeps the conditions and is better than what was found.
-check_not_worse <- function(task, tried) {
-  if (is.null(tried)) return(invisible())
-  begun <- task_values(task, task$base)
-  if (begun$worst > keep_tolerance || tried$values$worst > keep_tolerance) return(invisible())
-  if (tried$values$scaled <= begun$scaled + worse_share) return(invisible())
-  abort_not_converged(
-    c("The search ended with a gear that is worse than the one it began with:
-      {.code {task$aim$text}} is {signif(tried$values$aim, 4)}, and was {signif(begun$aim, 4)}.",
-      "i" = "More {.arg starts} or a larger {.arg most} may help."), report = NULL
+# The gear as it was, as a search that went nowhere, in a list; none where a tried point is better.
+begun_run <- function(task, than) {
+  point <- task$base
+  if (!is_better(task_values(task, point), than$values)) return(list())
+  best <- list(
+    scaled = points_scaled(task$points, point$values), point = point,
+    values = task_values(task, point, known_slopes(task$points, point, task$of))
   )
+  list(list(best = best, ended = "nothing is better than the gear as it was", settles = 0L))
 }
 
 # Measures of the aim and the conditions that are not smooth at the optimum by a field.
@@ -96,7 +99,8 @@ kinks_at <- function(task, tried) {
 optimum_aim <- function(task, tried) {
   begun <- evaluate_formula(task$aim, formula_point(task$points, task$base, task$words))$value
   value <- tried$values$aim
-  list(text = task$aim$text, begun = begun, value = value, saving = (begun - value) / abs(begun))
+  list(text = task$aim$text, begun = begun, value = value, saving = (begun - value) / abs(begun),
+    error = task_errors(task, tried$point)$aim)
 }
 
 optimum_fields <- function(task, tried, at) {
@@ -110,10 +114,13 @@ optimum_fields <- function(task, tried, at) {
 
 optimum_keep <- function(task, tried, price) {
   values <- tried$values
+  error <- task_errors(task, tried$point)$keep
+  short <- if (length(error)) values$gap * task$limits + 2 * error
   data.frame(
     text = vapply(task$keep, `[[`, "", "text"), left = values$left, right = values$right,
     holds = values$gap <= keep_tolerance & (!values$equal | values$gap >= -keep_tolerance),
-    active = values$equal | values$gap > -active_share, price = price
+    active = values$equal | values$gap > -active_share, price = price, error = error,
+    sure = !values$equal & short <= 0
   )
 }
 

@@ -1,11 +1,17 @@
 # Optima as text.
 
+# An error beside a number; nothing where none is known.
+spread_text <- function(error) {
+  if (is.finite(error) && error > 0) paste(" +-", slope_figures(signif(error, 2))) else ""
+}
+
 #' @export
 print.codend_optimum <- function(x, ...) {
   aim <- x$aim
   cat("Optimum of \"", x$gear$plan$name, "\"\n", sep = "")
   cat("  ", aim$text, ": ", slope_figures(aim$begun), " before, ", slope_figures(aim$value),
-    " now (", with_plain_numbers(sprintf("%+.1f %%", -100 * aim$saving)), ")\n", sep = "")
+    spread_text(aim$error), " now (",
+    with_plain_numbers(sprintf("%+.1f %%", -100 * aim$saving)), ")\n", sep = "")
   fields <- x$fields
   lines <- align_columns(list(
     paste0("  ", fields$field), slope_figures(fields$begun), rep("to", nrow(fields)),
@@ -15,16 +21,19 @@ print.codend_optimum <- function(x, ...) {
   cat(paste0(lines, "\n"), sep = "")
   for (k in seq_len(nrow(x$keep))) {
     keep <- x$keep[k, ]
-    cat("  ", keep$text, ": ", slope_figures(keep$left), " and ", slope_figures(keep$right),
+    cat("  ", keep$text, ": ", slope_figures(keep$left), spread_text(keep$error), " and ",
+      slope_figures(keep$right),
       if (!keep$holds) ", NOT KEPT" else if (keep$active) {
-        paste0(", at its limit; ", slope_figures(keep$price), " % of the aim per % of it")
-      }, "\n", sep = "")
+        paste0(", at its limit", if (!keep$sure) " within its error", "; ",
+          slope_figures(keep$price), " % of the aim per % of it")
+      } else if (!keep$sure) ", within twice its error of the limit", "\n", sep = "")
   }
   cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
     if (!all(x$keep$holds)) "not all conditions are kept, and ", "slopes leave ",
     slope_figures(100 * x$optimality), " % of the aim per range of a field",
     if (!x$smooth) "; kinks near, see `kinks`", "\n", sep = "")
-  cat("  ", x$settles, " gears settled\n", sep = "")
+  cat("  ", x$settles, " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n",
+    sep = "")
   invisible(x)
 }
 

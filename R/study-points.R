@@ -82,10 +82,13 @@ side_slopes <- function(points, point, k, of) {
 }
 
 # What formulas are evaluated at: list(values, slopes) of measures by all their names and of fields
-# by their first path. exact: the values at which the fields are to be, where whole numbers were
-# rounded: measures follow their slopes there.
+# by their first path, corrected for what a finer lattice says. exact: the values at which the
+# fields are to be, where whole numbers were rounded: measures follow their slopes there.
 formula_point <- function(points, point, words, slopes = NULL, exact = point$values) {
-  found <- unclass(point$measures)[words$column]
+  measured <- plain_measures(point$measures)
+  more <- corrected_by(points, point)
+  measured[names(more)] <- measured[names(more)] + more
+  found <- measured[words$column]
   names(found) <- words$name
   paths <- vapply(points$fields, function(field) field$paths[1L], "")
   by <- NULL

@@ -237,8 +237,8 @@ current_curves <- function(si, given, until) {
   list(x = lapply(curves, `[[`, "x"), y = lapply(curves, `[[`, "y"))
 }
 
-# A current (curves of m/s and rad) along x and y: list(x, y), smooth from break to break. Water that
-# is turned at once pushes nothing; turned within a short time it would by its acceleration.
+# A current (curves of m/s and rad) along x and y: list(x, y), smooth from break to break. Water
+# that is turned at once pushes nothing; turned within a short time it would by its acceleration.
 turned_current <- function(speed, toward, until) {
   until <- until + 2 * function_step
   breaks <- c(curve_breaks(speed, TRUE), curve_breaks(toward, TRUE))
@@ -248,7 +248,9 @@ turned_current <- function(speed, toward, until) {
     time <- c(begun, until)[k + 0:1]
     time <- seq(time[1L], time[2L], length.out = max(2, ceiling(diff(time) / function_step) + 1))
     last <- length(time)
-    values <- function(curve) c(curve_at(curve, time[-last], after = TRUE), curve_at(curve, time[last]))
+    values <- function(curve) {
+      c(curve_at(curve, time[-last], after = TRUE), curve_at(curve, time[last]))
+    }
     s <- values(speed)
     a <- values(toward)
     list(x = smooth_curve(time, s * cos(a)), y = smooth_curve(time, s * sin(a)))

@@ -85,7 +85,8 @@ test_that("a winch turns no faster than it can, and gives way at its tension", {
   tension <- as.data.frame(free)
   tension <- tension$value[tension$measure == "tension_kN"]
   expect_gt(tension[1], 0.88)
-  # it slips at full speed where 10 % above its limit at the vessel; its speed is chosen every 0.05 s
+  # it slips at full speed where 10 % above its limit at the vessel; its speed is chosen every
+  # 0.05 s
   expect_lt(max(tension[-1]), 0.88 * 1.002)
   # slower, by the law of the brake; between two of these times it is 1 % off at most
   speed <- diff(free$conditions$cable) / 5
@@ -168,7 +169,8 @@ test_that("water that is turned at once pushes nothing by its acceleration", {
   expect_lt(moved(speed = 0.5, toward = function(t) if (t < 2.03) 0 else pi / 2), 1e-4)
   expect_lt(moved(speed = function(t) if (t < 2.03) 0.5 else -0.3), 1e-4)
   # and so it is by water that turns within a second
-  expect_gt(moved(speed = 0.5, toward = data.frame(time = c(0, 2, 3), value = c(0, 0, pi / 2))), 0.1)
+  slowly <- data.frame(time = c(0, 2, 3), value = c(0, 0, pi / 2))
+  expect_gt(moved(speed = 0.5, toward = slowly), 0.1)
 })
 
 test_that("a function of time is smooth up to where it jumps", {

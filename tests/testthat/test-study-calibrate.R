@@ -65,6 +65,27 @@ test_that("planted values come back from two measures, and others are told", {
   expect_gte(min(found$measurements$gain), 1)
 })
 
+test_that("hauls of a fine lattice are fitted with few nodes", {
+  plan <- towed_sphere_plan()
+  plan$ropes$line <- list(from = "ship", to = "end", length = "100 m", diameter = "20 mm",
+    axial_stiffness = "10 MN", mass_per_length = 1)
+  gear <- as_gear(plan)
+  speed <- c(1.2, 1.6, 2, 2.4, 2.8)
+  runs <- data.frame(towing.speed = speed,
+    Depth = vary(gear, towing.speed = speed, nodes = 400)$depth_m + 0.02 * noise(5))
+  off <- function(accuracy) {
+    fit <- calibrate(gear, runs, list(ropes.line.length = c("60 m", "200 m")), Depth ~ depth_m,
+      nodes = 4, accuracy = accuracy)
+    ends <- confint(fit, method = "normal")
+    # what the lattice leaves is part of the interval
+    expect_true(ends[1L] < 100 && ends[2L] > 100)
+    c(abs(unname(coef(fit)) - 100), fit$fields$lattice)
+  }
+  coarse <- off(NULL)
+  fine <- off("0.05 %")
+  expect_true(all(fine < coarse / 3))
+})
+
 test_that("a prior and known errors weigh as they should", {
   # One haul of error s and a prior of mean m and deviation t: the mean of both by their weights.
   known <- drag_by_speed * 4

@@ -136,6 +136,29 @@ test_that("equal conditions are met", {
   expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
 })
 
+test_that("an optimum that is sought with few nodes holds with many", {
+  plan <- towed_sphere_plan()
+  plan$ropes$line <- list(from = "ship", to = "end", length = "100 m", diameter = "20 mm",
+    axial_stiffness = "10 MN", mass_per_length = 1)
+  optimum <- function(...) {
+    optimise_gear(as_gear(plan), ~ (total_drag + 2000) / towing.speed, ~ depth >= "50 m", list(
+      ropes.line.length = c("60 m", "200 m"), towing.speed = c("1 m/s", "3 m/s")
+    ), nodes = 4, ...)
+  }
+  depth <- function(found) measures(settle(found$gear, nodes = 400))[["depth_m"]]
+  found <- optimum()
+  # four elements leave percents in the depth, which the last lattice does not
+  expect_gt(found$nodes, 10)
+  expect_lt(found$accuracy, 0.01)
+  expect_true(found$optimal && found$keep$holds && !found$keep$sure)
+  expect_lt(abs(depth(found) - 50), 2 * found$keep$error)
+  expect_output(print(found), "within its error.*nodes, which leave an error of")
+  # on four alone it says so
+  coarse <- optimum(accuracy = NULL)
+  expect_gt(abs(depth(coarse) - 50), 0.5)
+  expect_lt(abs(depth(coarse) - 50), 2 * coarse$keep$error)
+})
+
 test_that("a kink at the optimum is told", {
   # 1000 N on two lines of 1 MN beside each other; both bear where they are equally long.
   line <- list(from = "nail", to = "ring", length = 10, diameter = 0.01, axial_stiffness = 1e6,
@@ -239,8 +262,9 @@ test_that("a cage keeps the most volume in a current that its moorings allow", {
   skip_if_not_installed("nloptr")
   change <- list(bottom_rope.mass_per_length = c("80 kg/m", "250 kg/m"),
     centre_weight.mass = c("50 kg", "400 kg"))
+  # on the lattice of the grid that it is compared with
   found <- optimise_gear("cage", ~ -volume_left_percent, ~ mooring_1_tension <= "26 kN", change,
-    nodes = 200)
+    nodes = 200, accuracy = NULL)
   expect_true(found$optimal)
   expect_true(found$keep$holds)
   expect_lt(found$aim$value, found$aim$begun)
@@ -260,7 +284,7 @@ test_that("short prawn trawls save drag per swept width as published", {
   skip_if_not_installed("nloptr")
   prawn <- read_gear(system.file("extdata", "penaeid_trawl.yaml", package = "codend"))
   found <- optimise_gear(prawn, ~ total_drag / wing_end_spread,
-    change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400)
+    change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400, accuracy = NULL)
   expect_equal(found$fields$value, 112)
   expect_identical(found$fields$at, "lower")
   expect_gt(found$aim$saving, 0.045)
