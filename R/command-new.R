@@ -2,9 +2,10 @@ command_new <- function() {
   list(
     takes = "KIND [NAME=VALUE...]", does = "Print a commented plan to begin with.",
     more = paste(
-      " KIND is bottom_trawl, midwater_trawl, beam_trawl, pair_trawl, cage, gillnet, longline,",
-      "purse_seine, stow_net or dip_net; NAME=VALUE is a size such as head_line=\"32 m\" (--ask",
-      "lists them), of kinds but trawls also any field by its path."
+      " KIND is bottom_trawl, midwater_trawl, beam_trawl, pair_trawl, demersal_seine, cage,",
+      "gillnet, longline, purse_seine, stow_net or dip_net; NAME=VALUE is a size such as",
+      "head_line=\"32 m\" (--ask lists",
+      "them), of kinds but trawls also any field by its path."
     ),
     options = list(
       optparse::make_option("--file", metavar = "FILE", help = "write it there instead"),

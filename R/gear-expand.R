@@ -4,6 +4,7 @@ gear_expanders <- list(
   beam_trawl = function(fields, plan) expand_beam_trawl(fields, plan),
   bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
   cage = function(fields, plan) expand_cage(fields, plan),
+  demersal_seine = function(fields, plan) expand_demersal_seine(fields, plan),
   dip_net = function(fields, plan) expand_dip_net(fields, plan),
   gillnet = function(fields, plan) expand_gillnet(fields, plan),
   longline = function(fields, plan) expand_longline(fields, plan),

@@ -22,6 +22,11 @@ new_plan_kinds <- function() {
     pair_trawl = list(
       asks = replace(trawl, "depth", "60 m"), make = new_pair_trawl, usual = usual_bottom_meshes
     ),
+    demersal_seine = list(
+      asks = c(head_line = "36 m", mesh_size = "120 mm", codend_mesh_size = "100 mm",
+        rope = "1760 m", speed = "2 knot", depth = "80 m"),
+      make = new_demersal_seine, usual = usual_seine_meshes
+    ),
     cage = list(
       asks = c(diameter = "40 m", depth = "15 m", mesh_size = "50 mm", current = "0.5 m/s"),
       like = "cage", scale = scaled_cage
@@ -60,6 +65,7 @@ new_plan_kinds <- function() {
 #' | `bottom_trawl` | `head_line`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` | 8 to 80 m |
 #' | `midwater_trawl` | the same; `mesh_size` is that of the front | 15 to 250 m, meshes to 64 m |
 #' | `pair_trawl` | as `bottom_trawl` | 10 to 60 m |
+#' | `demersal_seine` | the same and `rope`, the length of each of its two ropes | 20 to 60 m |
 #' | `beam_trawl` | `beam`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` | 2 to 12 m |
 #' | `gillnet` | `length`, `height` (hung), `mesh_size`, `depth`, `current` | |
 #' | `longline` | `baskets`, `branch_lines` in one, lengths `main_line` and `branch_line` | |

@@ -110,7 +110,7 @@ by_method <- function(fields) {
 # last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, vessel, measures, share_places). Places stay texts
+# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Places stay texts
 # that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with
 # from and to as fractions of the edge. What a plan may leave out and has no default is NULL
 # (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
@@ -165,6 +165,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   }
   si$sticking <- isTRUE(fields$seabed$sticking)
   si$shooting <- if (!is.null(fields$shooting)) si_shooting(fields$shooting, "shooting", known)
+  si$laid <- if (!is.null(fields$laid)) si_laid(fields$laid, "laid", known)
   same_bodies <- identical(known$otter_boards, names(last$otter_boards)) &&
     identical(known$pieces, names(last$pieces)) && known$ground == !is.null(last$ground)
   si$measures <- map_named(

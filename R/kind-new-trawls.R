@@ -12,6 +12,9 @@ usual_bottom_meshes <- function(h) {
     speed = sprintf("%s knot", shortest_decimal(round(3 * (h / 25)^0.15, 1))))
 }
 
+# Of a demersal seine, which is hauled slowly: the rest as of a bottom trawl.
+usual_seine_meshes <- function(h) replace(usual_bottom_meshes(h), "speed", "2 knot")
+
 # Usual front meshes of a midwater trawl, a twelfth of the head line.
 usual_midwater_meshes <- function(h) {
   c(mesh_size = shown_mesh_size(round_mesh(h / 12.5)), codend_mesh_size = "40 mm")
@@ -64,6 +67,48 @@ new_pair_trawl <- function(given) {
     field_line(sprintf("weights: {mass: %s kg, density: 7850 kg/m3}",
       shortest_decimal(round(0.16 * h^2, if (h < 20) 0 else -1))), "where warp and sweep meet"),
     rope_line("sweeps", 2.5 * h, bottom_rope(h, 8, 0.4, "combination_rope"), "warp to bridles"),
+    new_bottom_net(given)
+  )
+  paste0(c(lines, ""), collapse = "\n")
+}
+
+# Text of a demersal seine: the same net between two ropes that are laid as a triangle.
+new_demersal_seine <- function(given) {
+  h <- given$head_line
+  rope <- given$rope
+  if (rope < 6 * given$depth) {
+    abort_argument(paste(
+      "{.arg rope} is {.val {given$shown$rope}}; it must be at least six times the depth of the sea",
+      "bed, {.val {given$shown$depth}}."
+    ))
+  }
+  # what is left for the way along the bed, of a rope that leads down to it with three times the depth
+  flat <- rope - 0.2 * given$depth
+  corner <- function(side) {
+    sprintf("[[%s, %s]]", metres(0.32 * flat), metres(side * 0.36 * flat))
+  }
+  winch <- given$speed / 2
+  lines <- c(
+    "# A demersal seine to begin with. Its proportions are usual, none is of a",
+    "# tested gear: put in your own numbers, from the drawing, line by line.",
+    "codend: 1",
+    "kind: demersal_seine",
+    sprintf("name: Demersal seine, head line %s", metres(h)),
+    new_bottom_conditions(given),
+    field_line(sprintf(
+      "warps: {length: %s, diameter: %s, material: combination_rope, spacing: 5 m}",
+      given$shown$rope, millimetres(min(40, max(14, 14 + 0.33 * h)))), "the seine ropes"),
+    field_line("laying:", "a triangle; the vessel at one corner"),
+    sprintf("  net: [%s, 0 m]", metres(0.645 * flat)),
+    sprintf("  port: %s", corner(-1)),
+    sprintf("  starboard: %s", corner(1)),
+    field_line("hauling:", "vessel: 0 m/s for an anchored one"),
+    "  - {time: 10 min, vessel: 1 knot}",
+    sprintf("  - {rope_out: %s, winch: %s m/s, vessel: 1 knot}", metres(0.45 * rope),
+      shortest_decimal(signif(0.75 * winch, 2))),
+    sprintf("  - {rope_out: %s, winch: %s m/s, vessel: 1 knot}",
+      metres(max(0.14 * rope, 2 * given$depth)), shortest_decimal(signif(winch, 2))),
+    "",
     new_bottom_net(given)
   )
   paste0(c(lines, ""), collapse = "\n")

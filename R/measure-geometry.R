@@ -47,6 +47,18 @@ define_measure("area", "m2",
   asks_ropes
 )
 
+define_measure("enclosed_area", "m2",
+  "Area enclosed by ropes end to end, seen from above, such as the ground between the ropes of a
+  demersal seine. A gap between two ropes is closed by a straight line.",
+  sensor = "The vessel's track while it lays the ropes, at the start of a haul alone.",
+  asks_ropes
+)
+
+define_measure("ground_speed", "m/s", "Speed of a place over the ground, along the level.",
+  sensor = "The positions of an acoustic sensor on the net in time.",
+  asks_place
+)
+
 define_measure("angle", "deg",
   "Direction of a rope's bar at a place, from start to end: below the horizontal (declination,
   negative when it rises) or, in plan view, out of the vessel's centre line (divergence, 0 to 180),

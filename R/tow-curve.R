@@ -149,6 +149,26 @@ scale_curve <- function(curve, factor) {
   curve
 }
 
+# A curve less or more by a number.
+shifted_curve <- function(curve, by) {
+  curve[c("begin", "end")] <- lapply(curve[c("begin", "end")], `+`, by)
+  curve
+}
+
+# A curve without jumps, straight between its times and held within two numbers.
+clipped_curve <- function(curve, low, high) {
+  time <- curve$time
+  value <- c(curve$begin, curve$end[length(curve$end)])
+  cross <- unlist(lapply(c(low, high), function(bound) {
+    from <- value[-length(value)] - bound
+    to <- value[-1L] - bound
+    at <- which(from * to < 0)
+    time[at] + diff(time)[at] * from[at] / (from[at] - to[at])
+  }))
+  all <- sort(unique(c(time, cross)))
+  straight_curve(all, pmin(pmax(stats::approx(time, value, all)$y, low), high))
+}
+
 # Times at which a curve jumps, or, with `kinks`, its rate does.
 curve_breaks <- function(curve, kinks) {
   n <- length(curve$begin)

@@ -33,7 +33,9 @@ tow_schedule <- function(si, lattice, given, until) {
   track <- vessel_track(speed, course, until)
   track$swing <- vessel_swing(given$vessel_motion, si$water$waves)
   growing <- c(
-    lapply(names(warps), function(rope) growing_warp(si, lattice, rope, warps[[rope]], given)),
+    unlist(lapply(names(warps), function(rope) {
+      growing_warp(si, lattice, rope, warps[[rope]], given)
+    }), recursive = FALSE),
     if (!is.null(given$catch)) {
       lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
     }
@@ -49,7 +51,9 @@ tow_schedule <- function(si, lattice, given, until) {
     curves = list(speed = speed, course = course, heave = heave, warps = warps, catch = catch),
     breaks = sort(unique(c(
       curve_breaks(speed, FALSE), curve_breaks(course, FALSE), curve_breaks(heave, FALSE),
-      unlist(lapply(warps, curve_breaks, kinks = TRUE)), curve_breaks(catch, FALSE),
+      unlist(lapply(growing, function(part) {
+        curve_breaks(part$factor, kinks = part$name %in% names(warps))
+      })),
       # the water's acceleration jumps where a current's rate does
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
       vapply(ruptures, `[[`, 0, "time")
@@ -138,10 +142,35 @@ limited_curve <- function(curve, limit) {
   straight_curve(time[bend], reached[bend])
 }
 
-# A warp as a group that grows by its length over the plan's.
+# A warp as groups that grow: one by its length over the plan's, or, of a rope that was laid, a group
+# for each bar, of which the next to the vessel comes in first.
 growing_warp <- function(si, lattice, rope, curve, given) {
-  full <- si$ropes[[rope]]
   bars <- rope_bars(lattice, rope)
+  whole <- si$ropes[[rope]]$length
+  if (!rope %in% names(si$laid$ropes)) {
+    return(list(growing_bars(si, lattice, rope, bars, whole, curve, given)))
+  }
+  for (name in c("winch", "control")) {
+    if (!is.null(given[[name]])) {
+      abort_schedule(name, paste("must be left out for", rope, "which was laid: give `warp_out`."))
+    }
+  }
+  long <- lattice$engine$bars$rest[bars]
+  long <- long * whole / sum(long)
+  # the length that is out when a bar is in
+  inner <- whole - cumsum(long)
+  lapply(seq_along(bars), function(k) {
+    own <- clipped_curve(shifted_curve(curve, -inner[k]), least_bar * long[k], long[k])
+    growing_bars(si, lattice, rope, bars[k], long[k], own, given)
+  })
+}
+
+# Share of a bar that is left of it when it is in.
+least_bar <- 0.01
+
+# Bars of a warp as one group. whole: their length in the plan, m; curve: that by time.
+growing_bars <- function(si, lattice, rope, bars, whole, curve, given) {
+  full <- si$ropes[[rope]]
   rest <- lattice$engine$bars$rest[bars]
   ends <- lattice$engine$bars$node[rep(2L * bars, each = 2L) - 1:0]
   half <- rep(rest / 2, each = 2L)
@@ -163,7 +192,8 @@ growing_warp <- function(si, lattice, rope, curve, given) {
   }
   c(
     list(
-      name = rope, factor = scale_curve(curve, 1 / full$length), control = control, bars = bars,
+      name = rope, whole = whole, factor = scale_curve(curve, 1 / whole), control = control,
+      bars = bars,
       rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
       drag_area = numeric(), added_mass = numeric()
     ),
@@ -199,7 +229,7 @@ growing_catch <- function(si, lattice, part, curve) {
   each <- piece$number / max(n, 1L)
   c(
     list(
-      name = lattice$parts$name[part], factor = curve, control = NULL, bars = integer(),
+      name = lattice$parts$name[part], whole = 1, factor = curve, control = NULL, bars = integer(),
       rest = numeric(), points = node, mass = rep(each * piece$mass, n),
       load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
       spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],

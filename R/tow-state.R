@@ -75,8 +75,8 @@ scheduled_table <- function(what, time, found) {
   growing <- what$schedule$growing
   factor <- matrix(found$factor, length(growing), length(time))
   for (k in seq_along(growing)) {
-    full <- what$si$ropes[[growing[[k]]$name]]$length
-    table[[growing[[k]]$name]] <- factor[k, ] * first_of(full, 1)
+    name <- growing[[k]]$name
+    table[[name]] <- first_of(table[[name]], 0) + factor[k, ] * growing[[k]]$whole
   }
   table
 }

@@ -5,7 +5,7 @@
 # How often each kind is drawn.
 forge_kinds <- c(
   bottom_trawl = 4, midwater_trawl = 5, pair_trawl = 2, beam_trawl = 1, cage = 2, gillnet = 2,
-  longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1
+  longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1, demersal_seine = 1
 )
 # Laws of netting's drag that go with any netting.
 forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
@@ -55,6 +55,10 @@ forge_sizes <- function(kind) {
     },
     pair_trawl = list(
       head_line = drawn(10, 60, "m"), speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m")
+    ),
+    demersal_seine = list(
+      head_line = drawn(20, 60, "m"), rope = drawn(1000, 3000, "m"), speed = drawn(1, 3, "knot"),
+      depth = drawn(20, 160, "m")
     ),
     beam_trawl = list(beam = drawn(2, 12, "m"), speed = drawn(2, 6, "knot")),
     cage = list(

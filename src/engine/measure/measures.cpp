@@ -74,6 +74,12 @@ class Measuring {
         return along(place(of.places[0]), normal()) - T(model_.ground.height);
       case MeasureKind::area:
         return size_of(mouth_area(of.ropes));
+      case MeasureKind::enclosed_area:
+        return area_from_above(of.ropes);
+      case MeasureKind::ground_speed: {
+        const Three<T> v = three(shape_.velocity, frame_.places[of.places[0]]);
+        return size_of({v.x - T(asked_.speed), v.y});
+      }
       case MeasureKind::angle:
         return angle(of);
       case MeasureKind::attitude:
@@ -256,8 +262,21 @@ class Measuring {
     }
     return {ahead / T(2.0), side / T(2.0)};
   }
-  static T size_of(const std::array<T, 2>& area) {
-    return length_of(Three<T>{area[0], area[1], T(0.0)});
+  static T size_of(const std::array<T, 2>& level) {
+    return length_of(Three<T>{level[0], level[1], T(0.0)});
+  }
+
+  // Area within ropes seen from above, m2.
+  T area_from_above(const std::vector<int>& of) const {
+    using std::abs;
+    const std::vector<int> nodes = outline(of);
+    T twice{};
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const Three<T> p = three(shape_.position, nodes[k]);
+      const Three<T> q = three(shape_.position, nodes[(k + 1) % nodes.size()]);
+      twice += p.x * q.y - q.x * p.y;
+    }
+    return abs(twice) / T(2.0);
   }
 
   // Water (m3/s) that flows horizontally through the ropes around a towed gear's mouth, as they move.

@@ -24,6 +24,8 @@ enum class MeasureKind {
   sinking_speed,    // of a place
   clearance,        // of a place above the ground
   area,             // within ropes end to end, the horizontal part of its vector
+  enclosed_area,    // within ropes end to end, from above
+  ground_speed,     // of a place over the ground, level
   angle,            // of a rope's bar
   attitude,         // of a plate
   tension,          // of a rope
@@ -59,7 +61,7 @@ enum class MeasureKind {
   least_depth,
   greatest_depth
 };
-constexpr std::array<const char*, 40> names_of(MeasureKind) {
+constexpr std::array<const char*, 42> names_of(MeasureKind) {
   return {"spread",
           "height",
           "length",
@@ -67,6 +69,8 @@ constexpr std::array<const char*, 40> names_of(MeasureKind) {
           "sinking_speed",
           "clearance",
           "area",
+          "enclosed_area",
+          "ground_speed",
           "angle",
           "attitude",
           "tension",
