@@ -26,7 +26,8 @@ form_rooms <- list(
     "lift_line", "anchor_line", "anchor_depth", "rings", "purse_wire", "davit_height", "points",
     "vessel", "vessels"
   ),
-  `Tow and water` = c("towing", "tow", "water", "seabed", "shooting", "pursing"),
+  `Tow and water` = c("towing", "tow", "water", "seabed", "shooting", "pursing", "laying",
+    "hauling", "laid"),
   `Name and method` = c(
     "name", "materials", "method", "netting", "coefficients", "netting_drag", "slack_twine",
     "shielding", "multipliers", "measures"

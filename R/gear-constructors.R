@@ -71,7 +71,7 @@ field_help <- function(node) {
 #'   `otter_board()`,
 #'   `kite()`, `seam()` and `measure()`, each under its name; and further fields of the plan
 #'   (`water`, `towing`, `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch`
-#'   ([catch]), `shooting`, `tow`, `materials`, `notes`, `sources`) as lists or text.
+#'   ([catch]), `shooting`, `laid`, `tow`, `materials`, `notes`, `sources`) as lists or text.
 #' @param kind Kind of plan: `"assembly"`, or a short form.
 #' @eval constructor_params()
 #' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A

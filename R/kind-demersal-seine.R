@@ -6,6 +6,9 @@ expand_demersal_seine <- function(fields, plan) {
   check_section_names(fields)
   check_wing_ends(fields)
   check_middle_bridle(fields)
+  if (is.null(plan$warps$segments)) {
+    plan$warps$segments <- ceiling(fields$warps$length / rope_segment)
+  }
   net <- bottom_trawl_net(fields, plan)
   ends <- paste0("warp_end_", trawl_sides)
   rig <- list(
@@ -31,60 +34,64 @@ expand_demersal_seine <- function(fields, plan) {
   out
 }
 
+# Its ropes are modelled by segments of this length where the plan gives no number of them, m.
+rope_segment <- 30
+
 # Over this time the vessel takes up the speed of a phase, s.
 vessel_gathers <- 30
 
+# Of a rope, what must be left out at the end of a haul.
+least_left <- 0.05
+
+# Error that a step of a haul may make where the plan says nothing: a thousandth of its ropes would
+# do, and nets of tens of metres need this.
+haul_accuracy <- "0.3 m"
+
 # The haul: phase after phase, from rest.
 demersal_seine_tow <- function(fields, plan) {
-  length <- vapply(trawl_sides, function(side) of_side(fields$warps, side)$length, 0)
-  hauled <- time <- 0
-  speed <- 0
-  out <- list(list(time = 0, value = 0))
-  speeds <- list(list(time = 0, value = 0))
+  long <- vapply(trawl_sides, function(side) of_side(fields$warps, side)$length, 0)
+  row <- function(time, value) list(time = time, value = value)
+  time <- hauled <- 0
+  speed <- list(row(0, 0))
+  in_board <- list(row(0, 0))
   for (k in seq_along(fields$hauling)) {
     phase <- fields$hauling[[k]]
-    path <- sprintf("hauling[%d]", k)
-    if (is.null(phase$rope_out)) {
-      lasts <- phase$time
-    } else {
-      left <- max(length) - hauled - phase$rope_out
-      if (left <= 0 || phase$winch == 0) {
-        abort_field(paste0(path, if (left <= 0) ".rope_out" else ".winch"),
-          format_si(if (left <= 0) phase$rope_out else 0, if (left <= 0) "length" else "speed"),
-          if (left <= 0) {
-            paste("less than what is out before,", format_si(max(length) - hauled, "length"))
-          } else {
-            "greater than 0 where it hauls until `rope_out`"
-          })
-      }
-      lasts <- left / phase$winch
-    }
-    gathers <- min(vessel_gathers, lasts / 2)
-    speeds <- c(speeds, list(
-      list(time = time, value = speed), list(time = time + gathers, value = phase$vessel)
+    lasts <- phase_time(phase, max(long) - hauled, sprintf("hauling[%d]", k))
+    speed <- c(speed, list(
+      row(time, speed[[length(speed)]]$value),
+      row(time + min(vessel_gathers, lasts / 2), phase$vessel)
     ))
-    hauled <- hauled + lasts * phase$winch
     time <- time + lasts
-    speed <- phase$vessel
-    out <- c(out, list(list(time = time, value = hauled)))
+    hauled <- hauled + lasts * phase$winch
+    in_board <- c(in_board, list(row(time, hauled)))
   }
-  if (hauled > min(length) - least_left) {
-    abort_field("hauling", format_si(hauled, "length"),
-      paste("such that at most", format_si(min(length) - least_left, "length"), "are hauled"))
+  most <- min(long) - least_left * max(long)
+  if (hauled > most) {
+    abort_field("hauling", paste(format_si(hauled, "length"), "of each rope"),
+      paste("such that at most", format_si(most, "length"), "are hauled"))
   }
-  warp_out <- lapply(length, function(whole) {
-    lapply(out, function(row) list(time = row$time, value = whole - row$value))
-  })
   own <- list(
-    until = time, every = time / 200, speed = speeds[-1L],
-    warp_out = stats::setNames(warp_out, paste0("warp_", trawl_sides))
+    until = time, every = time / 200, speed = speed[-1L], accuracy = haul_accuracy,
+    warp_out = lapply(stats::setNames(long, paste0("warp_", trawl_sides)), function(whole) {
+      lapply(in_board, function(at) row(at$time, whole - at$value))
+    })
   )
   own[names(plan$tow)] <- plan$tow
   own
 }
 
-# Rope that is left out at the end of a haul, m.
-least_left <- 10
+# How long (s) a phase lasts that begins with so much rope (m) out.
+phase_time <- function(phase, out, path) {
+  if (is.null(phase$rope_out)) return(phase$time)
+  if (phase$winch == 0) {
+    abort_field(paste0(path, ".winch"), "0 m/s", "greater than 0 where it hauls until `rope_out`")
+  }
+  if (phase$rope_out >= out) {
+    abort_field(paste0(path, ".rope_out"), format_si(phase$rope_out, "length"),
+      paste("less than what is out when it begins,", format_si(out, "length")))
+  }
+  (out - phase$rope_out) / phase$winch
+}
 
 demersal_seine_measures <- function(fields) {
   legs <- function(side) {

@@ -27,6 +27,9 @@
 #' hold: which of the balances that friction allows a gear comes to rest in depends on how it got
 #' there. [tow()] has friction that sticks.
 #'
+#' A demersal seine is settled as it is towed when its ropes have come together, with all of them out:
+#' [tow()] gives the haul.
+#'
 #' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
 #' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
 #' settled from there. What is hauled during its operation stays out. In still water nothing holds

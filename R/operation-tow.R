@@ -25,6 +25,12 @@
 #' part of it waits there until the vessel has passed. A net is then where it would be when it
 #' leaves the vessel, but what is not yet shot lies on the water instead of on deck.
 #'
+#' A gear whose plan has a section `laid`, as a demersal seine's assembly has, starts at rest with its
+#' ropes on the sea bed, along the way from corner to corner that the vessel ran, and its net as it
+#' has settled. Friction holds what the ropes do not pull. A rope that was laid comes in at the
+#' vessel: its bars shorten one after another, so that what lies farther out moves only as it is
+#' pulled; neither `winch` nor `control` can steer it.
+#'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed next to the
 #' towing speed, and a share m w^2 of its tension, 16 N for 4 kg/m at w = 2 m/s.

@@ -17,10 +17,12 @@ laid_position <- function(state) {
   position <- state$position
   ropes <- names(laid$ropes)
   ends <- vapply(ropes, function(rope) place_position(state, paste0(rope, ".end")), numeric(3))
+  held <- state$lattice$engine$held
   moved <- c(laid$net - rowMeans(ends)[1:2], 0)
   # as high above the sea bed as before
   above <- height_above_ground(ground, position)
   position <- on_ground(ground, position + moved, above)
+  position[, held] <- state$position[, held]
   for (rope in ropes) {
     nodes <- state$lattice$ropes[[rope]]
     start <- state$position[, nodes$node[1L]]

@@ -157,10 +157,11 @@ growing_warp <- function(si, lattice, rope, curve, given) {
   }
   long <- lattice$engine$bars$rest[bars]
   long <- long * whole / sum(long)
+  least <- least_bar * long
   # the length that is out when a bar is in
-  inner <- whole - cumsum(long)
+  inner <- whole - cumsum(long - least)
   lapply(seq_along(bars), function(k) {
-    own <- clipped_curve(shifted_curve(curve, -inner[k]), least_bar * long[k], long[k])
+    own <- clipped_curve(shifted_curve(curve, least[k] - inner[k]), least[k], long[k])
     growing_bars(si, lattice, rope, bars[k], long[k], own, given)
   })
 }
