@@ -309,7 +309,9 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
-  if (!is.null(si$laid)) return(laid_trajectory(gear, given, until, nodes, netting))
+  if (!is.null(si$laid)) {
+    return(laid_trajectory(settle(gear, nodes, netting), given, until))
+  }
   what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
   now <- conditions_at(what, 0, before = 0 %in% what$breaks)
   first <- si_at(what, now)

@@ -1,9 +1,9 @@
 # A tow that starts at rest with ropes lying on the sea bed along their ways, and what they pull as
 # it is when it has settled.
 
-laid_trajectory <- function(gear, given, until, nodes, netting) {
-  state <- settle(gear, nodes, netting)
-  what <- tow_start(gear, state$si, state$lattice, given, until)
+# state: the settled gear's.
+laid_trajectory <- function(state, given, until) {
+  what <- tow_start(state$gear, state$si, state$lattice, given, until)
   add_start(what, laid_position(state), c(0, 0, 0))
 }
 
@@ -16,7 +16,9 @@ laid_position <- function(state) {
   ground <- state$si$ground
   position <- state$position
   ropes <- names(laid$ropes)
-  ends <- vapply(ropes, function(rope) place_position(state, paste0(rope, ".end")), numeric(3))
+  ends <- vapply(ropes, function(rope) {
+    position[, state$lattice$place(paste0(rope, ".end"))]
+  }, numeric(3))
   held <- state$lattice$engine$held
   moved <- c(laid$net - rowMeans(ends)[1:2], 0)
   # as high above the sea bed as before

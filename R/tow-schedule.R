@@ -33,9 +33,9 @@ tow_schedule <- function(si, lattice, given, until) {
   track <- vessel_track(speed, course, until)
   track$swing <- vessel_swing(given$vessel_motion, si$water$waves)
   growing <- c(
-    unlist(lapply(names(warps), function(rope) {
+    do.call("c", c(list(list()), lapply(names(warps), function(rope) {
       growing_warp(si, lattice, rope, warps[[rope]], given)
-    }), recursive = FALSE),
+    }))),
     if (!is.null(given$catch)) {
       lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
     }
