@@ -78,11 +78,11 @@ new_demersal_seine <- function(given) {
   rope <- given$rope
   if (rope < 6 * given$depth) {
     abort_argument(paste(
-      "{.arg rope} is {.val {given$shown$rope}}; it must be at least six times the depth of the sea",
-      "bed, {.val {given$shown$depth}}."
+      "{.arg rope} is {.val {given$shown$rope}}; it must be at least six times the depth of the",
+      "sea bed, {.val {given$shown$depth}}."
     ))
   }
-  # what is left for the way along the bed, of a rope that leads down to it with three times the depth
+  # what is left for the way along the bed of a rope that leads down to it
   flat <- rope - 0.2 * given$depth
   corner <- function(side) {
     sprintf("[[%s, %s]]", metres(0.32 * flat), metres(side * 0.36 * flat))

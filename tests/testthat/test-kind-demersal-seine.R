@@ -63,7 +63,7 @@ test_that("a haul closes, balances and ends at the speed of vessel and winch", {
   table <- as.data.frame(haul, what = "measures")
   series <- function(name) table$value[table$measure == name]
   area <- series("enclosed_area_m2")
-  # the kite from the vessel by both corners to the net; bridles and the net's half opening come to it
+  # the kite from the vessel by both corners to the net; bridles and half of the mouth come to it
   expect_equal(area[1], 1140 * 640, tolerance = 0.05)
   # two ropes enclose at most a circle's area, by which Eigaard et al. (2016) reckon a haul's
   circle <- (2 * 1760)^2 / (4 * pi)
