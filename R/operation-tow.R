@@ -25,7 +25,7 @@
 #' part of it waits there until the vessel has passed. A net is then where it would be when it
 #' leaves the vessel, but what is not yet shot lies on the water instead of on deck.
 #'
-#' A gear whose plan has a section `laid`, as a demersal seine's assembly has, starts at rest with its
+#' A gear whose plan has a section `laid`, as a demersal seine's assembly, starts at rest with its
 #' ropes on the sea bed, along the way from corner to corner that the vessel ran, and its net as it
 #' has settled. Friction holds what the ropes do not pull. A rope that was laid comes in at the
 #' vessel: its bars shorten one after another, so that what lies farther out moves only as it is

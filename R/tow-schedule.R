@@ -142,7 +142,7 @@ limited_curve <- function(curve, limit) {
   straight_curve(time[bend], reached[bend])
 }
 
-# A warp as groups that grow: one by its length over the plan's, or, of a rope that was laid, a group
+# A warp as groups that grow: one by its length over the plan's; of a rope that was laid, a group
 # for each bar, of which the next to the vessel comes in first.
 growing_warp <- function(si, lattice, rope, curve, given) {
   bars <- rope_bars(lattice, rope)

@@ -41,7 +41,7 @@ test_that("a rope that was laid comes in at the vessel and pulls as what is left
     # what was laid slack, and stretch
     expect_lt(abs(haul$position[1, end, k] - out), 0.1)
     # every metre but half of the bar at the block, of 4 m, rubs against the bed
-    pull <- codend:::total_drag(state)
+    pull <- 1000 * measures(state)[["total_drag_kN"]]
     expect_gt(pull, friction_of_metre * (out - 4))
     expect_lt(pull, friction_of_metre * (out + 0.5))
   }
@@ -86,7 +86,7 @@ test_that("a haul closes, balances and ends at the speed of vessel and winch", {
   # towed steadily at the end, what moves the gear is nothing to its drag
   state <- state_at(haul, max(haul$time))
   free <- !state$lattice$engine$held
-  expect_lt(abs(sum(state$force[1, free])), 0.05 * codend:::total_drag(state))
+  expect_lt(abs(sum(state$force[1, free])), 0.05 * 1000 * measures(state)[["total_drag_kN"]])
 })
 
 test_that("a wrong demersal seine is told by its field", {

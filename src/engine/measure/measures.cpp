@@ -373,8 +373,8 @@ class Measuring {
     using std::atan2;
     using std::sqrt;
     const std::size_t bar = static_cast<std::size_t>(bar_at(of.ropes[0], of.at));
-    const Three<T> d = three(points_, model_.bars.node[2 * bar + 1]) -
-                       three(points_, model_.bars.node[2 * bar]);
+    const Three<T> d =
+        three(points_, model_.bars.node[2 * bar + 1]) - three(points_, model_.bars.node[2 * bar]);
     if (of.angle == MeasureAngle::divergence) return atan2(abs(d.y), d.x);
     return atan2(-d.z, sqrt(d.x * d.x + d.y * d.y));
   }
@@ -506,7 +506,7 @@ class Measuring {
     });
     return T(whole > 0 ? loose / whole : none);
   }
-  T mean_of_meshes(const std::vector<int>& panels, T MeshPlace<T>::* field) {
+  T mean_of_meshes(const std::vector<int>& panels, T MeshPlace<T>::*field) {
     T sum{};
     double all = 0.0;
     for (int k = 0; k < frame_.meshes.count(); ++k) {
@@ -598,8 +598,7 @@ class Measuring {
     }
     for (const Rim& rim : lids) {
       const auto& [whole, rims_of] = centre[rim.opening];
-      add(whole * T(1 / rims_of), three(shape_.position, rim.from),
-          three(shape_.position, rim.to));
+      add(whole * T(1 / rims_of), three(shape_.position, rim.from), three(shape_.position, rim.to));
     }
     return abs(sum / T(6.0));
   }
@@ -624,9 +623,9 @@ class Measuring {
           const int* corner = corner_triangles[half];
           int at[3];
           for (int k = 0; k < 3; ++k) at[k] = node[corner[k]];
-          netting += upward_moment(three(points_, at[0]), three(points_, at[1]),
-                                   three(points_, at[2])) *
-                     T((pointed ? 1.0 : 0.5) * cells.multiplicity[c]);
+          netting +=
+              upward_moment(three(points_, at[0]), three(points_, at[1]), three(points_, at[2])) *
+              T((pointed ? 1.0 : 0.5) * cells.multiplicity[c]);
           if (way == 0) way = way_along(at, place_in_run);
         }
       }
@@ -636,8 +635,8 @@ class Measuring {
     middle = middle * T(1.0 / static_cast<double>(run.size()));
     T under{};
     for (std::size_t k = 0; k < run.size(); ++k) {
-      under += upward_moment(three(points_, run[k]), three(points_, run[(k + 1) % run.size()]),
-                             middle);
+      under +=
+          upward_moment(three(points_, run[k]), three(points_, run[(k + 1) % run.size()]), middle);
     }
     // Both wind the same way where the rope runs against the triangles that it borders.
     return abs(netting + T(way > 0 ? -1.0 : 1.0) * under);
@@ -703,8 +702,8 @@ template <class T>
 std::vector<T> all_points(const Model& model, const std::vector<T>& position) {
   std::vector<T> out = position;
   for (const Tie& tie : model.ties) {
-    const Three<T> x = three(position, tie.first) * T(1 - tie.share) +
-                       three(position, tie.second) * T(tie.share);
+    const Three<T> x =
+        three(position, tie.first) * T(1 - tie.share) + three(position, tie.second) * T(tie.share);
     out.insert(out.end(), {x.x, x.y, x.z});
   }
   return out;

@@ -162,9 +162,9 @@ struct Propulsion {
 // All that is asked of a gear.
 struct Questions {
   int place_count = 0, rope_count = 0, panel_count = 0, part_count = 0, plate_count = 0;
-  double speed = 0.0;            // of the gear over the ground, towards -x, m/s
-  std::vector<int> mouth;        // ropes around its mouth; empty: unknown
-  std::vector<int> wings;        // places of pairs whose lines pass over the ground; empty: unknown
+  double speed = 0.0;      // of the gear over the ground, towards -x, m/s
+  std::vector<int> mouth;  // ropes around its mouth; empty: unknown
+  std::vector<int> wings;  // places of pairs whose lines pass over the ground; empty: unknown
   bool has_propulsion = false;
   Propulsion propulsion;
   std::vector<AskedMeasure> measures;
