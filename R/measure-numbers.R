@@ -6,7 +6,7 @@
 # the state, where it is a moment of a tow.
 new_measures <- function(values, kinds, nodes = NA, levels = NULL, light = FALSE, moment = NULL) {
   units <- measure_units(kinds)
-  shown <- setNames(as.double(mapply(in_unit, values, units)), names(values))
+  shown <- shown_numbers(values, units)
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
   error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
     error_classes(kind, units), which(kind == "slack_netting"))
@@ -14,6 +14,10 @@ new_measures <- function(values, kinds, nodes = NA, levels = NULL, light = FALSE
   structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
     error = error, main = setNames(main_measures(kind, units, light), names(values)),
     class = c("codend_measures", "numeric"))
+}
+
+shown_numbers <- function(values, units) {
+  setNames(as.double(mapply(in_unit, values, units)), names(values))
 }
 
 plain_measures <- function(x) setNames(as.double(x), names(x))

@@ -34,6 +34,16 @@
 measures <- function(state) {
   check_given("state")
   check_is_state(state)
+  found <- state_values(state)
+  new_measures(
+    found$values, found$kinds, state$lattice$nodes, function(shown) levels_of(state, shown),
+    found$light, if (!is.null(state$time)) state
+  )
+}
+
+# The measures of a state without their errors: list(values (SI, by name), kinds, light = whether its
+# drag is little next to its weights).
+state_values <- function(state) {
   asked <- state$si$measures
   check_enclosing(state, asked)
   kinds <- lapply(asked, function(measure) measure_kinds[[measure$kind]])
@@ -46,10 +56,7 @@ measures <- function(state) {
   light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
   values <- setNames(values[-length(values)], c(own, names(standard)))
   applies <- !is.nan(values) | seq_along(values) <= length(own)
-  new_measures(
-    values[applies], c(kinds, standard)[applies], state$lattice$nodes,
-    function(shown) levels_of(state, shown), light, if (!is.null(state$time)) state
-  )
+  list(values = values[applies], kinds = c(kinds, standard)[applies], light = light)
 }
 
 # Stops where the water within netting is asked for that is of no cells.

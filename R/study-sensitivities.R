@@ -268,8 +268,8 @@ balanced_lattice <- function(work, gear, si, lattice) {
 }
 
 values_at <- function(work, gear, si, lattice, position) {
-  found <- plain_measures(measures(new_state(gear, si, lattice, position, work$state$report)))
-  found[work$measures]
+  found <- state_values(new_state(gear, si, lattice, position, work$state$report))
+  shown_numbers(found$values, measure_units(found$kinds))[work$measures]
 }
 
 # A field's slopes by its share: list(slope, below, above, smooth), each by measure.

@@ -47,9 +47,9 @@ codend::FilledBag read_bag(SEXP bag) {
     const codend::Model model = read_model(lattice);
     codend::FilledBag filled;
     if (!Rf_isNull(bag)) filled = read_bag(bag);
-    return as_doubles(codend::measure(
-        read_frame(frame), model, codend::read_fields<codend::Questions>(ListSource(questions)),
-        Rf_isNull(bag) ? nullptr : &filled, read_shape(state)));
+    return as_doubles(codend::measure(read_frame(frame), model,
+                                      codend::read_fields<codend::Questions>(ListSource(questions)),
+                                      Rf_isNull(bag) ? nullptr : &filled, read_shape(state)));
   });
 }
 
@@ -111,7 +111,7 @@ codend::FilledBag read_bag(SEXP bag) {
   return guarded([&]() -> doubles {
     const codend::FilledBag read = read_bag(bag);
     const std::vector<double> x = numbers(points);
-    return as_doubles(std::vector<double>{codend::bag_volume(read, x),
-                                          codend::bag_surface(read, x)});
+    return as_doubles(
+        std::vector<double>{codend::bag_volume(read, x), codend::bag_surface(read, x)});
   });
 }

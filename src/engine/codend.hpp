@@ -6,8 +6,12 @@
 //
 // A model is filled field by field, then Model::prepare() called, or read from any source of named
 // arrays (read_fields(), with the checks of every array); an Assembly over it is what settle(),
-// evaluate() and March work with. tests/engine/programs/settle_file.cpp is a whole program. A Gear is read
-// in the same way; build_lattice() gives its nodes, elements and a shape to start from.
+// evaluate() and March work with. tests/engine/programs/settle_file.cpp is a whole program. A gear is read
+// in the same way, built, settled and measured (programs/settle_gear.cpp):
+//
+//   const auto numbers = codend::read_fields<codend::GearNumbers>(codend::TextSource(text));
+//   const codend::SettledGear found = codend::settle_gear(numbers, 500);
+//   for (const double value : found.measures) std::printf("%.17g\n", value);
 //
 // SI units. x aft, y to starboard, z up, 0 at the surface. What makes no sense throws InputError.
 // Functions keep no state between calls: models in different threads are independent.
@@ -23,6 +27,7 @@
 #include "march/scheduled_conditions.hpp"
 #include "march/schemes.hpp"
 #include "measure/measures.hpp"
+#include "measure/settled_gear.hpp"
 #include "model/assembly.hpp"
 #include "model/evaluate.hpp"
 #include "model/model.hpp"

@@ -16,8 +16,8 @@ using namespace codend;
 Gear random_gear(Random& random) {
   const MeshOrientation orientations[] = {MeshOrientation::diamond, MeshOrientation::square,
                                           MeshOrientation::turned};
-  Gear gear = hanging_panel(random.below(2) == 1, orientations[random.below(3)],
-                            NettingDrag::twines);
+  Gear gear =
+      hanging_panel(random.below(2) == 1, orientations[random.below(3)], NettingDrag::twines);
   GearPanel& panel = gear.panels[0];
   panel.upper = 20 + random.below(40);
   panel.lower = 10 + random.below(40);
@@ -102,9 +102,9 @@ FilledBag random_bag(const Lattice& lattice, Random& random) {
 // Numbers of a shape, one after the other, and the places of such in one.
 template <class T, class Visit>
 void each(MeasuredShape<T>& shape, Visit visit) {
-  for (std::vector<T>* all : {&shape.position, &shape.velocity, &shape.force, &shape.bar_tension,
-                              &shape.u_tension, &shape.v_tension, &shape.straight_tension,
-                              &shape.attack, &shape.heel, &shape.trim}) {
+  for (std::vector<T>* all :
+       {&shape.position, &shape.velocity, &shape.force, &shape.bar_tension, &shape.u_tension,
+        &shape.v_tension, &shape.straight_tension, &shape.attack, &shape.heel, &shape.trim}) {
     for (T& one : *all) visit(one);
   }
   for (std::vector<T>& all : shape.forces) {
@@ -244,7 +244,8 @@ TEST_CASE("ropes in any order and direction enclose the area of their polygon") 
     AskedMeasure area;
     area.kind = MeasureKind::area;
     const std::vector<std::vector<int>> ropes = {{0, 1}, {2, 1}, {2, 3, 4}, {4, 0}};
-    for (const std::vector<int>& order : {std::vector<int>{0, 1, 2, 3}, {2, 0, 3, 1}, {3, 2, 1, 0}}) {
+    for (const std::vector<int>& order :
+         {std::vector<int>{0, 1, 2, 3}, {2, 0, 3, 1}, {3, 2, 1, 0}}) {
       area.ropes = order;
       CHECK(drawn(x, ropes, area) == doctest::Approx(20));
     }

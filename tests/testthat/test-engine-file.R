@@ -15,12 +15,12 @@ model_text <- function(x, name) {
   paste(c(name, type, length(x), values), collapse = " ")
 }
 
-run_program <- function(text) {
+run_program <- function(text, program = engine_program, ...) {
   file <- tempfile(fileext = ".txt")
   on.exit(unlink(file))
   writeLines(text, file)
   said <- suppressWarnings(
-    system2(engine_program, shQuote(file), stdout = TRUE, stderr = TRUE)
+    system2(program, c(shQuote(file), ...), stdout = TRUE, stderr = TRUE)
   )
   list(said = said, status = c(attr(said, "status"), 0L)[1])
 }
@@ -59,4 +59,33 @@ test_that("the program says which field of a file is wrong", {
   ))
   expect_identical(run$status, 1L)
   expect_match(run$said, "model.bars.rest[2] must be a finite number", fixed = TRUE)
+})
+
+# All numbers of a gear, as src/engine/measure/settled_gear.hpp has them.
+gear_text <- function(state, asked) {
+  engine <- state$lattice$engine
+  unlist(Map(model_text, list(
+    gear_numbers(state$si),
+    c(
+      engine[c("water", "ground", "slack_twine", "materials", "load_table", "plates")],
+      list(blended = engine$blended$materials, drag_coefficient = engine$pressure$drag_coefficient)
+    ),
+    questions_of(state$si, state$lattice, asked), first_of(state$lattice$catch$blocked, 0)
+  ), c("gear", "model", "questions", "blocked")))
+}
+
+test_that("a program without R settles every shipped gear to the same measures", {
+  program <- sub("settle_file", "settle_gear", engine_program)
+  skip_if_not(file.exists(program), "the engine's programs are not built")
+  for (name in gears()$name) {
+    state <- suppressWarnings(settle(name, nodes = 500))
+    # a front that is found by its volume, and what is let go, take another way there
+    if (isFALSE(is.na(state$si$catch$volume)) || !is.null(state$si$shooting)) next
+    asked <- c(state$si$measures, lapply(unname(standard_measures), function(one) {
+      list(kind = one$computed)
+    }))
+    found <- run_program(gear_text(state, asked), program, "500")
+    expect_identical(found$status, 0L, label = paste(name, found$said[1]))
+    expect_identical(as.double(found$said[-(1:2)]), measure_values(state, asked), label = name)
+  }
 })

@@ -16,8 +16,7 @@ struct Piece {
   // Its area over the whole triangle's.
   double share() const {
     const auto& [a, b, c] = corner;
-    return std::abs(triple_product(Three<double>{a[0], a[1], a[2]},
-                                   Three<double>{b[0], b[1], b[2]},
+    return std::abs(triple_product(Three<double>{a[0], a[1], a[2]}, Three<double>{b[0], b[1], b[2]},
                                    Three<double>{c[0], c[1], c[2]}));
   }
 };
@@ -25,7 +24,8 @@ struct Piece {
 // What of the triangles lies behind the front, cut into triangles.
 std::vector<Piece> pieces_behind(const FilledBag& bag) {
   std::vector<Piece> out;
-  const double most = bag.depth.empty() ? 0.0 : *std::max_element(bag.depth.begin(), bag.depth.end());
+  const double most =
+      bag.depth.empty() ? 0.0 : *std::max_element(bag.depth.begin(), bag.depth.end());
   const int triangles = static_cast<int>(bag.real.size());
   for (int t = 0; t < triangles; ++t) {
     double inside[3];
@@ -100,8 +100,8 @@ std::vector<T> lengthwise_forms(const FilledBag& bag, const std::vector<T>& x) {
   for (int t = 0; t < triangles; ++t) {
     const Three<T> a = three(x, node_of(t, 0));
     const double sign = bag.weight[t] > 0 ? 1 : bag.weight[t] < 0 ? -1 : 0;
-    const Three<T> out = cross(three(x, node_of(t, 1)) - a, three(x, node_of(t, 2)) - a) *
-                         T(sign * bag.real[t]);
+    const Three<T> out =
+        cross(three(x, node_of(t, 1)) - a, three(x, node_of(t, 2)) - a) * T(sign * bag.real[t]);
     for (int k = 0; k < 3; ++k) {
       Normal& normal = normals[node_of(t, k)];
       normal.sum = normal.sum + out;

@@ -98,8 +98,8 @@ MeshFrame mesh_frame(const Gear& gear, const PartMap& map) {
     out.below_share.push_back(down.share);
     out.per_mesh.push_back(1 / std::max((after - before) * across, 1e-12));
     out.per_row.push_back(1 / std::max((rows.t[below] - rows.t[above]) * panel.deep, 1e-12));
-    out.slant.push_back(panel.left(1) + s * (panel.right(1) - panel.left(1) -
-                                             (panel.right(0) - panel.left(0))));
+    out.slant.push_back(panel.left(1) +
+                        s * (panel.right(1) - panel.left(1) - (panel.right(0) - panel.left(0))));
     // Each place stands for half the way to its neighbours.
     out.fore.push_back((rows.t[above] - t) / 2 * panel.deep);
     out.aft.push_back((rows.t[below] - t) / 2 * panel.deep);
@@ -134,8 +134,8 @@ std::vector<MeshPlace<T>> mesh_places(const MeshFrame& frame, const std::vector<
     MeshPlace<T> place;
     place.at = at[k];
     // Along a row: to the neighbours on both sides.
-    place.opening = (length_of(at[k] - at[before]) + length_of(at[after] - at[k])) *
-                    T(frame.per_mesh[k]);
+    place.opening =
+        (length_of(at[k] - at[before]) + length_of(at[after] - at[k])) * T(frame.per_mesh[k]);
     Three<T> i = (at[after] - at[before]) * T(frame.per_mesh[k]);
     // Where the row bends the bars follow it.
     const T straight = length_of(i);
@@ -191,8 +191,8 @@ T twine_shadow(const MeshFrame& frame, const std::vector<MeshPlace<T>>& found,
     const T bars(frame.meshes[k] * (1 + both));
     const T area = bars * abs(u[0] * v[1] - u[1] * v[0]);
     const auto through = [&](const T* bar) {
-      const T hidden = bars * T(frame.width[panel]) * long_of(bar) /
-                       (value_of(area) > 1e-12 ? area : T(1e-12));
+      const T hidden =
+          bars * T(frame.width[panel]) * long_of(bar) / (value_of(area) > 1e-12 ? area : T(1e-12));
       return T(1.0) - (value_of(hidden) > 1 ? T(1.0) : hidden);
     };
     const T light = through(u) * through(v);
