@@ -13,7 +13,8 @@ struct GearModel {
   Water water;
   Ground ground;
   SlackDrag slack = SlackDrag::curved;
-  std::vector<TwineMaterial> materials, blended;  // blended: of netting's twine where it is in part a screen
+  std::vector<TwineMaterial> materials,
+      blended;  // blended: of netting's twine where it is in part a screen
   LoadTable load_table;
   std::vector<LiftingPlate> plates;
   double drag_coefficient = 0.0;  // of the pressure within a bag

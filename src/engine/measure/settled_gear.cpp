@@ -70,19 +70,19 @@ SettledGear settle_gear(const GearNumbers& numbers, double nodes) {
   const Gear& gear = numbers.gear;
   if (nodes >= too_many_nodes) throw InputError("nodes", "nodes must be below 1000");
   if (gear.shot_along >= 0) throw InputError("shot_along", "a gear that is let go is not settled");
-  if (gear.has_bag && !(numbers.blocked > 0)) throw InputError("blocked", "blocked must be positive");
+  if (gear.has_bag && !(numbers.blocked > 0))
+    throw InputError("blocked", "blocked must be positive");
   const NodeCounts count = count_nodes(gear, 1);
-  const double fixed = count.divided
-                           ? std::accumulate(count.nodes.begin(), count.nodes.end(), 0.0)
-                           : std::numeric_limits<double>::infinity();
+  const double fixed = count.divided ? std::accumulate(count.nodes.begin(), count.nodes.end(), 0.0)
+                                     : std::numeric_limits<double>::infinity();
   FromShape from;
   if (!gear.panels.empty() && std::min(nodes, fixed) > 2 * coarsest_nodes) {
     const Gear free = undivided(gear);
     const SettledGear coarse = settle_level(numbers, free, coarsest_nodes, {}, coarse_steps);
     if (coarse.report.converged) {
       from.given = true;
-      from.map = part_map(free, coarse.lattice.division, coarse.lattice.nodes,
-                          coarse.lattice.panels);
+      from.map =
+          part_map(free, coarse.lattice.division, coarse.lattice.nodes, coarse.lattice.panels);
       from.position = all_points(coarse.model, coarse.position);
     }
   }
@@ -90,9 +90,9 @@ SettledGear settle_gear(const GearNumbers& numbers, double nodes) {
   Assembly assembly(out.model);
   const std::vector<double> still(out.position.size(), 0.0);
   const Evaluation found = evaluate(assembly, out.position.data(), still.data());
-  out.measures = measure(measure_frame(gear, out.lattice), out.model, numbers.questions,
-                         gear.has_bag ? &out.bag : nullptr,
-                         measured_shape(found, out.position, still));
+  out.measures =
+      measure(measure_frame(gear, out.lattice), out.model, numbers.questions,
+              gear.has_bag ? &out.bag : nullptr, measured_shape(found, out.position, still));
   return out;
 }
 
