@@ -1,7 +1,7 @@
 #' Errors and their classes
 #'
 #' Every error of codend has class `codend_error` and one more that says what is wrong, so that a
-#' program can tell them apart with [tryCatch()].
+#' program can distinguish them with [tryCatch()].
 #'
 #' | class | what is wrong | fields of the condition |
 #' |---|---|---|
@@ -10,7 +10,7 @@
 #' | `codend_error_file` | a file that cannot be read or written | `file`; of a tow `trajectory` |
 #' | `codend_error_not_converged` | no balance is found | `report`; of a tow `trajectory` |
 #' | `codend_error_energy` | of those, a motion that gains or loses energy | as above |
-#' | `codend_error_engine` | the engine, or a check of its lattice, finds it wrong | `field` |
+#' | `codend_error_engine` | the engine, or a check of its arrays, finds it wrong | `field` |
 #' | `codend_error_package` | a package that is not installed | |
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'

@@ -11,7 +11,7 @@
 #'   \item{mesh bar}{The twine between two neighbouring knots of a mesh.}
 #'   \item{mesh size}{Length of a full mesh pulled straight in the direction of its diagonal: of
 #'     diamond netting two mesh bars, with their knots.}
-#'   \item{knot}{Where twines of netting are joined. In the lattice it is a sphere at a node.}
+#'   \item{knot}{Where twines of netting are joined. In the model it is a sphere at a node.}
 #'   \item{panel}{A piece of netting of one mesh size and twine, with counts of meshes along its
 #'     upper edge, along its lower edge and from one to the other.}
 #'   \item{orientation}{How meshes lie in a panel: diamond (T0), square (T45) or turned (T90).}
@@ -68,8 +68,8 @@
 #' \describe{
 #'   \item{plan}{What the designer writes: the fields of a YAML file.}
 #'   \item{schedule}{What changes with time during a tow: speed, course, warps, current, catch.}
-#'   \item{lattice}{The gear as numbers: nodes and the elements between them.}
-#'   \item{node}{A point of the lattice with a position and a velocity.}
+#'   \item{mesh of the model}{The gear as nodes and the elements between them; `state$lattice`.}
+#'   \item{node}{A point of the model with a position and a velocity.}
 #'   \item{element}{What acts between nodes: a bar, a netting cell, a sphere, a rigid surface.}
 #'   \item{bar}{A straight spring between two nodes with the drag of a cylinder. It stands for one
 #'     or many mesh bars, or for a stretch of rope.}
@@ -78,7 +78,7 @@
 #'   \item{tow}{To march through time by a schedule.}
 #'   \item{trajectory}{The states of a tow that are kept, in the order of time.}
 #'   \item{frame}{One of the states of a trajectory.}
-#'   \item{measure}{A number that is asked of a state, with a name, a unit and a definition.}
+#'   \item{measure}{A number computed from a state, with a name, a unit and a definition.}
 #'   \item{spread}{Horizontal distance across the tow, between boards or between wing ends.}
 #' }
 #' @section Forces and solution:
@@ -95,7 +95,8 @@
 #'   \item{slack}{Without tension; ropes and twines do not push.}
 #'   \item{strength}{Breaking load, at which a rope breaks.}
 #'   \item{residual}{Net force on the free nodes, zero in equilibrium.}
-#'   \item{level}{One of the lattices, from coarse to fine, through which a gear is settled.}
+#'   \item{level}{One of the meshes of the model, from coarse to fine, through which a gear is
+#'     settled.}
 #'   \item{scheme}{Formula by which a tow goes from one time to the next.}
 #' }
 #' @seealso [measures()] for what each measure means.

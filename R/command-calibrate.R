@@ -11,7 +11,7 @@ command_calibrate <- function() {
       change_option(),
       optparse::make_option("--out", metavar = "FILE", help = "write the plan found (.yaml)"),
       optparse::make_option("--explain", action = "store_true", default = FALSE,
-        help = "tell what the misfit points at"),
+        help = "report what may explain the misfit"),
       optparse::make_option("--predict", metavar = "FILE.csv", help = paste(
         "predict other hauls of a table like that of --data"
       )),

@@ -9,5 +9,5 @@ run_check <- function(plan, options) {
   gear <- read_changed(plan, options)
   print(gear)
   found <- findings(gear)
-  if (nrow(found)) cat("", cli::style_bold("Worth a look"), finding_lines(found), sep = "\n")
+  if (nrow(found)) cat("", cli::style_bold("Warnings"), finding_lines(found), sep = "\n")
 }

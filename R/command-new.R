@@ -10,7 +10,7 @@ command_new <- function() {
     options = list(
       optparse::make_option("--file", metavar = "FILE", help = "write it there instead"),
       optparse::make_option("--ask", action = "store_true", default = FALSE,
-        help = "ask for each value at the console")
+        help = "ask at the console for each value")
     ),
     run = run_new
   )

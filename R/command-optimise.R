@@ -14,7 +14,7 @@ command_optimise <- function() {
         "from how many places to begin, the gear's own and others [1, at kinks 3]"
       )),
       optparse::make_option("--and", metavar = "FORMULA", help = paste(
-        "a second aim: print the curve of gears of which none is better in both, as CSV"
+        "a second objective: print the curve of gears of which none is better in both, as CSV"
       )),
       optparse::make_option("--points", metavar = "N", help = "of --and: how many gears [7]"),
       optparse::make_option("--out", metavar = "FILE", help = paste(

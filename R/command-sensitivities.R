@@ -1,6 +1,6 @@
 command_sensitivities <- function() {
   list(
-    takes = "PLAN", does = "Tell how much measures change with fields of the plan.",
+    takes = "PLAN", does = "Report how much measures change with fields of the plan.",
     options = list(
       optparse::make_option("--of", metavar = "MEASURES", help = paste(
         "names of measures, such as \"total_drag_kN; door_spread_m\" [all]"

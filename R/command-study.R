@@ -3,7 +3,7 @@ command_study <- function() {
     takes = "ACTION STORE [PLAN]", does = "Settle a gear in many designs, in tasks of any number.",
     more = paste(
       " ACTION is new (makes the folder STORE for a PLAN and its designs, of --designs or",
-      "--change), run (settles the designs of a --task that are not done yet), status (tells how",
+      "--change), run (settles the designs of a --task that are not done yet), status (says how",
       "far it is), table (what is done as CSV), effects, pairs or indices (which fields matter, as",
       "CSV) or plot (a picture of what is done). Any number of tasks may run at once, on any",
       "machines that see STORE."

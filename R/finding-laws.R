@@ -39,7 +39,7 @@ define_finding("drag law", "state",
 
 define_finding("solidity", "state",
   function() {
-    paste0("More than half of the panels of a part whose `netting_drag` is a screen's stand so
+    paste0("More than half of the panels of a part whose `netting_drag` is a screen's are so
     closed or so open that their solidity is outside that of the netting which the law was fitted
     to: ",
       screen_ranges(), ".")

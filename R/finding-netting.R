@@ -2,9 +2,9 @@
 
 define_finding("cells finer than meshes", "state",
   "A panel of cells is divided so finely that a cell holds less than one mesh. Cells are a sheet of
-  many meshes; where the lattice is as fine as the meshes these are the netting, as bars. On the
+  many meshes; where elements are as small as the meshes these are the netting, as bars. On the
   shipped midwater trawl, whose first meshes are 32 m long and six deep, cells find 3.6 % less drag
-  than the meshes, and no finer lattice brings them nearer.",
+  than the meshes, and no finer model brings them nearer.",
   function(gear, state) {
     engine <- state$lattice$engine
     if (!length(engine$cells$rest)) return(list())

@@ -130,9 +130,9 @@ define_finding("bridles", "state",
 )
 
 define_finding("weight on netting", "state",
-  "A weight hangs on an edge of netting alone, without a rope there. Lattices hand it on to the
-  meshes beside, so that the netting comes together around it, where a line or one row of knots
-  carries it.",
+  "A weight is on an edge of netting alone, without a rope there. The model passes it on to
+  the meshes next to it, so that the netting comes together around it, where a line or one row of
+  knots carries it.",
   function(gear, state) {
     si <- state$si
     ropes <- which(state$lattice$parts$kind == "rope")
@@ -205,7 +205,7 @@ define_finding("slack netting", "state",
     most <- slack$part[which.max(slack$slack_percent * slack$twine_m)]
     list(finding("netting", 100 * loose, shown,
       sprintf("%s of it hangs loose, most of that in panel %s.", shown, most),
-      "Check the speed, the spread, and the ropes that it hangs on: are they shorter than meant?"))
+      "Check the speed, the spread, and the ropes that hold it: are they shorter than meant?"))
   }
 )
 
@@ -225,7 +225,7 @@ loose_netting <- function(state) {
 greatest_freeboard <- 0.5
 
 define_finding("out of the water", "state",
-  "Nodes of the gear stand more than 0.5 m above the surface, apart from ropes that end at a point
+  "Nodes of the gear are more than 0.5 m above the surface, apart from ropes that end at a point
   above the water.",
   function(gear, state) {
     lattice <- state$lattice
@@ -241,7 +241,7 @@ define_finding("out of the water", "state",
     height <- state$position[3, most]
     shown <- paste(figures(height), "m")
     list(finding(describe_node(lattice, most), height, shown,
-      sprintf("it stands %s above the surface, one of %d nodes that do.", shown, length(above)),
+      sprintf("it is %s above the surface, one of %d nodes that do.", shown, length(above)),
       if (state$si$water$free_surface) {
         "Check what lifts the gear, and how much warp is out."
       } else {

@@ -5,8 +5,8 @@
 #' A gear can be a valid plan and still be nonsense: a unit that was forgotten, a bridle that
 #' carries nothing, a net that flies above the sea bed. This lists what of a gear or a settled
 #' state lies outside what practice and tests know. [summary()][summary.codend_state], [report()],
-#' [flume()] (but for swings of boards) and the command line show the same list under 'Worth a
-#' look'. None of it is an error: the numbers are computed as the plan asks.
+#' [flume()] (but for swings of boards) and the command line show the same list under
+#' 'Warnings'. None of it is an error: the numbers are computed as the plan says.
 #'
 #' @eval finding_help()
 #'

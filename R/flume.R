@@ -60,7 +60,7 @@
 #'   [update.codend_gear()], such as `"otter_boards.lift_coefficient"`. In a list, an item of
 #'   several paths is one control that changes them together; names are labels. A field is a number,
 #'   one of several words, or yes and no.
-#' @param nodes About how many nodes the lattice should have; see [settle()].
+#' @param nodes About how many nodes the model should have; see [settle()].
 #' @return A Shiny app, which runs when printed. A wrong argument is an error of class
 #'   `codend_error_argument`, a wrong plan one of class `codend_error_plan`, a gear that does not
 #'   settle one of class `codend_error_not_converged`, and a missing package one of class

@@ -215,7 +215,7 @@ check_joined <- function(si) {
   if (length(loose)) {
     abort_plan(
       sprintf(
-        "Plan field `%s` hangs on nothing: no rope or seam leads from it to a held point.", loose[1]
+        "Plan field `%s` is not held: no rope or seam leads from it to a held point.", loose[1]
       ),
       loose[1]
     )

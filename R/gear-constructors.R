@@ -136,14 +136,14 @@ otter_board <- constructor("otter_board", "otter_boards")
 #' @export
 kite <- constructor("kite", "kites")
 
-#' A measure to ask for
+#' Define a measure of a gear
 #'
-#' One of the measures that a gear made by [gear()] is asked for; a plan's `measures` have the same
+#' One of the measures that a gear made by [gear()] reports; a plan's `measures` have the same
 #' fields. [measures()] defines each kind and gives their values.
 #'
 #' @return A component for [gear()], which checks it.
 #' @eval measure_questions()
-#' @seealso [gear()] for points, ropes and panels, whose places and names are asked for.
+#' @seealso [gear()] for points, ropes and panels, whose places and names it needs.
 #' @export
 #' @examples
 #' measure(depth = "bottom")

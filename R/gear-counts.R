@@ -188,7 +188,7 @@ taken_up <- function(section, before, path) {
   given <- section$meshes$upper
   if (!is.null(given) && abs(given - due) > rounded_meshes) {
     abort_field(path, section$take_up, sprintf(
-      "such that %s meshes are joined to the %s of the section ahead; it asks for %s",
+      "such that %s meshes are joined to the %s of the section ahead; it needs %s",
       shown_count(given), shown_count(before), shown_count(due)
     ), is = paste("is", section$take_up))
   }

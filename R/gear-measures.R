@@ -50,7 +50,7 @@ asks_pairs <- function(asked, path, known) {
 
 asks_place_over_ground <- function(asked, path, known) {
   place <- find_place(asked, path, known)
-  if (!known$ground) abort_field(path, place, "asked for where the plan has a `seabed`")
+  if (!known$ground) abort_field(path, place, "used only where the plan has a `seabed`")
   list(place = place)
 }
 

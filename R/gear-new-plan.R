@@ -79,10 +79,10 @@ new_plan_kinds <- function() {
 #' those usual for the head line.
 #'
 #' @param kind Kind of gear.
-#' @param ... What the plan is asked for, by name, as text with a unit (`head_line = "32 m"`); what
+#' @param ... What the plan is made of, by name, as text with a unit (`head_line = "32 m"`); what
 #'   is left out is as usual.
 #' @param file `NULL`, or the path of the plan file to write.
-#' @param ask Whether to ask for each value at the console, with the usual one in brackets; a number
+#' @param ask Whether to ask at the console for each value, with the usual one in brackets; a number
 #'   that is typed without a unit has that one's.
 #' @return The gear, checked; invisibly where a file is written. Its text is `format(gear, remarks =
 #'   TRUE)`.
@@ -122,7 +122,7 @@ asked_values <- function(asks, given, from = NULL, usual = NULL) {
     on.exit(close(from))
   }
   asked <- setdiff(names(asks), names(given))
-  if (length(asked)) cat("An empty answer takes what stands in brackets.\n", file = stderr())
+  if (length(asked)) cat("An empty answer takes the value in brackets.\n", file = stderr())
   for (name in asked) {
     words <- gsub("[._]", " ", name)
     asks <- usual_asks(asks, given, usual)
@@ -187,7 +187,7 @@ check_asked <- function(about, given) {
   near <- nearest(unknown[1], names(about$asks))
   hint <- if (length(near)) " Did you mean {.arg {near}}?"
   abort_argument(paste0(
-    "{.arg {unknown[1]}} is not asked for; known are {.arg {names(about$asks)}}.", hint
+    "{.arg {unknown[1]}} is not known here; known are {.arg {names(about$asks)}}.", hint
   ))
 }
 

@@ -3,7 +3,7 @@
 #' The speed that a power tows
 #'
 #' Settles a gear at one speed after the other, each from the last, until its engine gives the power
-#' that is asked for: where the gear's drag is what the vessel pulls (see [vessel]).
+#' that is given: where the gear's drag is what the vessel pulls (see [vessel]).
 #'
 #' @param gear A gear with a `vessel`, or the name or file of a plan.
 #' @param power Power of the engine, W, or text with a unit (`"1500 kW"`), or a share of full power

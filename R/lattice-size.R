@@ -19,7 +19,7 @@ check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
   abort_plan(
     sprintf(
       paste(
-        "This plan asks for %s nodes, which would take about %s of memory; at most %s are allowed.",
+        "This plan needs %s nodes, which would take about %s of memory; at most %s are allowed.",
         "Most of them are in `%s`."
       ),
       format(total, digits = 2), memory_text(total * bytes_per_node), format(most), worst

@@ -222,7 +222,7 @@ check_totals <- function(si, panels, held) {
   if (is.na(wrong)) return(invisible())
   abort_lattice(
     "Panel {.field {names(si$panels)[wrong]}} has {signif(planned[wrong], 6)} m of twine
-    in the plan and {signif(held[wrong], 6)} m in the lattice."
+    in the plan and {signif(held[wrong], 6)} m in the model."
   )
 }
 

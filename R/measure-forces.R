@@ -3,7 +3,7 @@
 define_measure("tension", "kN",
   "Tension of a rope at a place, or the largest along it. At its start or end it is that at the
   very end: that of the middle of the outermost element, and what pulls at the half beyond.",
-  sensor = "A load cell in the line. What a winch tells has the friction of the blocks in it.",
+  sensor = "A load cell in the line. What a winch reports includes the friction of the blocks.",
   asks_rope_place
 )
 

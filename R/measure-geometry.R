@@ -1,10 +1,10 @@
 # Measures of shape that a plan may ask for.
 
 define_measure("spread", "m",
-  "Horizontal distance between two places, as an acoustic sensor tells it, or the mean over several
-  pairs. In a straight tow that is the distance across it; in a turn, where one door runs ahead of
-  the other, it stays that of the doors from each other.",
-  sensor = "Acoustic sensors on both doors or wing ends tell the slant distance between them from
+  "Horizontal distance between two places, as an acoustic sensor reports it, or the mean over
+  several pairs. In a straight tow that is the distance across it; in a turn, where one door runs
+  ahead of the other, it stays that of the doors from each other.",
+  sensor = "Acoustic sensors on both doors or wing ends report the slant distance between them from
   where they are fastened, which is some decimetres from the place named here; it wavers as the
   doors swing.",
   asks_pairs
@@ -13,7 +13,7 @@ define_measure("spread", "m",
 define_measure("height", "m",
   "Height of the first place above the second, negative where it lies below. The height of a net's
   mouth is that of the head line's centre above the footrope's.",
-  sensor = "A trawl eye or scanner on the head line tells the distance straight down to the
+  sensor = "A trawl eye or scanner on the head line reports the distance straight down to the
   footrope, or to the sea bed where its beam meets that first.",
   asks_pair
 )

@@ -27,7 +27,7 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
 }
 
 define_measure("mesh_opening", "mm",
-  "How wide the meshes of panels stand across them, the mean over their meshes: of diamonds from
+  "How wide the meshes of panels are open across them, the mean over their meshes: of diamonds from
   knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
   sensor = "A camera in the net, with a scale.",
   asks_panels
@@ -71,7 +71,7 @@ solidity_of_panels <- function(state, names) {
 #' Meshes along a net
 #'
 #' How far the meshes are open along every panel: what decides which fish pass through them. Each
-#' row is a row of the lattice across a panel, from its front edge to its rear edge.
+#' row is a row of the model across a panel, from its front edge to its rear edge.
 #'
 #' Of diamond meshes the opening is the distance of the knots across the panel and the angle that
 #' between two bars, so that opening = mesh size times sin(angle / 2) where the twine is taut; of

@@ -18,7 +18,7 @@ standard_measures <- c(
     x.",
     sensor = "Load cells in all warps, each reading times the cosines of the warp's declination and
     divergence at the block; the flow is that past the gear, which a log on the vessel does not
-    tell."
+    measure."
   ),
   standard_measure("tow_power", "kW",
     "Of a towed gear, its total drag times the towing speed."
@@ -75,8 +75,8 @@ standard_measures <- c(
   ),
   standard_measure("catch_front", "meshes",
     "With a catch in netting, how many meshes deep the netting is that its front encloses.",
-    sensor = "Catch sensors, each at a count of meshes from the codline, which tell when the netting
-    there is stretched across.",
+    sensor = "Catch sensors, each at a count of meshes from the codline, which report when the netting there
+    is stretched across.",
     computed = "bag_front"
   ),
   standard_measure("largest_rope_tension", "kN",
@@ -87,7 +87,7 @@ standard_measures <- c(
     "Of the panel whose twine is loaded most, the mean tension of one twine (of both when double)
     over all of its length of twine. A panel is the plan's, so that this closes in on a value as the
     netting is divided further; what pulls at a single mesh, such as at the tip of a wing, it does
-    not tell."
+    not include."
   ),
   standard_measure("most_loaded_twine_tension", "N",
     "Mean tension of one twine (of both when double) over the tenth of the netting's length of twine
@@ -99,8 +99,8 @@ standard_measures <- c(
   ),
   standard_measure("rope_on_ground", "m",
     "With a sea bed, the length of rope, not of poles, that lies on it.",
-    sensor = "A bottom contact sensor tells whether its place lies on the ground; bright links and
-    shackles tell how far."
+    sensor = "A bottom contact sensor reports whether its place lies on the ground; bright links and
+    shackles show how far."
   ),
   standard_measure("ground_load", "kN",
     "With a sea bed, what the gear presses on it with."

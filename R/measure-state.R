@@ -13,19 +13,19 @@
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
 #' @return `measures()` gives named numbers of class `codend_measures`; every name ends in its unit,
 #'   which the attribute `unit` has as it is printed (`"m3/h"`), by the measures' names. The
-#'   attribute `error` has the standard error that the lattice leaves in each, in its unit: about 95
-#'   % lie within twice as much of what ever finer lattices converge to. It is estimated from the
-#'   other lattices of the gear that [settle()] goes through and, where these are all coarse, from
-#'   one 2.6 times as fine that is settled when errors are first asked for: a drift with the length
-#'   of elements to the power 0.75 to 1.5, as the lattices show it, and a scatter, fitted by
+#'   attribute `error` has the standard discretisation error of each, in its unit: about 95 % lie
+#'   within twice as much of the value that ever finer models converge to. It is estimated from the
+#'   coarser models of the gear that [settle()] goes through and, where these are all coarse, from
+#'   one 2.6 times as fine that is settled when errors are first needed: a drift with the length of
+#'   elements to the power 0.75 to 1.5, as these models show it, and a scatter, fitted by
 #'   generalised least squares; at least half of what is usual in the gear's measures of that class
 #'   (forces, openings, places, slack and tension of netting) and, of gears with netting, 0.2 % with
 #'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
 #'   points). It is the discretisation's alone, not of drag coefficients. Of a moment of a tow it is
 #'   that of the settled state that the tow started from, as a share of each measure, together with
-#'   that of the steps by their accuracy: 1.5 times it of lengths, 2.5 % of
-#'   forces at 0.01 m; `NA` where the tow did not start from a settled state, as one that is shot.
-#'   The attribute `main` says which measures `settle(accuracy = )` looks at.
+#'   that of the steps by their accuracy: 1.5 times it of lengths, 2.5 % of forces at 0.01 m; `NA`
+#'   where the tow did not start from a settled state, as one that is shot. The attribute `main`
+#'   says which measures `settle(accuracy = )` looks at.
 #' @examples
 #' found <- measures(settle("crossing_cables"))
 #' found[["total_drag_kN"]]
@@ -79,7 +79,7 @@ measure_texts <- function(kinds, of = "definition") vapply(kinds, `[[`, "", of, 
 
 #' @return `measure_definitions()` gives a data frame with `name`, `unit`, `definition` and `sensor`
 #'   (what measures it on a vessel or a model, and what that sees otherwise; `NA` where none is
-#'   known): without a state a row per kind of measure that a plan may ask for and per standard
+#'   known): without a state a row per kind of measure that a plan may define and per standard
 #'   measure, which `asked` distinguishes; of a state a row per measure that it has, under the names
 #'   that `measures()` uses.
 #' @rdname measures
@@ -113,7 +113,7 @@ measure_help <- function() {
   }
   asked <- asked_kinds()
   c(
-    "@section Measures that a plan may ask for:", items(asked, names(asked)),
+    "@section Measures that a plan may define:", items(asked, names(asked)),
     "@section Standard measures:", items(standard_measures, standard_names())
   )
 }

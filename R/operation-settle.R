@@ -36,16 +36,16 @@
 #' such a net open: it ends as a bundle below its floats.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param nodes About how many nodes the lattice should have. `NULL` aims at an error of 1 % in the
+#' @param nodes About how many nodes the model should have. `NULL` seeks an error of 1 % in the
 #'   main measures: it begins with 1,500 nodes and, where the estimated error is over 1 %, goes on
-#'   to 3,900; the state prints what was reached. With `from` it is as many as were asked for there.
+#'   to 3,900; the state prints what was reached. With `from` it is as many as were given there.
 #' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
 #'   points, at another speed, warp or design. Many times faster than to start anew where the change
-#'   is small and as many `nodes` are asked for; where that start does not lead to balance the gear
+#'   is small and as many `nodes` are used; where that start does not lead to balance the gear
 #'   is settled anew.
-#' @param accuracy Error that the lattice may leave in the main measures, such as `"1 %"`: the gear
+#' @param accuracy Largest discretisation error of the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag, the spreads, heights, areas and volumes that the plan needs, and the
 #'   volume and surface of a catch, each as a share of the largest of its kind; not a drag of less

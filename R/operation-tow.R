@@ -83,7 +83,7 @@
 #'   faster, and pay out where their tension at the vessel, at the very end, exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that
 #'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope. It is
-#'   asked every `control_every` seconds.
+#'   called every `control_every` seconds.
 #' @param control_every s or text.
 #' @param current `list(speed = , toward = )`, two schedules (m/s, rad), or a list of one such per
 #'   depth of the plan's current.

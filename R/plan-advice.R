@@ -9,7 +9,7 @@ plan_advice <- c(
   "round_?strap|strap|girdle" =
     "ropes around the net are said by `cross_ropes`, one behind each section.",
   "lastridge|selvedge_rope|rib_?line|laceage" = "ropes along the seams are said by `belly_lines`.",
-  "grid|grate" = "a sorting grid is said by `grids`, with the section behind which it stands.",
+  "grid|grate" = "a sorting grid is said by `grids`, with the section behind which it is.",
   "window|square_mesh_panel" =
     "cut the section in two, and give the `back` of one its own `orientation` and mesh size.",
   "gusset|gore|wedge" = paste(
@@ -19,7 +19,7 @@ plan_advice <- c(
   "flapper|liner|separator" =
     "netting within the net cannot be said; as `covers` it has its weight and drag.",
   "dropper|toggle" =
-    "a plan cannot say it: the ground gear hangs on the same edge of netting as the footrope.",
+    "a plan cannot say it: the ground gear is on the same edge of netting as the footrope.",
   "danleno|butterfly|dan_leno|delta_?plate|triangle" =
     "danlenos, butterflies and delta plates are described by `danlenos`: their mass and drag.",
   "set_?back|settings|adjust" =

@@ -106,8 +106,9 @@ load_table <- function(given, path) {
   if (is.null(rows)) return(NULL)
   path <- join(path, "load_by_elongation")
   if (!is.null(given$axial_stiffness)) {
-    abort_plan(sprintf("Plan field `%s` is given beside `axial_stiffness`; one of them must go.",
-      path), path, rows)
+    abort_plan(sprintf(
+      "Plan field `%s` is given together with `axial_stiffness`; one of them must go.", path
+    ), path, rows)
   }
   table <- list(
     strain = vapply(rows, `[[`, 0, "elongation"), load = vapply(rows, `[[`, 0, "load")

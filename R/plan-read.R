@@ -136,7 +136,7 @@ abort_yaml <- function(file, text, problem) {
   } else if (grepl("mapping values are not allowed", problem, fixed = TRUE)) {
     paste(
       "there is a colon where none can be: text that holds a colon needs quotes, and fields that",
-      "stand beside each other the same indentation"
+      "follow each other the same indentation"
     )
   } else if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
     paste(
@@ -148,7 +148,7 @@ abort_yaml <- function(file, text, problem) {
   } else if (grepl("while scanning a quoted scalar", problem, fixed = TRUE)) {
     "a quoted text has no end"
   } else if (grepl("did not find expected key", problem, fixed = TRUE)) {
-    "a field is indented unlike those beside it"
+    "a field is indented unlike those next to it"
   } else {
     gsub("[[:space:]]+", " ", sub(" at line [0-9]+, column [0-9]+[[:space:]]*$", "", problem))
   }

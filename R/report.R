@@ -10,14 +10,14 @@
 #' of a trajectory has the measures against time and the motion in three dimensions in place of the
 #' shapes and forces.
 #'
-#' The file holds all that it needs and asks nothing of the network. It prints to paper or PDF from
+#' The file holds all that it needs and uses no network. It prints to paper or PDF from
 #' the browser, the plan drawing on a page of its own on its side. The same state gives the same
 #' file in every new session. Numbers are rounded to four figures; forces are also given in
 #' tonnes-force (9.80665 kN).
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
 #' @param file The HTML file to write. It is written whole or not at all.
-#' @param slopes What more of each field would do: slopes of the state's measures, from
+#' @param slopes What more of each field would do: sensitivities of the state's measures, from
 #'   [sensitivities()], as a table next to the measures; `NULL` for none.
 #' @param uncertainty How far the measures may be from the truth, from [uncertainty()], as a table
 #'   after the measures; `NULL` for none.
@@ -183,15 +183,15 @@ report_scene <- function(of, words) {
 # Of a tow, what is worth a look at its start.
 finding_section <- function(found) {
   if (!nrow(found)) return(NULL)
-  report_section("Worth a look", report_table(finding_columns(found), "What lies outside what
+  report_section("Warnings", report_table(finding_columns(found), "What lies outside what
     practice and tests know, and what to try."))
 }
 
 slope_section <- function(slopes) {
   if (is.null(slopes)) return(NULL)
   report_section("What more would do", report_table(slope_columns(slopes), "Changes of measures by
-    10 % more of a field, or ten more of what is counted, as far as the slope at this state holds.
-    In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
+    10 % more of a field, or ten more of what is counted, as far as the sensitivity at this state
+    holds. In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
 }
 
 uncertainty_section <- function(uncertainty) {
@@ -199,7 +199,7 @@ uncertainty_section <- function(uncertainty) {
   report_section("How sure these numbers are", report_table(uncertainty_columns(uncertainty),
     "Intervals that hold the truth with the probability in their head, and standard uncertainties by
     where they come from: coefficients of force, numbers of the plan, conditions, the
-    discretisation (lattice), and what no number of the plan covers (model)."))
+    discretisation, and what no number of the plan covers (model)."))
 }
 
 plan_section <- function(gear) {
@@ -210,7 +210,7 @@ plan_section <- function(gear) {
     data_address(file, "image/png"),
     paste(
       "Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
-      "rigging, and lists of ropes and pieces. All of it stands as text in the exact plan below."
+      "rigging, and lists of ropes and pieces. All of it is given as text in the exact plan below."
     )
   ))
 }
@@ -222,7 +222,7 @@ shape_section <- function(state) {
   report_section("Shape",
     report_figure(data_address(file, "image/png"), paste(
       "The gear from above, from the port side and from astern, to scale, coloured by tension.",
-      "Its main dimensions stand among the measures."
+      "Its main dimensions are among the measures."
     )),
     report_scene(state, "The gear in three dimensions, coloured by tension.")
   )
@@ -270,7 +270,7 @@ drag_section <- function(said) {
 board_section <- function(boards) {
   if (!nrow(boards)) return(NULL)
   report_section("Otter boards and kites", report_table(board_columns(boards), paste(
-    "How free otter boards and kites stand: angle of attack and that of their largest lift, heel",
+    "Free otter boards and kites in the flow: angle of attack and that of their largest lift, heel",
     "(positive outward; of a kite where its starboard end is high) and trim."
   )))
 }

@@ -42,8 +42,8 @@ abort_unsettled <- function(report, lattice, position) {
     abort_not_converged(
       c("The gear did not settle: rounding of places alone leaves net forces of
         {signif(report$part_rounding, 2)} of the largest force in {.val {report$rounding_part}}.",
-        "i" = "It is too stiff for a place so far from the origin to tell its tension: lower its
-        {.field axial_stiffness}."),
+        "i" = "It is too stiff for a place so far from the origin to compute its tension: lower
+        its {.field axial_stiffness}."),
       report = report
     )
   }
@@ -51,14 +51,14 @@ abort_unsettled <- function(report, lattice, position) {
     abort_not_converged(
       "The gear did not settle: after {report$iterations} steps the largest net force on
       {.val {report$worst_part}} is {signif(report$part_residual, 2)} of the largest force in it,
-      where {report$part_tolerance} is asked for.",
+      where {report$part_tolerance} is needed.",
       report = report
     )
   }
   abort_not_converged(
     c(
       "The gear did not settle: after {report$iterations} steps the largest net force is
-      {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is asked for.",
+      {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is needed.",
       "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
       {signif(in_unit(report$worst_force, 'kN'), 3)} kN."
     ),

@@ -135,7 +135,7 @@ shared_body <- function(state, model, moves) {
         shared_measure_table(model$programs)),
       tag$section(class = "more", `aria-label` = "More of the gear",
         if (nrow(found)) tag$details(open = NA,
-          tag$summary("Worth a look, of the gear as shared"),
+          tag$summary("Warnings, for the gear as shared"),
           tag$ul(lapply(finding_sentences(found), tag$li))),
         tag$details(id = "drawing", tag$summary("Plan drawing"),
           tag$div(class = "drawing", tabindex = "0", role = "region",
@@ -150,7 +150,7 @@ shared_body <- function(state, model, moves) {
             list(tag$dt(one$words), tag$dd(one$definition))
           }))),
         tag$details(tag$summary("This page"),
-          tag$p(sprintf("Made by codend %s, %s. The engine settles a lattice of %s nodes in this
+          tag$p(sprintf("Made by codend %s, %s. The engine settles a model of %s nodes in this
             page; nothing leaves it, and it needs no network.",
             utils::packageVersion("codend"), format(Sys.Date()), big_number(model$nodes))),
           if (length(model$left_out)) tag$p("Fields that cannot be sliders here: ",

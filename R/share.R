@@ -3,11 +3,11 @@
 #' Writes a settled gear as one HTML file that anyone can open, on a computer or a phone and without
 #' a network: the gear in three dimensions, sliders for fields of its plan, and codend's engine,
 #' which settles the gear in the browser as they move. Next to them are the measures with the
-#' errors that the lattice leaves and how much they have changed, warnings, the plan drawing, the
+#' estimated discretisation errors and how much they have changed, warnings, the plan drawing, the
 #' plan's notes and sources, and the version of codend. A tow that is given plays.
 #'
-#' What a slider does to the numbers of the lattice is found before the page is written, by filling
-#' the lattice at several values of the field, and is checked against lattices at values between, to
+#' What a slider does to the numbers of the model is found before the page is written, by filling
+#' the model at several values of the field, and is checked against models at values between, to
 #' one part in 10^10. A field that divides the gear otherwise, such as a count of meshes, cannot be
 #' a slider. The page settles from the shape that it shows, in parts of a tenth of a slider's range;
 #' errors are those of the state, as shares of the measures, and findings those of the gear as it

@@ -98,7 +98,7 @@ read_kept_numbers <- function(get) {
   integers <- suppressWarnings(as.integer(get("kept_integers")))
   what <- build_tree(text, as.vector(get("kept_numbers")), integers, stop)
   gear <- gear_of_text(what$plan_text, what$plan_file, what$plan_source)
-  if (!inherits(what$lattice, "codend_lattice")) stop("it holds no lattice")
+  if (!inherits(what$lattice, "codend_lattice")) stop("it holds no model")
   # Files of before crossings of knotless netting counted once in wakes.
   sheets <- what$lattice$engine$wake_sheets
   if (is.null(sheets$overlap)) {

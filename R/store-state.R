@@ -17,7 +17,7 @@
 #' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
 #' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
 #'
-#' What is named `kept_` serves [read_state()] alone: plain data that the lattice is put together
+#' What is named `kept_` serves [read_state()] alone: plain data that the model is put together
 #' from. Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was
 #' cut short or changed is an error of class `codend_error_file`, and so is one of an older format.
 #'
@@ -88,7 +88,7 @@ read_state <- function(file) {
     if (!length(velocity)) velocity <- numeric(length(position))
     sizes <- c(length(position), length(velocity)) == 3L * what$lattice$engine$nodes
     if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
-      stop("its places do not fit its lattice")
+      stop("its places do not fit its model")
     }
     state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
     for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
@@ -151,7 +151,7 @@ state_numbers <- function(state) {
         "nodes that a bar joins, from 1"),
       bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
       cell_node = whole(matrix(engine$cells$node, 4L), c("corner", "cell"),
-        "nodes at a cell's corners, from 1; of three the last stands twice"),
+        "nodes at a cell's corners, from 1; of three the last is there twice"),
       cell_part = whole(lattice$cell_part, "cell",
         "part that a cell belongs to, from 1"),
       part_name = text(enc2utf8(lattice$parts$name), c("letter", "part"),

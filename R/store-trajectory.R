@@ -188,7 +188,7 @@ define_trajectory <- function(nc, what, frame, measured) {
   define("bar_node", "NC_INT", c("bar_end", "bar"), words = "nodes that a bar joins, from 1")
   define("bar_part", "NC_INT", "bar", words = "part that a bar belongs to, from 1")
   define("cell_node", "NC_INT", c("corner", "cell"),
-    words = "nodes at a cell's corners, from 1; of three the last stands twice")
+    words = "nodes at a cell's corners, from 1; of three the last is there twice")
   define("cell_part", "NC_INT", "cell", words = "part that a cell belongs to, from 1")
   define("hexagonal_cell", "NC_INT", "hexagonal_cell",
     words = "cells of hexagonal meshes, from 1")

@@ -2,13 +2,13 @@
 #'
 #' Where a calibrated gear and its hauls still differ: which other input of the plan, of boards,
 #' netting, ropes, sea bed or water, would bring them together, which condition the differences
-#' follow, and which measurement would tell the fields of the calibration best.
+#' follow, and which measurement would determine the fields of the calibration best.
 #'
-#' Inputs are judged by the slopes of what was matched at the calibrated gear: by how much the sum
-#' of squared standardised residuals would fall were the input free next to the fields of the
-#' calibration (score test), on a straight line, and believed to lie within `spread` of its value:
-#' one that would have to change by more explains little. An input whose effect is that of the
-#' calibrated fields cannot be distinguished from them (`own` near 0).
+#' Inputs are judged by the sensitivities of what was matched at the calibrated gear: by how much
+#' the sum of squared standardised residuals would fall were the input free next to the fields of
+#' the calibration (score test), on a straight line, and believed to lie within `spread` of its
+#' value: one that would have to change by more explains little. An input whose effect is that of
+#' the calibrated fields cannot be distinguished from them (`own` near 0).
 #'
 #' @param fit A calibration, from [calibrate()].
 #' @param to Inputs to look at, as `to` of [sensitivities()]; `NULL` takes lengths, masses, areas,
@@ -16,10 +16,10 @@
 #' @param spread Standard deviation that inputs are believed to have, as a share of their value.
 #' @param sensor Error of a sensor that is not there yet, as a share of what it measures.
 #' @param cases How many of the settings in the data to look at, evenly over them; each takes the
-#'   slopes of all inputs.
+#'   sensitivities to all inputs.
 #' @return An object of class `codend_explanation`, a list of data frames, the most telling first:
 #'
-#'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals ask for and that
+#'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals indicate and that
 #'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (the
 #'     probability of so large a fall by chance; small where the input matters) and `own`, the share
 #'     of its effect that the calibrated fields do not have too;
@@ -240,7 +240,7 @@ print.codend_explanation <- function(x, ...) {
       paste0("  ", telling$field), with_plain_numbers(sprintf("%+.0f %%", telling$percent)),
       with_plain_numbers(sprintf("takes %.0f %% of the squares", 100 * telling$fall)),
       paste("p", slope_figures(signif(telling$p, 2))),
-      ifelse(telling$own < 0.05, "hardly told from what is calibrated", "")
+      ifelse(telling$own < 0.05, "hardly distinct from what is calibrated", "")
     ), left = c(1L, 5L)), "\n"), sep = "")
   }
   trends <- x$trends[x$trends$p < 0.05, ]

@@ -67,7 +67,7 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
       this gear and no field that changes.{hint} Measures: {.val {words$name[words$ends]}}.")
   }
   if (length(dimensions) && any(words$ends[match(named, words$name)] %in% TRUE)) {
-    abort_argument("{.arg {what}} has a text with a unit in {.code {text}} beside a measure whose
+    abort_argument("{.arg {what}} has a text with a unit in {.code {text}} next to a measure whose
       name ends in one. Leave the unit out of the name, or write a number.")
   }
   # nothing else is ever called
@@ -79,7 +79,7 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   }
   slopes <- lapply(setNames(named, named), function(name) {
     tryCatch(stats::D(call, name), error = function(e) {
-      abort_argument("{.arg {what}} is {.code {text}}, whose slope is not known: use + - * / ^,
+      abort_argument("{.arg {what}} is {.code {text}}, whose derivative is not known: use + - * / ^,
         sqrt, exp, log, sin, cos and tan.")
     })
   })
@@ -140,7 +140,7 @@ check_dimensions <- function(one, other, text, words) {
   if (!length(one$dimensions) || !is.name(other$call)) return(invisible(NULL))
   row <- words[match(other$text, words$name), ]
   if (isTRUE(row$ends)) {
-    abort_argument("{.arg keep} has {.code {text}}, a text with a unit beside a measure whose name
+    abort_argument("{.arg keep} has {.code {text}}, a text with a unit next to a measure whose name
       ends in one. Leave the unit out of the name, or write a number.")
   }
   if (is.na(row$unit) || length(one$dimensions) != 1L) return(invisible(NULL))

@@ -65,7 +65,7 @@ round_optimum <- function(task, run, whole) {
   })
   best <- best_run(runs)
   if (is.null(best)) {
-    abort_not_converged("No gear with whole numbers beside the optimum settles.", report = NULL)
+    abort_not_converged("No gear with whole numbers next to the optimum settles.", report = NULL)
   }
   best
 }

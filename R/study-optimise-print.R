@@ -25,12 +25,12 @@ print.codend_optimum <- function(x, ...) {
       slope_figures(keep$right),
       if (!keep$holds) ", NOT KEPT" else if (keep$active) {
         paste0(", at its limit", if (!keep$sure) " within its error", "; ",
-          slope_figures(keep$price), " % of the aim per % of it")
+          slope_figures(keep$price), " % of the objective per % of it")
       } else if (!keep$sure) ", within twice its error of the limit", "\n", sep = "")
   }
   cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
-    if (!all(x$keep$holds)) "not all conditions are kept, and ", "slopes leave ",
-    slope_figures(100 * x$optimality), " % of the aim per range of a field",
+    if (!all(x$keep$holds)) "not all conditions are kept, and ", "first-order optimality ",
+    slope_figures(100 * x$optimality), " % of the objective per range of a field",
     if (!x$smooth) "; kinks near, see `kinks`", "\n", sep = "")
   cat("  ", x$settles, " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n",
     sep = "")

@@ -8,7 +8,8 @@ print.codend_sensitivities <- function(x, ...) {
     print(as.data.frame(unclass(x)), ...)
     return(invisible(x))
   }
-  cat("Slopes of ", length(unique(x$measure)), " measures by ", length(unique(x$field)), " fields",
+  cat("Sensitivities of ", length(unique(x$measure)), " measures to ", length(unique(x$field)),
+    " fields",
     if (!is.null(attr(x, "gear_name"))) paste0(" of \"", attr(x, "gear_name"), "\""), "\n",
     sep = "")
   for (field in unique(x$field)) {

@@ -1,23 +1,24 @@
-#' Slopes of measures by fields of the plan
+#' Sensitivities of measures to fields of the plan
 #'
 #' How every measure of a settled gear changes with fields of its plan: which lengths, areas and
-#' masses matter, and how much. The slopes are exact, and one matrix is factorised for all of them.
+#' masses matter, and how much. The derivatives are exact, and one matrix is factorised for all of
+#' them.
 #'
 #' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
 #' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
 #' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are
 #' in balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
-#' Slopes agree with differences of settled shapes to 1e-6 where these are smooth.
+#' They agree with differences of settled shapes to 1e-6 where these are smooth.
 #'
 #' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
 #' table of coefficients turns. So the gear is also settled at 1 % less and 1 % more of each field,
-#' from this state, and the slopes of these two secants are next to the tangent's. `smooth` reports
-#' whether the slope holds that far: whether the secants' mean is within 0.5 % of it, the secants
-#' differ by less than a fifth of it and the slopes on both sides at the state itself by 0.5 %. (Of
-#' an elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as
-#' with much slack netting, or the field is at the end of its range, the slope is the secants' and
-#' not called smooth. Of fields of whole numbers it is the mean of the secants to one less and one
-#' more, smooth where these differ by no more than three times as much as the field, as shares.
+#' from this state, and these two secants are given next to the tangent. `smooth` reports whether
+#' the tangent holds that far: whether the secants' mean is within 0.5 % of it, the secants differ
+#' by less than a fifth of it and the tangents on both sides at the state itself by 0.5 %. (Of an
+#' elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as with
+#' much slack netting, or the field is at the end of its range, the secants' mean is given and not
+#' called smooth. Of fields of whole numbers it is the mean of the secants to one less and one more,
+#' smooth where these differ by no more than three times as much as the field, as shares.
 #'
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as [measures()] has them; all when `NULL`.
@@ -25,7 +26,7 @@
 #'   list may hold several paths, of parts that are alike: their fields change together. `NULL`
 #'   takes those that people change first, a dozen at most; `"all"` every number that the plan
 #'   gives next to those that divide it into meshes and segments.
-#' @param secants Whether to settle for secants, which takes longer than the slopes. Without them
+#' @param secants Whether to settle for secants, which takes longer than the tangents. Without them
 #'   `smooth` speaks of the state itself alone.
 #' @return A data frame of class `codend_sensitivities` with a row per measure and field:
 #'
@@ -34,8 +35,8 @@
 #'   - `slope`, in `slope_unit`: the measure's change per unit of the field;
 #'   - `elasticity`: the measure's change in percent per percent of the field; `NA` where the
 #'     measure is 0;
-#'   - `secant_below` and `secant_above`: slopes to 1 % less and 1 % more of the field (of whole
-#'     numbers: one less and one more); `NA` where they were not asked for, do not settle or need
+#'   - `secant_below` and `secant_above`: secants to 1 % less and 1 % more of the field (of whole
+#'     numbers: one less and one more); `NA` where they were not wanted, do not settle or need
 #'     other nodes;
 #'   - `smooth`, as above.
 #'
@@ -150,9 +151,9 @@ slope_field <- function(gear, paths) {
   wrong <- Filter(is.character, numbers)
   if (length(wrong)) return(wrong[[1L]])
   first <- numbers[[1L]]
-  if (first$value == 0) return("is 0: a slope is by shares of a value")
+  if (first$value == 0) return("is 0: a sensitivity is by shares of a value")
   if (any(sub(".*[.]", "", paths) %in% dividing_fields)) {
-    return("only divides the gear for its computation: a slope would be of its error")
+    return("only divides the gear for its computation: a sensitivity would be of its error")
   }
   alike <- vapply(numbers, function(number) identical(number, first), NA)
   if (!all(alike)) return("has fields with different values: they do not change together")

@@ -1,24 +1,22 @@
-#' The trade-off of two aims
+#' The trade-off of two objectives
 #'
-#' What one aim costs in another: the curve of gears of which none is better in both, such as drag
-#' against headline height. Each end is the best for one aim alone, and of gears as good in that to
-#' 0.1 % the best for the other. Between them the first aim is made as small as it gets while the
-#' second is held at values evenly between its ends (the epsilon constraint method, Haimes, Lasdon
-#' and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each found from the
-#' one before.
+#' What one objective costs in another: the curve of gears of which none is better in both, such as
+#' drag against headline height. Each end is the best for one objective alone, and of gears as good
+#' in that to 0.1 % the best for the other. Between them the first objective is made as small as it
+#' gets while the second is held at values evenly between its ends (the epsilon constraint method,
+#' Haimes, Lasdon and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each
+#' found from the one before.
 #'
 #' @inheritParams optimise_gear
-#' @param minimise A list of the two aims, each as `minimise` of [optimise_gear()], by the names
-#'   that
-#'   they are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
+#' @param minimise A list of the two objectives, each as `minimise` of [optimise_gear()], by the
+#'   names that they are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
 #' @param points How many gears, 3 or more, the ends among them.
 #' @param most Settled gears at most, for each point.
 #' @return A data frame of class `codend_trade_off` with a row per gear, from the best for the first
-#'   aim to the best for the second: the two aims under their names, a column per field that
-#'   changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
-#'   reports. The
-#'   attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments are an error of
-#'   class `codend_error_argument`.
+#'   objective to the best for the second: the two objectives under their names, a column per field
+#'   that changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
+#'   reports. The attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments
+#'   are an error of class `codend_error_argument`.
 #' @seealso [plot.codend_trade_off()]
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
@@ -34,7 +32,7 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1
   named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
     all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
   if (!named) {
-    abort_argument("{.arg minimise} must be two aims by their names, such as
+    abort_argument("{.arg minimise} must be two objectives by their names, such as
       {.code list(drag = ~ total_drag, height = ~ -headline_height)}.")
   }
   check_count("points", points)

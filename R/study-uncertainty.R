@@ -16,21 +16,20 @@
 #'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
 #'   one maker makes, such as the twine of all panels, errs together, by the same share;
 #' - conditions: speed, current, depth and warp, likewise;
-#' - lattice: the estimated discretisation error of [measures()];
+#' - discretisation (`lattice`): the estimated discretisation error of [measures()];
 #' - model: what no parameter covers (stiff twine, an uneven bed), as the standard deviation that is
 #'   left in the validation book of measures of that kind, with its degrees of freedom.
 #'
-#' # How it is found
-#' As JCGM 100:2008 (GUM) has it: contributions are slopes times standard uncertainties, added in
-#' quadrature with their correlations; a coefficient whose mean is known to be off counts with that
-#' as well (F.2.4.5). Slopes are those of [sensitivities()], to one side and a few figures, with one
-#' factorised matrix; multipliers take no new lattice. The interval is the measure plus and minus
-#' the combined standard uncertainty times Student's t of the effective degrees of freedom (G.4). Of
-#' the three largest sources the gear is also brought to balance one standard uncertainty to both
-#' sides: where their half difference is more than a fifth off the slope's it counts instead, and
-#' where the two sides differ by more than half the measure is `smooth = FALSE`:
-#' `method = "samples"` then follows the gear through draws of all sources (by [vary()], on as many
-#' cores as [future::plan()] says).
+#' # How it is found As JCGM 100:2008 (GUM) has it: contributions are sensitivities times standard
+#' uncertainties, added in quadrature with their correlations; a coefficient whose mean is known to
+#' be off counts with that as well (F.2.4.5). Sensitivities are those of [sensitivities()], to one
+#' side and a few figures, with one factorised matrix; multipliers need no new model. The interval
+#' is the measure plus and minus the combined standard uncertainty times Student's t of the
+#' effective degrees of freedom (G.4). Of the three largest sources the gear is also brought to
+#' balance one standard uncertainty to both sides: where their half difference is more than a fifth
+#' off the slope's it counts instead, and where the two sides differ by more than half the measure
+#' is `smooth = FALSE`: `method = "samples"` then follows the gear through draws of all sources (by
+#' [vary()], on as many cores as [future::plan()] says).
 #'
 #' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
 #' @param of Names of measures; all when `NULL`.

@@ -38,8 +38,8 @@ accuracy_line <- function(measures, report) {
   if (!is.finite(error)) return(NULL)
   aimed <- report$accuracy_aimed_at
   said <- paste0(
-    "Finer lattices: drag, spreads, heights, areas and volumes change by about ",
-    percent_text(error), if (!is.null(aimed)) sprintf(" (aimed at %s)", percent_text(aimed)),
+    "Discretisation error of drag, spreads, heights, areas and volumes about ",
+    percent_text(error), if (!is.null(aimed)) sprintf(" (target %s)", percent_text(aimed)),
     aim_text(error, report$nodes)
   )
   strwrap(said, width = 98, indent = 2, exdent = 4)
@@ -51,7 +51,7 @@ within_text <- function(measures, aimed = NULL) {
   if (!is.finite(error)) return(NULL)
   reached <- percent_text(error)
   if (is.null(aimed)) return(sprintf("; main measures within about %s", reached))
-  sprintf("; main measures: aimed at %s, reached %s", percent_text(aimed), reached)
+  sprintf("; main measures: target %s, reached %s", percent_text(aimed), reached)
 }
 
 # Where what is aimed at is missed, what gives it.
@@ -62,7 +62,7 @@ aim_text <- function(error, nodes) {
   enough <- if (wanted <= most_accurate_nodes) {
     paste("about", format(signif(wanted, 1), big.mark = ",", scientific = FALSE), "nodes")
   } else {
-    "more nodes than it tries"
+    "more nodes than the limit"
   }
   sprintf("; for %s: settle(accuracy = \"%s\"), %s", aim, aim, enough)
 }

@@ -39,7 +39,7 @@
 #'     run in parallel) and `slack` (no tension).
 #'   - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (names of the ropes and panels that meet
 #'     there) and `held`.
-#'   - `"measures"`: `measure`, `value`, `unit` and `error` of the lattice ([measures()]).
+#'   - `"measures"`: `measure`, `value`, `unit` and `error` of discretisation ([measures()]).
 #'   - `"drag"`: a row per rope, panel and piece, and for the catch in netting: `part`, `kind`,
 #'     `role`, hydrodynamic force as `drag_kN` (along the flow), `side_kN` (to starboard of it) and
 #'     `lift_kN` (up), and `weight_in_water_kN` (weight less buoyancy).

@@ -70,7 +70,7 @@ summary_lines <- function(x) {
     bold(x$name), x$conditions,
     section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
     section("Uncertainty", if (!is.null(x$uncertainty)) format(x$uncertainty)),
-    section("Worth a look", finding_lines(x$findings)),
+    section("Warnings", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
       tangential_lines(x$tangential)),

@@ -3,9 +3,9 @@
 #' Methods for `tidy()`, `glance()` and `augment()` of the package \pkg{generics}, which \pkg{broom}
 #' and \pkg{parsnip} have too: they are there where one of these is.
 #'
-#' @param x A state, from [settle()]; a trajectory, from [tow()]; slopes, from [sensitivities()]; a
-#'   calibration, from [calibrate()]; a posterior, from [sample_posterior()]; an optimum, from
-#'   [optimise_gear()]; or variations, from [vary()].
+#' @param x A state, from [settle()]; a trajectory, from [tow()]; sensitivities, from
+#'   [sensitivities()]; a calibration, from [calibrate()]; a posterior, from [sample_posterior()];
+#'   an optimum, from [optimise_gear()]; or variations, from [vary()].
 #' @param conf.int Whether `conf.low` and `conf.high` are added, the ends of a confidence interval
 #'   by the covariance.
 #' @param conf.level Share of the interval.
@@ -16,7 +16,8 @@
 #'
 #'   - measure of a state, with `error`, the estimated discretisation error (no standard error);
 #'   - measure and time of a trajectory, with `time` in s;
-#'   - measure and field of slopes, with `term` the field, `measure`, `elasticity` and `smooth`;
+#'   - measure and field of sensitivities, with `term` the field, `measure`, `elasticity` and
+#'     `smooth`;
 #'   - field of a calibration, with `std.error`, and `at`: the end of its range where it is at one;
 #'   - field of a posterior: its mean, with `std.error` (standard deviation), `conf.low` and
 #'     `conf.high` (quantiles) and `effective` (independent draws);

@@ -189,7 +189,7 @@ abort_stuck <- function(report, trajectory) {
   where <- describe_node(trajectory$lattice, report$worst_node)
   abort_not_converged(
     c(
-      "The motion stands still at {signif(report$time, 6)} s: no step down to 1e-7 s was found.",
+      "The motion stopped at {signif(report$time, 6)} s: no step down to 1e-7 s was found.",
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}."
     ),
     report = report, trajectory = trajectory
@@ -203,7 +203,7 @@ abort_unbalanced <- function(report, trajectory) {
       "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes
       out: more than 2 % of what is put through, however short the steps.",
       "x" = "Worst at {where}. What is done is the condition's {.field trajectory}.",
-      "i" = "Ask for a smaller {.arg accuracy}, or another {.arg scheme}."
+      "i" = "Use a smaller {.arg accuracy}, or another {.arg scheme}."
     ),
     report = report, trajectory = trajectory, envir = environment()
   )

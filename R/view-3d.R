@@ -21,8 +21,8 @@
 #' of netting with square meshes. Mesh opening and angle are not given for a trajectory.
 #'
 #' @param state A state, from [settle()], or a trajectory, from [tow()].
-#' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and asks
-#'   nothing of the network. It is written whole or not at all.
+#' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and
+#'   uses no network. It is written whole or not at all.
 #' @param colour What the colours show at first: `"tension"`, `"slack"`, `"mesh_opening"`,
 #'   `"mesh_angle"` or `"drag"`.
 #' @param device `"html"`, or `"rgl"` to draw a state on a new device of package rgl, as lines, for

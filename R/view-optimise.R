@@ -1,8 +1,8 @@
 #' Plot an optimum
 #'
-#' Three figures: the aim at each settled gear of the search (filled where all conditions are kept,
-#' open where not), where each field began and ended in its range, and how far each condition is
-#' from its limit.
+#' Three figures: the objective at each settled gear of the search (filled where all conditions are
+#' kept, open where not), where each field began and ended in its range, and how far each condition
+#' is from its limit.
 #'
 #' @param x An optimum, from [optimise_gear()].
 #' @param file,width,height,... As [plot.codend_sensitivities()] takes them.

@@ -1,11 +1,11 @@
-#' Plot slopes of measures
+#' Plot sensitivities of measures
 #'
 #' Small figures next to one another, a tornado for each measure: how much it changes with every
 #' field, in percent per percent, the fields that matter most on top. Bars are filled where the
-#' slope is smooth and open where it is not; there the two ticks show the secants to 1 % less and
-#' 1 % more.
+#' sensitivity is smooth and open where it is not; there the two ticks show the secants to 1 % less
+#' and 1 % more.
 #'
-#' @param x Slopes, from [sensitivities()].
+#' @param x Sensitivities, from [sensitivities()].
 #' @param measures Names of measures, as [measures()] has them; all that change at all when `NULL`.
 #' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
 #'   or `.svg`. It is written whole or not at all.
@@ -27,7 +27,7 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
   # parts that change together stand for one another
   x$field <- sub(" [+] .*", " ...", x$field)
   said <- paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
-    "slopes to 1 % less and 1 % more.")
+    "secants to 1 % less and 1 % more.")
   draw <- function(page) draw_tornados(x, measures, title, said, page, draw_tornado)
   if (is.null(file)) {
     draw(grDevices::dev.size())

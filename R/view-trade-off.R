@@ -1,7 +1,7 @@
 #' Plot a trade-off
 #'
-#' The curve of two aims, and next to it how each field goes along it, as a share of what it changes
-#' by.
+#' The curve of two objectives, and next to it how each field goes along it, as a share of what it
+#' changes by.
 #'
 #' @param x A trade-off, from [trade_off()].
 #' @param file,width,height,... As [plot.codend_sensitivities()] takes them.

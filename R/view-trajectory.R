@@ -3,7 +3,7 @@
 #' Small figures next to one another: what the schedule changes (speed, course, warps), then the
 #' measures of the gear, each against time with its unit. Tensions and forces have the colour of
 #' taut ropes; depths grow downwards. Bands are twice the estimated error of [measures()] wide to
-#' both sides, by the lattice and the steps; some are no wider than their line.
+#' both sides, by discretisation and time steps; some are no wider than their line.
 #'
 #' @param x A trajectory, from [tow()].
 #' @param measures Names of measures, as [measures()] has them; all, and what the schedule changes,

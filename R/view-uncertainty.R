@@ -1,8 +1,8 @@
 #' Plot where uncertainty comes from
 #'
 #' A bar for each measure: its combined standard uncertainty in percent of the measure, divided by
-#' how much of the variance comes from coefficients, plan, conditions, lattice and model. With
-#' `sources` a bar for each of the largest sources of one measure instead.
+#' how much of the variance comes from coefficients, plan, conditions, discretisation and model.
+#' With `sources` a bar for each of the largest sources of one measure instead.
 #'
 #' @param x Uncertainties, from [uncertainty()].
 #' @param measures Names of measures; all with a value when `NULL`.

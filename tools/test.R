@@ -6,9 +6,10 @@
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
 #                              two minutes of tests/fuzz and a hundred gears drawn at random, each
 #                              counted as one
+# All of the package's tests run in two processes, of which the second, `rest`, has the later files.
 
 lane <- c(commandArgs(TRUE), "full")[1]
-stopifnot(lane %in% c("full", "fast", "ci"))
+stopifnot(lane %in% c("full", "fast", "ci", "rest"))
 # a make above this one would pass on flags that do not fit here
 Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 # what a test plots without naming a file goes nowhere
@@ -31,8 +32,9 @@ slow <- c(
 failures <- character()
 fails <- function(lines) failures <<- c(failures, lines)
 
-checks <- function() {
-  said <- suppressWarnings(system2("Rscript", "tools/checks.R", stdout = TRUE, stderr = TRUE))
+# What a script whose last line counts tests counts.
+counted <- function(...) {
+  said <- suppressWarnings(system2("Rscript", c(...), stdout = TRUE, stderr = TRUE))
   cat(said, sep = "\n")
   count <- as.numeric(regmatches(tail(said, 1L), gregexpr("[0-9]+", tail(said, 1L)))[[1]])
   if (length(count) != 3L || count[2] > 0) fails(tail(said, 40L))
@@ -59,10 +61,13 @@ quick_files <- function() {
   paste0("^(", paste(setdiff(names, slow), collapse = "|"), ")$")
 }
 
+# Files of the first process and of the second, which has the shorter half, for it does more.
+files_of <- c(fast = quick_files(), full = "^[a-rw]", ci = "^[a-rw]", rest = "^[^a-rw]")
+
 package <- function() {
   results <- testthat::test_dir(
     "tests/testthat", package = "codend", load_package = "installed",
-    filter = if (lane == "fast") quick_files(),
+    filter = files_of[[lane]],
     reporter = testthat::CheckReporter$new(), stop_on_failure = FALSE
   )
   partly <- logical(length(results))
@@ -108,17 +113,21 @@ forge <- function() {
   c(passed = !failed, failed = failed, skipped = 0)
 }
 
-total <- engine()
-# the package's tests keep one core busy: the checks and the fuzzing run beside them, and what they
-# say comes after, so that lines do not mix
-if (lane == "ci") {
+total <- if (lane == "rest") 0 else engine()
+# the first process keeps one core busy: the others run beside it, and what they say comes after, so
+# that lines do not mix
+two <- lane %in% c("full", "ci")
+if (two) {
   beside <- parallel::mcparallel({
-    said <- utils::capture.output(count <- checks() + fuzz() + forge())
+    said <- utils::capture.output({
+      count <- counted("tools/test.R", "rest")
+      if (lane == "ci") count <- count + counted("tools/checks.R") + fuzz() + forge()
+    })
     list(said = said, count = count, failures = failures)
   })
 }
 total <- total + package()
-if (lane == "ci") {
+if (two) {
   beside <- parallel::mccollect(beside)[[1L]]
   if (!is.list(beside)) {
     beside <- list(said = beside, count = c(passed = 0, failed = 1, skipped = 0))

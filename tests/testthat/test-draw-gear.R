@@ -184,8 +184,10 @@ test_that("lines through a box are told from those beside it", {
 test_that("nothing overlaps on any shipped gear, and the letters are those of ISO 3098", {
   nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl")
   gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net))
-  for (gear in gears) {
-    for (page in names(sheet_sizes)) {
+  for (k in seq_along(gears)) {
+    gear <- gears[[k]]
+    # the smallest page, and in turn one of the others
+    for (page in c("A4", c("A3", "A2", "A1")[k %% 3 + 1])) {
       sheet <- gear_sheet(gear, page)
       told <- paste(gear$plan$name, page)
       expect_identical(overlaps(sheet), character(), label = told)

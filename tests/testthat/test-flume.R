@@ -209,7 +209,7 @@ test_that("no message makes the server read a file, or compute for longer than a
     divided <- read_gear("flat_panel")
     divided$plan$panels$netting[c("columns", "rows")] <- list(1000, 1000)
     expect_match(refused(plan_text = format(divided)),
-      "asks for 1e+06 nodes, which would take about 10 GB of memory; at most 20000", fixed = TRUE)
+      "needs 1e+06 nodes, which would take about 10 GB of memory; at most 20000", fixed = TRUE)
     expect_identical(tank$state$position, before$position)
   })
 })

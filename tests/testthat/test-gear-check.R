@@ -46,10 +46,10 @@ test_that("a rope leads somewhere else", {
 
 test_that("everything hangs on something held", {
   e <- expect_plan_error
-  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "hangs on nothing")
+  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "is not held")
   e(", gathered_at: knot", "", "seams.top.edges", "has one chain")
   e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net",
-    "hangs on nothing")
+    "is not held")
 })
 
 two_panels <- paste0(sub("seams:.*", "", small_plan), "  mat:

@@ -89,7 +89,7 @@ test_that("short forms take rates and take-up ratios", {
   again <- update(gear, towing.speed = "4 knot")
   expect_identical(gear_checked(again)$derived, gear_checked(gear)$derived)
   expect_identical(gear_si(assembly(gear))$panels, panels)
-  expect_error(update(gear, sections.intermediate.meshes.upper = 171), "it asks for 136.98",
+  expect_error(update(gear, sections.intermediate.meshes.upper = 171), "it needs 136.98",
     class = "codend_error_plan")
 })
 

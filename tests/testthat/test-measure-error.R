@@ -195,8 +195,8 @@ test_that("without nodes or accuracy a gear is divided until 1 % is reached or t
   # a lattice has up to a sixth more nodes than are asked for
   expect_lt(aimed$lattice$nodes, 1.18 * most)
   shown <- capture.output(print(aimed))
-  expect_match(shown, "aimed at 1 %, reached [0-9.]+ %", all = FALSE)
-  expect_match(format(summary(aimed)), "(aimed at 1 %)", fixed = TRUE, all = FALSE)
+  expect_match(shown, "target 1 %, reached [0-9.]+ %", all = FALSE)
+  expect_match(format(summary(aimed)), "(target 1 %)", fixed = TRUE, all = FALSE)
   # from a state: its lattice, and no aim
   again <- settle(update(aimed$gear, towing.speed = "3.3 knot"), from = aimed)
   expect_identical(engine_array(again, "nodes"), engine_array(aimed, "nodes"))

@@ -142,6 +142,7 @@ test_that("a report tells what more of a field would do, where slopes are given"
   expect_identical(columns$`total drag kN`, figures(drag))
   file <- file.path(test_folder(), "made.html")
   report(state, file, slopes)
-  expect_match(paste(readLines(file, warn = FALSE), collapse = "\n"), "What more would do")
+  # expect_match() takes a minute to lay out a whole page, even where it matches
+  expect_true(any(grepl("What more would do", readLines(file, warn = FALSE), fixed = TRUE)))
   expect_error(report(state, file, slopes = 1), class = "codend_error_argument")
 })

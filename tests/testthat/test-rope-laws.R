@@ -57,7 +57,7 @@ test_that("a table that does not grow, or stands beside EA, is refused", {
   error <- expect_error(hanging("1 kg", load_by_elongation = bad), class = "codend_error_plan")
   expect_identical(error$path, "ropes.line.load_by_elongation.3")
   expect_error(hanging("1 kg", load_by_elongation = law, axial_stiffness = "1 kN"),
-    "beside", class = "codend_error_plan")
+    "together with", class = "codend_error_plan")
 })
 
 test_that("a warp that strums has the drag that Vandiver found", {

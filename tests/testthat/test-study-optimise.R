@@ -223,7 +223,7 @@ test_that("a wrong aim, condition or range is one error that names it", {
   wrong("keep.*compare", keep = ~ depth)
   wrong("keep.*3 parsec.*no number", keep = ~ depth >= "3 parsec")
   wrong("keep.*9 kg.*depth.* m\\.", keep = ~ depth >= "9 kg")
-  wrong("keep.*unit beside", keep = ~ depth_m >= "9 m")
+  wrong("keep.*unit next to", keep = ~ depth_m >= "9 m")
   wrong("keep.*names no measure", keep = ~ 3 >= 2)
   wrong("change.*list of ranges", change = c(towing.speed = 3))
   wrong("change.*towing.sped", change = list(towing.sped = c(1, 2)))

@@ -1,0 +1,178 @@
+#' Read a MoorDyn file as a gear
+#'
+#' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines, into
+#' a gear. [write_moordyn()] writes such files.
+#'
+#' Points are named `point_1`, lines `line_1` and so on. Points that are `Fixed`, or move with a
+#' vessel (`Vessel`, `Coupled`), are held where the file has them; free ones begin there and have a
+#' piece for their mass, volume and drag. `WtrDpth` becomes a sea bed with the file's friction (0
+#' where it has none); `Currents 1` takes `current_profile.txt` from the same folder. Waves, damping,
+#' time steps and outputs are left out: they have no part in a steady shape.
+#'
+#' @param file Path of the file.
+#' @return A gear. A file that cannot be read, or has bodies, rods, a nonlinear stiffness, another
+#'   gravity than the earth's or a current that changes, is an error of class `codend_error_file`
+#'   that names it.
+#' @export
+#' @examples
+#' file <- file.path(tempdir(), "lines.txt")
+#' write_moordyn(settle("towed_cable"), file)
+#' read_moordyn(file)
+read_moordyn <- function(file) {
+  check_given("file")
+  if (!is_text(file) || !file.exists(file) || dir.exists(file)) {
+    abort_file(file, "must be the path of a file.")
+  }
+  sections <- moordyn_sections(file)
+  options <- moordyn_options(file, sections[["options"]])
+  types <- moordyn_table(file, sections, "line types", c("name", "diameter", "mass", "stiffness",
+    "damping", "bending", "normal", "added", "along", "added_along"), "name")
+  points <- moordyn_table(file, sections, "points", c("id", "held", "x", "y", "z", "mass", "volume",
+    "area", "added"), "held")
+  lines <- moordyn_table(file, sections, "lines", c("id", "type", "from", "to", "length",
+    "segments"), "type")
+  tree <- list(
+    codend = 1, name = tools::file_path_sans_ext(basename(file)),
+    water = list(density = options$density), points = list(), ropes = list(), pieces = list()
+  )
+  if (options$currents) tree$water$current <- moordyn_current(file)
+  if (!is.na(options$depth)) {
+    tree$seabed <- list(
+      depth = options$depth, friction = options$friction, stiffness = options$stiffness
+    )
+  }
+  for (k in seq_len(nrow(points))) {
+    point <- points[k, ]
+    name <- paste0("point_", point$id)
+    held <- switch(tolower(point$held), fixed = , fix = "fixed", vessel = , coupled = "moved",
+      free = , connect = , point = NA_character_,
+      abort_file(file, "has point {id} attached to {to}, which codend does not read.",
+        id = point$id, to = point$held))
+    at <- list(point$x, point$y, point$z)
+    tree$points[[name]] <- if (is.na(held)) list(near = at) else list(position = at, held = held)
+    if (is.na(held) && any(c(point$mass, point$volume, point$area) > 0)) {
+      tree$pieces[[paste0("piece_", point$id)]] <- list(
+        at = name, mass = point$mass, volume = point$volume, area = point$area,
+        drag_coefficient = 1, added_mass = point$added
+      )
+    }
+  }
+  for (k in seq_len(nrow(lines))) {
+    line <- lines[k, ]
+    type <- types[match(line$type, types$name), ]
+    ends <- paste0("point_", c(line$from, line$to))
+    if (is.na(type$name)) {
+      abort_file(file, "has line {id} of the type {type}, which it does not describe.",
+        id = line$id, type = line$type)
+    }
+    if (!all(ends %in% names(tree$points))) {
+      abort_file(file, "has line {id} from {ends[1]} to {ends[2]}, of which one is no point of it.",
+        id = line$id, ends = ends)
+    }
+    tree$ropes[[paste0("line_", line$id)]] <- list(
+      from = ends[1L], to = ends[2L], length = line$length, diameter = type$diameter,
+      axial_stiffness = type$stiffness, mass_per_length = type$mass,
+      volume_per_length = pi / 4 * type$diameter^2, bending_stiffness = type$bending,
+      # MoorDyn's is on the circumference
+      coefficients = list(normal = type$normal, tangential = pi * type$along),
+      added_mass = list(normal = type$added, tangential = type$added_along),
+      segments = line$segments
+    )
+  }
+  as_gear(tree[lengths(tree) > 0L])
+}
+
+# Rows of numbers and words of the sections that are read, by name; comments are left out.
+moordyn_sections <- function(file) {
+  lines <- readLines(file, warn = FALSE)
+  lines <- iconv(lines, "UTF-8", "UTF-8", sub = "?")
+  head <- grepl("^\\s*---", lines)
+  title <- tolower(lines)
+  name <- rep(NA_character_, length(lines))
+  known <- c(options = "options", `line types` = "line (types|dictionary)", rods = "rods|rod types",
+    bodies = "bodies", points = "(point|connection|node)s?( properties)?\\b",
+    lines = "\\blines\\b|line properties")
+  for (k in rev(seq_along(known))) name[head & grepl(known[k], title)] <- names(known)[k]
+  if (!all(c("line types", "points", "lines") %in% name)) {
+    abort_file(file, "must be a file of MoorDyn: with sections of line types, points and lines.")
+  }
+  if (any(name %in% c("rods", "bodies"))) {
+    abort_file(file, "has {part}, which codend does not read.",
+      part = intersect(c("rods", "bodies"), name)[1L])
+  }
+  section <- cumsum(head)
+  rows <- lapply(which(head & !is.na(name)), function(at) {
+    body <- lines[section == section[at] & !head]
+    if (name[at] != "options") body <- body[-(1:2)]
+    body <- trimws(sub("[!#%].*", "", body))
+    strsplit(body[nzchar(body)], "[[:space:]]+")
+  })
+  stats::setNames(rows, name[head & !is.na(name)])
+}
+
+# A section as a data frame of its first columns; words: which are no numbers.
+moordyn_table <- function(file, sections, section, columns, words) {
+  rows <- sections[[section]]
+  short <- which(lengths(rows) < length(columns))
+  if (!length(rows) || length(short)) {
+    abort_file(file, "must have rows of {count} values under {section}.",
+      count = length(columns), section = section)
+  }
+  cells <- stats::setNames(lapply(seq_along(columns), function(k) vapply(rows, `[`, "", k)), columns)
+  for (column in setdiff(columns, words)) {
+    number <- suppressWarnings(as.numeric(cells[[column]]))
+    if (anyNA(number)) {
+      abort_file(file, "has {value} as the {column} of {section}; it must be a number.",
+        value = cells[[column]][is.na(number)][1L], column = column, section = section)
+    }
+    cells[[column]] <- number
+  }
+  as.data.frame(cells)
+}
+
+# The file that MoorDyn reads a steady current from.
+moordyn_currents <- "current_profile.txt"
+
+# What options say of the water and the ground.
+moordyn_options <- function(file, rows) {
+  rows <- rows[lengths(rows) >= 2L]
+  names <- tolower(vapply(rows, `[`, "", 2L))
+  number <- function(name, default) {
+    at <- match(TRUE, names %in% name)
+    if (is.na(at)) return(default)
+    value <- suppressWarnings(as.numeric(rows[[at]][1L]))
+    if (!is.finite(value)) {
+      abort_file(file, "has {value} as {name}; it must be a number.", value = rows[[at]][1L],
+        name = rows[[at]][2L])
+    }
+    value
+  }
+  gravity <- number(c("g", "gravity"), gear_gravity)
+  if (abs(gravity / gear_gravity - 1) > 0.005) {
+    abort_file(file, "has a gravity of {gravity} m/s2; codend's is {own}.", gravity = gravity,
+      own = gear_gravity)
+  }
+  currents <- number("currents", 0)
+  if (!currents %in% 0:1) abort_file(file, "has a current that changes, which is not read.")
+  list(
+    density = number(c("wtrdnsty", "rhow"), 1025), depth = number("wtrdpth", NA),
+    friction = number("frictioncoefficient", 0), stiffness = number("kbot", 3e6),
+    currents = currents == 1
+  )
+}
+
+# The current of the file next to it, as a plan has it.
+moordyn_current <- function(file) {
+  other <- file.path(dirname(file), moordyn_currents)
+  if (!file.exists(other)) abort_file(other, "must be there: the file refers to it.")
+  rows <- tryCatch(utils::read.table(other, skip = 3L), error = function(e) NULL)
+  if (is.null(rows) || ncol(rows) < 3L || !all(vapply(rows[1:3], is.numeric, NA))) {
+    abort_file(other, "must have rows of z, ux, uy and uz after three lines.")
+  }
+  lapply(order(-rows[[1L]]), function(k) {
+    list(
+      depth = -rows[[1L]][k], speed = sqrt(rows[[2L]][k]^2 + rows[[3L]][k]^2),
+      toward = atan2(rows[[3L]][k], rows[[2L]][k])
+    )
+  })
+}

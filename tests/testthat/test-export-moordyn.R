@@ -1,0 +1,75 @@
+# Files of MoorDyn: its own cases against its own expectations, and gears there and back.
+
+deck <- function(name) testthat::test_path("reference", "moordyn", name)
+
+end_tensions <- function(state) {
+  tension <- in_unit(state$bar_tension[bars_of_part(state, 1L)], "kN")
+  tension[c(length(tension), 1L)]
+}
+
+test_that("chains of MoorDyn's own cases pull as it expects", {
+  # kN at the fairlead and the anchor (reference/moordyn/README.md). Tensions are those of bars' middles,
+  # and codend's bed is soft by another law: 1 %.
+  expected <- list(WD0050 = c(991.6, 826.2), WD0200 = c(2065.4, 1402.2), WD0600 = c(5232.6, 3244.2))
+  for (name in names(expected)) {
+    state <- settle(read_moordyn(deck(paste0(name, "_Chain.txt"))))
+    expect_equal(end_tensions(state), expected[[name]], tolerance = 0.01, label = name)
+  }
+})
+
+test_that("a flexible jumper's ends pull as MoorDyn expects", {
+  state <- settle(read_moordyn(deck("lowe_langley_line.txt")))
+  held <- which(engine_array(state, "held"))
+  held <- held[order(state$position[3, held])]
+  # kN, within the 0.2 kN of MoorDyn's test: bottom, then top
+  reaction <- in_unit(state$force[c(1, 3), held], "kN")
+  expect_lt(max(abs(abs(reaction) - cbind(c(11.40, 24.04), c(11.40, 45.71)))), 0.2)
+})
+
+test_that("ropes written for MoorDyn settle as in their gear", {
+  for (name in c("towed_cable", "crossing_cables", "midwater_trawl")) {
+    state <- shipped_state(name)
+    file <- file.path(test_folder(), "ropes.txt")
+    if (name == "crossing_cables") {
+      # in a vacuum nothing flows, and each crossing is held by its load
+      write_moordyn(state, file)
+      expect_false(file.exists(file.path(dirname(file), "current_profile.txt")))
+      expect_length(grep(" Free ", readLines(file)), 0)
+    }
+    write_moordyn(state, file)
+    again <- settle(read_moordyn(file), nodes = 50)
+    ropes <- moordyn_ropes(state)
+    before <- unlist(lapply(ropes, function(rope) {
+      bars <- bars_of_part(state, rope_part(state$lattice, rope$name))
+      at <- match(rope$node, state$lattice$ropes[[rope$name]]$node)
+      state$bar_tension[bars[at[-1L] - 1L]]
+    }))
+    after <- again$bar_tension[again$lattice$bar_part <= length(ropes)]
+    expect_length(after, length(before))
+    # Of ropes that are taut. The trawl's ropes follow a law of drag by angle that MoorDyn has not; the
+    # others' numbers are written with 10 digits.
+    taut <- before > 1e-3 * max(before)
+    law <- if (name == "midwater_trawl") 0.01 else 1e-3
+    expect_equal(after[taut], before[taut], tolerance = law, label = name)
+  }
+})
+
+test_that("what is no file of MoorDyn, or has what codend has not, is refused", {
+  lines <- readLines(deck("WD0050_Chain.txt"))
+  refused <- function(text, says) {
+    file <- file.path(test_folder(), "deck.txt")
+    writeLines(text, file)
+    expect_error(read_moordyn(file), says, class = "codend_error_file")
+  }
+  refused("a net", "must be a file of MoorDyn")
+  refused(append(lines, c("--- RODS ---", "", ""), 6), "has rods")
+  refused(sub("^1 +chain", "1 rope", lines), "does not describe")
+  refused(sub("Vessel", "Body2", lines), "attached to Body2")
+  refused(sub("1025.0 ", "salt ", lines), "has salt as WtrDnsty")
+  refused(sub("0.252", "thick", lines), "has thick as the diameter")
+  refused(c(lines[1:21], "2 Currents", lines[22:30]), "current that changes")
+  refused(c(lines[1:21], "1.62 g", lines[22:30]), "gravity of 1.62")
+  expect_error(read_moordyn("none.txt"), class = "codend_error_file")
+  expect_error(write_moordyn(settled("hung_panel"), file.path(test_folder(), "x.txt")), "no rope",
+    class = "codend_error_argument")
+})
