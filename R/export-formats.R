@@ -13,8 +13,6 @@ export_formats <- list(
     opens = "the web and CAD", write = function(x, file) write_gltf(x, file)),
   list(name = "gltf", extension = ".gltf", of = c("state", "trajectory"), title = "Scene as text",
     opens = "the web and CAD", write = function(x, file) write_gltf(x, file)),
-  list(name = "moordyn", extension = ".txt", of = "state", title = "Ropes of MoorDyn",
-    opens = "MoorDyn 2", write = function(x, file) write_moordyn(x, file)),
   list(name = "netcdf", extension = ".nc", of = "state", title = "State",
     opens = "codend and readers of NetCDF", package = "RNetCDF",
     write = function(x, file) write_state(x, file)),

@@ -1,7 +1,7 @@
 #' Write a gear's ropes as a MoorDyn file
 #'
-#' Writes the ropes of a state, the points where they end and the pieces on these as an input file of
-#' MoorDyn 2, a program for mooring lines. [read_moordyn()] reads such files.
+#' Writes the ropes of a state, the points where they end and the pieces on these as an input file
+#' of MoorDyn 2, a program for mooring lines. [read_moordyn()] reads such files.
 #'
 #' MoorDyn has lines and bodies, but no netting. Ropes that are laced to netting are left out, and a
 #' point on which something acts that MoorDyn does not have (netting, a pole, lift, a board or kite,
@@ -171,7 +171,8 @@ moordyn_points <- function(state, ropes) {
     ends <- unlist(lapply(ropes, function(rope) rope$node[c(1L, length(rope$node))]))
     vapply(node, function(one) sum(rep(unlist(share), each = 2L)[ends == one]), 0)
   }
-  buoyancy <- vapply(node, function(one) sum(engine$volumes$buoyancy[engine$volumes$node == one]), 0)
+  volumes <- engine$volumes
+  buoyancy <- vapply(node, function(one) sum(volumes$buoyancy[volumes$node == one]), 0)
   weight <- engine$water$density * gear_gravity
   volume <- if (weight > 0) buoyancy / weight else numeric(length(node))
   spheres <- function(value) {

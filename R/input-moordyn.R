@@ -1,13 +1,13 @@
 #' Read a MoorDyn file as a gear
 #'
-#' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines, into
-#' a gear. [write_moordyn()] writes such files.
+#' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines,
+#' into a gear. [write_moordyn()] writes such files.
 #'
 #' Points are named `point_1`, lines `line_1` and so on. Points that are `Fixed`, or move with a
 #' vessel (`Vessel`, `Coupled`), are held where the file has them; free ones begin there and have a
 #' piece for their mass, volume and drag. `WtrDpth` becomes a sea bed with the file's friction (0
-#' where it has none); `Currents 1` takes `current_profile.txt` from the same folder. Waves, damping,
-#' time steps and outputs are left out: they have no part in a steady shape.
+#' where it has none); `Currents 1` takes `current_profile.txt` from the same folder. Waves,
+#' damping, time steps and outputs are left out: they have no part in a steady shape.
 #'
 #' @param file Path of the file.
 #' @return A gear. A file that cannot be read, or has bodies, rods, a nonlinear stiffness, another
@@ -118,7 +118,9 @@ moordyn_table <- function(file, sections, section, columns, words) {
     abort_file(file, "must have rows of {count} values under {section}.",
       count = length(columns), section = section)
   }
-  cells <- stats::setNames(lapply(seq_along(columns), function(k) vapply(rows, `[`, "", k)), columns)
+  cells <- lapply(stats::setNames(seq_along(columns), columns), function(k) {
+    vapply(rows, `[`, "", k)
+  })
   for (column in setdiff(columns, words)) {
     number <- suppressWarnings(as.numeric(cells[[column]]))
     if (anyNA(number)) {

@@ -75,8 +75,8 @@ standard_measures <- c(
   ),
   standard_measure("catch_front", "meshes",
     "With a catch in netting, how many meshes deep the netting is that its front encloses.",
-    sensor = "Catch sensors, each at a count of meshes from the codline, which report when the netting there
-    is stretched across.",
+    sensor = "Catch sensors, each at a count of meshes from the codline, which report when the
+    netting there is stretched across.",
     computed = "bag_front"
   ),
   standard_measure("largest_rope_tension", "kN",
