@@ -105,5 +105,5 @@ test_that("wrong calls stop with an error of codend's that says what is wrong", 
   }, "")
   expect_gte(length(texts), 150L)
   expect_identical(grep("\n  (nothing is wrong|base error)", texts, value = TRUE), character())
-  expect_snapshot(cat(texts, sep = "\n"))
+  expect_snapshot(cat(texts, sep = "\n"), cran = TRUE)
 })
