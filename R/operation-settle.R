@@ -120,10 +120,9 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   state
 }
 
-# Settles a gear of panels from its coarser levels. Ropes alone need no help on their way, and a
-# free board may fall over on few nodes.
+# Settles a gear from its coarser levels, where it is not coarse itself.
 settle_from_coarse <- function(si, nodes, netting, steps, progress) {
-  coarse <- if (length(si$panels) && fixed_nodes(si, netting) > 2 * coarsest_nodes) {
+  coarse <- if (min(nodes, fixed_nodes(si, netting)) > 2 * coarsest_nodes) {
     coarse_shape(si, nodes, netting, progress)
   }
   settle_level(si, nodes, netting, coarse, steps, progress)

@@ -1,5 +1,8 @@
 #include "immersed_volume.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "../base/immersion.hpp"
 
 namespace codend {
@@ -17,6 +20,18 @@ void ImmersedVolumes::add_force(const Field& field, double* force) const {
     at(force, node[e]).z() -= buoyancy[e] * (1.0 - wet);
     if (pushed) at(force, node[e]) += buoyancy[e] / gravity * wet * field.acceleration(node[e]);
   }
+}
+
+double ImmersedVolumes::surfacing(const Field& field, const double* dx) const {
+  if (!field.water->free_surface) return 0.0;
+  double most = 0.0;
+  for (int e = 0; e < count(); ++e) {
+    const double z = field.above_surface(node[e]), rise = at(dx, node[e]).z();
+    const Immersion here = immersion(z, height[e]);
+    const double off = immersion(z + rise, height[e]).share - here.share - here.slope * rise;
+    most = std::max(most, std::abs(off));
+  }
+  return most;
 }
 
 void ImmersedVolumes::add_jacobian(const Field& field, const JacobianRequest& request,

@@ -24,6 +24,9 @@ class ImmersedVolumes : public ElementKind {
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
+  // The most that any body's buoyancy would differ, where nodes move by dx (m, 3 per point), from what its
+  // slope says: as a share of the full one.
+  double surfacing(const Field& field, const double* dx) const;
   // Buoyancy (N) that one element lacks.
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,

@@ -355,6 +355,7 @@ const LineChange& Assembly::line_change(const double* dx) {
   spread(dx, moved_);
   change_.rotation = lines_.change(moved_.data(), change_.strain.data());
   change_.plate_turn = model_.plates.turn(moved_.data());
+  change_.surfacing = model_.volumes.surfacing(field(), moved_.data());
   const GroundContacts& contacts = model_.contacts;
   for (int e = 0; e < contacts.count(); ++e) {
     change_.strain[static_cast<std::size_t>(lines_.count() + e)] =

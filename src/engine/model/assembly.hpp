@@ -18,8 +18,9 @@ struct DualTension {
 
 // How lines change, to first order, when nodes move.
 struct LineChange {
-  double rotation = 0.0;       // largest change of any line's vector over its rest length
-  double plate_turn = 0.0;     // and of any plate's sides
+  double rotation = 0.0;    // largest change of any line's vector over its rest length
+  double plate_turn = 0.0;  // and of any plate's sides
+  double surfacing = 0.0;   // share of a body's buoyancy by which its slope at the surface misleads
   std::vector<double> strain;  // change of strain, per line; of penetration (m), per contact
 };
 

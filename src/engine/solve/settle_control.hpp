@@ -34,8 +34,9 @@ struct PseudoTimeControl {
   // counts for so many times that of a line, where it does not close in from a settled state. With 12
   // some kites of 300 still go to a balance far from where they start, with 20 none.
   double plate_turns = 20.0;
-  // A linear step says nothing of where a line goes that turns by more than its own length: only so
-  // much of the step is taken.
+  // A linear step says nothing of where a line goes that turns by more than its own length, or of a body that
+  // leaves the water or comes into it, whose buoyancy it misses by so large a share: only so much of the step
+  // is taken.
   double most_rotation = 1.0;
   // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
   // leaves out, here 2e-4 at most.
@@ -77,7 +78,7 @@ struct PathControl {
   std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
   // mu is no less than this times the square of the last rotation, to which it rises by so much a step
   // at most: where lines still turn, tensions far down the path are of no shape.
-  double least_by_turn = 1e-8, most_rise = 10.0;
+  double least_by_turn = 1e-6, most_rise = 10.0;
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
   // There the first step, which is all tangent, turns lines by this much at most: of loads that would

@@ -305,7 +305,7 @@ void SettleIteration::move() {
   if (swing_pause_ > 0) --swing_pause_;
   const LineChange& change = without_swinging(whole);
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
-  const double rotation = std::max(change.rotation, turns * change.plate_turn);
+  const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
   const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
   turned_ = share * rotation;
