@@ -89,23 +89,6 @@ struct PathControl {
   double corrected_turn = 0.2;
 };
 
-// Of nodes that swing (local_balance.hpp), which are settled by themselves after a step: their bars turn
-// by more than `turn` in it, and none has more than `tension` times the node's load. Where there are more
-// than least_nodes and most_nodes of all nodes, the shape as a whole is not found.
-struct SwingControl {
-  double turn = 0.05, tension = 30.0;
-  // What the others turn by at most, and as a share of what lines turn by with them.
-  double rest = 0.1, rest_share = 0.5;
-  std::size_t least_nodes = 2;
-  double most_nodes = 0.05;
-  // Other than from a settled state the path would run ahead of a shape that is not found yet: there such
-  // a step counts as turning lines by what these nodes' would have turned, up to `counted`.
-  double counted = 0.3;
-  // Nodes may come to rest otherwise every time: after so many such steps that have not halved the least
-  // rotation so far none is taken so for `pause` steps, doubled every time.
-  int idle_steps = 5, pause = 20;
-};
-
 // Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
 // (strains are then off by its square over 2, more than most twine is stretched), where the residual is
 // `excess` times that before, or where `steps` have not brought it below `closing` of its own first;
@@ -202,7 +185,6 @@ struct SettleControl {
   PseudoTimeControl pseudo_time;
   HeldControl held;
   PathControl path;
-  SwingControl swing;
   LawControl law;
   LinearControl linear;
   AttemptControl attempts;

@@ -28,7 +28,6 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
       parts_(assembly, control.part),
-      next_pause_(control.swing.pause),
       path_steps_(control.law.path_steps),
       left_path_(path_) {}
 
@@ -66,9 +65,6 @@ void SettleIteration::begin(double pseudo_step, bool by_steps) {
   loaded_ = 1.0;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
-  least_swing_ = 1.0;
-  idle_swings_ = swing_pause_ = 0;
-  next_pause_ = control_.swing.pause;
 }
 
 void SettleIteration::begin_near(bool law) {
@@ -298,30 +294,19 @@ void SettleIteration::move() {
     damped += damping_[i] * dx.squaredNorm();
     driven += dx.dot(at(force_.data(), free_[i]));
   }
-  swinging_.clear();
-  const LineChange& whole = assembly_.line_change(dx_.data());
-  const double with_swinging = whole.rotation;
-  if (closing_in_ || swing_pause_ == 0) find_swinging(whole);
-  if (swing_pause_ > 0) --swing_pause_;
-  const LineChange& change = without_swinging(whole);
+  const LineChange& change = assembly_.line_change(dx_.data());
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
   const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
   turned_ = share * rotation;
   from_x_.assign(x_, x_ + dx_.size());
-  if (!on_law_) path_.advance(assembly_, strain_change_, share);
+  if (!on_law_) path_.advance(assembly_, change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  settle_swinging();
-  double counted = tangent ? share * rotation : rotation;
-  if (!closing_in_ && !swinging_.empty()) {
-    judge_swinging(rotation);
-    counted = std::max(rotation, std::min(with_swinging, control_.swing.counted));
-  }
-  if (!closing_in_ && swinging_.empty() && pseudo_time_.judged()) {
+  if (!closing_in_ && pseudo_time_.judged()) {
     pseudo_time_.judge(rotation, correction_over_step(share));
   }
-  pseudo_time_.advance(counted, damped, driven);
+  pseudo_time_.advance(tangent ? share * rotation : rotation, damped, driven);
   if (closing_in_) {
     ++settled_steps_;
     const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
@@ -383,72 +368,12 @@ void SettleIteration::correct() {
   take_right_side();
   linear_.solve_again(right_, step_);
   take_step();
-  const LineChange& change = without_swinging(assembly_.line_change(dx_.data()));
+  const LineChange& change = assembly_.line_change(dx_.data());
   if (!(change.rotation < turned_)) return;
   has_corrected_ = true;
-  path_.advance(assembly_, strain_change_, 1.0);
+  path_.advance(assembly_, change.strain, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
-  settle_swinging();
   pseudo_time_.assume_rotation(change.rotation);
-}
-
-// Nodes that dx_ makes swing, at the place that it starts from.
-void SettleIteration::find_swinging(const LineChange& change) {
-  if (!local_) {
-    local_.emplace(assembly_.model());
-    no_tension_.tension.assign(change.strain.size(), 0.0);
-    pull_.resize(force_.size());
-    strain_change_.resize(change.strain.size());
-    whole_dx_.resize(dx_.size());
-    swinging_.reserve(free_.size());
-  }
-  if (change.rotation <= control_.swing.turn || !local_->possible()) return;
-  assembly_.residual(pull_.data(), &no_tension_);
-  for (int bar = 0; bar < assembly_.model().bars.count(); ++bar) {
-    const std::size_t b = static_cast<std::size_t>(bar);
-    strain_change_[b] =
-        on_law_ ? assembly_.lines().tension[b] : path_.most_tension(b, change.strain[b]);
-  }
-  local_->swinging(dx_.data(), strain_change_, pull_.data(), control_.swing, swinging_);
-}
-
-// whole: how dx_ changes all lines, whose strains are kept in strain_change_; of nodes that swing only what
-// the others do to them is then left in dx_, and what is returned. Where the others turn far too, none are
-// taken so.
-const LineChange& SettleIteration::without_swinging(const LineChange& whole) {
-  strain_change_ = whole.strain;
-  if (swinging_.empty()) return whole;
-  const double most = std::min(control_.swing.rest, control_.swing.rest_share * whole.rotation);
-  whole_dx_ = dx_;
-  local_->carry(swinging_, dx_.data());
-  const LineChange& rest = assembly_.line_change(dx_.data());
-  if (rest.rotation < most) return rest;
-  swinging_.clear();
-  dx_ = whole_dx_;
-  return assembly_.line_change(dx_.data());
-}
-
-void SettleIteration::settle_swinging() {
-  if (swinging_.empty()) return;
-  Stopwatch watch(report_.seconds_forces, control_.timed);
-  local_->settle(swinging_, v_, x_);
-  if (on_law_) return;
-  local_->each_bar(swinging_, x_,
-                   [&](std::size_t bar, double strain) { path_.follow(bar, strain); });
-}
-
-// Whether steps that leave swinging nodes out go on to, which turned the other lines by `rotation`.
-void SettleIteration::judge_swinging(double rotation) {
-  const SwingControl& swing = control_.swing;
-  if (rotation < 0.5 * least_swing_) {
-    least_swing_ = rotation;
-    idle_swings_ = 0;
-  } else if (++idle_swings_ == swing.idle_steps) {
-    least_swing_ = 1.0;
-    idle_swings_ = 0;
-    swing_pause_ = next_pause_;
-    next_pause_ *= 2;
-  }
 }
 
 void SettleIteration::take_step() {

@@ -4,11 +4,9 @@
 // A trial of the law that fails ends where it began, and the path goes on from there.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "linear_step.hpp"
-#include "local_balance.hpp"
 #include "pseudo_time.hpp"
 #include "settle.hpp"
 #include "stability.hpp"
@@ -77,10 +75,6 @@ class SettleIteration {
   void take_rest();
   double correction_over_step(double share);
   void correct();
-  const LineChange& without_swinging(const LineChange& whole);
-  void find_swinging(const LineChange& change);
-  void settle_swinging();
-  void judge_swinging(double rotation);
   void take_step();
   void take_right_side();
   bool at_rounding() const;
@@ -113,16 +107,8 @@ class SettleIteration {
   double turned_ = 1.0;
   bool correcting_ = false, has_corrected_ = false;
   std::vector<double> from_x_, pull_;
-  // Nodes that the last step made swing, and how it changed the strains of all lines.
-  std::vector<int> swinging_;
-  std::vector<double> strain_change_, whole_dx_;
-  std::optional<LocalBalance> local_;  // made at the first step
-  DualTension no_tension_;
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
-  // Of steps with such nodes, other than from a settled state.
-  double least_swing_ = 1.0;
-  int idle_swings_ = 0, swing_pause_ = 0, next_pause_;
   // Of that state's steps.
   double least_rotation_ = 1.0;
   int idle_steps_ = 0, settled_steps_ = 0;

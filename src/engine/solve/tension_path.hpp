@@ -41,12 +41,6 @@ class TensionPath {
   const DualTension& current() const { return current_; }
   const DualTension& predicted() const { return predicted_; }
 
-  // The most of a line's present tension and of that to which a whole step would lead.
-  double most_tension(std::size_t k, double strain_change) const {
-    return std::max(current_.tension[k],
-                    predicted_.tension[k] + current_.modulus[k] * strain_change);
-  }
-
   // The same at the strains that a step with this matrix has led to, for another one with it and the same
   // mu: correction() holds the tensions that answer to what strains miss, current() the others.
   void correct(const Assembly& assembly, const std::vector<double>& strain);
