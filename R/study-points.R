@@ -109,3 +109,10 @@ spread_points <- function(n, dimensions) {
   root <- stats::uniroot(function(x) x^(dimensions + 1) - x - 1, c(1, 2), tol = 1e-14)$root
   (0.5 + outer(seq_len(n), root^-seq_len(dimensions))) %% 1
 }
+
+# By how much measures of a point are corrected, by their names; none without a correction.
+corrected_by <- function(points, point) {
+  found <- points$correction
+  if (is.null(found)) return(numeric())
+  found$value + drop(found$slope %*% (points_scaled(points, point$values) - found$at))
+}
