@@ -4,8 +4,9 @@
 most_slip_distance <- 0.01
 slip_share <- 1e-3
 
-# seabed: checked fields, or NULL; longest: rope, m. Returns list(normal, height, velocity, friction,
-# stiffness, slip_distance), see ground.hpp; the ground passes a towed gear at the towing speed.
+# seabed: checked fields, or NULL; longest: rope, m. Returns list(normal, height, velocity,
+# friction, stiffness, slip_distance), see ground.hpp; the ground passes a towed gear at the towing
+# speed.
 si_seabed <- function(seabed, towing_speed, longest) {
   if (is.null(seabed)) return(NULL)
   slope <- first_of(seabed$slope, list(angle = 0, toward = 0))

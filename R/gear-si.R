@@ -110,9 +110,9 @@ by_method <- function(fields) {
 # last_fields, last: those of another gear and what this function returned for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Places stay texts
-# that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed) with
-# from and to as fractions of the edge. What a plan may leave out and has no default is NULL
+# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Places stay
+# texts that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed)
+# with from and to as fractions of the edge. What a plan may leave out and has no default is NULL
 # (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
 # opening_stiffness, catch) or, of single numbers and texts, NA.
 si_of <- function(fields, last_fields = NULL, last = NULL) {

@@ -38,7 +38,8 @@ filled_bag <- function(lattice) {
   held <- lattice$catch
   if (is.null(held)) return(NULL)
   c(
-    list(points = length(lattice$engine$mass)), lapply(held[c("node", "depth", "across")], as.vector),
+    list(points = length(lattice$engine$mass)),
+    lapply(held[c("node", "depth", "across")], as.vector),
     list(real = held$real, weight = held$weight, blocked = as.double(held$blocked))
   )
 }

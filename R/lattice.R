@@ -13,8 +13,8 @@
 # fraction of its length, points = node of each point, place = function from a parsed place to a
 # node, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
 # hung = of a gear that is shot, positions before it is in the water; let_go = TRUE once it is,
-# frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids are
-# divided, see gear_division(), held_edges = of every seam held
+# frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids
+# are divided, see gear_division(), held_edges = of every seam held
 # on a line its nodes, their fraction of its length and the names of its two points (between),
 # panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
@@ -55,8 +55,8 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   lattice
 }
 
-# Whether two gears are the same but for the water's motion and how they are towed. shot: what is let
-# go hangs by that too.
+# Whether two gears are the same but for the water's motion and how they are towed. shot: what is
+# let go hangs by that too.
 differ_in_conditions <- function(si, other) {
   if (is.null(other) || !is.null(si$shooting)) return(FALSE)
   still <- function(si) {

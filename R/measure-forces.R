@@ -9,7 +9,8 @@ define_measure("tension", "kN",
 
 # Tension at both ends of bars of ropes, N, 2 x bars.
 end_tensions <- function(state, bars) {
-  matrix(engine_end_tensions(state$lattice$engine, state$lattice$frame, state, as.integer(bars)), 2L)
+  lattice <- state$lattice
+  matrix(engine_end_tensions(lattice$engine, lattice$frame, state, as.integer(bars)), 2L)
 }
 
 # Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.

@@ -68,4 +68,3 @@ define_measure("angle", "deg",
   metre or two behind them.",
   asks_rope_angle
 )
-

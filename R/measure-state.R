@@ -41,8 +41,8 @@ measures <- function(state) {
   )
 }
 
-# The measures of a state without their errors: list(values (SI, by name), kinds, light = whether its
-# drag is little next to its weights).
+# The measures of a state without their errors: list(values (SI, by name), kinds, light = whether
+# its drag is little next to its weights).
 state_values <- function(state) {
   asked <- state$si$measures
   check_enclosing(state, asked)

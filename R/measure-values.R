@@ -1,7 +1,7 @@
 # Measures in SI, as the engine computes them (src/engine/measure) for states, pages and programs.
 
-# asked: a list of list(kind, what asks_*() gives), as a plan's measures are; of what every gear has,
-# the engine's name as `kind` alone. Returns a number each, NaN of what the gear does not have.
+# asked: a list of list(kind, what asks_*() gives), as a plan's measures are; of what every gear
+# has, the engine's name as `kind` alone. Returns a number each, NaN of what the gear does not have.
 measure_values <- function(state, asked) {
   engine_measures(
     state$lattice$engine, state$lattice$frame, questions_of(state$si, state$lattice, asked),

@@ -27,8 +27,8 @@
 #' hold: which of the balances that friction allows a gear comes to rest in depends on how it got
 #' there. [tow()] has friction that sticks.
 #'
-#' A demersal seine is settled as it is towed when its ropes have come together, with all of them out:
-#' [tow()] gives the haul.
+#' A demersal seine is settled as it is towed when its ropes have come together, with all of them
+#' out: [tow()] gives the haul.
 #'
 #' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
 #' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
@@ -54,7 +54,8 @@
 #'   `NULL` with `nodes` settles at these and reports the error that is left.
 #' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
 #'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
-#'   names the part and place of the worst imbalance and carries the solver's report as `report`.
+#'   names the part and place of the worst imbalance, says what to try, and carries the solver's
+#'   report as `report`.
 #'   Free otter boards and kites, poles in compression and netting full of catch that settle in a
 #'   balance which a small push would carry them away from are pushed and settled again
 #'   (`perturbations` in the report counts how often); where none is found that lasts it is a
@@ -114,7 +115,10 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   }
   report <- found$report
   report$cpu_seconds <- cpu_clock() - started
-  if (!report$converged) abort_unsettled(report, found$lattice, found$position)
+  if (!report$converged) {
+    advice <- unsettled_advice(gear, si, found)
+    abort_unsettled(report, found$lattice, found$position, advice)
+  }
   state <- new_state(gear, si, found$lattice, found$position, report)
   state$levels <- state_levels(state, found, netting, from)
   state

@@ -13,12 +13,13 @@
 #' `time` and `value` (straight between its rows, the last value for good; two rows of one time
 #' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI
 #' (taken every 0.1 s and smooth between, up to where it jumps). A gear that is not yet a state
-#' settles first, in the conditions of time 0, and what is not given here is taken from its plan's section `tow`, which
-#' has fields of the same names and lists of `time` and `value` for tables. A state that is towed to
-#' no given time goes on in its plan's section `tow` too, if that begins where the state is. Towed
-#' `until` a time it goes on as it is but for what is given here: then only `scheme` and `accuracy`
-#' of that section count. `codend tow midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots
-#' the shipped trawl's warps, tows it, turns by 90 degrees and hauls it back.
+#' settles first, in the conditions of time 0, and what is not given here is taken from its plan's
+#' section `tow`, which has fields of the same names and lists of `time` and `value` for tables. A
+#' state that is towed to no given time goes on in its plan's section `tow` too, if that begins
+#' where the state is. Towed `until` a time it goes on as it is but for what is given here: then
+#' only `scheme` and `accuracy` of that section count. `codend tow midwater_trawl`, in a shell, or
+#' `tow("midwater_trawl")` shoots the shipped trawl's warps, tows it, turns by 90 degrees and hauls
+#' it back.
 #'
 #' A gear whose plan has a section `shooting` is not settled first: at time 0 it lies bunched within
 #' half a metre below the surface, along the arc that the vessel runs while it shoots, and every
@@ -52,8 +53,9 @@
 #' Water that accelerates pushes what is in it: by its acceleration times the water that is
 #' displaced (Froude and Krylov) and times the added mass, whose own acceleration is the gear's less
 #' the water's. A current that changes with time does so, but not by jumps of its speed or its
-#' direction, which happen at once. Behind netting that slows the water its acceleration is that of the free flow, and a catch
-#' in netting, as heavy as water, is moved by the netting around it alone.
+#' direction, which happen at once. Behind netting that slows the water its acceleration is that of
+#' the free flow, and a catch in netting, as heavy as water, is moved by the netting around it
+#' alone.
 #'
 #' What lies on the sea bed sticks to it unless the plan says otherwise. Friction gives by the
 #' plan's `slip_distance` before it slips: 10 mm, or a thousandth of the longest rope where that is

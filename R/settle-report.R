@@ -27,7 +27,8 @@ settle_progress <- function() {
   }
 }
 
-abort_unsettled <- function(report, lattice, position) {
+# advice: sentences that say what to try, or NULL.
+abort_unsettled <- function(report, lattice, position, advice = NULL) {
   where <- describe_node(lattice, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
   if (report$wake_change > 1e-5) {
@@ -60,20 +61,26 @@ abort_unsettled <- function(report, lattice, position) {
       "The gear did not settle: after {report$iterations} steps the largest net force is
       {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is needed.",
       "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
-      {signif(in_unit(report$worst_force, 'kN'), 3)} kN."
+      {signif(in_unit(report$worst_force, 'kN'), 3)} kN.",
+      stats::setNames(sprintf("{advice[%d]}", seq_along(advice)), rep("i", length(advice)))
     ),
     report = report
   )
 }
 
-# The parts that meet at a node, in words.
-describe_node <- function(lattice, node) {
+# The parts that meet at a node, by number.
+parts_at <- function(lattice, node) {
   e <- lattice$engine
   touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
-  part <- unique(c(
+  unique(c(
     touching(e$bars$node, 2L, lattice$bar_part),
     touching(e$cells$node, 4L, lattice$cell_part)
   ))
+}
+
+# The same in words.
+describe_node <- function(lattice, node) {
+  part <- parts_at(lattice, node)
   if (!length(part)) return("a point outside ropes and netting")
   paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")
 }

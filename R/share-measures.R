@@ -24,7 +24,8 @@ shared_measures <- function(state) {
   )
 }
 
-# What a page's engine is asked of a gear: its own measures and those of every gear with these names.
+# What a page's engine is asked of a gear: its own measures and those of every gear with these
+# names.
 shared_questions <- function(si, lattice, standard) {
   questions_of(si, lattice, c(si$measures, lapply(standard, function(kind) list(kind = kind))))
 }

@@ -17,8 +17,8 @@
 #' A coarse lattice is off, by a few percent in a trawl of some hundred nodes, and conditions that
 #' hold on it may fail on a finer one. So the optimum is settled on a lattice that leaves at most
 #' `accuracy`, up to seven times as fine as that of the search; what this says otherwise, of
-#' measures and of their slopes, is added to what the coarse one says, and the search goes on, until both
-#' agree (first-order model management, Alexandrov and Lewis 2001, Optimization and Engineering
+#' measures and of their slopes, is added to what the coarse one says, and the search goes on, until
+#' both agree (first-order model management, Alexandrov and Lewis 2001, Optimization and Engineering
 #' 2:413). Everything that is returned is of the fine lattice, the gear as it was too. Of what is
 #' left the aim and each condition have an estimated `error`; a condition at its limit holds to
 #' within that. To be sure of it, ask for the limit and twice the error.

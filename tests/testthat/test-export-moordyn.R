@@ -8,8 +8,8 @@ end_tensions <- function(state) {
 }
 
 test_that("chains of MoorDyn's own cases pull as it expects", {
-  # kN at the fairlead and the anchor (reference/moordyn/README.md). Tensions are those of bars' middles,
-  # and codend's bed is soft by another law: 1 %.
+  # kN at the fairlead and the anchor (reference/moordyn/README.md). Tensions are those of bars'
+  # middles, and codend's bed is soft by another law: 1 %.
   expected <- list(WD0050 = c(991.6, 826.2), WD0200 = c(2065.4, 1402.2), WD0600 = c(5232.6, 3244.2))
   for (name in names(expected)) {
     state <- settle(read_moordyn(deck(paste0(name, "_Chain.txt"))))
@@ -46,8 +46,8 @@ test_that("ropes written for MoorDyn settle as in their gear", {
     }))
     after <- again$bar_tension[again$lattice$bar_part <= length(ropes)]
     expect_length(after, length(before))
-    # Of ropes that are taut. The trawl's ropes follow a law of drag by angle that MoorDyn has not; the
-    # others' numbers are written with 10 digits.
+    # Of ropes that are taut. The trawl's ropes follow a law of drag by angle that MoorDyn has not;
+    # the others' numbers are written with 10 digits.
     taut <- before > 1e-3 * max(before)
     law <- if (name == "midwater_trawl") 0.01 else 1e-3
     expect_equal(after[taut], before[taut], tolerance = law, label = name)

@@ -42,8 +42,9 @@ test_that("fields that cannot be sliders are refused by name", {
     class = "codend_error_argument")
   # what divides the gear otherwise changes more than numbers
   base <- list(model.bars.node = 1:4, model.bars.rest = c(1, 2))
-  expect_match(odd_array(list(model.bars.node = 1:6, model.bars.rest = 1:3 + 0), base, "rest"), "divides")
-  expect_match(odd_array(list(model.bars.node = 4:1, model.bars.rest = c(1, 2)), base, "rest"), "bars node")
+  odd <- function(...) odd_array(list(...), base, "rest")
+  expect_match(odd(model.bars.node = 1:6, model.bars.rest = 1:3 + 0), "divides")
+  expect_match(odd(model.bars.node = 4:1, model.bars.rest = c(1, 2)), "bars node")
   expect_null(odd_array(list(model.bars.node = 1:4, model.bars.rest = c(1, 3)), base, "rest"))
 })
 
