@@ -231,4 +231,6 @@ most_accurate_nodes <- 1e5
 # falls with their square root.
 nodes_for <- function(nodes, error, asked) nodes * (error / asked)^2
 
-percent_text <- function(share) paste(format(signif(100 * share, 2)), "%")
+percent_text <- function(share) {
+  paste(with_plain_numbers(format(signif(100 * share, 2))), "%")
+}

@@ -5,48 +5,6 @@
 #include "cpp11/declarations.hpp"
 #include <R_ext/Visibility.h>
 
-// binding.cpp
-list engine_evaluate(list lattice, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
-  END_CPP11
-}
-// binding.cpp
-list engine_fields();
-extern "C" SEXP _codend_engine_fields() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_fields());
-  END_CPP11
-}
-// binding.cpp
-list engine_forces();
-extern "C" SEXP _codend_engine_forces() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_forces());
-  END_CPP11
-}
-// binding.cpp
-doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
-extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
-  END_CPP11
-}
-// binding.cpp
-doubles engine_wave_number(doubles frequency, double depth);
-extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
-  END_CPP11
-}
-// binding.cpp
-doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
-extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
-  END_CPP11
-}
 // binding_gear.cpp
 list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
 extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
@@ -185,6 +143,48 @@ list engine_balance(SEXP tangent, list lattice, doubles position, double toleran
 extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position, SEXP tolerance, SEXP steps) {
   BEGIN_CPP11
     return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
+  END_CPP11
+}
+// binding.cpp
+list engine_evaluate(list lattice, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+  END_CPP11
+}
+// binding.cpp
+list engine_fields();
+extern "C" SEXP _codend_engine_fields() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_fields());
+  END_CPP11
+}
+// binding.cpp
+list engine_forces();
+extern "C" SEXP _codend_engine_forces() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_forces());
+  END_CPP11
+}
+// binding.cpp
+doubles engine_speed_reduction(std::string law, doubles solidity, doubles cosine);
+extern "C" SEXP _codend_engine_speed_reduction(SEXP law, SEXP solidity, SEXP cosine) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_speed_reduction(cpp11::as_cpp<cpp11::decay_t<std::string>>(law), cpp11::as_cpp<cpp11::decay_t<doubles>>(solidity), cpp11::as_cpp<cpp11::decay_t<doubles>>(cosine)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_wave_number(doubles frequency, double depth);
+extern "C" SEXP _codend_engine_wave_number(SEXP frequency, SEXP depth) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_wave_number(cpp11::as_cpp<cpp11::decay_t<doubles>>(frequency), cpp11::as_cpp<cpp11::decay_t<double>>(depth)));
+  END_CPP11
+}
+// binding.cpp
+doubles engine_elevation(list waves, doubles x, doubles y, doubles time);
+extern "C" SEXP _codend_engine_elevation(SEXP waves, SEXP x, SEXP y, SEXP time) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_elevation(cpp11::as_cpp<cpp11::decay_t<list>>(waves), cpp11::as_cpp<cpp11::decay_t<doubles>>(x), cpp11::as_cpp<cpp11::decay_t<doubles>>(y), cpp11::as_cpp<cpp11::decay_t<doubles>>(time)));
   END_CPP11
 }
 // file_sync.cpp

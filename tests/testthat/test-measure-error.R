@@ -159,7 +159,7 @@ test_that("errors go where measures go", {
   table <- as.data.frame(state, what = "measures")
   expect_identical(table$error, unname(error))
   expect_match(format(summary(state)), "m +(\u00b1|\\+-) [0-9]", all = FALSE)
-  expect_match(format(summary(state)), "Finer lattices", all = FALSE)
+  expect_match(format(summary(state)), "Discretisation error", all = FALSE)
   expect_identical(attr(measures(state)[2:3], "error"), error[2:3])
   expect_identical(state_record(state)$errors, as.list(error))
   # on to another design: the same share

@@ -133,6 +133,8 @@ test_that("an empty list, wherever it stands in a shipped plan, leaves every fie
     expect_true(list("notes") %in% lists)
     for (path in lists) {
       field <- path[1]
+      # a plan without it is none, so that nothing is left to compare with
+      if (field %in% plan_schema$kinds[[first_of(plan$kind, "assembly")]]$required) next
       empty <- if (length(path) == 1) list() else stats::setNames(list(list()), path[2])
       others <- plan[names(plan) != field]
       expected <- check_plan(others)

@@ -254,7 +254,7 @@ test_that("a trade-off goes along the closed form of its curve", {
   file <- tempfile(fileext = ".png")
   expect_identical(plot(found, file = file), found)
   expect_gt(file.size(file), 5000)
-  expect_error(trade_off(towed_sphere(), ~depth, change = list()), "two aims",
+  expect_error(trade_off(towed_sphere(), ~depth, change = list()), "two objectives",
     class = "codend_error_argument")
 })
 
