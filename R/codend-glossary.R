@@ -59,9 +59,9 @@
 #'   \item{purse wire}{Rope through the rings of a purse seine, which closes it from below.}
 #'   \item{main line, branch line}{Of a longline: the long rope, and the ropes with hooks on it.}
 #'   \item{basket}{Stretch of a longline between two float lines.}
-#'   \item{demersal seine}{A net between two long ropes (seine ropes, its warps) on the sea bed, which
-#'     are hauled together and herd: Danish, by an anchored vessel, or Scottish (fly dragging), by one
-#'     that tows.}
+#'   \item{demersal seine}{A net between two long ropes (seine ropes, its warps) on the sea bed,
+#'     which are hauled together and herd: Danish, by an anchored vessel, or Scottish (fly
+#'     dragging), by one that tows.}
 #'   \item{shooting, hauling}{Setting the gear from the vessel, and bringing it back.}
 #' }
 #' @section Plan and results:

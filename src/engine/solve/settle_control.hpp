@@ -77,8 +77,9 @@ struct PathControl {
   };
   std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
   // mu is no less than this times the square of the last rotation, to which it rises by so much a step
-  // at most: where lines still turn, tensions far down the path are of no shape.
-  double least_by_turn = 1e-8, most_rise = 10.0;
+  // at most: where lines still turn, tensions far down the path are of no shape. least_again: the share where
+  // it begins again with bows that go by steps, and of gears without cells of netting.
+  double least_by_turn = 1e-7, least_again = 1e-8, most_rise = 10.0;
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
   // There the first step, which is all tangent, turns lines by this much at most: of loads that would

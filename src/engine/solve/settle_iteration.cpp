@@ -24,6 +24,8 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       values_(9 * assembly.pattern().column.size()),
       load_(total_load()),
       rounding_(rounding_force()),
+      least_by_turn_(assembly.model().cells.count() > 0 ? control.path.least_by_turn
+                                                        : control.path.least_again),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
@@ -60,6 +62,7 @@ double SettleIteration::scale() const {
 void SettleIteration::begin(double pseudo_step, bool by_steps) {
   path_ = TensionPath(assembly_.model(), load_);
   assembly_.bow_by_steps(by_steps);
+  if (by_steps) least_by_turn_ = control_.path.least_again;
   pseudo_time_.begin(pseudo_step);
   on_law_ = begun_ = closing_in_ = false;
   loaded_ = 1.0;
@@ -251,7 +254,7 @@ double SettleIteration::reduction() {
 double SettleIteration::least_parameter() const {
   if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
-  return std::min(control_.path.least_by_turn * rotation * rotation,
+  return std::min(least_by_turn_ * rotation * rotation,
                   control_.path.most_rise * path_.parameter());
 }
 

@@ -93,6 +93,7 @@ class SettleIteration {
   const double rounding_;       // N
   bool from_settled_ = false;   // the start is a settled state
   double unstable_size_ = 0.0;  // m
+  double least_by_turn_;        // of this attempt
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
