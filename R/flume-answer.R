@@ -8,12 +8,12 @@ flume_steps <- 1000L
 # Most nodes of a design, whatever its plan asks for.
 flume_nodes <- 20000
 
-# request: list(kind, said (of the page), number (of the question), base (the gear that changes are
-# told of), file (of the gear on screen), nodes, state (to settle from, or that something is made
-# of)); without `state` or `base` it is the one that the memory, an environment, holds. Returns
-# list(found, problem): found NULL where there is a problem, problem as flume_problem() gives it.
+# request: list(kind, said (of the page; of a design the draft), number (of the question), file (of
+# the gear on screen), nodes, state (to settle from, or that something is made of)); without `state`
+# it is the one that the memory, an environment, holds. Returns list(found, problem, draft): found
+# NULL where there is a problem, problem as flume_problem() gives it; draft as draft_problems() gives
+# it.
 flume_answer <- function(request, memory) {
-  if (!is.null(request$base)) memory$base <- request$base
   if (!is.null(request$state)) {
     memory$state <- request$state
     memory$fixed <- NULL
@@ -31,13 +31,34 @@ flume_answer <- function(request, memory) {
       shown_design(request, memory)
     }
   })
-  list(found = found, problem = problem)
+  draft <- if (!is.null(problem) && request$kind %in% c("design", "plan_text")) {
+    draft_problems(request, memory, problem)
+  }
+  list(found = found, problem = problem, draft = draft)
+}
+
+# What keeps a draft from settling: list(problems (of draft_gear()), design (the draft, where it was
+# typed)), or NULL where a typed text is no plan at all.
+draft_problems <- function(request, memory, problem) {
+  of_settling <- list(problem[c("path", "message")])
+  if (request$kind == "design") {
+    problems <- draft_gear(request$said$plan, memory$state$gear)$problems
+    return(list(problems = if (length(problems)) problems else of_settling))
+  }
+  tree <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(request$said)), "on this page"),
+    error = function(e) NULL)
+  if (is.null(tree)) return(NULL)
+  problems <- draft_gear(tree, memory$state$gear)$problems
+  list(
+    problems = if (length(problems)) problems else of_settling,
+    design = list(plan = tree, file = request$file, source = request$said)
+  )
 }
 
 # What is made of the state on screen and leaves it as it is.
 made_of_state <- list(
   save = function(state, said) save_state(state, said),
-  drawing = function(state, said) drawing_text(state),
+  drawing = function(state, said) drawing_text(state, said),
   slopes = function(state, said) slopes_asked(state, said),
   uncertainty = function(state, said) uncertainty(state),
   tow = function(state, said) tow_asked(state, said),
@@ -48,10 +69,11 @@ made_of_state <- list(
 # design that has the fields of the one before only what moves, list(moved, anew), as
 # moved_message() gives it: rest_of_design() is asked for next.
 shown_design <- function(request, memory) {
+  before <- given_paths(memory$state$gear$plan)
   found <- settled_design(request, memory, complete = FALSE)
   memory$state <- found$state
   passing <- request$kind == "design" && !is.null(memory$fixed) &&
-    identical(given_paths(found$gear$plan), given_paths(memory$base$plan))
+    identical(given_paths(found$gear$plan), before)
   if (passing) {
     memory$passing <- found
     message <- moved_message(found$state, memory$fixed, request$number)
@@ -74,15 +96,14 @@ rest_of_design <- function(memory) {
 settled_design <- function(request, memory, complete = TRUE) {
   said <- request$said
   gear <- switch(request$kind,
-    design = apply_edits(memory$base, said),
+    design = gear_of_design(said, memory$state$gear),
     plan_text = read_typed(said, request$file),
     plan_file = read_opened(said),
     shipped = read_shipped(said),
     new = read_new(said),
-    words = , kept = gear_of_words(said),
-    plan = gear_of_design(said, memory$base)
+    words = , kept = gear_of_words(said)
   )
-  like <- request$kind %in% c("design", "plan_text", "plan")
+  like <- request$kind %in% c("design", "plan_text")
   found <- c(list(gear = gear), settle_noted(gear, request$nodes, if (like) memory$state))
   if (complete) complete_design(found) else found
 }

@@ -5,65 +5,121 @@
 most_edits <- 500L
 most_characters <- 4000L
 
-# The gear with changed fields. edits: a list by path of
-#   list(value, unit)   a number in a unit, a word, or what a plan writes there on one line
-#   list(gone = TRUE)   the field is taken out
-#   list(like = path)   it becomes as another part of the plan is
-apply_edits <- function(gear, edits) {
+# A value so many times what the field had is asked about: metres for millimetres are 1,000 of a
+# mesh that may be a few times another.
+doubtful_factor <- 100
+
+# The plan with changed fields. It need not be one of a gear. edits: a list by path of
+#   list(value, unit)          a number, alone in this unit or with its own, a word, or what a plan
+#                              writes there on one line
+#   list(gone = TRUE)          the field is taken out
+#   list(like = path, after)   it becomes as another part of the plan is, next to `after`
+#   list(rename = name)        the part has another name
+#   list(move = places)        the part comes so many places later among its like
+# Returns list(plan, understood): what each typed number was understood as, by path: list(text,
+# doubt), doubt NULL or list(message, instead).
+edited_plan <- function(plan, edits) {
   if (!is_map(edits)) abort_argument("Changes are told by the paths of their fields.")
   if (length(edits) > most_edits || any(nchar(names(edits)) > most_characters)) {
     abort_argument("At most {most_edits} fields change at once.")
   }
-  plan <- gear$plan
-  for (path in names(edits)) plan <- apply_edit(plan, path, as.list(edits[[path]]))
-  as_gear(plan, file = gear$file, like = gear)
+  understood <- list()
+  for (path in names(edits)) {
+    given <- as.list(edits[[path]])
+    before <- plan
+    plan <- edited_field(plan, path, given)
+    if (is.character(given$value)) understood[[path]] <- understood_value(before, plan, path)
+  }
+  list(plan = plan, understood = understood)
 }
 
-apply_edit <- function(plan, path, given) {
+edited_field <- function(plan, path, given) {
   if (!nzchar(path)) abort_argument("A field is changed by its path.")
   if (isTRUE(given$gone)) return(set_plan_field(plan, path, NULL))
-  if (!is.null(given$like)) return(set_plan_field(plan, path, part_like(plan, path, given$like)))
-  set_plan_field(plan, path, edit_value(plan, path, given))
+  of_part <- intersect(c("like", "rename", "move"), names(given))
+  if (!length(of_part)) return(set_plan_field(plan, path, edit_value(plan, path, given)))
+  check_part(plan, if (of_part[1] == "like") given$like else path)
+  switch(of_part[1],
+    like = copied_part(plan, path, given$like, if (is_text(given$after)) given$after),
+    rename = renamed_part(plan, path, check_part_name(given$rename, path)),
+    move = moved_part(plan, path, if (is.numeric(given$move)) round(given$move[1]) else 0)
+  )
 }
 
-# What a part becomes that is to be as another.
-part_like <- function(plan, path, like) {
-  field <- if (is_text(like) && nchar(like) <= most_characters) plan_field(plan, like)
-  if (is.null(field)) abort_argument("{.val {path}} cannot be like a part that there is not.")
-  field$value
+check_part <- function(plan, path) {
+  there <- is_text(path) && nchar(path) <= most_characters &&
+    !is.null(at_path(plan, path_steps(path)))
+  if (!there) abort_argument("There is no such part to copy, rename or move.")
 }
 
-# What a field becomes. A number with a unit becomes text such as "4.8 knot".
+check_part_name <- function(name, path) {
+  if (!is_text(name) || !grepl("^[A-Za-z][A-Za-z0-9_]*$", name) || nchar(name) > most_name) {
+    abort_field(path, name, "a name of letters, digits and _")
+  }
+  name
+}
+
+# What a field becomes. A number with a unit becomes text such as "4.8 knot"; what is no value of the
+# field stays as it is, for the check to say so.
 edit_value <- function(plan, path, given) {
   value <- given$value
   refuse <- function(must) abort_field(path, value, must)
-  if (!length(value) || length(value) > 1L || is.list(value)) refuse("one value")
+  if (length(value) != 1L || is.list(value) || is.na(value)) refuse("one value")
   if (is.character(value) && nchar(value) > most_characters) refuse("a shorter text")
   field <- plan_field(plan, path)
   node <- if (is.null(field$node)) path_node(plan, path) else field$node
   # an unknown field is told by who sets it
   if (is.null(node)) return(value)
   if (is_number_node(node)) return(number_value(value, given$unit, node, refuse))
-  if (node$shape == "boolean") {
-    if (!is.logical(value) || is.na(value)) refuse("yes or no")
-    return(value)
-  }
-  if (node$shape == "string") {
-    if (!is_text(value) || !nzchar(value)) refuse(describe(node))
-    return(value)
-  }
+  if (node$shape %in% c("boolean", "string")) return(value)
   if (is.character(value)) yaml_value(value, refuse) else value
 }
 
 number_value <- function(value, unit, node, refuse) {
-  if (!is.numeric(value) || !is.finite(value)) refuse("a number")
+  if (is.logical(value)) refuse("a number")
   known <- names(plan_units[[first_of(node[["x-dimension"]], "number")]])
+  parts <- if (is.numeric(value)) c(shortest_decimal(as.double(value)), "") else {
+    split_quantity(value)
+  }
+  if (is.null(parts)) return(value)
+  own <- nzchar(parts[2])
+  if (own) unit <- parts[2]
   # without a unit it is in SI
-  if (is.null(unit) || identical(unit, "")) return(as.double(value))
+  if (is.null(unit) || identical(unit, "")) return(as.double(parts[1]))
   if (!is_text(unit) || nchar(unit) > 40 || !plain_unit(unit) %in% known) {
+    if (own) return(value)
     refuse(paste("in one of these units:", word_list(known)))
   }
-  paste(shortest_decimal(as.double(value)), unit)
+  paste(parts[1], unit)
+}
+
+# What a typed number was understood as, and whether it is far from what the field had.
+understood_value <- function(before, after, path) {
+  node <- path_node(after, path)
+  now <- at_path(after, path_steps(path))
+  dimension <- node[["x-dimension"]]
+  if (is.null(dimension)) dimension <- plan_field(before, path)$node[["x-dimension"]]
+  if (is.null(dimension)) return(NULL)
+  si <- if (is.numeric(now) || is_text(now)) quantity_si(now, dimension) else NA
+  if (length(si) != 1L || !is.finite(si)) return(NULL)
+  text <- if (is_text(now)) now else format_si(si, dimension)
+  list(text = text, doubt = doubt_of(si, now, at_path(before, path_steps(path)), dimension, text))
+}
+
+doubt_of <- function(si, now, was, dimension, text) {
+  usual <- if (is.numeric(was) || is_text(was)) quantity_si(was, dimension) else NA
+  if (length(usual) != 1L || !is.finite(usual) || usual == 0 || si == 0) return(NULL)
+  far <- abs(log10(abs(si / usual))) >= log10(doubtful_factor) * (1 - 1e-9)
+  if (!far) return(NULL)
+  number <- if (is_text(now)) split_quantity(now)[1] else shortest_decimal(now)
+  unit <- if (is_text(was)) split_quantity(was)[2] else ""
+  instead <- paste(number, unit)
+  near <- nzchar(unit) &&
+    abs(log10(abs(quantity_si(instead, dimension) / usual))) < log10(doubtful_factor)
+  list(
+    message = sprintf("Is it really %s? It was %s.", text, show_value(was)),
+    instead = if (near) instead
+  )
 }
 
 # What a plan says on one line, as a value. Nothing of it is run.

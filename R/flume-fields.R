@@ -3,7 +3,8 @@
 # A control is a list of label, help, paths (fields that change together), must (what the schema
 # allows, in words), required (whether the plan must give it), kind and value, by kind
 #   number  unit (as shown), factor (to SI), dimension (NULL without units), low, high and step (of
-#           the slider, in the unit), whole
+#           the slider, in the unit), whole; `typed` in place of the value where a draft has what is
+#           no number
 #   choice  choices
 #   truth
 #   word    a text, with `suggest`: texts to choose from, if any
@@ -57,10 +58,11 @@ new_control <- function(label, paths, field, required = TRUE) {
     label = label, paths = I(as.character(paths)), help = first_of(node$description, ""),
     must = describe(node), required = required
   )
+  value <- first_of(field$value, FALSE)
   c(about, if (is_number_node(node)) {
     number_control(field)
-  } else if (node$shape == "boolean") {
-    list(kind = "truth", value = check_boolean(first_of(field$value, FALSE), node, ""))
+  } else if (node$shape == "boolean" && (is.logical(value) || value %in% names(truth_words))) {
+    list(kind = "truth", value = check_boolean(value, node, ""))
   } else if (node$shape == "string" && !is.null(node$enum)) {
     list(kind = "choice", value = first_of(field$value, ""), choices = I(node$enum))
   } else if (node$shape == "string") {
@@ -83,18 +85,21 @@ number_control <- function(field) {
   node <- field$node
   dimension <- node[["x-dimension"]]
   value <- field$value
-  quantity <- if (is.character(value)) split_quantity(value) else c(value, "")
-  number <- if (is.null(value)) NA else as.double(quantity[1])
-  unit <- quantity[2]
-  if (identical(dimension, "number") && !nzchar(first_of(unit, ""))) dimension <- NULL
-  if (is.null(dimension)) unit <- "" else if (is.na(unit) || !nzchar(unit)) {
+  quantity <- if (is_text(value)) split_quantity(value) else if (is.numeric(value)) c(value, "")
+  known <- names(plan_units[[first_of(dimension, "number")]])
+  odd <- !is.null(value) && (is.null(quantity) || !plain_unit(quantity[2]) %in% c("", known))
+  if (odd) quantity <- NULL
+  number <- if (is.null(quantity)) NA else as.double(quantity[1])
+  unit <- first_of(quantity[2], "")
+  if (identical(dimension, "number") && !nzchar(unit)) dimension <- NULL
+  if (is.null(dimension)) unit <- "" else if (!nzchar(unit)) {
     unit <- names(plan_units[[dimension]])[1]
   }
   factor <- if (is.null(dimension)) 1 else plan_units[[dimension]][[plain_unit(unit)]]
   c(
     list(
       kind = "number", value = number, unit = unit, factor = factor, dimension = dimension,
-      whole = node$shape == "integer"
+      whole = node$shape == "integer", typed = if (odd) paste(unlist(value), collapse = " ")
     ),
     if (!is.na(number)) control_range(number, node, factor)
   )

@@ -38,8 +38,8 @@ form_rooms <- list(
 form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
 # The form of a plan: a list of groups of list(title, parts), a part list(path, title, help, fields
-# (controls), open (whether the schema allows fields that it lacks), like (a part of it that another
-# may be made like, or NULL), required).
+# (controls), open (whether the schema allows fields that it lacks), named (whether it is one of
+# several that are told by their names), required).
 plan_form <- function(plan) {
   node <- plan_node(plan)
   lapply(names(form_rooms), function(title) {
@@ -61,7 +61,7 @@ is_part <- function(value) {
 }
 
 # A map's part, and those of the maps in it that have parts or fields of their own.
-form_parts <- function(value, node, path, required) {
+form_parts <- function(value, node, path, required, is_named = FALSE) {
   node <- meant_node(value, node)
   if (is.null(node)) return(list())
   named <- !is.null(node$additionalProperties)
@@ -72,11 +72,11 @@ form_parts <- function(value, node, path, required) {
   part <- list(list(
     path = path, title = path_words(path), help = first_of(node$description, ""), fields = fields,
     open = length(setdiff(names(node$properties), names(value))) > 0L,
-    like = if (named && length(value)) join(path, names(value)[length(value)]),
-    required = required
+    named = is_named, required = required
   ))
   others <- lapply(apart, function(name) {
-    form_parts(value[[name]], child_node(node, name), join(path, name), name %in% node$required)
+    form_parts(value[[name]], child_node(node, name), join(path, name), name %in% node$required,
+      named && is.null(node$properties[[name]]))
   })
   c(part, do.call(c, others))
 }
@@ -125,7 +125,7 @@ form_offers <- function(plan, path, title) {
   })
 }
 
-# What a page is sent to lay out its controls. turn: a number that its answers name.
+# What a page is sent to lay out its controls. turn: of the gear that was opened last.
 form_message <- function(plan, marked, turn) {
   list(
     turn = turn, kind = first_of(plan$kind, "assembly"), quick = plan_controls(plan, marked),

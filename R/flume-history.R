@@ -29,6 +29,9 @@ history_back <- function(history, design, on = FALSE) {
   history
 }
 
+# The text of a draft, with the remarks of its source where it can keep them.
+draft_text <- function(design) edited_text(design$source, design$plan)
+
 # What an address says of a design: list(base = name of a shipped plan, edits = changed fields by
 # path), else list(plan = its text).
 design_words <- function(design) {

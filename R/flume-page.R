@@ -81,7 +81,26 @@ flume_tank <- function() {
   tags <- shiny::tags
   tags$section(
     class = "tank", `aria-label` = "The gear in three dimensions",
-    tags$div(id = "tank")
+    tags$div(
+      class = "see", role = "group", `aria-label` = "What is seen",
+      tags$button(type = "button", id = "see_tank", class = "btn btn-outline-secondary btn-sm",
+        `aria-pressed` = "true", "In the tank"),
+      tags$button(type = "button", id = "see_drawing", class = "btn btn-outline-secondary btn-sm",
+        `aria-pressed` = "false", "Drawing"),
+      tags$span(
+        class = "drawing-tools",
+        tags$button(type = "button", id = "drawing_in", class = "btn btn-outline-secondary btn-sm",
+          `aria-label` = "Zoom in", "+"),
+        tags$button(type = "button", id = "drawing_out", class = "btn btn-outline-secondary btn-sm",
+          `aria-label` = "Zoom out", "\u2212"),
+        tags$button(type = "button", id = "drawing_all", class = "btn btn-outline-secondary btn-sm",
+          "Whole sheet"),
+        tags$span(id = "drawing_said", class = "note", role = "status",
+          "Click a number and type. Tab goes to the next.")
+      )
+    ),
+    tags$div(id = "tank"),
+    tags$div(id = "drawing", role = "group", `aria-label` = "The net drawing", tabindex = "0")
   )
 }
 
@@ -92,6 +111,11 @@ flume_controls <- function() {
     id = "controls", class = "panel controls", `aria-labelledby` = "controls_heading",
     tags$h2(id = "controls_heading", "Design"),
     tags$div(id = "refused", class = "alert alert-danger", role = "alert", hidden = NA),
+    tags$div(
+      id = "unfinished", class = "alert alert-danger", role = "status", hidden = NA,
+      tags$strong("This design does not fit yet. The tank shows the last one that did."),
+      tags$ul(id = "draft_problems")
+    ),
     tags$div(id = "quick"),
     tags$div(
       class = "button-row",
@@ -171,9 +195,6 @@ flume_tabs <- function() {
       id = "shown",
       tab("Planes", tags$div(class = "planes", plane("xy", "From above (XY)"),
         plane("xz", "From the port side (XZ)"), plane("yz", "From astern (YZ)"))),
-      tab("Drawing", tags$p(class = "note", "Click a panel, a rope or a figure: its fields open in
-        the form, and the net follows."),
-      tags$div(id = "drawing", role = "group", `aria-label` = "The net drawing")),
       tab("Tensions", shiny::uiOutput("tensions")),
       tab("Drag", shiny::uiOutput("drag")),
       tab("Slopes", flume_slopes_tab()),

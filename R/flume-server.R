@@ -38,20 +38,28 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       message <- tank$picture(passed)
       session$sendCustomMessage("flume_picture", c(list(
         answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes)),
-        undo = length(tank$history$past), redo = length(tank$history$future),
         towed = !is.null(tank$gear$plan$tow)
       ), message))
       tank$count_picture()
     }
-    lay_out <- function() session$sendCustomMessage("flume_form", tank$form())
+    # What the page is told of its draft: what was understood of it, what is wrong, which steps there
+    # are.
+    show_draft <- function(understood = list(), settling = FALSE) {
+      if (is.null(tank$gear)) return()
+      if (tank$form_is_old()) session$sendCustomMessage("flume_form", tank$form())
+      said("flume_draft",
+        understood = understood, problems = tank$problems, settling = settling,
+        undo = length(tank$history$past), redo = length(tank$history$future)
+      )
+    }
     refuse <- function(problem, where, answers = 0) {
       said("flume_refused", answers = answers, where = where, message = problem$message,
         path = problem$path, cancelled = isTRUE(problem$cancelled))
     }
     # A mistake of what the page asks is told there, and changes nothing.
-    trying <- function(where, expression) {
+    trying <- function(where, expression, answers = 0) {
       problem <- flume_problem(expression)
-      if (!is.null(problem)) refuse(problem, where)
+      if (!is.null(problem)) refuse(problem, where, answers)
       is.null(problem)
     }
     number_of <- function(given) {
@@ -65,37 +73,37 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     since <- 0
     seconds <- function() proc.time()[["elapsed"]]
 
-    # Asks the worker for another gear. A design that is wrong or does not settle changes nothing,
-    # and so does one of a form that has been made anew since. Where only its shape has come, that
-    # is shown before the rest is asked for.
-    ask_worker <- function(kind, asked, answers = 0, step = "do", gesture = -1, then = NULL) {
+    # Asks the worker for another gear, or for the draft as it is when its turn comes (kind
+    # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so does
+    # the last shape. Where only its shape has come, that is shown before the rest is asked for.
+    ask_worker <- function(kind, asked, answers = 0, then = NULL) {
       # of now, in the observer
       force(asked)
       force(answers)
-      turn <- tank$turn
-      ask <- function(kind, asked, found_is) {
+      edited <- tank$edited
+      ask <- function(kind, found_is) {
         make <- function() {
-          if (tank$turn != turn) return(NULL)
-          request <- tank$request(kind, asked, worker$holds, worker$turn, answers)
-          worker$turn <- turn
-          request
+          if (kind == "design") {
+            edited <<- tank$edited
+            asked <- tank$draft
+          }
+          tank$request(kind, asked, worker$holds, answers)
         }
         pause <- if (kind == "rest" && seconds() - since < rest_every) rest_pause else 0
         worker$ask(kind, make, pause = pause, then = function(answer) {
           if (session$isClosed()) return()
-          # a later shape has its place
-          if (is.null(answer) && kind == "rest" && tank$turn == turn) return()
-          if (is.null(answer) || tank$turn != turn) {
-            # what it remembers is on nobody's screen
-            worker$holds <- 0
-            owed <<- NULL
-            tank$forget_picture()
-            return(show(answers))
-          }
+          # a later one has its place
+          if (is.null(answer)) return(if (kind != "rest") said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
-            refuse(answer$problem, kind, answers)
+            if (is.null(answer$draft) || isTRUE(answer$problem$cancelled)) {
+              refuse(answer$problem, kind, answers)
+            } else {
+              tank$hold(answer$draft, edited)
+              show_draft()
+              said("flume_idle", answers = answers)
+            }
             if (is.null(owed)) return()
-            if (kind == "design" && worker$holds > 0) return(owed())
+            if (kind %in% c("design", "plan_text") && worker$holds > 0) return(owed())
             # nobody has the shape on screen any more
             owed <<- NULL
             tank$forget_picture()
@@ -106,21 +114,21 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
         })
       }
       complete <- function(found, passed = FALSE) {
-        anew <- tank$take(kind, found, step, gesture)
+        tank$take(kind, found, edited)
         worker$holds <- tank$serial
         owed <<- NULL
         show(answers, passed)
-        if (anew) lay_out()
+        show_draft()
         if (!is.null(then)) then()
       }
-      ask(kind, asked, function(found) {
+      ask(kind, function(found) {
         if (is.null(found$moved)) return(complete(found))
         session$sendBinaryMessage("flume_moved", found$moved)
         if (found$anew) tank$forget_picture()
         # it goes on from this shape, told whole or not
         worker$holds <- tank$serial
         if (is.null(owed)) since <<- seconds()
-        owed <<- function() ask("rest", NULL, function(found) complete(found, passed = TRUE))
+        owed <<- function() ask("rest", function(found) complete(found, passed = TRUE))
         owed()
       })
     }
@@ -144,19 +152,22 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     session$onFlushed(function() {
       if (is.null(tank$gear)) return()
       show()
-      lay_out()
+      show_draft()
     })
 
     shiny::observeEvent(input$design, {
       given <- as.list(input$design)
+      number <- number_of(given)
       gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
-      of_this_form <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
-      if (is.null(tank$gear) || !of_this_form) {
-        show(number_of(given))
-      } else {
-        edits <- if (is.list(given$edits)) given$edits else list()
-        ask_worker("design", edits, number_of(given), gesture = gesture)
-      }
+      of_this_gear <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
+      if (is.null(tank$gear) || !of_this_gear) return(said("flume_idle", answers = number))
+      edits <- if (is.list(given$edits)) given$edits else list()
+      understood <- NULL
+      if (!trying("design", understood <- tank$edit(edits, gesture), number)) return()
+      # of what was not changed in the form
+      if (isTRUE(given$anew)) tank$lay_out()
+      show_draft(understood, settling = TRUE)
+      ask_worker("design", NULL, number)
     })
     for (kind in c("plan_file", "plan_text", "shipped", "new")) {
       local({
@@ -168,12 +179,16 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
         })
       })
     }
-    shiny::observeEvent(input$undo, step_back("undo"))
-    shiny::observeEvent(input$redo, step_back("redo"))
-    step_back <- function(step) {
-      last <- utils::tail(tank$history[[if (step == "undo") "past" else "future"]], 1L)
-      if (!length(last)) return(show())
-      ask_worker("plan", last[[1L]], number_of(input[[step]]), step = step)
+    for (name in c("undo", "redo")) {
+      local({
+        name <- name
+        shiny::observeEvent(input[[name]], {
+          number <- number_of(input[[name]])
+          if (!tank$step(name)) return(said("flume_idle", answers = number))
+          show_draft(settling = TRUE)
+          ask_worker("design", NULL, number)
+        })
+      })
     }
     shiny::observeEvent(input$cancel, {
       worker$cancel()
@@ -184,7 +199,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       if (!is.null(tank$gear)) tank$count_picture()
     })
 
-    flume_keeping(input, tank, clerk, show, trying, ask_worker, session)
+    flume_keeping(input, tank, clerk, show, show_draft, trying, ask_worker, session)
     flume_shown(input, output, tank, said)
     flume_draws(input, tank, ask_clerk, said)
     flume_slopes(input, output, session, tank, ask_clerk, said)
@@ -211,7 +226,7 @@ same_origin <- function(request) {
 
 # Designs that are kept: input$keep = list(name), input$kept = list(id, act, name), and the words of
 # an address.
-flume_keeping <- function(input, tank, clerk, show, trying, ask_worker, session) {
+flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_worker, session) {
   shiny::observeEvent(input$keep, {
     if (!is.null(tank$gear) && trying("keep", tank$keep(as.list(input$keep)$name))) show()
   })
@@ -220,8 +235,10 @@ flume_keeping <- function(input, tank, clerk, show, trying, ask_worker, session)
     act <- if (is_text(asked$act)) asked$act else ""
     if (act == "open") {
       trying("keep", {
-        kept <- tank$kept[[tank$kept_at(asked$id)]]
-        ask_worker("plan", kept$design, if (is.numeric(asked$number)) asked$number[1] else 0)
+        tank$change(tank$kept[[tank$kept_at(asked$id)]]$design)
+        tank$lay_out()
+        show_draft(settling = TRUE)
+        ask_worker("design", NULL, if (is.numeric(asked$number)) asked$number[1] else 0)
       })
     } else {
       good <- trying("keep", switch(act,
@@ -237,6 +254,7 @@ flume_keeping <- function(input, tank, clerk, show, trying, ask_worker, session)
     asked <- as.list(input$words)
     others <- utils::head(as.list(as.list(asked$asked)$kept), most_kept)
     first_words <- as.list(as.list(asked$asked)$now)
+    draft <- as.list(as.list(asked$asked)$draft)$plan
     begun <- FALSE
     settle_next <- function(opened) {
       if (!length(others) || session$isClosed() || !identical(tank$loaded, opened)) {
@@ -260,7 +278,10 @@ flume_keeping <- function(input, tank, clerk, show, trying, ask_worker, session)
       )
     }
     number <- if (is.numeric(asked$number)) asked$number[1] else 0
-    ask_worker("words", first_words, number, then = function() settle_next(tank$loaded))
+    ask_worker("words", first_words, number, then = function() {
+      if (is_text(draft)) ask_worker("plan_text", draft)
+      settle_next(tank$loaded)
+    })
   })
 }
 
@@ -291,7 +312,7 @@ flume_shown <- function(input, output, tank, said) {
   })
   # The page asks for texts once nothing moves: they take longer than a picture.
   shiny::observeEvent(input$plan_wanted, {
-    if (!is.null(tank$gear)) said("flume_plan", text = format(tank$gear, remarks = TRUE))
+    if (!is.null(tank$gear)) said("flume_plan", text = draft_text(tank$draft))
   })
   shiny::observeEvent(input$words_wanted, {
     if (!is.null(tank$gear)) said("flume_words", words = tank$words())
@@ -304,7 +325,7 @@ flume_shown <- function(input, output, tank, said) {
     asked <- as.list(input$offers)
     if (is.null(tank$gear) || !is_text(asked$path) || !is_text(asked$title)) return()
     offers <- NULL
-    problem <- flume_problem(offers <- form_offers(tank$gear$plan, asked$path, asked$title))
+    problem <- flume_problem(offers <- form_offers(tank$draft$plan, asked$path, asked$title))
     if (is.null(problem)) {
       said("flume_offers", path = asked$path, title = asked$title, offers = offers)
     }

@@ -1,9 +1,11 @@
-# What one page of the flume tank holds: the design on screen, those that it keeps, what was done.
+# What one page of the flume tank holds: the last design that settled, the draft that is being
+# changed, the designs that it keeps, what was done.
 #
-# `base` is the gear that changes of its form are told of; `turn` counts how often the form was made
-# anew, `changed` the pictures, `kept_changed` changes of the kept designs. `serial` numbers the
-# states. `slopes` and `uncertainty` are those found of the state on screen, `trajectory` the last
-# tow, serialised. `pinned` is the kept design that others are compared with.
+# `draft` is a design (list(plan, file, source)) that may be unfinished, `problems` what is wrong with
+# it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the pictures,
+# `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and `uncertainty`
+# are those found of the state on screen, `trajectory` the last tow, serialised. `pinned` is the kept
+# design that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
 new_tank <- function(start, marked, nodes) {
@@ -11,6 +13,8 @@ new_tank <- function(start, marked, nodes) {
   tank$known <- list()
   tank$turn <- 0L
   tank$serial <- 1L
+  tank$edited <- 0L
+  tank$problems <- list()
   tank$gesture <- -1
   tank$ids <- 0L
   tank$kept <- list()
@@ -23,49 +27,87 @@ new_tank <- function(start, marked, nodes) {
 
   count <- function(value) value(shiny::isolate(value()) + 1L)
   screen <- function() as.list(tank)[c("gear", "state", "drawing", "measures", "notes")]
-  # The form is made anew, from the gear on screen.
-  tank$lay_out <- function() {
-    tank$base <- tank$gear
-    tank$turn <- tank$turn + 1L
-  }
   tank$count_picture <- function() count(tank$changed)
   tank$count_slopes <- function() count(tank$slopes_changed)
   tank$count_uncertainty <- function() count(tank$uncertainty_changed)
-  tank$form <- function() form_message(tank$gear$plan, marked_of(marked, tank$gear$plan), tank$turn)
+  tank$form <- function() {
+    plan <- tank$draft$plan
+    tank$laid_out <- given_paths(plan)
+    form_message(plan, marked_of(marked, plan), tank$turn)
+  }
+  # The form is made anew, whether its fields are others or not.
+  tank$lay_out <- function() tank$laid_out <- NULL
+  # Whether the form has other fields than the draft.
+  tank$form_is_old <- function() !identical(tank$laid_out, given_paths(tank$draft$plan))
 
-  # A request of a worker that holds the state of a number and the gear of a form.
-  tank$request <- function(kind, said, holds = 0L, turn = -1L, number = 0) {
+  # A request of a worker that holds the state of a number.
+  tank$request <- function(kind, said, holds = 0L, number = 0) {
     list(
       kind = kind, said = said, number = number, nodes = nodes, file = tank$gear$file,
-      base = if (!identical(turn, tank$turn)) tank$base,
       state = if (!identical(holds, tank$serial)) tank$state
     )
   }
 
-  # Puts on screen what a worker found; whether the form is to be made anew.
-  # step: "do", "undo" or "redo"; gesture: number of a movement of a control's.
-  tank$take <- function(kind, found, step = "do", gesture = -1) {
-    before <- if (!is.null(tank$gear)) design_of(tank$gear)
-    opened <- kind %in% opening_requests
-    fields <- if (!is.null(before)) given_paths(before$plan)
+  # Another draft in place of the last, which can be undone. gesture: number of a movement of a
+  # control's, which is undone as one.
+  tank$change <- function(design, gesture = -1) {
+    again <- gesture >= 0 && gesture == tank$gesture
+    tank$history <- history_after(tank$history, tank$draft, again)
+    tank$gesture <- gesture
+    tank$draft <- design
+    tank$edited <- tank$edited + 1L
+  }
+  # ... what a page changes of it; what its numbers were understood as.
+  tank$edit <- function(edits, gesture = -1) {
+    found <- edited_plan(tank$draft$plan, edits)
+    design <- tank$draft
+    design$plan <- found$plan
+    tank$change(design, gesture)
+    found$understood
+  }
+  # ... a step back, or on; whether there was one.
+  tank$step <- function(name) {
+    last <- utils::tail(tank$history[[if (name == "undo") "past" else "future"]], 1L)
+    if (!length(last)) return(FALSE)
+    tank$history <- history_back(tank$history, tank$draft, name == "redo")
+    tank$draft <- last[[1L]]
+    tank$gesture <- -1
+    tank$edited <- tank$edited + 1L
+    tank$lay_out()
+    TRUE
+  }
+
+  # Puts on screen what a worker found. edited: of the draft that it was asked for.
+  tank$take <- function(kind, found, edited = tank$edited) {
     list2env(found[c("gear", "state", "notes", "drawing", "measures")], tank)
     tank$serial <- tank$serial + 1L
     tank$slopes <- tank$uncertainty <- NULL
-    if (opened) {
+    if (kind %in% opening_requests) {
       tank$loaded <- tank$gear
+      tank$draft <- design_of(tank$gear)
       tank$history <- new_history()
+      tank$edited <- tank$edited + 1L
+      tank$turn <- tank$turn + 1L
+      tank$lay_out()
       tank$kept <- list()
       tank$keep("As opened")
-    } else if (step == "do") {
-      again <- kind == "design" && gesture >= 0 && gesture == tank$gesture
-      tank$history <- history_after(tank$history, before, again)
-    } else {
-      tank$history <- history_back(tank$history, before, step == "redo")
+      tank$problems <- list()
+    } else if (kind == "plan_text") {
+      tank$change(design_of(tank$gear))
+      tank$lay_out()
+      tank$problems <- list()
+    } else if (edited == tank$edited) {
+      tank$draft <- design_of(tank$gear)
+      tank$problems <- list()
     }
-    tank$gesture <- if (kind == "design") gesture else -1
-    anew <- kind != "design" || !identical(fields, given_paths(tank$gear$plan))
-    if (anew) tank$lay_out()
-    anew
+  }
+  # Keeps a draft that does not settle: draft as draft_problems() gives it.
+  tank$hold <- function(draft, edited = tank$edited) {
+    if (!is.null(draft$design)) {
+      tank$change(draft$design)
+      tank$lay_out()
+    }
+    if (!is.null(draft$design) || edited == tank$edited) tank$problems <- draft$problems
   }
 
   tank$keep <- function(name = NULL, found = screen()) {
@@ -116,7 +158,8 @@ new_tank <- function(start, marked, nodes) {
   # What the address says: the design on screen and those that are kept.
   tank$words <- function() {
     named <- lapply(tank$kept, function(kept) c(list(name = kept$name), design_words(kept$design)))
-    list(now = design_words(design_of(tank$gear)), kept = named)
+    draft <- if (length(tank$problems)) list(plan = draft_text(tank$draft))
+    list(now = design_words(design_of(tank$gear)), kept = named, draft = draft)
   }
 
   if (!is.null(start)) tank$take("shipped", with_picture(start))

@@ -9,8 +9,7 @@
 #                          place of; it waits `pause` s [0] unless others wait behind it
 #   cancel()               ends what it is about and all that waits, which are answered so
 #   stop()                 ends it
-#   holds, turn            numbers for the tank: the state that the worker remembers (0: none) and
-#                          the form whose gear it remembers (-1: none)
+#   holds                  a number for the tank: the state that the worker remembers (0: none)
 
 # Seconds that the answer to one request may take: of what moves the net, and of what somebody asks
 # for and waits (reports, drawings, tows); and bytes that a worker may take.
@@ -57,7 +56,7 @@ look_share <- 0.15
 
 # Requests of one of these a later one takes the place of while they wait.
 replaced_requests <- list(
-  c("design", "plan_text", "plan_file", "shipped", "new", "words", "plan"), "drawing", "slopes",
+  c("design", "plan_text", "plan_file", "shipped", "new", "words"), "drawing", "slopes",
   "uncertainty", "tow"
 )
 
@@ -76,7 +75,6 @@ direct_worker <- function(...) {
   worker <- new.env(parent = emptyenv())
   memory <- new.env(parent = emptyenv())
   worker$holds <- 0
-  worker$turn <- -1L
   worker$stop <- worker$cancel <- function() NULL
   worker$ask <- function(kind, make, then, pause = 0) {
     request <- make()
@@ -100,8 +98,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     process <<- answering_process(bytes)
     tank_workers[[id]] <- worker
     worker$holds <- 0
-    worker$turn <- -1L
-    idle <<- FALSE
+      idle <<- FALSE
     current <<- list(since = now(), until = now() + start_seconds)
     look_later(look_first)
   }
@@ -179,8 +176,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     }
     end_process()
     worker$holds <- 0
-    worker$turn <- -1L
-  }
+    }
   look <- function() {
     if (stopped || idle || is.null(process)) return()
     if (has_answered(process)) return(finish())

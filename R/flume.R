@@ -26,8 +26,9 @@
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
 #' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
 #'   or what the plan's section `tow` says, to play with its graphs;
-#' - the net drawing ([plot.codend_gear()]): a click on a panel, a rope or a figure opens its fields
-#'   in the form;
+#' - the net drawing ([plot.codend_gear()]), which is an editor: a click on a number is followed by
+#'   typing, a click on a panel or a rope opens its fields in the form, the lower edge of a chosen
+#'   panel can be dragged; the wheel, two fingers, `+`, `-` and the arrow keys zoom and move it;
 #' - the three planes, the tensions ranked by part with their margin to the breaking load, the drag
 #'   by part, what differs from the kept design, the plan and the R code of what is on screen.
 #'
@@ -35,9 +36,13 @@
 #' those kept, so that a reload loses neither and a link shows them to others. Lengths, forces and
 #' speeds are shown in the units that the user likes.
 #'
+#' A design may be unfinished: every change is kept, in any order. What does not fit is marked in the
+#' form and the drawing, with a sentence, and the tank shows the last design that fits. A number alone
+#' has the unit shown at its field; `20,5`, `20.5 m` and `11 fm` are read too.
+#'
 #' A plan file dropped on the page, or chosen there, takes the gear's place. A wrong one is answered
-#' as [read_gear()] answers, and a wrong value next to its control; a design that does not settle
-#' leaves the last shape on screen and says where the imbalance is. Nothing that is typed or loaded
+#' as [read_gear()] answers; a design that does not settle leaves the last shape on screen and says
+#' where the imbalance is. Nothing that is typed or loaded
 #' is run as code.
 #'
 #' A settle that takes long says so and can be cancelled. What is on screen can be saved: a report

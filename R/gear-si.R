@@ -12,7 +12,7 @@
 # where it is one); that assembly's checked fields; and the SI numbers of si_of().
 check_whole <- function(plan, last = NULL) {
   fields <- check_plan(plan, last$plan, last$fields)
-  tryCatch(
+  withCallingHandlers(
     check_parts(plan, fields, last),
     codend_error_plan = function(e) abort_as_written(e, plan)
   )

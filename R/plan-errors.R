@@ -1,10 +1,14 @@
 # What a wrong plan is answered with: one message form, one condition class.
 
 # Stops with a "codend_error_plan" that carries the field's path and its value, and `said`, the
-# message as it is here; `...`: further fields of the condition.
+# message as it is here; `...`: further fields of the condition. Who collects all that is wrong
+# (draft_gear()) goes on behind it.
 abort_plan <- function(message, path, value = NULL, ...) {
-  abort_as("plan", "{message}", path = path, value = value, said = message, ...,
-    envir = environment())
+  withRestarts(
+    abort_as("plan", "{message}", path = path, value = value, said = message, ...,
+      envir = environment()),
+    codend_go_on = function() NULL
+  )
 }
 
 # The same error with line and column of its field in the text of a plan file, where they are known.

@@ -1,25 +1,27 @@
-// The net drawing in the flume tank: a thing that is clicked opens its fields in the form.
+// The net drawing in the flume tank, which is its editor: zoom and pan, click a number and type, drag the
+// lower edge of a panel to make it deeper.
 //
-// codendDrawing.show(text) shows an SVG; .want() asks for it where its tab is seen, once nothing moves.
+// codendDrawing.show(text) shows an SVG; .want() asks for it where it is seen, once nothing moves;
+// .wrong(paths) marks fields that do not fit.
 window.codendDrawing = (function () {
   'use strict';
 
-  var timer = null, stale = true;
+  var element = window.codendView.element;
+  var timer = null, stale = true, wrong_paths = [], box = null, whole = null, handle = null;
+  var legible = 11;  // px, the smallest letters when the drawing opens
   function find(id) { return document.getElementById(id); }
-  function seen() {
-    var tab = document.querySelector('#shown .active');
-    return tab && tab.dataset.value === 'Drawing';
-  }
+  function seen() { return find('flume').classList.contains('drawn'); }
+  function svg() { return find('drawing').querySelector('svg'); }
 
   function want(moved) {
     if (moved) stale = true;
     window.clearTimeout(timer);
     if (!stale || !seen()) return;
     timer = window.setTimeout(function () {
-      if (window.codendTalk.waits()) { want(); return; }
+      if (window.codendTalk.waits() || find('drawing').querySelector('.typed')) { want(); return; }
       stale = false;
       window.codendTalk.tell('drawing_wanted', Date.now());
-    }, 300);
+    }, 250);
   }
 
   // Texts of a plan may be anybody's: nothing in the drawing may run or load.
@@ -37,36 +39,261 @@ window.codendDrawing = (function () {
   function show(text) {
     var found = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
     if (found.nodeName !== 'svg') return;
-    var svg = document.importNode(harmless(found), true), place = find('drawing');
-    svg.removeAttribute('width');
-    svg.removeAttribute('height');
-    place.textContent = '';
-    place.appendChild(svg);
-    svg.querySelectorAll('[data-path]').forEach(function (one) {
+    var made = document.importNode(harmless(found), true), place = find('drawing');
+    var view = made.getAttribute('viewBox').split(' ').map(Number), focused = document.activeElement;
+    var at = focused && place.contains(focused) && focused.dataset.path;
+    made.removeAttribute('width');
+    made.removeAttribute('height');
+    place.querySelectorAll('svg').forEach(function (one) { one.remove(); });
+    place.appendChild(made);
+    handle = null;
+    made.querySelectorAll('[data-path]').forEach(function (one) {
       one.setAttribute('tabindex', '0');
       one.setAttribute('role', 'button');
-      one.setAttribute('aria-label', 'Change ' + one.dataset.path.replace(/[._]/g, ' '));
+      var shown = one.querySelector('text');
+      one.setAttribute('aria-label', 'Change ' + one.dataset.path.replace(/[._]/g, ' ') +
+        (shown ? ': ' + shown.textContent : ''));
+      if (one.dataset.path === at) one.focus({ preventScroll: true });
+    });
+    whole = view;
+    if (!box) open_view();
+    look();
+    mark();
+  }
+
+  // ---- zoom and pan -------------------------------------------------------------------------------
+
+  // As much of the sheet as leaves its letters legible, from the netting's corner on.
+  function open_view() {
+    var place = find('drawing'), sizes = [].slice.call(svg().querySelectorAll('[data-path] text'))
+      .map(function (one) { return Number(one.getAttribute('font-size')); });
+    var least = sizes.length ? Math.min.apply(null, sizes) : 2.5;
+    var wide = Math.min(whole[2], place.clientWidth * least / legible);
+    box = [whole[0], whole[1], wide, wide * place.clientHeight / place.clientWidth];
+    var first = svg().querySelector('[data-component="panel"]');
+    if (first && wide < whole[2]) {
+      var b = first.getBBox();
+      box[0] = Math.max(0, b.x + b.width / 2 - box[2] / 2);
+      box[1] = Math.max(0, b.y - 0.1 * box[3]);
+    }
+  }
+
+  function look() {
+    if (!svg() || !box) return;
+    var place = find('drawing');
+    box[3] = box[2] * place.clientHeight / Math.max(place.clientWidth, 1);
+    svg().setAttribute('viewBox', box.map(function (v) { return v.toFixed(3); }).join(' '));
+  }
+
+  // share < 1 zooms in; x, y: what stays, as shares of the picture.
+  function zoom(share, x, y) {
+    if (!box) return;
+    share = Math.min(Math.max(share, 5 / box[2]), 1.3 * Math.max(whole[2], whole[3]) / box[2]);
+    box[0] += box[2] * (1 - share) * x;
+    box[1] += box[3] * (1 - share) * y;
+    box[2] *= share;
+    look();
+  }
+  function pan(dx, dy) {
+    box[0] += dx * box[2];
+    box[1] += dy * box[3];
+    look();
+  }
+
+  var fingers = {}, apart = 0, moved = 0;
+  function share_of(event) {
+    var r = find('drawing').getBoundingClientRect();
+    return [(event.clientX - r.left) / r.width, (event.clientY - r.top) / r.height, r];
+  }
+  function listen() {
+    var place = find('drawing');
+    place.addEventListener('wheel', function (event) {
+      if (!box) return;
+      event.preventDefault();
+      var at = share_of(event);
+      zoom(Math.exp(event.deltaY * 0.0015), at[0], at[1]);
+    }, { passive: false });
+    place.addEventListener('pointerdown', function (event) {
+      if (event.target.closest('.typed')) return;
+      fingers[event.pointerId] = [event.clientX, event.clientY];
+      moved = 0;
+      if (event.target.classList.contains('edge-handle')) begin_drag(event);
+    });
+    place.addEventListener('pointermove', function (event) {
+      var before = fingers[event.pointerId];
+      if (!before || !box) return;
+      var r = share_of(event)[2], dx = event.clientX - before[0], dy = event.clientY - before[1];
+      if (dragged) { drag(event); return; }
+      moved += Math.abs(dx) + Math.abs(dy);
+      before[0] = event.clientX;
+      before[1] = event.clientY;
+      var all = Object.keys(fingers);
+      if (all.length > 1) {
+        var a = fingers[all[0]], b = fingers[all[1]], gap = Math.hypot(a[0] - b[0], a[1] - b[1]);
+        if (apart) zoom(apart / gap, ((a[0] + b[0]) / 2 - r.left) / r.width, ((a[1] + b[1]) / 2 - r.top) / r.height);
+        apart = gap;
+      } else if (moved > 4) pan(-dx / r.width, -dy / r.height);
+    });
+    ['pointerup', 'pointercancel', 'pointerleave'].forEach(function (name) {
+      place.addEventListener(name, function (event) {
+        delete fingers[event.pointerId];
+        apart = 0;
+        if (dragged) end_drag();
+      });
+    });
+    new ResizeObserver(look).observe(place);
+    place.addEventListener('keydown', function (event) {
+      if (!box || event.target.closest('.typed')) return;
+      var steps = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+      var thing = event.target.closest('[data-path]');
+      if (steps[event.key]) pan.apply(null, steps[event.key]);
+      else if (event.key === '+' || event.key === '=') zoom(0.8, 0.5, 0.5);
+      else if (event.key === '-') zoom(1.25, 0.5, 0.5);
+      else if (event.key === '0') { box = whole.slice(); look(); }
+      else if ((event.key === 'Enter' || event.key === ' ') && thing) change(thing);
+      else return;
+      event.preventDefault();
+    });
+    place.addEventListener('focusin', function (event) {
+      var thing = event.target.closest('[data-path]');
+      if (!thing || !box || moved) return;
+      var b = thing.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
+      if (x < box[0] || y < box[1] || x > box[0] + box[2] || y > box[1] + box[3]) {
+        box[0] = x - box[2] / 2;
+        box[1] = y - box[3] / 2;
+        look();
+      }
+    });
+    place.addEventListener('click', function (event) {
+      var thing = event.target.closest('[data-path]');
+      if (moved > 4 || !thing) return;
+      change(thing);
     });
   }
 
-  function open(target) {
-    var thing = target.closest && target.closest('#drawing [data-path]');
-    if (!thing) return false;
-    document.querySelectorAll('#drawing .chosen').forEach(function (one) {
-      one.classList.remove('chosen');
-    });
-    thing.classList.add('chosen');
-    if (!window.codendForm.open(thing.dataset.path)) {
-      window.codendPage.tell('refused', 'The form has no field of ' + thing.dataset.path + '.');
+  // ---- edits --------------------------------------------------------------------------------------
+
+  // Opens what is clicked: a number or a word to type in place, a part in the form.
+  function change(thing) {
+    var path = thing.dataset.path, field = window.codendForm.field(path), text = thing.querySelector('text');
+    choose(thing);
+    if (text && field) type_in(thing, path, field);
+    else if (!window.codendForm.open(path, true)) {
+      window.codendPage.tell('refused', 'The form has no field of ' + path + '.');
     }
-    return true;
+    if (!text) grip(thing, path);
   }
-  document.addEventListener('click', function (event) { open(event.target); });
-  document.addEventListener('keydown', function (event) {
-    if (event.key !== 'Enter' && event.key !== ' ') return;
-    if (event.target.closest && event.target.closest('#drawing [data-path]') && open(event.target)) {
-      event.preventDefault();
+
+  function choose(thing) {
+    document.querySelectorAll('#drawing .chosen').forEach(function (one) { one.classList.remove('chosen'); });
+    thing.classList.add('chosen');
+  }
+
+  function type_in(thing, path, field) {
+    var place = find('drawing'), old = place.querySelector('.typed');
+    if (old) old.remove();
+    var r = thing.getBoundingClientRect(), home = place.getBoundingClientRect();
+    var row = element('form', 'typed control-row'), input = element(field.kind === 'choice' ? 'select' : 'input',
+      'form-control form-control-sm', undefined, { 'aria-label': path.replace(/[._]/g, ' '), autocomplete: 'off' });
+    if (field.kind === 'choice') {
+      field.choices.forEach(function (one) { input.appendChild(element('option', '', one, { value: one })); });
     }
+    input.value = field.value === null || field.value === undefined ? '' : field.value;
+    row.appendChild(input);
+    if (field.unit) row.appendChild(element('span', 'note', field.unit));
+    row.style.left = Math.max(0, Math.min(r.left - home.left, home.width - 150)) + 'px';
+    row.style.top = Math.max(0, Math.min(r.bottom - home.top, home.height - 40)) + 'px';
+    var done = false;
+    function finish(keep) {
+      if (done) return;
+      done = true;
+      var typed = String(input.value).trim();
+      row.remove();
+      if (keep && typed && typed !== String(field.value)) {
+        window.codendForm.edit(path, { value: typed, unit: field.unit });
+      }
+      want();
+      thing.focus({ preventScroll: true });
+    }
+    row.addEventListener('submit', function (event) { event.preventDefault(); finish(true); });
+    input.addEventListener('keydown', function (event) {
+      event.stopPropagation();
+      if (event.key === 'Escape') { finish(false); return; }
+      if (event.key !== 'Tab') return;
+      event.preventDefault();
+      var all = [].slice.call(svg().querySelectorAll('[data-path]')).filter(function (one) {
+        return one.querySelector('text') && window.codendForm.field(one.dataset.path);
+      });
+      var next = all[all.indexOf(thing) + (event.shiftKey ? -1 : 1)];
+      finish(true);
+      if (next) { next.focus(); change(next); }
+    });
+    input.addEventListener('blur', function () { finish(true); });
+    place.appendChild(row);
+    input.focus();
+    if (input.select) input.select();
+  }
+
+  // The lower edge of a chosen panel can be dragged.
+  var dragged = null;
+  function grip(thing, path) {
+    if (handle) handle.remove();
+    handle = null;
+    var field = window.codendForm.field(path + '.meshes.deep'), shape = thing.querySelector('polygon');
+    if (!field || !shape || typeof field.value !== 'number') return;
+    var b = shape.getBBox();
+    handle = document.createElementNS(svg().namespaceURI, 'rect');
+    handle.setAttribute('class', 'edge-handle');
+    Object.entries({ x: b.x, y: b.y + b.height - 1, width: b.width, height: 2 })
+      .forEach(function (one) { handle.setAttribute(one[0], one[1]); });
+    handle.about = { path: path + '.meshes.deep', deep: field.value, box: b };
+    svg().appendChild(handle);
+  }
+  function begin_drag(event) {
+    dragged = { about: handle.about, from: event.clientY, deep: handle.about.deep };
+    find('drawing').setPointerCapture(event.pointerId);
+  }
+  function drag(event) {
+    var about = dragged.about, mm = box[3] / find('drawing').clientHeight * (event.clientY - dragged.from);
+    dragged.deep = Math.max(1, Math.round(about.deep * (1 + mm / about.box.height)));
+    handle.setAttribute('y', about.box.y + about.box.height * dragged.deep / about.deep - 1);
+    find('drawing_said').textContent = dragged.deep + ' meshes deep';
+  }
+  function end_drag() {
+    var one = dragged;
+    dragged = null;
+    if (one.deep !== one.about.deep) window.codendForm.edit(one.about.path, { value: one.deep, unit: '' });
+  }
+
+  // ---- what does not fit --------------------------------------------------------------------------
+
+  function mark() {
+    if (!svg()) return;
+    svg().querySelectorAll('[data-path]').forEach(function (one) {
+      var path = one.dataset.path;
+      one.classList.toggle('wrong', wrong_paths.some(function (wrong) {
+        return wrong && (wrong === path || wrong.indexOf(path + '.') === 0 || path.indexOf(wrong + '.') === 0);
+      }));
+    });
+  }
+
+  function see(drawn) {
+    find('flume').classList.toggle('drawn', drawn);
+    find('see_tank').setAttribute('aria-pressed', String(!drawn));
+    find('see_drawing').setAttribute('aria-pressed', String(drawn));
+    want();
+    look();
+  }
+  document.addEventListener('click', function (event) {
+    var id = event.target.id;
+    if (id === 'see_tank' || id === 'see_drawing') see(id === 'see_drawing');
+    else if (id === 'drawing_in') zoom(0.8, 0.5, 0.5);
+    else if (id === 'drawing_out') zoom(1.25, 0.5, 0.5);
+    else if (id === 'drawing_all' && whole) { box = whole.slice(); look(); }
   });
-  return { show: show, want: want };
+  document.addEventListener('DOMContentLoaded', listen);
+  return {
+    show: show, want: want, opened: function () { box = null; },
+    wrong: function (paths) { wrong_paths = paths; mark(); }
+  };
 }());

@@ -8,10 +8,11 @@ window.codendForm = (function () {
 
   var element = window.codendView.element;
   var form = null;       // R's message
-  var moved = {};        // changes by path, since the form was laid out
-  var sent = null;       // {number, edits} of the question that waits for its answer
+  var moved = {};        // changes by path that are not sent yet
+  var sent = null;       // the number of the question that waits for its answer
   var latest = null;     // the number of the last question
-  var more = false;      // whether something moved since
+  var typing = null;     // of a number that is being typed
+  var anew = false;      // whether a change that is not sent yet was made elsewhere
   var last = null;       // the control that was moved last
   var gesture = 0;       // of one movement, which is undone as one
   var opened = {};       // groups and parts that are open, by title and path
@@ -56,11 +57,12 @@ window.codendForm = (function () {
       row.lastChild.value = shown(field.value);
       row.lastChild.setAttribute('aria-valuetext', shown(field.value) + ' ' + field.unit);
     }
-    var input = element('input', 'form-control form-control-sm', undefined, {
-      type: 'number', id: id, step: field.whole ? '1' : 'any', inputmode: 'decimal',
-      'aria-describedby': id + '_help ' + id + '_error'
+    var input = element('input', 'form-control form-control-sm number', undefined, {
+      type: 'text', id: id, inputmode: 'text', autocomplete: 'off', spellcheck: 'false',
+      'aria-describedby': id + '_help ' + id + '_error ' + id + '_echo'
     });
     if (known) input.value = shown(field.value);
+    else if (field.typed) input.value = field.typed;
     row.appendChild(input);
     if (field.dimension) {
       var select = element('select', 'form-select form-select-sm unit', undefined,
@@ -142,6 +144,7 @@ window.codendForm = (function () {
     }
     var help = [field.help, field.must && 'Must be ' + field.must + '.'].filter(Boolean).join(' ');
     box.appendChild(element('p', 'help note', help, { id: id + '_help' }));
+    box.appendChild(element('p', 'echo note', '', { id: id + '_echo', hidden: '' }));
     box.appendChild(element('p', 'field-error', '', { id: id + '_error', hidden: '' }));
     return box;
   }
@@ -174,10 +177,12 @@ window.codendForm = (function () {
       tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', 'Add a field',
         { type: 'button', 'data-path': part.path, 'data-title': title }));
     }
-    if (part.like) {
-      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-like',
-        'Another like ' + part.like.split('.').pop().replace(/_/g, ' '),
-        { type: 'button', 'data-path': part.path, 'data-like': part.like }));
+    if (part.named) {
+      [['copy', 'Copy', 'Copy '], ['rename', 'Rename', 'Rename '], ['ahead', '\u2191', 'Move ahead: '],
+        ['behind', '\u2193', 'Move behind: ']].forEach(function (one) {
+        tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm part-act', one[1],
+          { type: 'button', 'data-path': part.path, 'data-act': one[0], 'aria-label': one[2] + part.title }));
+      });
     }
     if (part.path && !part.required) {
       tools.appendChild(element('button', 'btn btn-outline-danger btn-sm take-part', 'Take it out',
@@ -188,8 +193,9 @@ window.codendForm = (function () {
 
   function fill_part(part, title, box) {
     if (part.help) box.appendChild(element('p', 'note', part.help));
+    if (part.named) part_tools(part, title, box);
     (part.fields || []).forEach(function (field) { box.appendChild(control(field, !field.required)); });
-    part_tools(part, title, box);
+    if (!part.named) part_tools(part, title, box);
   }
 
   function group(one) {
@@ -223,6 +229,7 @@ window.codendForm = (function () {
       if ((one.parts && one.parts.length) || one.open) all.appendChild(group(one));
     });
     search();
+    mark();
     window.scrollTo({ top: kept, behavior: 'instant' });
     if (focused) {
       controls_of(focused[0].split(' ')[0]).some(function (box) {
@@ -240,7 +247,8 @@ window.codendForm = (function () {
   }
 
   // Opens the part that a path leads to, or the nearest one around it; whether there is one.
-  function open(path) {
+  // quiet: what has the focus keeps it.
+  function open(path, quiet) {
     if (!form) return false;
     var steps = path.split('.'), found = null;
     while (steps.length && !found) {
@@ -271,8 +279,9 @@ window.codendForm = (function () {
     var target = box || inner || outer;
     document.querySelectorAll('.marked').forEach(function (one) { one.classList.remove('marked'); });
     target.classList.add('marked');
+    if (quiet) return true;
     target.scrollIntoView({ block: 'nearest' });
-    var field = target.querySelector('input[type=number], input[type=text], select, textarea, input');
+    var field = target.querySelector('input[type=text], select, textarea, input');
     if (field) field.focus({ preventScroll: true });
     return true;
   }
@@ -320,23 +329,36 @@ window.codendForm = (function () {
   // ---- moving -------------------------------------------------------------------------------------
 
   function send() {
-    if (sent) { more = true; return; }
-    more = false;
+    if (sent || !Object.keys(moved).length) return;
     // nothing more may come of the last, once its shape has
     window.codendTalk.free(latest);
-    var number = window.codendTalk.next('settling');
-    latest = number;
-    sent = { number: number, edits: JSON.stringify(moved), by: last };
-    Shiny.setInputValue('design', { number: number, turn: form.turn, gesture: gesture, edits: moved },
-      { priority: 'event' });
+    sent = latest = window.codendTalk.next('settling');
+    var edits = moved;
+    moved = {};
+    Shiny.setInputValue('design', { number: sent, turn: form.turn, gesture: gesture, edits: edits,
+      anew: anew }, { priority: 'event' });
+    anew = false;
   }
 
   function change(box, edit) {
     if (last !== box) gesture += 1;
     last = box;
-    box.dataset.paths.split(' ').forEach(function (path) { moved[path] = edit; });
-    clear_error(box);
+    box.dataset.paths.split(' ').forEach(function (path) {
+      delete moved[path];
+      moved[path] = edit;
+    });
     send();
+  }
+
+  // Changes of parts go in their order, each a step of its own.
+  function edit(path, what) {
+    gesture += 1;
+    last = null;
+    delete moved[path];
+    moved[path] = what;
+    anew = true;
+    send();
+    gesture += 1;
   }
 
   // The other controls of the same field show the same.
@@ -345,8 +367,8 @@ window.codendForm = (function () {
       if (other === box || other.dataset.kind !== box.dataset.kind) return;
       if (other.dataset.kind === 'number') {
         var unit = other.querySelector('.unit'), mine = box.querySelector('.unit'), value = edit.value;
-        if (unit && mine) value = tidy(value * mine.dataset.factor / unit.dataset.factor);
-        other.querySelector('[type=number]').value = value;
+        if (unit && mine && typeof value === 'number') value = tidy(value * mine.dataset.factor / unit.dataset.factor);
+        other.querySelector('.number').value = value;
         reach(other.querySelector('[type=range]'), value);
       } else if (other.dataset.kind === 'truth') other.querySelector('.truth').checked = edit.value;
       else other.querySelector('.choice, .text').value = edit.value;
@@ -364,16 +386,14 @@ window.codendForm = (function () {
   function move(box, source) {
     var kind = box.dataset.kind, edit;
     if (kind === 'number') {
-      var slider = box.querySelector('[type=range]'), field = box.querySelector('[type=number]');
+      var slider = box.querySelector('[type=range]'), field = box.querySelector('.number');
       var unit = box.querySelector('.unit');
       if (source === slider) field.value = slider.value;
-      if (field.value === '' || !isFinite(field.valueAsNumber)) {
-        show_error(box, 'A number is needed here.');
-        return;
-      }
-      if (source === field) reach(slider, field.valueAsNumber);
-      edit = { value: field.valueAsNumber, unit: unit ? unit.value : '' };
-      if (slider) slider.setAttribute('aria-valuetext', field.value + ' ' + edit.unit);
+      var typed = field.value.trim(), plain = /^[-+]?\d*\.?\d+$/.test(typed);
+      if (!typed) return;
+      if (source === field && plain) reach(slider, Number(typed));
+      edit = { value: source === slider ? Number(typed) : typed, unit: unit ? unit.value : '' };
+      if (slider) slider.setAttribute('aria-valuetext', typed + ' ' + edit.unit);
     } else if (kind === 'truth') {
       edit = { value: box.querySelector('.truth').checked };
     } else {
@@ -389,9 +409,9 @@ window.codendForm = (function () {
     var option = unit.selectedOptions[0], before = Number(unit.dataset.factor);
     var share = before / Number(option.dataset.factor);
     unit.dataset.factor = option.dataset.factor;
-    var slider = box.querySelector('[type=range]'), field = box.querySelector('[type=number]');
-    if (field.value === '') return;
-    var value = tidy(field.valueAsNumber * share);
+    var slider = box.querySelector('[type=range]'), field = box.querySelector('.number');
+    if (field.value === '' || !isFinite(Number(field.value))) return;
+    var value = tidy(Number(field.value) * share);
     if (slider) {
       var ends = [tidy(slider.min * share), tidy(slider.max * share)], step = tidy(slider.step * share);
       slider.min = ends[0];
@@ -400,20 +420,24 @@ window.codendForm = (function () {
       slider.value = value;
     }
     field.value = value;
-    box.dataset.paths.split(' ').forEach(function (path) {
-      if (moved[path]) moved[path] = { value: value, unit: unit.value };
-    });
   }
 
   document.addEventListener('input', function (event) {
-    var box = event.target.closest('.control');
-    if (box && /^(range|number)$/.test(event.target.type)) move(box, event.target);
+    var box = event.target.closest('.control'), target = event.target;
+    if (!box) return;
+    if (target.type === 'range') move(box, target);
+    else if (target.classList.contains('number')) {
+      window.clearTimeout(typing);
+      typing = window.setTimeout(function () { typing = null; move(box, target); }, 400);
+    }
   });
   document.addEventListener('change', function (event) {
-    var box = event.target.closest('.control');
+    var box = event.target.closest('.control'), target = event.target;
     if (!box) return;
-    if (event.target.classList.contains('unit')) convert(box, event.target);
-    else if (event.target.matches('.choice, .truth, .text')) move(box, event.target);
+    if (target.classList.contains('unit')) convert(box, target);
+    else if (target.classList.contains('number')) {
+      if (typing !== null) { window.clearTimeout(typing); typing = null; move(box, target); }
+    } else if (target.matches('.choice, .truth, .text')) move(box, target);
     gesture += 1;
   });
 
@@ -424,40 +448,43 @@ window.codendForm = (function () {
       var box = button.closest('.control');
       change(box, { gone: true });
     } else if (button.classList.contains('take-part')) {
-      edit_path(button.dataset.path, { gone: true }, button);
+      edit(button.dataset.path, { gone: true });
+    } else if (button.classList.contains('doubt')) {
+      edit(button.dataset.path, { value: button.dataset.instead, unit: '' });
     } else if (button.classList.contains('add-field')) {
       Shiny.setInputValue('offers', { path: button.dataset.path, title: button.dataset.title },
         { priority: 'event' });
-    } else if (button.classList.contains('add-like')) {
-      ask_name(button);
+    } else if (button.classList.contains('part-act')) {
+      var act = button.dataset.act;
+      if (act === 'ahead' || act === 'behind') {
+        edit(button.dataset.path, { move: act === 'ahead' ? -1 : 1 });
+      } else ask_name(button, act);
     }
   });
 
-  function edit_path(path, edit, by) {
-    gesture += 1;
-    last = by.closest('.part') || null;
-    moved[path] = edit;
-    send();
-  }
-
-  function ask_name(button) {
-    var steps = button.dataset.like.split('.').pop(), number = steps.match(/^(.*?)(\d+)$/);
-    var guess = number ? number[1] + (Number(number[2]) + 1) : steps + '_2';
+  // The name of a copy, or another name.
+  function ask_name(button, act) {
+    var path = button.dataset.path, steps = path.split('.'), name = steps.pop(), parent = steps.join('.');
+    var number = name.match(/^(.*?)(\d+)$/);
     var row = element('form', 'control-row name-row');
     var input = element('input', 'form-control form-control-sm', undefined,
-      { type: 'text', 'aria-label': 'Name of the new one', autocomplete: 'off' });
-    input.value = guess;
+      { type: 'text', 'aria-label': act === 'copy' ? 'Name of the copy' : 'New name of ' + name,
+        autocomplete: 'off' });
+    input.value = act === 'rename' ? name : number ? number[1] + (Number(number[2]) + 1) : name + '_2';
     row.appendChild(input);
-    row.appendChild(element('button', 'btn btn-primary btn-sm', 'Add', { type: 'submit' }));
+    row.appendChild(element('button', 'btn btn-primary btn-sm', act === 'copy' ? 'Copy' : 'Rename',
+      { type: 'submit' }));
     row.addEventListener('submit', function (event) {
       event.preventDefault();
-      var name = input.value.trim();
-      if (!name || name.indexOf('.') >= 0) return;
-      opened[button.dataset.path + '.' + name] = true;
-      edit_path(button.dataset.path + '.' + name, { like: button.dataset.like }, button);
+      var made = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
+      if (!made || made === name) return;
+      opened[parent + '.' + made] = true;
+      if (act === 'copy') edit(parent + '.' + made, { like: path, after: name });
+      else edit(path, { rename: made });
     });
     button.replaceWith(row);
     input.select();
+    input.focus();
   }
 
   // What may be added stands in a list, by words; the one that is chosen becomes a control.
@@ -501,51 +528,120 @@ window.codendForm = (function () {
     });
     return true;
   }
-  function clear_error(box) {
-    box.dataset.paths.split(' ').forEach(function (path) {
-      controls_of(path).forEach(function (one) { show_error(one, ''); });
+  // Marks every field and part that keeps the draft from settling.
+  var problems = [];
+  function plain_path(path) { return (path || '').replace(/\[(\d+)\]/g, '.$1'); }
+  function mark() {
+    document.querySelectorAll('.control').forEach(function (box) { show_error(box, ''); });
+    document.querySelectorAll('.group, .part').forEach(function (box) { box.classList.remove('wrong'); });
+    problems.forEach(function (problem) {
+      var path = plain_path(problem.path);
+      if (!path) return;
+      form.groups.forEach(function (one) {
+        (one.parts || []).forEach(function (part) {
+          var in_part = part.path && (path === part.path || path.indexOf(part.path + '.') === 0);
+          if (!in_part && !(part.fields || []).some(function (f) { return f.paths.indexOf(path) >= 0; })) return;
+          document.querySelectorAll('.group, .part').forEach(function (box) {
+            if (box.dataset.key === one.title || (part.path && box.dataset.key === part.path)) {
+              box.classList.add('wrong');
+            }
+          });
+        });
+      });
+      controls_of(path).forEach(function (box) { show_error(box, problem.message); });
     });
   }
 
-  function forget(paths) {
-    var before = sent ? JSON.parse(sent.edits) : {};
-    paths.forEach(function (path) {
-      // what was moved since stays
-      if (JSON.stringify(before[path]) === JSON.stringify(moved[path])) delete moved[path];
+  // What R understood of typed numbers, and what it doubts.
+  function echo(understood) {
+    Object.keys(understood || {}).forEach(function (path) {
+      var one = understood[path];
+      if (!one) return;
+      controls_of(path).forEach(function (box) {
+        var place = box.querySelector('.echo');
+        if (!place) return;
+        place.textContent = '= ' + one.text + (one.doubt ? '. ' + one.doubt.message + ' ' : '');
+        place.hidden = false;
+        if (one.doubt && one.doubt.instead) {
+          place.appendChild(element('button', 'btn btn-outline-secondary btn-sm doubt',
+            'No, ' + one.doubt.instead,
+            { type: 'button', 'data-path': path, 'data-instead': one.doubt.instead }));
+        }
+      });
     });
   }
 
-  // A refused design: told beside its field, which no longer counts; whether that could be.
+  // What R says of the draft: {understood, problems, settling}.
+  function draft(message) {
+    if (!form) return;
+    if (!message.settling) {
+      problems = message.problems || [];
+      mark();
+      var list = find('draft_problems');
+      list.textContent = '';
+      problems.forEach(function (problem) {
+        var item = element('li'), path = plain_path(problem.path);
+        if (path) {
+          item.appendChild(element('button', 'btn btn-link btn-sm go-to', problem.message,
+            { type: 'button', 'data-path': path }));
+        } else item.textContent = problem.message;
+        list.appendChild(item);
+      });
+      find('unfinished').hidden = !problems.length;
+      window.codendDrawing.wrong(problems.map(function (one) { return plain_path(one.path); }));
+    }
+    echo(message.understood);
+  }
+  document.addEventListener('click', function (event) {
+    var button = event.target.closest && event.target.closest('.go-to');
+    if (button) open(button.dataset.path);
+  });
+
+  // A change that no plan can hold.
   function refused(message) {
-    if (!sent || message.answers !== sent.number) return false;
-    var path = (message.path || '').replace(/\[(\d+)\]/g, '.$1');
-    var boxes = path ? controls_of(path).filter(function () { return moved[path]; }) : [];
-    if (!boxes.length && sent.by) boxes = sent.by.classList.contains('control') ? [sent.by] : [];
-    var paths = boxes.length ? boxes[0].dataset.paths.split(' ') : Object.keys(JSON.parse(sent.edits));
-    forget(paths);
-    if (!message.cancelled) boxes.forEach(function (box) { show_error(box, message.message); });
-    return boxes.length > 0 && !message.cancelled;
+    if (message.answers !== sent) return false;
+    var boxes = message.path ? controls_of(plain_path(message.path)) : [];
+    boxes.forEach(function (box) { show_error(box, message.message); });
+    return boxes.length > 0;
   }
 
   function answered(number) {
-    if (!sent || number !== sent.number) return;
+    if (number !== sent) return;
     sent = null;
-    if (more) send();
+    send();
   }
 
   return {
     show: function (message) {
+      if (form && form.turn !== message.turn) moved = {};
       form = message;
-      moved = {};
-      more = false;
       last = null;
       lay_out();
     },
     prefer: function (units) {
       preferred = units;
-      if (form && !Object.keys(moved).length) lay_out();
+      if (form) lay_out();
     },
     open: open,
+    draft: draft,
+    edit: edit,
+    turn: function () { return form ? form.turn : null; },
+    // The field of a path as R describes it, with the unit that it is shown in, or null.
+    field: function (path) {
+      var found = null;
+      if (form) form.groups.forEach(function (one) {
+        (one.parts || []).forEach(function (part) {
+          (part.fields || []).forEach(function (field) {
+            if (field.paths.indexOf(path) >= 0) found = field;
+          });
+        });
+      });
+      if (!found) return null;
+      var like = found.kind === 'number' && liked(found);
+      return { label: found.label, kind: found.kind, choices: found.choices, suggest: found.suggest,
+        unit: like ? like.unit : found.unit || '', value: found.typed || (typeof found.value === 'number' &&
+        like ? tidy(found.value * found.factor / like.factor) : found.value) };
+    },
     // Every control of a number, those that people change first before the others:
     // [{label, paths, usual}].
     numbers: function () {
@@ -571,6 +667,6 @@ window.codendForm = (function () {
     answered: answered,
     refused: refused,
     // Whether everything that was moved has been answered.
-    still: function () { return !sent && !more; }
+    still: function () { return !sent && typing === null; }
   };
 }());

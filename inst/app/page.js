@@ -16,7 +16,8 @@ window.codendPage = (function () {
   }
 
   function gallery(yes) {
-    if (!yes && !opened || yes !== find('gallery').hidden) return;
+    if (!yes && !opened) return;
+    if (find('gallery').hidden === !yes && find('design').hidden === !!yes) return;
     find('gallery').hidden = !yes;
     find('design').hidden = !!yes;
     find('gears').setAttribute('aria-expanded', String(!!yes));
@@ -92,13 +93,11 @@ window.codendPage = (function () {
         ['gallery_refused', 'plan_file_error', 'new_error', 'plan_text_error'].forEach(function (id) {
           tell(id, '');
         });
-        if (!find('gallery').hidden) gallery(false);
+        gallery(false);
       }
       window.codendTank.picture(message);
       find('gear_name').textContent = message.name;
       find('gear_conditions').textContent = message.conditions;
-      find('undo').disabled = !message.undo;
-      find('redo').disabled = !message.redo;
       notes(message.notes);
       say(message.said);
       answer(message.answers);
@@ -145,10 +144,21 @@ window.codendPage = (function () {
       }
       answer(message.answers);
     });
-    Shiny.addCustomMessageHandler('flume_idle', function (message) { answer(message.answers); });
+    Shiny.addCustomMessageHandler('flume_idle', function (message) {
+      answer(message.answers);
+      want_texts();
+    });
     Shiny.addCustomMessageHandler('flume_form', function (message) {
+      if (window.codendForm.turn() !== message.turn) window.codendDrawing.opened();
       window.codendForm.show(message);
       window.codendSlopes.form();
+    });
+    Shiny.addCustomMessageHandler('flume_draft', function (message) {
+      find('undo').disabled = !message.undo;
+      find('redo').disabled = !message.redo;
+      window.codendForm.draft(message);
+      window.codendDrawing.want(true);
+      window.codendDesigns.moved();
     });
     Shiny.addCustomMessageHandler('flume_slopes', function (message) {
       window.codendSlopes.show(message.fields);

@@ -90,7 +90,7 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   await changed(page, 'net mouth height', low);
   // its error is told from the lattices of the state it came from
   assert.equal(number((await measure(page, 'net mouth height'))[0]), number(height));
-  assert.equal(await control(page, 'towing.speed').locator('[type=number]').inputValue(), '4');
+  assert.equal(await control(page, 'towing.speed').locator('.number').inputValue(), '4');
   clean(page);
   await page.close();
 });
@@ -100,19 +100,19 @@ test('another unit says the same, and a wrong value is told at its field', async
   const warp = control(page, 'warps.length');
   await warp.locator('.unit').focus();
   await warp.locator('.unit').selectOption('fathom');
-  assert.ok(Math.abs(Number(await warp.locator('[type=number]').inputValue()) - 600 / 1.8288) < 1e-3);
+  assert.ok(Math.abs(Number(await warp.locator('.number').inputValue()) - 600 / 1.8288) < 1e-3);
   const depth = (await measure(page, 'door depth'))[0];
-  await warp.locator('[type=number]').fill('400');
+  await warp.locator('.number').fill('400');
   await changed(page, 'door depth', depth);
   assert.ok(number((await measure(page, 'door depth'))[0]) > number(depth));
   const before = await plane(page);
-  await warp.locator('[type=number]').fill('-5');
+  await warp.locator('.number').fill('-5');
   const error = warp.locator('.field-error');
   await error.waitFor({ state: 'visible', ...patience });
   assert.match(await error.textContent(), /warps\.length.*is -5 fathom; it must be/);
-  assert.equal(await warp.locator('[type=number]').getAttribute('aria-invalid'), 'true');
+  assert.equal(await warp.locator('.number').getAttribute('aria-invalid'), 'true');
   assert.deepEqual(await plane(page), before);
-  await warp.locator('[type=number]').fill('400');
+  await warp.locator('.number').fill('400');
   await error.waitFor({ state: 'hidden', ...patience });
   clean(page);
   await page.close();
@@ -163,7 +163,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   assert.equal(await page.evaluate(() => window.ran), undefined);
   // any field of the plan is found by its words
   await page.fill('#find_field', 'cable length');
-  const length = control(page, 'ropes.cable.length').locator('[type=number]');
+  const length = control(page, 'ropes.cable.length').locator('.number');
   await length.waitFor(patience);
   const depth = (await measure(page, 'body depth'))[0];
   await length.fill('800');
@@ -195,7 +195,7 @@ test('a plan typed on the page is settled, a wrong line is found', async () => {
   await page.fill('#plan_area', text.replace('mass: 6 tonne', 'mass: 5 tonne'));
   await page.click('#plan_text_settle');
   await page.waitForFunction(() => document.querySelector(
-    '.control[data-paths="hammers.mass"] [type=number]').value === '5', null, patience);
+    '.control[data-paths="hammers.mass"] .number').value === '5', null, patience);
   clean(page);
   await page.close();
 });
@@ -203,7 +203,7 @@ test('a plan typed on the page is settled, a wrong line is found', async () => {
 test('what is on screen can be saved', async () => {
   const page = await open(browser, tank.url);
   const drag = (await measure(page, 'total drag'))[0];
-  await control(page, 'towing.speed').locator('[type=number]').fill('5');
+  await control(page, 'towing.speed').locator('.number').fill('5');
   await changed(page, 'total drag', drag);
   await tab(page, 'Save');
   const save = async (id) => {
@@ -232,7 +232,7 @@ test('what is on screen can be saved', async () => {
 test('a kept design is drawn over the other and beside it, in a table, and can be compared with', async () => {
   const page = await open(browser, tank.url);
   const spread = (await measure(page, 'door spread'))[0];
-  await control(page, 'otter_boards.area').locator('[type=number]').fill('16');
+  await control(page, 'otter_boards.area').locator('.number').fill('16');
   await changed(page, 'door spread', spread);
   const alone = await picture(page);
   await page.click('button:has-text("Over")');
@@ -258,8 +258,8 @@ test('a kept design is drawn over the other and beside it, in a table, and can b
 test('steps are undone and done again, and the address carries the design and those kept', async () => {
   const page = await open(browser, tank.url);
   const shown = (value) => page.waitForFunction((value) => document.querySelector(
-    '#quick [data-paths="towing.speed"] [type=number]').value === value, value, patience);
-  const speed = control(page, 'towing.speed').locator('[type=number]');
+    '#quick [data-paths="towing.speed"] .number').value === value, value, patience);
+  const speed = control(page, 'towing.speed').locator('.number');
   for (const value of ['5', '4.5']) {
     const drag = (await measure(page, 'total drag'))[0];
     await speed.fill(value);
@@ -281,7 +281,7 @@ test('steps are undone and done again, and the address carries the design and th
   assert.ok(address.length < 600, `${address.length} characters`);
   const other = await visit(browser, tank.url + address.slice(address.indexOf('/#')));
   await other.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
-  assert.equal(await other.inputValue('#quick [data-paths="towing.speed"] [type=number]'), '5');
+  assert.equal(await other.inputValue('#quick [data-paths="towing.speed"] .number'), '5');
   clean(page);
   clean(other);
   await Promise.all([page.close(), other.close()]);
@@ -334,23 +334,57 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
   empty.stop();
 });
 
-test('the drawing opens the fields of what is clicked, and follows them', async () => {
+test('the drawing is the editor: an unfinished net stays, is marked, and comes to fit', async () => {
   const page = await open(browser, tank.url);
-  await tab(page, 'Drawing');
-  const panel = page.locator('#drawing [data-path="sections.section_1"]').first();
-  await panel.waitFor({ state: 'attached', ...patience });
-  await panel.dispatchEvent('click');
-  const size = page.locator('.part[data-path="sections.section_1"] ' +
-    '[data-paths="sections.section_1.mesh_size"] [type=number]');
-  await size.waitFor(patience);
+  await page.click('#see_drawing');
+  const figure = (path) => page.locator(`#drawing [data-path="${path}"]`).filter({ has: page.locator('text') }).first();
+  const type = async (path, text) => {
+    await figure(path).waitFor({ state: 'attached', ...patience });
+    await figure(path).dispatchEvent('click');
+    await page.locator('#drawing .typed input').fill(text);
+    await page.keyboard.press('Enter');
+  };
   const drag = (await measure(page, 'total drag'))[0];
-  const before = await page.locator('#drawing').textContent();
-  await size.fill('31');
+  await type('sections.section_1.mesh_size', '30,5 m');
   await changed(page, 'total drag', drag);
-  await page.waitForFunction((before) => document.getElementById('drawing').textContent !== before,
-    before, patience);
+  const before = (await measure(page, 'total drag'))[0];
+  // what no mesh can be stays as it was typed, marked in the drawing and the form
+  await type('sections.section_1.mesh_size', '-31');
+  await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
+  await page.waitForSelector('#drawing .wrong', { state: 'attached', ...patience });
+  assert.equal((await measure(page, 'total drag'))[0], before);
+  await type('sections.section_1.mesh_size', '31 m');
+  await page.waitForSelector('#unfinished', { state: 'hidden', ...patience });
+  await changed(page, 'total drag', before);
+  // zoomed by keys
+  const view = await page.getAttribute('#drawing svg', 'viewBox');
+  await page.focus('#drawing');
+  await page.keyboard.press('+');
+  assert.notEqual(await page.getAttribute('#drawing svg', 'viewBox'), view);
   clean(page);
   await page.close();
+});
+
+test('a reload, a link and a second tab open the design, begun from the gallery too', async () => {
+  const empty = await serve();
+  const page = await visit(browser, empty.url);
+  await page.locator('[data-gear="towed_cable"]').click(patience);
+  await control(page, 'towing.speed').locator('.number').fill('5');
+  await page.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions').textContent) &&
+    /^#d=/.test(window.location.hash), null, patience);
+  await page.waitForTimeout(1500);
+  const link = page.url();
+  const shows = async (one) => {
+    await one.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions').textContent) &&
+      document.getElementById('tank').offsetParent && document.getElementById('gallery').hidden, null, patience);
+  };
+  await page.reload();
+  await shows(page);
+  const other = await visit(browser, link);
+  await shows(other);
+  clean(page);
+  await Promise.all([page.close(), other.close()]);
+  empty.stop();
 });
 
 test('every field is in the form: found, added, taken out', async () => {
@@ -358,13 +392,13 @@ test('every field is in the form: found, added, taken out', async () => {
   await page.click('.group > summary:has-text("Boards and beams")');
   await page.click('.part > summary:has-text("Otter boards")');
   const part = page.locator('.part[data-path="otter_boards"]');
-  await part.locator('[data-paths="otter_boards.mass"] [type=number]').waitFor(patience);
+  await part.locator('[data-paths="otter_boards.mass"] .number').waitFor(patience);
   await part.locator('.add-field').click();
   const offered = part.locator('.offered');
   await offered.waitFor(patience);
   await offered.selectOption({ label: 'Vertical lift coefficient' });
   const depth = (await measure(page, 'door depth'))[0];
-  await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] [type=number]').fill('0.3');
+  await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] .number').fill('0.3');
   await changed(page, 'door depth', depth);
   assert.ok(number((await measure(page, 'door depth'))[0]) < number(depth));
   await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] .take-out').click();
@@ -388,7 +422,7 @@ test('beside the measures stands what more of a field would do', async () => {
   await page.fill('#more_amount', '20');
   assert.ok(Math.abs(await told('net mouth height') - 2 * ten) < 0.011);
   // a design that moves has slopes of its own
-  await control(page, 'towing.speed').locator('[type=number]').fill('5');
+  await control(page, 'towing.speed').locator('.number').fill('5');
   await page.waitForFunction(() => !document.querySelector('#more_does td'), null, patience);
   await page.waitForSelector('#more_does td', patience);
   await page.selectOption('#more_field', 'towing.speed');
@@ -478,12 +512,12 @@ test('two browsers have a gear each, and one that leaves in mid-solve harms nobo
   const [one, other] = await Promise.all([open(browser, tank.url), open(browser, tank.url)]);
   const drag = (await measure(one, 'total drag'))[0];
   const leaver = await open(browser, tank.url);
-  await control(leaver, 'towing.speed').locator('[type=number]').fill('6');
+  await control(leaver, 'towing.speed').locator('.number').fill('6');
   await leaver.close();
-  await control(one, 'towing.speed').locator('[type=number]').fill('3.5');
+  await control(one, 'towing.speed').locator('.number').fill('3.5');
   await changed(one, 'total drag', drag);
   assert.equal((await measure(other, 'total drag'))[0], drag);
-  await control(other, 'towing.speed').locator('[type=number]').fill('5');
+  await control(other, 'towing.speed').locator('.number').fill('5');
   await changed(other, 'total drag', drag);
   assert.ok(number((await measure(one, 'total drag'))[0]) < number(drag));
   assert.ok(number((await measure(other, 'total drag'))[0]) > number(drag));

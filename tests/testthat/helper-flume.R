@@ -33,3 +33,6 @@ in_flume <- function(gear, test, fields = list(), nodes = 300, new_worker = dire
 ask <- function(session, ..., number = 1, gesture = number) {
   session$setInputs(design = list(number = number, gesture = gesture, edits = list(...)))
 }
+
+# The gear with what a page changes of its plan.
+edited_gear <- function(gear, edits) as_gear(edited_plan(gear$plan, edits)$plan, like = gear)

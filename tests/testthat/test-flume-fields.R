@@ -31,7 +31,7 @@ test_that("every field that can be marked gives a control, and its own value cha
     for (control in controls) {
       for (path in control$paths) values[[path]] <- list(value = control$value, unit = control$unit)
     }
-    same <- apply_edits(gear, values)
+    same <- edited_gear(gear, values)
     expect_equal(gear_si(same), gear_si(gear), tolerance = 1e-14)
   }
 })
@@ -43,9 +43,9 @@ test_that("choices and truth values are controls too", {
   expect_identical(found[[1]]$choices, I(c("cells", "bars")))
   expect_identical(found[[2]]$value, FALSE)
   gear <- read_gear("midwater_trawl")
-  expect_error(apply_edits(gear, list(netting = list(value = "ropes"))), "one of cells, bars",
+  expect_error(edited_gear(gear, list(netting = list(value = "ropes"))), "one of cells, bars",
     class = "codend_error_plan")
-  expect_error(apply_edits(gear, list(sections.section_1.knotted = list(value = 1))), "yes or no",
+  expect_error(edited_gear(gear, list(sections.section_1.knotted = list(value = 1))), "yes or no",
     class = "codend_error_plan")
 })
 

@@ -23,9 +23,45 @@ test_that("a form holds every value of a shipped plan, and its own values change
     }, NA)
     expect_true(all(inside))
     values <- lapply(controls, function(control) list(value = control$value, unit = control$unit))
-    same <- apply_edits(gear, stats::setNames(values, paths))
+    same <- edited_gear(gear, stats::setNames(values, paths))
     expect_equal(gear_si(same), gear_si(gear), tolerance = 1e-14)
   }
+})
+
+test_that("parts are copied behind their like, renamed with all that speaks of them, and moved", {
+  gear <- read_gear("poly_noreastern_trawl")
+  plan <- edited_plan(gear$plan, list(
+    sections.intermediate_2 = list(like = "sections.intermediate", after = "intermediate"),
+    sections.intermediate = list(rename = "funnel")
+  ))$plan
+  expect_named(plan$sections, c("body", "funnel", "intermediate_2", "codend"))
+  expect_identical(plan$belly_lines$until, "funnel")
+  plan <- edited_plan(plan, list(sections.intermediate_2 = list(move = -1)))$plan
+  expect_named(plan$sections, c("body", "intermediate_2", "funnel", "codend"))
+  for (wrong in list("codend", "a.b", "", list(1))) {
+    expect_error(edited_plan(plan, list(sections.body = list(rename = wrong))),
+      class = "codend_error_plan")
+  }
+})
+
+test_that("numbers are read as people write them, and one far from what it was is asked about", {
+  plan <- read_gear("midwater_trawl")$plan
+  read <- function(text, unit, path = "warps.length") {
+    edited_plan(plan, stats::setNames(list(list(value = text, unit = unit)), path))
+  }
+  si <- function(text, unit) quantity_si(read(text, unit)$plan$warps$length, "length")
+  expect_identical(si("320,5", "m"), 320.5)
+  expect_identical(si("320.5 m", "fathom"), 320.5)
+  expect_equal(si("11 fm", "m"), 11 * 1.8288)
+  expect_equal(si("110", "fathom"), 110 * 1.8288)
+  # thousands or decimals
+  expect_identical(read("1,000", "m")$plan$warps$length, "1,000")
+  expect_length(draft_gear(read("1,000", "m")$plan)$problems, 1L)
+  mesh <- read("31", "m", "sections.codend.mesh_size")$understood[[1]]
+  expect_identical(mesh$text, "31 m")
+  expect_match(mesh$doubt$message, "Is it really 31 m?", fixed = TRUE)
+  expect_identical(mesh$doubt$instead, "31 mm")
+  expect_null(read("600", "m")$understood[[1]]$doubt)
 })
 
 test_that("a form says what a field may be, and offers what a part could have", {
@@ -53,7 +89,7 @@ test_that("a form says what a field may be, and offers what a part could have", 
 
 test_that("parts are added like another, fields are added and taken out", {
   gear <- read_gear("midwater_trawl")
-  longer <- apply_edits(gear, list(
+  longer <- edited_gear(gear, list(
     warps.strumming = list(value = 0.3),
     canvas = list(gone = TRUE), floats.number = list(value = 40, unit = "")
   ))
@@ -61,14 +97,14 @@ test_that("parts are added like another, fields are added and taken out", {
   expect_null(longer$plan$canvas)
   expect_identical(longer$plan$floats$number, 40)
   cable <- read_gear("towed_cable")
-  two <- apply_edits(cable, list(pieces.second = list(like = "pieces.sphere")))
+  two <- edited_gear(cable, list(pieces.second = list(like = "pieces.sphere")))
   expect_identical(two$plan$pieces$second, cable$plan$pieces$sphere)
-  listed <- apply_edits(gear, list(vessel.pull = list(
+  listed <- edited_gear(gear, list(vessel.pull = list(
     value = "[{speed: 0 knot, pull: 600 kN}, {speed: 15 knot, pull: 0 kN}]"
   )))
   expect_identical(listed$plan$vessel$pull[[1]], list(speed = "0 knot", pull = "600 kN"))
   for (wrong in c("[1, ", "!expr stop('ran')", "*a", "")) {
-    expect_error(apply_edits(gear, list(vessel.pull = list(value = wrong))),
+    expect_error(edited_gear(gear, list(vessel.pull = list(value = wrong))),
       class = "codend_error_plan")
   }
 })

@@ -31,7 +31,9 @@ asking <- function(...) {
 start <- list(gear = settled_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
 tank <- shiny::isolate(new_tank(start, list(), 300))
 towed_at <- function(speed) {
-  tank$request("design", list(towing.speed = list(value = speed, unit = "knot")))
+  draft <- tank$draft
+  draft$plan$towing$speed <- paste(speed, "knot")
+  tank$request("design", draft)
 }
 
 test_that("a worker's process finds what this one would, and remembers what it found", {
@@ -82,14 +84,11 @@ test_that("of designs that wait the latest counts, and too many files are refuse
 test_that("the rest of a shape waits for its pause, gives way to a design and to nothing else", {
   one <- asking()
   on.exit(one$worker$stop())
-  # a gear that has the field already
-  whole <- towed_at(5)
-  whole$base <- update(whole$base, towing.speed = "5 knot")
-  one$ask("whole", whole)
+  one$ask("whole", towed_at(5))
   expect_true(one$wait(1))
   going_on <- function(speed) {
     request <- towed_at(speed)
-    request["state"] <- request["base"] <- list(NULL)
+    request["state"] <- list(NULL)
     request
   }
   one$ask("second", going_on(5.1))
@@ -105,7 +104,7 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
   expect_type(one$answers()[[4]]$answer$found$moved, "raw")
   # what waits behind it ends its pause
   one$ask("rest of the third", rest, "rest", pause = 1e4)
-  drawing <- tank$request("drawing", NULL)
+  drawing <- tank$request("drawing", tank$draft)
   drawing["state"] <- list(NULL)
   one$ask("drawing", drawing, "drawing")
   expect_true(one$wait(6))
