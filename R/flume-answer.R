@@ -11,8 +11,8 @@ flume_nodes <- 20000
 # request: list(kind, said (of the page; of a design the draft), number (of the question), file (of
 # the gear on screen), nodes, state (to settle from, or that something is made of)); without `state`
 # it is the one that the memory, an environment, holds. Returns list(found, problem, draft): found
-# NULL where there is a problem, problem as flume_problem() gives it; draft as draft_problems() gives
-# it.
+# NULL where there is a problem, problem as flume_problem() gives it, draft as draft_problems()
+# does.
 flume_answer <- function(request, memory) {
   if (!is.null(request$state)) {
     memory$state <- request$state

@@ -59,8 +59,8 @@ check_part_name <- function(name, path) {
   name
 }
 
-# What a field becomes. A number with a unit becomes text such as "4.8 knot"; what is no value of the
-# field stays as it is, for the check to say so.
+# What a field becomes. A number with a unit becomes text such as "4.8 knot"; what is no value of
+# the field stays as it is, for the check to say so.
 edit_value <- function(plan, path, given) {
   value <- given$value
   refuse <- function(must) abort_field(path, value, must)

@@ -42,8 +42,8 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       ), message))
       tank$count_picture()
     }
-    # What the page is told of its draft: what was understood of it, what is wrong, which steps there
-    # are.
+    # What the page is told of its draft: what was understood of it, what is wrong, which steps
+    # there are.
     show_draft <- function(understood = list(), settling = FALSE) {
       if (is.null(tank$gear)) return()
       if (tank$form_is_old()) session$sendCustomMessage("flume_form", tank$form())
@@ -74,8 +74,8 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     seconds <- function() proc.time()[["elapsed"]]
 
     # Asks the worker for another gear, or for the draft as it is when its turn comes (kind
-    # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so does
-    # the last shape. Where only its shape has come, that is shown before the rest is asked for.
+    # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so
+    # does the last shape. Where only its shape has come, that is shown before the rest is asked for.
     ask_worker <- function(kind, asked, answers = 0, then = NULL) {
       # of now, in the observer
       force(asked)

@@ -1,11 +1,11 @@
 # What one page of the flume tank holds: the last design that settled, the draft that is being
 # changed, the designs that it keeps, what was done.
 #
-# `draft` is a design (list(plan, file, source)) that may be unfinished, `problems` what is wrong with
-# it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the pictures,
-# `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and `uncertainty`
-# are those found of the state on screen, `trajectory` the last tow, serialised. `pinned` is the kept
-# design that others are compared with.
+# `draft` is a design (list(plan, file, source)) that may be unfinished, `problems` what is wrong
+# with it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the
+# pictures, `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and
+# `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
+# `pinned` is the kept design that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
 new_tank <- function(start, marked, nodes) {

@@ -78,7 +78,7 @@ split_quantity <- function(text) {
   parts
 }
 
-# The numbers of texts such as "4.5 knot", as texts with a point; what is no quantity stays as it is.
+# The numbers of texts such as "4.5 knot", as texts with a point; what is no quantity stays.
 quantity_number <- function(texts) {
   sub(",", ".", sub(quantity_pattern, "\\1", texts, perl = TRUE), fixed = TRUE)
 }
