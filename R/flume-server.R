@@ -75,7 +75,8 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
 
     # Asks the worker for another gear, or for the draft as it is when its turn comes (kind
     # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so
-    # does the last shape. Where only its shape has come, that is shown before the rest is asked for.
+    # does the last shape. Where only its shape has come, that is shown before the rest is asked
+    # for.
     ask_worker <- function(kind, asked, answers = 0, then = NULL) {
       # of now, in the observer
       force(asked)
