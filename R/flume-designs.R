@@ -3,9 +3,6 @@
 # Designs that a page may keep.
 most_kept <- 24L
 
-# Characters of a design's name.
-most_name <- 60L
-
 # One design that is kept: found = list(gear, drawing, measures).
 kept_design <- function(id, name, found) {
   list(

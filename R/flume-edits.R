@@ -1,9 +1,10 @@
 # What a page sends of a design: changes of fields of a plan, by path. It comes from a browser, and
 # may be anything.
 
-# Changes at most in one message, and characters of a path or a text.
+# Changes at most in one message, and characters of a path or a text and of a name.
 most_edits <- 500L
 most_characters <- 4000L
+most_name <- 60L
 
 # A value so many times what the field had is asked about: metres for millimetres are 1,000 of a
 # mesh that may be a few times another.

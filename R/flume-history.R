@@ -37,9 +37,11 @@ draft_text <- function(design) edited_text(design$source, design$plan)
 design_words <- function(design) {
   base <- loaded_shipped(design)
   if (!is.null(base)) {
-    found <- plan_differences(read_plan(design$file), design$plan)
+    found <- plan_differences(split_uncertain(read_plan(design$file)), design$plan)
     plain <- vapply(found, function(d) {
-      nzchar(d$path) && is.null(d$other) || is.atomic(d$other) && length(d$other) == 1L
+      # paths in `uncertain` have points of their own
+      nzchar(d$path) && !startsWith(d$path, "uncertain") &&
+        (is.null(d$other) || is.atomic(d$other) && length(d$other) == 1L)
     }, NA)
     if (all(plain)) {
       edits <- lapply(found, function(d) if (is.null(d$other)) list(gone = TRUE) else d$other)

@@ -42,13 +42,13 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       ), message))
       tank$count_picture()
     }
-    # What the page is told of its draft: what was understood of it, what is wrong, which steps
-    # there are.
+    # What the page is told of its draft: its form where that has other fields, what was understood
+    # of it, what is wrong, which steps there are.
     show_draft <- function(understood = list(), settling = FALSE) {
       if (is.null(tank$gear)) return()
-      if (tank$form_is_old()) session$sendCustomMessage("flume_form", tank$form())
       said("flume_draft",
-        understood = understood, problems = tank$problems, settling = settling,
+        form = if (tank$form_is_old()) tank$form(), understood = understood,
+        problems = tank$problems, settling = settling,
         undo = length(tank$history$past), redo = length(tank$history$future)
       )
     }
@@ -96,12 +96,16 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
           # a later one has its place
           if (is.null(answer)) return(if (kind != "rest") said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
-            if (is.null(answer$draft) || isTRUE(answer$problem$cancelled)) {
-              refuse(answer$problem, kind, answers)
-            } else {
+            held <- !is.null(answer$draft)
+            if (held) {
               tank$hold(answer$draft, edited)
               show_draft()
+            }
+            # what was typed as a text is marked there too
+            if (held && kind == "design") {
               said("flume_idle", answers = answers)
+            } else {
+              refuse(answer$problem, kind, answers)
             }
             if (is.null(owed)) return()
             if (kind %in% c("design", "plan_text") && worker$holds > 0) return(owed())

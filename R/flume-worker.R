@@ -98,7 +98,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     process <<- answering_process(bytes)
     tank_workers[[id]] <- worker
     worker$holds <- 0
-      idle <<- FALSE
+    idle <<- FALSE
     current <<- list(since = now(), until = now() + start_seconds)
     look_later(look_first)
   }
@@ -176,7 +176,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     }
     end_process()
     worker$holds <- 0
-    }
+  }
   look <- function() {
     if (stopped || idle || is.null(process)) return()
     if (has_answered(process)) return(finish())

@@ -36,14 +36,13 @@
 #' those kept, so that a reload loses neither and a link shows them to others. Lengths, forces and
 #' speeds are shown in the units that the user likes.
 #'
-#' A design may be unfinished: every change is kept, in any order. What does not fit is marked in the
-#' form and the drawing, with a sentence, and the tank shows the last design that fits. A number alone
-#' has the unit shown at its field; `20,5`, `20.5 m` and `11 fm` are read too.
+#' A design may be unfinished: every change is kept, in any order. What does not fit is marked in
+#' the form and the drawing, with a sentence, and the tank shows the last design that fits. A number
+#' alone has the unit shown at its field; `20,5`, `20.5 m` and `11 fm` are read too.
 #'
 #' A plan file dropped on the page, or chosen there, takes the gear's place. A wrong one is answered
 #' as [read_gear()] answers; a design that does not settle leaves the last shape on screen and says
-#' where the imbalance is. Nothing that is typed or loaded
-#' is run as code.
+#' where the imbalance is. Nothing that is typed or loaded is run as code.
 #'
 #' A settle that takes long says so and can be cancelled. What is on screen can be saved: a report
 #' ([report()]), the plan with its remarks ([write_gear()]), all designs as a file that opens here

@@ -58,11 +58,12 @@ window.codendDesigns = (function () {
   }
   window.addEventListener('hashchange', read);
 
-  // words: {now, kept: [...], units}.
+  // words: {now, kept: [...], draft, units}.
   function open(words) {
     if (words && words.units) window.codendPage.prefer(words.units);
     window.codendTalk.ask('words', {
-      now: (words && words.now) || {}, kept: (words && Array.isArray(words.kept)) ? words.kept : []
+      now: (words && words.now) || {}, kept: (words && Array.isArray(words.kept)) ? words.kept : [],
+      draft: (words && words.draft) || {}
     });
   }
 

@@ -148,14 +148,14 @@ window.codendPage = (function () {
       answer(message.answers);
       want_texts();
     });
-    Shiny.addCustomMessageHandler('flume_form', function (message) {
-      if (window.codendForm.turn() !== message.turn) window.codendDrawing.opened();
-      window.codendForm.show(message);
-      window.codendSlopes.form();
-    });
     Shiny.addCustomMessageHandler('flume_draft', function (message) {
       find('undo').disabled = !message.undo;
       find('redo').disabled = !message.redo;
+      if (message.form) {
+        if (window.codendForm.turn() !== message.form.turn) window.codendDrawing.opened();
+        window.codendForm.show(message.form);
+        window.codendSlopes.form();
+      }
       window.codendForm.draft(message);
       window.codendDrawing.want(true);
       window.codendDesigns.moved();
