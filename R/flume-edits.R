@@ -80,7 +80,7 @@ number_value <- function(value, unit, node, refuse) {
   if (is.logical(value)) refuse("a number")
   known <- names(plan_units[[first_of(node[["x-dimension"]], "number")]])
   parts <- if (is.numeric(value)) c(shortest_decimal(as.double(value)), "") else {
-    split_quantity(value)
+    split_quantity(with_point(value))
   }
   if (is.null(parts)) return(value)
   own <- nzchar(parts[2])
@@ -92,6 +92,12 @@ number_value <- function(value, unit, node, refuse) {
     refuse(paste("in one of these units:", word_list(known)))
   }
   paste(parts[1], unit)
+}
+
+# A typed decimal comma as a point; before three digits it may part thousands, and stays.
+with_point <- function(text) {
+  sub("^([[:space:]]*[-+]?)(?!0*[1-9][0-9]{0,2},[0-9]{3}(?![0-9]))([0-9]*),([0-9])", "\\1\\2.\\3",
+    text, perl = TRUE)
 }
 
 # What a typed number was understood as, and whether it is far from what the field had.

@@ -49,10 +49,8 @@ plan_largest <- c(
   consumption = 1, stress = 1e15, angle = 1e3, time = 1e10, number = 1e12
 )
 
-# A number may have a decimal comma; a comma before three digits may mean thousands, and is none.
 quantity_pattern <- paste0(
-  "^[[:space:]]*(?!0*[1-9][0-9]{0,2},[0-9]{3}(?![0-9]))",
-  "([-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?)",
+  "^[[:space:]]*([-+]?(?:[0-9]+[.]?[0-9]*|[.][0-9]+)(?:[eE][-+]?[0-9]+)?)",
   "[[:space:]]*([^[:space:]0-9].*?)?[[:space:]]*$"
 )
 
@@ -68,19 +66,12 @@ plain_unit <- function(unit) {
   if (unit == "kg/100m") "kg/100 m" else unit
 }
 
-# Number and unit of a text such as "4.5 knot" or "4,5 knot" (unit "" when there is none), or NULL.
+# Number and unit of a text such as "4.5 knot" (unit "" when there is none), or NULL.
 split_quantity <- function(text) {
   found <- regexpr(quantity_pattern, text, perl = TRUE)
   if (found == -1) return(NULL)
   start <- attr(found, "capture.start")
-  parts <- substring(text, start, start + attr(found, "capture.length") - 1)
-  parts[1] <- sub(",", ".", parts[1], fixed = TRUE)
-  parts
-}
-
-# The numbers of texts such as "4.5 knot", as texts with a point; what is no quantity stays.
-quantity_number <- function(texts) {
-  sub(",", ".", sub(quantity_pattern, "\\1", texts, perl = TRUE), fixed = TRUE)
+  substring(text, start, start + attr(found, "capture.length") - 1)
 }
 
 # SI value of a quantity given as a number (already SI) or as text with a unit.

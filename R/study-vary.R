@@ -156,7 +156,7 @@ telling_values <- function(values) {
   if (length(places) < 100L) return(places)
   values <- values[places]
   number <- if (is.numeric(values)) values else {
-    suppressWarnings(as.double(quantity_number(values)))
+    suppressWarnings(as.double(sub(quantity_pattern, "\\1", values, perl = TRUE)))
   }
   unit <- if (is.numeric(values)) rep("", length(values)) else {
     sub(quantity_pattern, "\\2", values, perl = TRUE)
@@ -332,7 +332,7 @@ field_column <- function(values, path, gear) {
     ""
   }
   if (length(units) == 1L && nzchar(units)) {
-    value <- as.double(quantity_number(values))
+    value <- as.double(sub(quantity_pattern, "\\1", values, perl = TRUE))
   } else {
     value <- vapply(values, function(one) {
       if (is.na(one)) NA_real_ else quantity_si(one, dimension)

@@ -54,8 +54,7 @@ quantity <- function(dimension, example) {
 
 quantity_pattern <- function(units, sign = "[-+]?") {
   paste0(
-    "^\\s*(?!0*[1-9][0-9]{0,2},[0-9]{3}(?![0-9]))", sign,
-    "([0-9]+[.,]?[0-9]*|[.,][0-9]+)([eE][-+]?[0-9]+)?(\\s*(",
+    "^\\s*", sign, "([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?(\\s*(",
     paste(vapply(units, unit_pattern, ""), collapse = "|"), "))?\\s*$"
   )
 }

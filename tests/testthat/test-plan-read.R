@@ -91,12 +91,12 @@ test_that("a plan file is one document", {
     read_gear("towed_cable")$plan)
 })
 
-test_that("a comma that may part thousands is told, and one in a key", {
+test_that("a comma in a number is told, as a value and as a key", {
   expect_no_warning({
-    value <- plan_error("length: 100 m", "length: 1,500")
+    value <- plan_error("length: 100 m", "length: 1,5")
     key <- text_error(paste0(small_plan, "\n1,5: 3\n"))
   })
-  expect_match(value$message, "is \"1,500\"; it must be a length", fixed = TRUE)
+  expect_match(value$message, "is \"1,5\"; it must be a length", fixed = TRUE)
   expect_match(key$message, "`1,5` is not known", fixed = TRUE)
 })
 

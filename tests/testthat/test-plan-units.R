@@ -19,15 +19,9 @@ test_that("quantities in words become SI", {
   }
 })
 
-test_that("a comma is a decimal point where it cannot part thousands", {
-  expect_identical(quantity_si("20,5 m", "length"), 20.5)
-  expect_identical(quantity_si("0,125 m", "length"), 0.125)
-  expect_identical(quantity_si("1,5e1 m", "length"), 15)
-})
-
 test_that("what is no quantity of the dimension is NA", {
-  for (text in c("5 kg", "1_000 m", "1,500 m", "1,5,5 m", "m", "5 m m", "5 knott", "", "0x1F m",
-    "--5 m", "5 M")) {
+  for (text in c("5 kg", "1_000 m", "1,5 m", "m", "5 m m", "5 knott", "", "0x1F m", "--5 m",
+    "5 M")) {
     expect_identical(quantity_si(text, "length"), NA_real_, label = text)
   }
   expect_identical(quantity_si("5 KN", "force"), NA_real_)
