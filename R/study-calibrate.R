@@ -5,21 +5,21 @@
 #' and how well these values are known.
 #'
 #' Each row of the data is a haul in its own conditions. Gears are settled from the shapes of the
-#' last step, and slopes by the fields are exact ([sensitivities()]): the steps are Gauss and
-#' Newton's within a trust region that keeps to the ranges (`stats::nlminb()`, the PORT library).
-#' Differences are normal, with one standard deviation for each thing that is matched: of the
-#' sensor, of the model and of what varies between hauls together. It is estimated where `error`
-#' does not give it, so that what fits badly weighs little. Priors add to the likelihood.
+#' last step, and their [sensitivities()] to the fields are exact: the steps are Gauss and Newton's
+#' within a trust region that keeps to the ranges (`stats::nlminb()`, the PORT library). Differences
+#' are normal, with one standard deviation for each thing that is matched: of the sensor, of the
+#' model and of what varies between hauls together. It is estimated where `error` does not give it,
+#' so that what fits badly weighs little. Priors add to the likelihood.
 #'
-#' A coarse lattice is off by a few percent, alike in all hauls, and fields would make up for that.
-#' So where it leaves more than `accuracy`, up to 8 hauls are settled on a finer lattice at the best
-#' values, what it says otherwise is added to what the coarse one says (as in [optimise_gear()]),
-#' and fields are fitted again until they stay. What the last lattice leaves is part of the fields'
-#' errors and of their intervals: `lattice` is its part.
+#' A coarse model of the gear, with few nodes, is wrong by a few percent, alike in all hauls, and
+#' fields would make up for that. So where its error is more than `accuracy`, up to 8 hauls are
+#' settled with more nodes at the best values, the difference corrects the coarse model (as in
+#' [optimise_gear()]), and fields are fitted again until they stay. The discretisation error that
+#' is left is part of the fields' errors and of their intervals: `lattice` is its part.
 #'
-#' The covariance is that of the slopes at the best values. Intervals of [confint()][stats::confint]
-#' follow the likelihood itself, the other fields found again at each value; with estimated errors
-#' their reach is that of Student's t.
+#' The covariance is that of the sensitivities at the best values. Intervals of
+#' [confint()][stats::confint] follow the likelihood itself, the other fields found again at each
+#' value; with estimated errors their reach is that of Student's t.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param data A data frame with a row per haul or run. Columns that are named by the path of a
@@ -36,15 +36,14 @@
 #'   not matched.
 #' @param error Standard deviations by what is matched, in the same order and units; `NULL`, or `NA`
 #'   for one of them, to estimate it.
-#' @param nodes,netting Of the lattice that the fit steps on, as in [settle()].
-#' @param accuracy Error that the lattice may leave in what is fitted, as a share of what is
-#'   measured: where it is larger with `nodes`, the fit ends on a finer lattice. `NULL` stays with
-#'   `nodes`.
+#' @param nodes,netting Of the model that the fit steps with, as in [settle()].
+#' @param accuracy Discretisation error of what is fitted, as a share of what is measured: where it
+#'   is larger with `nodes`, the fit ends with more nodes. `NULL` stays with `nodes`.
 #' @return An object of class `codend_calibration`, a list of
 #'
 #'   - `gear`: with the fields found, [update()][update.codend_gear]d;
 #'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `error` (standard error, `NA`
-#'     at an end), `lattice` (what of it is the lattice's), `lower`, `upper`, `at`
+#'     at an end), `lattice` (the part of discretisation), `lower`, `upper`, `at`
 #'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at), `prior_mean` and
 #'     `prior_sd`;
 #'   - `covariance` of the fields;
@@ -56,7 +55,7 @@
 #'     residuals before (`rms_begun`) and now (`rms`);
 #'   - `left_out`: rows whose gear does not settle; `conditions`: columns that set fields;
 #'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken;
-#'     `nodes` of the last lattice and `accuracy`, the error that it leaves in what is fitted, as a
+#'     `nodes` of the last model and `accuracy`, its discretisation error in what is fitted, as a
 #'     share.
 #'
 #'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,

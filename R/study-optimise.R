@@ -4,24 +4,24 @@
 #' small as it gets while conditions hold: least drag per swept width, least fuel per catch, the
 #' largest volume of a cage in a current.
 #'
-#' Every step settles the gear from the nearest shape that is known and takes the exact slopes of
+#' Every step settles the gear from the nearest shape that is known and takes its exact
 #' [sensitivities()]; the steps are those of sequential quadratic programming (SLSQP of NLopt, Kraft
 #' 1994, ACM Transactions on Mathematical Software 20:262). It stops on small changes, which is no
 #' sign of an optimum by itself. So what it finds is checked against the conditions of Karush, Kuhn
-#' and Tucker: the slopes of the aim must be held by those of conditions at their limit and of
-#' fields at the end of their range, with weights of the right sign. What is left, `optimality`, is
-#' how much the aim would still gain, as a share of itself, per whole range of a field; above 0.002
-#' the search goes on from there. Where it cannot, because the answer has a kink (netting that goes
-#' slack, ropes that come to lie on the sea bed), `smooth` says so.
+#' and Tucker: the sensitivities of the objective must be balanced by those of conditions at their
+#' limit and of fields at the end of their range, with weights of the right sign. What is left,
+#' `optimality`, is how much the objective would still gain, as a share of itself, per whole range
+#' of a field; above 0.002 the search goes on from there. Where it cannot, because the answer has a
+#' kink (netting that goes slack, ropes that come to lie on the sea bed), `smooth` says so.
 #'
-#' A coarse lattice is off, by a few percent in a trawl of some hundred nodes, and conditions that
-#' hold on it may fail on a finer one. So the optimum is settled on a lattice that leaves at most
-#' `accuracy`, up to seven times as fine as that of the search; what this says otherwise, of
-#' measures and of their slopes, is added to what the coarse one says, and the search goes on, until
-#' both agree (first-order model management, Alexandrov and Lewis 2001, Optimization and Engineering
-#' 2:413). Everything that is returned is of the fine lattice, the gear as it was too. Of what is
-#' left the aim and each condition have an estimated `error`; a condition at its limit holds to
-#' within that. To be sure of it, ask for the limit and twice the error.
+#' A coarse model of the gear, with few nodes, is wrong by a few percent, and conditions that hold
+#' on it may fail on a finer one. So the optimum is settled with as many nodes as leave an error of
+#' at most `accuracy`, up to seven times those of the search. The difference between both models, in
+#' measures and in their sensitivities, corrects the coarse one, and the search goes on until both
+#' agree (first-order model management, Alexandrov and Lewis 2001, Optimization and Engineering
+#' 2:413). All results are those of the fine model, also for the gear as it was. The objective and
+#' each condition have an estimated `error`; a condition at its limit holds to within that. To be
+#' sure of it, give the limit plus twice the error.
 #'
 #' Whole numbers, such as of floats, are free at first: measures follow their slopes between two
 #' numbers. Then they are rounded, up and down for the most telling two and to the nearest for the
@@ -46,9 +46,9 @@
 #'   them.
 #'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
 #'   value lies within.
-#' @param nodes,netting Of the lattice that the search steps on, as in [settle()].
-#' @param accuracy Error that the lattice may leave in the aim and the conditions, as a share of the
-#'   aim and of the limits: where it is larger with `nodes`, the search ends on a finer lattice.
+#' @param nodes,netting Of the model that the search steps with, as in [settle()].
+#' @param accuracy Discretisation error of the objective and the conditions, as a share of the
+#'   objective and of the limits: where it is larger with `nodes`, the search ends with more nodes.
 #'   `NULL` stays with `nodes` and reports the error.
 #' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
 #'   `NULL` begins from the gear's own and, where that search ends at a kink, from two others. From
@@ -59,27 +59,27 @@
 #'
 #'   - `gear` and `state`: the best found, [update()][update.codend_gear]d and settled;
 #'   - `aim`: its `text`, its value in the gear as it was (`begun`) and now (`value`), `saving`,
-#'     the share by which it fell, and the `error` that the lattice leaves in the value;
+#'     the share by which it fell, and the discretisation `error` of the value;
 #'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `lower`, `upper` and `at`
 #'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at);
 #'   - `keep`: a data frame with each condition's `text`, the two sides' values `left` and `right`
 #'     in SI (or the units of the names), whether it `holds` (to 1e-4 of the limit), whether it is
-#'     `active`, its `price`: by how many percent the aim would fall were the limit 1 % looser, the
-#'     estimated `error` of the difference of both sides, and whether it is `sure`: also kept were
-#'     the measures off by twice their errors;
-#'   - `nodes` of its lattice, and `accuracy`: the largest of these errors, as a share;
+#'     `active`, its `price`: by how many percent the objective would fall were the limit 1 %
+#'     looser, the estimated `error` of the difference of both sides, and whether it is `sure`: also
+#'     kept were the measures off by twice their errors;
+#'   - `nodes` of its model, and `accuracy`: the largest of these errors, as a share;
 #'   - `optimality` and whether the optimum is `optimal` (below 0.002) and `smooth`;
-#'   - `kinks`: a data frame of measures in the aim and the conditions whose slopes by a field
-#'     differ on its two sides there, or are not known but from settled gears;
-#'   - `history`: a data frame of all points, with fields, the aim, `worst`, by which share of its
-#'     limit the worst condition fails, whether all are `kept`, and gears settled until then;
+#'   - `kinks`: a data frame of measures in the objective and the conditions whose sensitivities to
+#'     a field differ on its two sides there, or are only known from settled gears;
+#'   - `history`: a data frame of all points, with fields, the objective, `worst`, by which share of
+#'     its limit the worst condition fails, whether all are `kept`, and gears settled until then;
 #'   - `starts`: a data frame of where each start ended; `settles`, gears settled in all; `ended`,
 #'     why the search from the best start ended.
 #'
 #'   Wrong arguments are an error of class `codend_error_argument`, a wrong field one of class
 #'   `codend_error_plan`. Where no gear that settles keeps the conditions, the nearest is returned
 #'   with a warning of class `codend_warning_conditions_not_kept`.
-#' @seealso [trade_off()] for two aims, [plot.codend_optimum()], [sensitivities()].
+#' @seealso [trade_off()] for two objectives, [plot.codend_optimum()], [sensitivities()].
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' # The cable that holds its sphere 450 m deep with the least drag by speed
