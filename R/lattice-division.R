@@ -1,7 +1,5 @@
 # What is known of a lattice's division by edges and places alone.
 
-most_remembered_nodes <- 5e4
-
 # Which panels are of bars. netting: "bars" or "cells" for all, or NULL.
 panels_of_bars <- function(si, netting) {
   vapply(si$panels, function(panel) {

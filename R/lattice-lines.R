@@ -27,26 +27,8 @@ cell_bars <- function(cells, which = seq_along(cells$rest)) {
   cell_area(at$u, at$v) * cells$multiplicity[which]
 }
 
-# The four triangles of a cell's corners, in order around it.
-corner_triangles <- cbind(c(1L, 2L, 3L), c(1L, 3L, 4L), c(1L, 2L, 4L), c(2L, 3L, 4L))
-
 # Whether cells (4 x n nodes or places) have three corners.
 has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
-
-# Cells as triangles: of four corners all four, which overlap and count a half each; pointed: which
-# cells have three.
-# Returns list(cell = which of the cells, corner = 3 x triangles, 1 to 4, weight).
-cell_triangles <- function(pointed) {
-  whole <- which(pointed)
-  halved <- which(!pointed)
-  list(
-    cell = c(whole, rep(halved, each = 4L)),
-    corner = cbind(
-      matrix(rep(1:3, length(whole)), 3L), matrix(rep(corner_triangles, length(halved)), 3L)
-    ),
-    weight = rep(c(1, 0.5), c(length(whole), 4L * length(halved)))
-  )
-}
 
 # Corners of some cells of a lattice, 4 x n.
 cell_corners <- function(lattice, which = seq_along(lattice$cell_part)) {

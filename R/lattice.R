@@ -226,17 +226,6 @@ check_totals <- function(si, panels, held) {
   )
 }
 
-# The part of every element of a kind that the engine reports forces of (see reported_forces()).
-element_part <- function(lattice, kind) {
-  switch(kind,
-    bars = lattice$bar_part, cells = lattice$cell_part, spheres = lattice$sphere_part,
-    lifts = lattice$lift_part, plates = lattice$board_part,
-    screens = , blended = c(lattice$cell_part[lattice$on_cell[[kind]]],
-      lattice$sheets$part[lattice$on_sheet[[kind]]]),
-    pressure = rep(which(lattice$parts$kind == "catch"), length(lattice$engine$pressure$node) / 3)
-  )
-}
-
 # Loads by strain of the lines that have them, a row each: columns as the engine reads them, or
 # NULL.
 load_rows <- function(lines) {

@@ -1,6 +1,6 @@
 # How far the meshes of a net stand open, and what its twine covers of the flow.
 
-# Meshes at every place on the rows of panels (panel_rows()), as the netting between rows stands.
+# Meshes at every place on the rows of panels, as the netting between rows stands.
 #
 # With x_i and x_j the derivatives of position by meshes across and by meshes down a panel, a mesh
 # of diamonds has the bars (x_j + x_i) / 2 and (x_j - x_i) / 2, one of squares the bars x_i and x_j.

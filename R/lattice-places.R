@@ -1,0 +1,88 @@
+# Places on panels, as fractions across and deep, and values between rows of such places.
+
+# Where the nodes of panels lie on them: list(node, panel, s, t), s and t fractions across and deep.
+panel_places <- function(panels, division, drawn) {
+  bars <- vapply(drawn, function(panel) panel$netting == "bars", NA)
+  on_grids <- grid_places(division)
+  if (!any(bars)) return(on_grids)
+
+  edge <- rep.int(seq_along(division$count), division$count)
+  panel <- (edge - 1L) %/% 4L + 1L
+  of_bars <- bars[panel]
+  side <- ((edge - 1L) %% 4L + 1L)[of_bars]
+  f <- division$fraction[of_bars]
+  on_edges <- list(
+    node = division$edge_node[of_bars], panel = panel[of_bars],
+    s = ifelse(side <= 2L, f, side - 3), t = ifelse(side <= 2L, side - 1, f)
+  )
+
+  inside <- bar_places(panels, which(bars), drawn)
+  own <- inside$node > division$nodes
+  mapply(c, on_grids, on_edges, lapply(inside[names(on_grids)], `[`, own), SIMPLIFY = FALSE)
+}
+
+# The same of the nodes of grids alone, the panels of cells.
+grid_places <- function(division) {
+  size <- lengths(division$grids)
+  panel <- rep.int(seq_along(size), size)
+  columns <- division$count[4L * panel - 3L]
+  k <- sequence(size) - 1L
+  list(
+    node = as.integer(unlist(division$grids)), panel = panel,
+    s = division$fraction[division$before[4L * panel - 3L] + k %% columns + 1L],
+    t = division$fraction[division$before[4L * panel - 1L] + k %/% columns + 1L]
+  )
+}
+
+# The same of all knots and middles of bars of these panels, with their mesh coordinates i and j.
+bar_places <- function(panels, numbers, drawn) {
+  field <- function(name) unlist(lapply(drawn[numbers], `[[`, name), use.names = FALSE)
+  panel <- rep.int(numbers, lengths(lapply(drawn[numbers], `[[`, "node")))
+  j <- field("j")
+  shape <- pick_panels(panels, panel, side_fields)
+  left <- panel_left(shape, j)
+  width <- panel_right(shape, j) - left
+  width[width < 1e-9] <- 1e-9
+  s <- (field("i") - left) / width
+  list(
+    node = field("node"), panel = panel, s = pmin(pmax(s, 0), 1), t = j / shape$deep,
+    i = field("i"), j = j
+  )
+}
+
+# Values at places of panels: straight along rows, then between rows; beyond the
+# outermost rows and places their values hold. rows: list(panel, t = of every row, row, s = of every
+# place, x = values at every place, a column each), rows and places in order.
+on_rows <- function(places, rows) values_on_rows(rows$x, rows_at(places, rows))
+
+# Where these places lie among rows: along the row before and the one after them the places on both
+# sides with the share of the way (before, after), and the share of the way between the rows.
+rows_at <- function(places, rows) {
+  row <- between_values(places$panel, places$t, rows$panel, rows$t)
+  along <- function(row) between_values(row, places$s, rows$row, rows$s)
+  list(before = along(row$low), after = along(row$high), share = row$share)
+}
+
+# x: values at the places of rows, a column each; at: see rows_at().
+values_on_rows <- function(x, at) {
+  each <- nrow(x)
+  along <- function(on) {
+    low <- x[, on$low, drop = FALSE]
+    low + (x[, on$high, drop = FALSE] - low) * rep(on$share, each = each)
+  }
+  first <- along(at$before)
+  first + (along(at$after) - first) * rep(at$share, each = each)
+}
+
+# The values (0 to 1) of a group next to x in it: list(low, high = their numbers, share of the way).
+# groups, values: in order, groups as whole numbers of which each that is asked for is there.
+between_values <- function(group, x, groups, values) {
+  low <- findInterval(2 * group + x, 2 * groups + values)
+  low <- pmax(low, match(group, groups))
+  high <- pmin(low + 1L, length(groups))
+  beyond <- groups[high] != group
+  high[beyond] <- low[beyond]
+  width <- values[high] - values[low]
+  share <- pmin(pmax((x - values[low]) / pmax(width, 1e-12), 0), 1)
+  list(low = low, high = high, share = share)
+}
