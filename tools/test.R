@@ -4,12 +4,13 @@
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
-#                              two minutes of tests/fuzz and a hundred gears drawn at random, each
+#                              a minute of tests/fuzz and a hundred gears drawn at random, each
 #                              counted as one
-# All of the package's tests run in two processes, of which the second, `rest`, has the later files.
+#   Rscript tools/test.R files '^s'  package tests of these files, test-*.R
+# All but the engine's tests run in as many processes as there are cores, the longest first.
 
 lane <- c(commandArgs(TRUE), "full")[1]
-stopifnot(lane %in% c("full", "fast", "ci", "rest"))
+stopifnot(lane %in% c("full", "fast", "ci", "files"))
 # a make above this one would pass on flags that do not fit here
 Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 # what a test plots without naming a file goes nowhere
@@ -61,13 +62,14 @@ quick_files <- function() {
   paste0("^(", paste(setdiff(names, slow), collapse = "|"), ")$")
 }
 
-# Files of the first process and of the second, which has the shorter half, for it does more.
-files_of <- c(fast = quick_files(), full = "^[a-rw]", ci = "^[a-rw]", rest = "^[^a-rw]")
+# All files in parts, for a process each, the longest first. What a file settles others of its part
+# have.
+parts <- c("^s", "^f", "^[m-rtw]", "^[g-l]", "^[a-e]", "^[u-vx-z]")
 
-package <- function() {
+package <- function(filter) {
   results <- testthat::test_dir(
     "tests/testthat", package = "codend", load_package = "installed",
-    filter = files_of[[lane]],
+    filter = filter,
     reporter = testthat::CheckReporter$new(), stop_on_failure = FALSE
   )
   partly <- logical(length(results))
@@ -89,52 +91,46 @@ package <- function() {
   c(passed = sum(!failed & !skipped), failed = sum(failed), skipped = sum(skipped))
 }
 
-# The same cases each time, as many as the machine gets through.
-fuzz <- function() {
-  said <- suppressWarnings(system2(
-    "Rscript", c("tests/fuzz/run.R", "120", "1"), stdout = TRUE, stderr = TRUE
-  ))
+# A script that is one test: it fails where its status says so.
+whole <- function(...) {
+  said <- suppressWarnings(system2("Rscript", c(...), stdout = TRUE, stderr = TRUE))
   cat(said, sep = "\n")
   failed <- !is.null(attr(said, "status"))
   if (failed) fails(tail(said, 40L))
   c(passed = !failed, failed = failed, skipped = 0)
 }
+
+# The same cases each time, as many as the machine gets through.
+fuzz <- function() whole("tests/fuzz/run.R", "60", "1")
 
 # A hundred gears drawn at random, others every time: it says which.
 forge <- function() {
   seed <- as.integer(Sys.time()) %% 1e6
-  said <- suppressWarnings(system2(
-    "Rscript", c("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9"),
-    stdout = TRUE, stderr = TRUE
-  ))
-  cat(said, sep = "\n")
-  failed <- !is.null(attr(said, "status"))
-  if (failed) fails(tail(said, 40L))
-  c(passed = !failed, failed = failed, skipped = 0)
+  whole("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9")
 }
 
-total <- if (lane == "rest") 0 else engine()
-# the first process keeps one core busy: the others run beside it, and what they say comes after, so
-# that lines do not mix
-two <- lane %in% c("full", "ci")
-if (two) {
-  beside <- parallel::mcparallel({
-    said <- utils::capture.output({
-      count <- counted("tools/test.R", "rest")
-      if (lane == "ci") count <- count + counted("tools/checks.R") + fuzz() + forge()
-    })
-    list(said = said, count = count, failures = failures)
-  })
+# What a job says, counts and finds wrong: jobs run at once, and their lines are not to mix.
+apart <- function(job) {
+  failures <<- character()
+  said <- utils::capture.output(count <- job())
+  list(said = said, count = count, failures = failures)
 }
-total <- total + package()
-if (two) {
-  beside <- parallel::mccollect(beside)[[1L]]
-  if (!is.list(beside)) {
-    beside <- list(said = beside, count = c(passed = 0, failed = 1, skipped = 0))
+
+total <- if (lane == "files") 0 else engine()
+if (lane %in% c("fast", "files")) {
+  total <- total + package(if (lane == "fast") quick_files() else commandArgs(TRUE)[2])
+} else {
+  jobs <- lapply(parts, function(part) function() counted("tools/test.R", "files", shQuote(part)))
+  checks <- function() counted("tools/checks.R")
+  if (lane == "ci") jobs <- append(jobs, list(fuzz, checks, forge), 1L)
+  cores <- parallel::detectCores()
+  found <- parallel::mclapply(jobs, apart, mc.preschedule = FALSE, mc.cores = cores)
+  for (one in found) {
+    if (!is.list(one)) one <- list(said = "", count = c(passed = 0, failed = 1, skipped = 0))
+    cat(one$said, sep = "\n")
+    fails(one$failures)
+    total <- total + one$count
   }
-  cat(beside$said, sep = "\n")
-  fails(beside$failures)
-  total <- total + beside$count
 }
 if (length(failures)) cat("What failed:", failures, sep = "\n")
 cat(sprintf("%d %s", total, names(total)), sep = ", ")
