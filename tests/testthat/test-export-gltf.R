@@ -147,3 +147,22 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   run_export(kept, again, list())
   expect_identical(readBin(again, "raw", 1e7), readBin(file, "raw", 1e7))
 })
+
+test_that("the validator of glTF finds no error in a shape and in a tow", {
+  folder <- test_path("..", "gltf")
+  skip_if_not(dir.exists(file.path(folder, "node_modules", "gltf-validator")) &&
+    nzchar(Sys.which("node")), "the validator of glTF is not here")
+  made <- test_folder()
+  kept <- list(
+    trawl.glb = settled("midwater_trawl", nodes = 500),
+    panel.gltf = settled("panel_in_current", nodes = 200, netting = "cells"),
+    board.glb = unsettled(test_path("plans", "towed_board.yaml")),
+    tow.glb = tow("towed_cable", until = 4, every = 2, nodes = 40)
+  )
+  for (name in names(kept)) {
+    file <- write_gltf(kept[[name]], file.path(made, name))
+    said <- system2("node", shQuote(c(file.path(folder, "validate.js"), file)), stdout = TRUE)
+    found <- jsonlite::fromJSON(said)
+    expect_identical(c(found$numErrors, found$numWarnings), c(0L, 0L), label = said)
+  }
+})
