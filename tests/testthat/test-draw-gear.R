@@ -186,8 +186,8 @@ test_that("nothing overlaps on any shipped gear, and the letters are those of IS
   gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net))
   for (k in seq_along(gears)) {
     gear <- gears[[k]]
-    # the smallest page, and in turn one of the others
-    for (page in c("A4", c("A3", "A2", "A1")[k %% 3 + 1])) {
+    # the smallest page, and of every third gear one of the others
+    for (page in c("A4", if (k %% 3 == 0) c("A3", "A2", "A1")[(k / 3) %% 3 + 1])) {
       sheet <- gear_sheet(gear, page)
       told <- paste(gear$plan$name, page)
       expect_identical(overlaps(sheet), character(), label = told)
@@ -307,12 +307,12 @@ test_that("a DXF has no break and one scale", {
   expect_equal(diff(range(panel$x)) / diff(range(panel$y)), flat$upper[1] / flat$depth[1])
 })
 
-test_that("every shipped plan is drawn, and the device is left as it was", {
+test_that("a plan is drawn on the device, which is left as it was", {
   grDevices::pdf(NULL, 11.69, 8.27)
   device <- grDevices::dev.cur()
   on.exit(grDevices::dev.off(device))
   before <- graphics::par("mai", "cex")
-  for (name in gears()$name) {
+  for (name in c("towed_cable", "pair_trawl", "cage")) {
     gear <- read_gear(name)
     expect_identical(withVisible(plot(gear)), list(value = gear, visible = FALSE))
   }

@@ -35,7 +35,9 @@ test_that("a gear that was changed is checked to what its plan gives anew", {
     list(water.density = 1010), list(warps.length = "123 m"), list(head_line.length = NULL),
     list(sections.intermediate.meshes.deep = 20), list(towing = NULL)
   )
-  for (name in names(shipped_plans())) {
+  # one of each kind
+  table <- gears()
+  for (name in table$name[!duplicated(table$kind)]) {
     gear <- read_gear(name)
     for (change in changes) {
       # some gears have no such field

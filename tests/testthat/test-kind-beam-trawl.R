@@ -1,9 +1,8 @@
 test_that("a beam trawl is as wide and high as its frame, at every division and speed", {
   trawl <- read_gear("beam_trawl")
-  found <- lapply(c(200, 400, 1500), function(nodes) settle(trawl, nodes = nodes))
-  found <- c(found, lapply(c("2 knot", "5 knot"), function(speed) {
-    settle(update(trawl, towing.speed = speed), nodes = 400)
-  }))
+  found <- lapply(c(200, 1500), function(nodes) settle(trawl, nodes = nodes))
+  slow <- settle(update(trawl, towing.speed = "2 knot"), nodes = 1500)
+  found <- c(found, list(slow, settle(update(trawl, towing.speed = "5 knot"), nodes = 400)))
   frame <- found[[1]]$si$ropes
   for (state in found) {
     # 10 kN on a strut of 100 MN and 4 m stretch it by less than 1 mm
@@ -19,13 +18,12 @@ test_that("a beam trawl is as wide and high as its frame, at every division and 
     expect_gt(beam - max(corner("toe_port")[3], corner("lower_port")[3]), 0.2)
     expect_equal(corner("upper_port")[3], corner("upper_starboard")[3], tolerance = 1e-6)
   }
-  found <- measures(found[[4]])
+  found <- measures(slow)
   # at 2 knot nothing lifts the shoes off the sea bed, into which they sink by less than 20 mm
   expect_lt(found[["beam_height_m"]], 0.6)
   expect_gt(found[["beam_height_m"]], 0.58)
   # the net hangs from the beam's ends: the head line sags a little between them (with 400 nodes it
   # is 10 % too high, with 5,000 at 0.598 m)
-  found <- measures(settle(update(trawl, towing.speed = "2 knot"), nodes = 1500))
   expect_equal(found[["headline_height_m"]], found[["beam_height_m"]], tolerance = 0.05)
 })
 

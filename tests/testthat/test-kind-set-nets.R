@@ -82,7 +82,7 @@ test_that("a dip net hangs upright in still water, is swept aside by a current, 
 
 test_that("a dip net's frame is as deep as its corners are in the mean, on every lattice", {
   net <- read_gear("dip_net")
-  settled <- lapply(c(1000, 1250), function(nodes) settle(net, nodes = nodes))
+  settled <- lapply(c(300, 400), function(nodes) settle(net, nodes = nodes))
   corners <- vapply(settled, function(state) {
     vapply(1:8, function(k) -state$position[3, state$lattice$place(paste0("collar_", k))], 0)
   }, numeric(8))

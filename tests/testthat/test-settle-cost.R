@@ -25,7 +25,7 @@ test_that("shipped gears settle in few steps, with one factorisation a step", {
 test_that("any shipped gear settles from its own state without a step", {
   for (name in gears()$name) {
     gear <- read_gear(name)
-    suppressWarnings(state <- settle(gear, nodes = 300), classes = "codend_warning")
+    suppressWarnings(state <- settled(name, nodes = 300), classes = "codend_warning")
     suppressWarnings(again <- settle(gear, nodes = 300, from = state), classes = "codend_warning")
     expect_identical(again$report$iterations, 0L, label = name)
     expect_identical(again$report$factorisations, 0L, label = name)

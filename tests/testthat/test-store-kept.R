@@ -45,7 +45,7 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
   for (one in kept) {
     size <- file.size(one$file)
     # places all over the file, the header's dense
-    places <- unique(round(c(seq(1, 2000, by = 41), seq(1, size, length.out = 60))))
+    places <- unique(round(c(seq(1, 2000, by = 83), seq(1, size, length.out = 30))))
     for (place in places) {
       flipped <- damaged(one$file, function(bytes) {
         bytes[place] <- xor(bytes[place], as.raw(2^(place %% 8)))
@@ -54,7 +54,7 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
       expect_error(one$read(flipped), class = "codend_error_file", label = paste("flipped", place))
       unlink(flipped)
     }
-    for (length in round(seq(0, size - 1, length.out = 40))) {
+    for (length in round(seq(0, size - 1, length.out = 20))) {
       cut <- damaged(one$file, function(bytes) bytes[seq_len(length)])
       expect_error(one$read(cut), class = "codend_error_file", label = paste("cut to", length))
       unlink(cut)
@@ -122,12 +122,12 @@ test_that("a forged file with a right checksum holds no place that is not there"
       if (path[1] %in% c("plates", "sliding")) path <- append(path, 1L, 1L)
       places <- tryCatch(state$lattice$engine[[path]], error = function(e) NULL)
       if (!length(places)) next
-      for (wrong in c(1000000L, -1L)) {
-        bad <- state$lattice
-        bad$engine[[path]][length(places)] <- wrong
-        expect_error(check_indices(bad), label = paste(c(name, path, wrong), collapse = " "))
-        forged <- forged + 1
-      }
+      # too large and too small in turn, the other way round in the next gear
+      wrong <- c(1000000L, -1L)[(k + nchar(name)) %% 2 + 1]
+      bad <- state$lattice
+      bad$engine[[path]][length(places)] <- wrong
+      expect_error(check_indices(bad), label = paste(c(name, path, wrong), collapse = " "))
+      forged <- forged + 1
     }
     measured <- measures(state)
     # nothing but the reader looks at these
@@ -157,8 +157,8 @@ test_that("a forged header with a right checksum is refused before anything is a
   bytes <- readBin(file, "raw", file.size(file) - seal_bytes)
   before <- peak_memory()
   refused <- 0
-  # words of the header; all of its counts among them
-  for (at in seq(4, 2000, by = 4)) {
+  # words of the header, counts among them
+  for (at in seq(4, 2000, by = 12)) {
     forged <- replace(bytes, at + 1:4, as.raw(c(0x0f, 0xff, 0xff, 0xff)))
     writeBin(forged, file)
     refused <- refused + tryCatch(
@@ -168,12 +168,12 @@ test_that("a forged header with a right checksum is refused before anything is a
       },
       codend_error_file = function(e) 1
     )
-    if (at %% 20 == 0) {
+    if (at %% 60 == 4) {
       seal_file(file)
       read <- tryCatch(read_state(file), codend_error_file = function(e) NULL)
       if (!is.null(read)) expect_s3_class(read, "codend_state")
     }
   }
-  expect_gt(refused, 100)
+  expect_gt(refused, 30)
   if (!is.na(before)) expect_lt(peak_memory() - before, 5e8)
 })

@@ -42,7 +42,7 @@ test_that("an error that is estimated gives Student's posterior", {
   wanted <- stats::lm(drag ~ known - 1)
   mean <- stats::coef(wanted)[[1]]
   error <- sqrt(stats::vcov(wanted)[1, 1])
-  draws <- sample_posterior(fit, draws = 600)
+  draws <- sample_posterior(fit, draws = 300)
   # of 4 degrees of freedom: a standard deviation of sqrt(4 / 2)
   chain <- attr(draws, "chain")
   expect_lt(abs(chain$q50 - mean), 5 * error / sqrt(chain$effective))

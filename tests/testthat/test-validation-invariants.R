@@ -45,14 +45,11 @@ test_that("a plan written, read and settled again gives the same bytes", {
   for (name in setdiff(shipped, "purse_seine")) {
     file <- tempfile(fileext = ".yaml")
     write_gear(read_gear(name), file)
-    nodes <- 1500
-    first <- settle(read_gear(name), nodes = nodes)
-    for (gear in list(read_gear(file), read_gear(name))) {
-      again <- settle(gear, nodes = nodes)
-      expect_identical(again$position, first$position)
-      expect_identical(again$bar_tension, first$bar_tension)
-      expect_identical(again$u_tension, first$u_tension)
-    }
+    first <- settled(name, nodes = 300)
+    again <- settle(read_gear(file), nodes = 300)
+    expect_identical(again$position, first$position)
+    expect_identical(again$bar_tension, first$bar_tension)
+    expect_identical(again$u_tension, first$u_tension)
   }
 })
 
