@@ -5,7 +5,8 @@
 # `file` has `from` once, in the place of which `to` is put. A fault of the engine meets the
 # engine's own tests, then as one of R the package tests of `tests`, one file after another until
 # one fails; FAULTS=all goes on with all other files. Works in a temporary folder, with the codend
-# that is installed for what a fault does not change. Fails where a fault survives.
+# that is installed, whose R code is put in place anew for a fault of R and which is compiled anew
+# for one of the engine. Fails where a fault survives.
 
 faults <- utils::read.csv("tools/faults.csv")
 rows <- unlist(lapply(commandArgs(TRUE), function(one) eval(str2lang(one))))
@@ -26,23 +27,43 @@ quietly <- function(command, arguments, ...) {
   suppressWarnings(system2(command, arguments, stdout = FALSE, stderr = FALSE, ...)) == 0L
 }
 
-# The package of the copy, compiled anew where the engine has the fault.
-install <- function(engine) {
-  options <- c("CMD", "INSTALL", "--no-docs", "--no-test-load", "--no-byte-compile",
-    if (!engine) "--no-libs", "-l", library, copy)
-  if (!quietly(file.path(R.home("bin"), "R"), options)) return(FALSE)
-  own <- file.path(library, "codend", "libs")
-  engine || file.copy(system.file("libs", package = "codend"), dirname(own), recursive = TRUE)
+# The package of the copy, compiled anew.
+install <- function() {
+  options <- c("CMD", "INSTALL", "--no-docs", "--no-test-load", "--no-byte-compile", "-l", library,
+    copy)
+  quietly(file.path(R.home("bin"), "R"), options)
 }
 
+# Runs with the arguments copy, file of tests, whether the copy's R code takes the installed one's
+# place.
+run <- file.path(copy, "run.R")
+writeLines(r"(
+given <- commandArgs(TRUE)
+here <- loadNamespace("codend")
+if (given[3] == "TRUE") {
+  for (name in ls(here, all.names = TRUE)) unlockBinding(name, here)
+  for (file in Sys.glob(file.path(given[1], "R", "*.R"))) {
+    # a namespace that is loaded takes no new names, which two lines would give it for a moment
+    for (one in parse(file, keep.source = FALSE)) try(eval(one, here), silent = TRUE)
+  }
+  methods <- parseNamespaceFile(basename(given[1]), dirname(given[1]), FALSE)$S3methods
+  for (k in seq_len(nrow(methods))) {
+    home <- if (is.na(methods[k, 4])) here else loadNamespace(methods[k, 4])
+    method <- get(paste(methods[k, 1], methods[k, 2], sep = "."), here)
+    registerS3method(methods[k, 1], methods[k, 2], method, home)
+  }
+}
+found <- as.data.frame(testthat::test_file(given[2], package = "codend",
+  load_package = "installed", reporter = "silent"))
+quit(status = any(found$failed > 0 | found$error))
+)", run)
+
 # Whether a file of package tests passes in the copy.
-passes <- function(name) {
-  run <- sprintf(paste0(
-    "library(testthat); .libPaths(c('%s', .libPaths())); library(codend, lib.loc = '%s'); ",
-    "found <- as.data.frame(test_file('%s', package = 'codend', load_package = 'installed', ",
-    "reporter = 'silent')); quit(status = any(found$failed > 0 | found$error))"
-  ), library, library, file.path(copy, "tests", "testthat", paste0("test-", name, ".R")))
-  quietly(file.path(R.home("bin"), "Rscript"), c("-e", shQuote(run)))
+passes <- function(name, engine) {
+  file <- file.path(copy, "tests", "testthat", paste0("test-", name, ".R"))
+  own <- if (engine) paste0("R_LIBS=", library, ":", paste(.libPaths(), collapse = ":"))
+  quietly(file.path(R.home("bin"), "Rscript"), c(run, copy, file, !engine),
+    env = c(own, "NOT_CRAN=true"))
 }
 
 # What notices a fault, or NA.
@@ -57,8 +78,8 @@ noticed_by <- function(fault) {
     files <- union(files, every)
   }
   if (!length(files)) return(NA)
-  if (!install(engine)) stop("codend with the fault ", fault$to, " could not be installed")
-  for (name in files) if (!passes(name)) return(name)
+  if (engine && !install()) stop("codend with the fault ", fault$to, " could not be installed")
+  for (name in files) if (!passes(name, engine)) return(name)
   NA
 }
 
