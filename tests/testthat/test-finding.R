@@ -67,6 +67,8 @@ seams:
   side: {edges: [net.right, mat.left]}", plan = spoil("deep: 10", "deep: 75"))
   found <- expect_finding(read_text(plan), "seam", "seam side")
   expect_equal(found$value, 75 / 60)
+  three <- spoil("net.right, mat.left", "net.right, mat.left, mat.right", plan = plan)
+  expect_equal(expect_finding(read_text(three), "seam", "seam side")$value, 75 / 60)
   even <- read_text(spoil("deep: 60", "deep: 70", plan = plan))
   expect_false("seam" %in% findings(even)$check)
   hung <- spoil("panels:",
@@ -142,6 +144,11 @@ test_that("what is out of proportion for its kind shows", {
   expect_equal(expect_finding(seven, "towing speed", "towing.speed")$value, 7)
   heavy <- update(trawl, ground_gear.mass_in_water = "40 kg/m")
   expect_equal(expect_finding(heavy, "ground gear weight", "ground_gear")$value, 40)
+  discs <- list(number = 100, diameter = "300 mm", width = "100 mm", mass = "60 kg")
+  rolling <- update(trawl, ground_gear.discs = discs, ground_gear.mass_in_water = "3 kg/m")
+  length <- gear_si(rolling)$ropes$ground_gear$length
+  expect_equal(expect_finding(rolling, "ground gear weight", "ground_gear")$value,
+    3 + 100 * (60 - 1025 * pi / 4 * 0.3^2 * 0.1) / length, tolerance = 1e-3)
   light <- update(trawl, otter_boards.mass = "100 kg")
   expect_equal(expect_finding(light, "board weight over area", "otter_boards.mass")$value,
     100 / 4.86)

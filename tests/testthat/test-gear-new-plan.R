@@ -59,6 +59,13 @@ test_that("a new bottom trawl of every size is in the bands that are published, 
   expect_in_band(pair$net_mouth_height_m / 40, "headline height over head line", "pair_trawl", "")
 })
 
+test_that("bottom trawls are scaled from one of 25 m, which is towed at 3 knot", {
+  plan <- new_plan("bottom_trawl", head_line = "25 m")$plan
+  expect_identical(plan$towing$speed, "3 knot")
+  expect_identical(plan$otter_boards$lift_coefficient, 1.2)
+  expect_equal(faster(list(speed = 3 * 1852 / 3600, head_line = 25)), 1)
+})
+
 test_that("a new midwater trawl of every size is in the bands that are published, and none warns", {
   for (h in c(20, 50, 120)) {
     found <- settled_starter("midwater_trawl", head_line = paste(h, "m"))
@@ -85,6 +92,10 @@ test_that("a new beam trawl, gillnet, cage, stow net, purse seine or longline ha
     current = "0.05 m/s")$measures
   expect_equal(net$net_height_m, 5, tolerance = 0.1)
   cage <- new_plan("cage", diameter = "50 m", depth = "20 m", current = "0.1 m/s")
+  # moorings are a fiftieth longer than the way from the collar to their anchors
+  line <- cage$plan$moorings
+  metres <- vapply(line[c("length", "reach", "anchor_depth")], quantity_si, 0, "length")
+  expect_equal(metres[[1]], 1.02 * sqrt(metres[[2]]^2 + metres[[3]]^2), tolerance = 2e-3)
   held <- measures(settle(cage, nodes = 500))
   # a cylinder and its cone
   expect_equal(held[["net_volume_m3"]], pi * 25^2 * (20 + 7.5 / 3), tolerance = 0.05)

@@ -27,6 +27,16 @@ test_that("a beam trawl is as wide and high as its frame, at every division and 
   expect_equal(found[["headline_height_m"]], found[["beam_height_m"]], tolerance = 0.05)
 })
 
+test_that("a beam trawl starts on the sea bed, its beam as high as the shoes", {
+  gear <- read_gear("beam_trawl")
+  fields <- gear_checked(gear)$fields
+  z <- vapply(beam_trawl_start(fields), `[`, 0, 3)
+  bed <- -fields$seabed$depth
+  expect_equal(z[["upper_port"]], bed + fields$shoes$height)
+  # a shoe that stands there has its middle within its height
+  expect_true(z[["toe_port"]] > bed && z[["toe_port"]] < bed + fields$shoes$height / 2)
+})
+
 test_that("what a beam trawl presses on the sea bed is its weight in water less the warp's lift", {
   trawl <- update(read_gear("beam_trawl"), towing.speed = "3 knot")
   found <- lapply(c("300 kg", "250 kg"), function(mass) {

@@ -41,6 +41,13 @@ small_bottom_trawl <- function(panels = 2, ...) {
     Filter(Negate(is.null), fields)))
 }
 
+test_that("ground gear of which the mass in water is given is of steel", {
+  si <- gear_si(small_bottom_trawl())
+  rope <- si$ropes[[which(vapply(si$ropes, `[[`, "", "role") == "ground_gear")]]
+  expect_equal(rope$mass_per_length, 6 * 7850 / (7850 - 1025))
+  expect_equal(rope$mass_per_length - si$water$density * rope$volume_per_length, 6)
+})
+
 test_that("bottom trawls of 2 and 4 panels settle on the sea bed, port as starboard", {
   for (panels in c(2, 4)) {
     trawl <- small_bottom_trawl(panels)

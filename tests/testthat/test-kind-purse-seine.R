@@ -19,6 +19,16 @@ test_that("the short form keeps the plan's lengths and weights", {
   expect_equal(gap, 2 * radius * sin(15 / 2 * pi / 180))
 })
 
+test_that("a line without a length is hung by its ratio on the edges of all panels", {
+  panel <- function(upper, lower, mesh_size) {
+    list(meshes = list(upper = upper, lower = lower), mesh_size = mesh_size)
+  }
+  fields <- list(panels = list(panel(1000, 900, 0.1), panel(500, 400, 0.2)),
+    float_line = list(hanging_ratio = 0.7), lead_line = list(hanging_ratio = 0.8))
+  expect_equal(codend:::seine_line_length(fields, "float_line"), 0.7 * (100 + 100))
+  expect_equal(codend:::seine_line_length(fields, "lead_line"), 0.8 * (90 + 80))
+})
+
 test_that("a wrong purse seine is told by its field", {
   gear <- read_gear("purse_seine")
   wrong <- function(path, value, says = path) {

@@ -80,3 +80,16 @@ test_that("strains linear along and across each family are carried, and others h
     }
   }
 })
+
+test_that("lines of a rope lie at their middles, places of a panel between its sides", {
+  si <- gear_si(as_gear(tapered_panel()))
+  lattice <- build_lattice(si, 400, "cells")
+  at <- line_places(panel_table(si$panels), lattice)
+  rope <- at$s[at$family == 2]
+  # bars of a rope along an edge of equal meshes are of one length
+  expect_equal(rope, (seq_along(rope) - 0.5) / length(rope))
+  # 36 of 60 meshes lost over 30, half on each side
+  table <- panel_table(si$panels)
+  expect_equal(panel_left(table, c(0, 10, 30)), c(0, 6, 18))
+  expect_equal(panel_right(table, c(0, 10, 30)), c(60, 54, 42))
+})
