@@ -200,8 +200,8 @@ carry_levels <- function(levels, values_from, values) {
     now <- plain(values[names])
     then <- unname(level$values[names])
     scaled <- now * then / old
-    plainly <- now + (then - old)
-    level$values <- setNames(ifelse(is.finite(scaled), scaled, plainly), names)
+    # what was nothing adds what the level has of it
+    level$values <- setNames(ifelse(is.finite(scaled), scaled, now + then), names)
     level
   })
 }

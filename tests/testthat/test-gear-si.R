@@ -260,3 +260,8 @@ test_that("a ball's area across the flow is that of its circle", {
   ball <- gear_si(read_gear("midwater_trawl"))$pieces$floats
   expect_equal(ball$area, pi / 4 * ball$height^2)
 })
+
+test_that("a piece of a volume alone is as high as a cube of it", {
+  expect_equal(piece_height(list(), 0.027), 0.3)
+  expect_equal(piece_height(list(diameter = 0.2), 0.027), 0.2)
+})

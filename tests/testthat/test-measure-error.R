@@ -48,6 +48,39 @@ test_that("errors hold of lattices with drift and scatter, and are no wider than
   expect_lte(mean(sums[2, ]), 2)
 })
 
+test_that("orders of the error weigh by the likelihood of differences between lattices", {
+  nodes <- c(400, 900, 2500)
+  values <- rbind(a = c(10.5, 10.31, 10.2), b = c(2.02, 2.05, 1.99))
+  found <- fitted_errors(values, nodes, c("force", "force"))
+  # the same by the differences from the last lattice, which no constant is part of
+  differ <- cbind(diag(2), -1)
+  h <- sqrt(nodes[3] / nodes)
+  by_order <- lapply(error_orders, function(order) {
+    covariance <- outer(h^order, h^order) + diag((scatter_share * h)^2)
+    of_differences <- differ %*% covariance %*% t(differ)
+    d <- differ %*% t(values)
+    squares <- diag(t(d) %*% solve(of_differences, d))
+    own <- usual_shares(sqrt(squares / 2) / values[, 3], c("force", "force")) * values[, 3]
+    variance <- (own^2 + squares) / 3
+    # least squares of a constant, each lattice by its covariance
+    root <- solve(t(chol(covariance)))
+    constant <- lm.fit(root %*% rep(1, 3), root %*% t(values))$coefficients
+    list(
+      weight = variance^(-3 / 2) / sqrt(det(of_differences)),
+      square = (values[, 3] - constant)^2 + variance / sum((root %*% rep(1, 3))^2)
+    )
+  })
+  weight <- vapply(by_order, `[[`, numeric(2), "weight")
+  square <- vapply(by_order, `[[`, numeric(2), "square")
+  expect_equal(found, sqrt(rowSums(weight * square) / rowSums(weight)), ignore_attr = TRUE)
+})
+
+test_that("levels of another gear are scaled with its measures", {
+  level <- list(nodes = 600, values = c(a = 2, none = 3))
+  found <- carry_levels(list(level), c(a = 4, none = 0), c(a = 8, none = 1))[[1]]
+  expect_identical(found, list(nodes = 600, values = c(a = 4, none = 4)))
+})
+
 test_that("a handful of nodes counts only where there is nothing else", {
   crude <- list(nodes = 250, values = c(a = 30, b = 1))
   fair <- with_error(600, 1)

@@ -199,3 +199,24 @@ test_that("strength is the share of the breaking load", {
   expect_equal(lead$strength_percent, 10 * lead$max_kN)
   expect_true(is.na(tensions$strength_kN[tensions$kind == "netting"]))
 })
+
+test_that("a held gear meets the flow along the fastest current of its profile", {
+  si <- list(towing = list(speed = 0),
+    water = list(current = list(x = c(0.3, -0.6, 0), y = c(0.4, 0.8, 0.1))))
+  axes <- flow_axes(si)
+  expect_equal(axes[, "flow"], c(-0.6, 0.8, 0))
+  expect_equal(axes[, "across"], c(-0.8, -0.6, 0))
+  si$towing$speed <- 1
+  expect_identical(flow_axes(si)[, "flow"], c(1, 0, 0))
+})
+
+test_that("the supports of a held edge carry the net's weight in air, half each", {
+  plan <- hung_panel_plan
+  plan$points <- list(left = list(position = c(0, 0, 0), held = "fixed"),
+    right = list(position = c(0, 2, 0), held = "fixed"))
+  plan$seams$top <- list(edges = list("net.upper"), held_between = c("left", "right"))
+  state <- settle(as_gear(plan), nodes = 100)
+  weight <- sum(as.data.frame(state, what = "drag")$weight_in_water_kN)
+  # settled to 1e-8 of the largest tension
+  expect_equal(reaction_table(state)$z_kN, rep(weight / 2, 2), tolerance = 1e-6)
+})

@@ -11,6 +11,7 @@ test_that("quantities in words become SI", {
       list("5 mm2", "area", 5e-6),
     list("1.19e-6 m2/s", "viscosity", 1.19e-6), list("0.44 GPa", "stress", 4.4e8),
     list("180 deg", "angle", pi), list("90\u00b0", "angle", pi / 2), list("1.5 h", "time", 5400),
+    list("2 litres", "volume", 0.002), list("3 MW", "power", 3e6), list("2 PS", "power", 1470.9975),
     list("45 %", "number", 0.45), list(".5", "number", 0.5), list("  -5   m ", "length", -5),
     list("1e3 m", "length", 1000), list(7, "length", 7), list("7", "length", 7)
   )

@@ -68,3 +68,11 @@ test_that("colours of series differ in grey and for the colour-blind", {
   for (n in 1:7) expect_length(series_colours(n), n)
   expect_false(anyDuplicated(series_colours(4)) > 0)
 })
+
+test_that("netting counts by its area with meshes open at 90 degrees, ropes by their length", {
+  state <- settled("panel_in_current", nodes = 200)
+  size <- setNames(part_sizes(state$si, state$lattice), state$lattice$parts$name)
+  # 20 meshes of 0.1 m each way
+  expect_equal(size[["net"]], 2 * sin(pi / 4) * 2 * cos(pi / 4))
+  expect_equal(size[["head_line"]], 2.2)
+})
