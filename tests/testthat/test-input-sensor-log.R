@@ -37,6 +37,15 @@ test_that("spikes go, what is real stays", {
   expect_identical(means$haul, 1:2)
 })
 
+test_that("a reading is judged by the spread next to it", {
+  # quiet, then rough water
+  noise <- sin((1:120)^2)
+  values <- noise * rep(c(1, 100), c(90, 30))
+  values[40] <- 60
+  values[105] <- 250
+  expect_identical(is_spike(values, 15, 5)[c(40, 105)], c(TRUE, FALSE))
+})
+
 test_that("a wrong log is one error", {
   file <- log_of(c("a,b", "0,1", "x,2"))
   columns <- list(time = list(column = "a"), door = list(column = "b", unit = "m"))

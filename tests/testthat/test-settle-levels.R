@@ -50,6 +50,17 @@ test_that("a state is the start of another speed, warp or finer lattice", {
   )
 })
 
+test_that("a shape is moved for another length as two layouts differ", {
+  cable <- read_gear("towed_cable")
+  state <- settle(cable, nodes = 40)
+  longer <- update(cable, ropes.cable.length = state$si$ropes$cable$length + 1)
+  moved <- shape_for(gear_si(longer), state)$position - state_shape(state)$position
+  # the end goes as far as the rope grows, and with it by little as the layout turns
+  far <- sqrt(colSums(moved^2))
+  expect_equal(max(far), 1, tolerance = 0.01)
+  expect_equal(min(far), 0)
+})
+
 test_that("a shape that is only tried is left as it was where its steps do not close in", {
   state <- settled("midwater_trawl", nodes = 500)
   shape <- state_shape(state)

@@ -34,6 +34,7 @@ test_that("the budget of a towed sphere is that of its closed form", {
   expect_equal(row$plan, 0.04 * 200 * 9.81 * weight / pull / 1000, tolerance = 1e-3)
   largest <- found$sources[found$sources$measure == "pull_kN", ][1L, ]
   expect_identical(largest$source, "pieces sphere mass")
+  expect_equal(largest$percent, 100 * (largest$contribution / row$uncertainty)^2)
   # the interval reaches Student's t of the degrees of freedom that the model's part leaves
   expect_equal(row$high - row$value, qt(0.95, row$freedom) * row$uncertainty)
 })

@@ -42,3 +42,21 @@ test_that("a place or number that is missing from a schedule is named", {
     schedule
   })[1], "schedule.motion.place")
 })
+
+test_that("a smooth curve has the mean of the slopes next to each value", {
+  curve <- smooth_curve(c(0, 1, 3), c(0, 2, 2))
+  expect_equal(curve$begin_rate, c(2, 1))
+  expect_equal(curve$end_rate, c(1, 0))
+})
+
+test_that("what a winch is too slow for comes at its greatest speed", {
+  wanted <- list(time = c(0, 1, 100), begin = c(0, 10), end = c(10, 10), begin_rate = c(10, 0),
+    end_rate = c(10, 0))
+  expect_equal(curve_at(limited_curve(wanted, 2), c(0, 2, 4, 7)), c(0, 4, 8, 10))
+})
+
+test_that("a million times may be kept and no more", {
+  expect_null(check_tow_times(1e6, list(every = 1)))
+  expect_error(check_tow_times(1e6, list(every = 1 / 1.001)), "at least 1 s",
+    class = "codend_error_argument")
+})
