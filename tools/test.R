@@ -4,7 +4,7 @@
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
-#                              a minute of tests/fuzz and a hundred gears drawn at random, each
+#                              a minute of tests/fuzz and sixty gears drawn at random, each
 #                              counted as one
 #   Rscript tools/test.R files '^s'  package tests of these files, test-*.R
 # All but the engine's tests run in as many processes as there are cores, the longest first.
@@ -105,10 +105,10 @@ whole <- function(...) {
 # The same cases each time, as many as the machine gets through.
 fuzz <- function() whole("tests/fuzz/run.R", "60", "1")
 
-# A hundred gears drawn at random, others every time: it says which.
+# Sixty gears drawn at random, others every time: it says which.
 forge <- function() {
   seed <- as.integer(Sys.time()) %% 1e6
-  whole("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9")
+  whole("bench/settle-forge.R", "count=60", paste0("seed=", seed), "least=0.9")
 }
 
 # What a job says, counts and finds wrong: jobs run at once, and their lines are not to mix.
