@@ -30,6 +30,12 @@
 #'   - `"tensions"`: `part`, `kind`, `role`, the largest and the mean tension of one line, `max_kN`,
 #'     `mean_kN`.
 #'   - `"nodes"`: `node` and its place over the ground, `x_m`, `y_m`, `z_m`.
+#'   - `"swept"`: a row per time: `distance_m` (the vessel's way over the ground) and, summed up
+#'     since the start, `swept_volume_m3` (water that flowed through the mouth) and `swept_area_m2`
+#'     (ground that the lines between the wing ends passed over): the integrals of
+#'     `filtered_volume` and `swept_area` ([measures()]) by the trapezoid rule between kept times,
+#'     `NA` where the gear has no such measure. With [mesh_openings()] this is what a model of
+#'     selection takes.
 #' @param ... Not used.
 #' @return A data frame.
 #' @examples
@@ -38,12 +44,13 @@
 #' as.data.frame(faster, what = "measures")
 #' @export
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
-                                            what = c("measures", "conditions", "tensions", "nodes"),
-                                            ...) {
-  what <- chosen(what, c("measures", "conditions", "tensions", "nodes"))
+                                            what = c("measures", "conditions", "tensions", "nodes",
+                                              "swept"), ...) {
+  what <- chosen(what, c("measures", "conditions", "tensions", "nodes", "swept"))
   table <- switch(what,
     measures = by_time(x, function(k) measure_table(state_at(x, x$time[k]))),
     conditions = condition_units(x$conditions),
+    swept = swept_table(x),
     tensions = by_time(x, function(k) part_tensions(x, k)),
     nodes = by_time(x, function(k) {
       place <- x$position[, , k]

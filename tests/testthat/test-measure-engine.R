@@ -56,7 +56,7 @@ test_that("a vessel's table that cannot be is told", {
 test_that("what a tow swept is the integral of its measures", {
   trawl <- settle("beam_trawl", nodes = 200)
   found <- tow(trawl, until = 20, every = 10, accuracy = 0.1)
-  swept <- swept(found)
+  swept <- as.data.frame(found, what = "swept")
   expect_equal(swept$time_s, c(0, 10, 20))
   speed <- trawl$si$towing$speed
   expect_equal(swept$distance_m, speed * c(0, 10, 20), tolerance = 1e-6)

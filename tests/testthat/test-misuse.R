@@ -48,7 +48,7 @@ wrong_calls <- expression(
   tow(), tow(g), tow(s), tow(g, until = -1), tow(g, until = "10 m"), tow(g, until = "soon"),
   tow(g, until = 10, speed = "fast"), tow(g, until = 10, every = -1), tow(1, until = 10),
   state_at(), state_at(tr), state_at(s, 1), state_at(tr, 1e6), state_at(tr, -1),
-  state_at(tr, "a week"), state_at(tr, c(1, 2)), write_trajectory(s, "a.nc"), swept(s), swept(),
+  state_at(tr, "a week"), state_at(tr, c(1, 2)), write_trajectory(s, "a.nc"),
   # studies
   sensitivities(), sensitivities(g), sensitivities(s, of = "drag"), sensitivities(s, to = "speed"),
   sensitivities(s, to = 3), sensitivities(s, secants = 1), vary(), vary(1), vary(g, 3),
