@@ -72,12 +72,12 @@ engine_body_modes <- function(lattice, position, velocity) {
   .Call(`_codend_engine_body_modes`, lattice, position, velocity)
 }
 
-engine_tangent <- function(lattice, position) {
-  .Call(`_codend_engine_tangent`, lattice, position)
+engine_near_gear <- function(numbers, counts, position, wake) {
+  .Call(`_codend_engine_near_gear`, numbers, counts, position, wake)
 }
 
-engine_balance <- function(tangent, lattice, position, tolerance, steps) {
-  .Call(`_codend_engine_balance`, tangent, lattice, position, tolerance, steps)
+engine_near_measures <- function(near, first, second, share, tolerance, steps, renewals, closes_in) {
+  .Call(`_codend_engine_near_measures`, near, first, second, share, tolerance, steps, renewals, closes_in)
 }
 
 engine_evaluate <- function(lattice, position, velocity) {

@@ -6,20 +6,23 @@
 # last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
 # what is the same as in that plan is taken over from it, unchecked.
 #
+# joined: whether to check that the parts hang together, which a small change of a number does not
+# alter.
+#
 # Returns list(plan, fields, derived, counted, expanded, tree, assembly, si): the plan; its checked
 # fields in SI; the counts that its cutting rates and take-up ratios give, by path, and all that
 # complete_counts() returned; the assembly that it stands for as expanded and in plain form (NULL
 # where it is one); that assembly's checked fields; and the SI numbers of si_of().
-check_whole <- function(plan, last = NULL) {
+check_whole <- function(plan, last = NULL, joined = TRUE) {
   fields <- check_plan(plan, last$plan, last$fields)
   withCallingHandlers(
-    check_parts(plan, fields, last),
+    check_parts(plan, fields, last, joined),
     codend_error_plan = function(e) abort_as_written(e, plan)
   )
 }
 
 # What check_whole() does once every field is as the schema has it.
-check_parts <- function(plan, fields, last) {
+check_parts <- function(plan, fields, last, joined) {
   whole <- counts_again(fields, plan, last)
   now <- list(plan = plan, fields = fields, derived = whole$derived, counted = whole)
   if (now$fields$kind == "assembly") {
@@ -39,6 +42,7 @@ check_parts <- function(plan, fields, last) {
     }
   }
   now$si <- si_of(by_method(now$assembly), by_method(last$assembly), last$si)
+  if (joined) check_gear(now$si, last$si)
   now
 }
 
@@ -173,7 +177,6 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
     kept = kept("measures", same_known && same_bodies)
   )
   si$share_places <- share_places(si)
-  check_gear(si, last)
   si
 }
 

@@ -14,70 +14,41 @@ place_names <- function(si) {
   )
 }
 
-# netting: "bars" or "cells" for every panel, or NULL for each panel's own.
-gear_numbers <- function(si, netting = NULL) {
+# netting: "bars" or "cells" for every panel, or NULL for each panel's own; like: NULL, or list(si,
+# gear) of another gear with the same netting: what is made from the same parts is taken from there.
+gear_numbers <- function(si, netting = NULL, like = NULL) {
   places <- place_names(si)
   place <- function(text) match(text, places, nomatch = 0L)
-  links <- chain_numbers(si)
+  same_places <- !is.null(like) && identical(places, place_names(like$si)) &&
+    identical(names(si$panels), names(like$si$panels))
+  group <- function(name, make, of = name) {
+    if (same_places && identical(si[[of]], like$si[[of]])) like$gear[[name]] else make()
+  }
+  shares <- lapply(si$share_places, parse_place)
   list(
     point_count = length(si$points), rope_count = length(si$ropes),
     panel_count = length(si$panels), share_count = length(si$share_places),
-    points = lapply(unname(si$points), function(point) {
-      list(
-        held = is_given(point$held), position = first_of(point$position, numeric(3)),
-        has_near = !is.null(point$near), near = first_of(point$near, numeric(3)),
-        load = point$load, at = place(first_of(point$at, ""))
-      )
+    points = group("points", function() lapply(unname(si$points), point_numbers, place)),
+    ropes = group("ropes", function() lapply(unname(si$ropes), rope_numbers, place, si)),
+    panels = group("panels", function() panel_numbers(si, netting)),
+    seams = group("seams", function() {
+      lapply(unname(si$seams), function(seam) {
+        list(
+          chains = lapply(unname(seam$edges), function(chain) {
+            list(links = link_numbers(chain, si))
+          }),
+          gathered_at = place(first_of(seam$gathered_at, "")),
+          held_between = place(first_of(seam$held_between, c("", "")))
+        )
+      })
     }),
-    ropes = Map(function(rope, along) {
-      list(
-        from = place(first_of(rope$from, "")), to = place(first_of(rope$to, "")),
-        through = place(rope$through), along = along,
-        shares = first_of(rope$shares, numeric()), length = rope$length,
-        diameter = rope$diameter, mass_per_length = rope$mass_per_length,
-        volume_per_length = rope$volume_per_length, axial_stiffness = rope$axial_stiffness,
-        bending_stiffness = rope$bending_stiffness, strut = rope$strut,
-        segments = as.integer(first_of(rope$segments, 0L)),
-        friction = first_of(rope$friction, numeric())
-      )
-    }, unname(si$ropes), links$ropes),
-    panels = panel_numbers(si, netting),
-    seams = Map(function(seam, chains) {
-      list(
-        chains = lapply(chains, function(links) list(links = links)),
-        gathered_at = place(first_of(seam$gathered_at, "")),
-        held_between = place(first_of(seam$held_between, c("", "")))
-      )
-    }, unname(si$seams), links$seams),
-    pieces = Map(function(piece, chain) {
-      along <- piece$along
-      way <- lift_directions[[if (is.na(piece$lift_direction)) "up" else piece$lift_direction]]
-      list(
-        at = place(first_of(piece$at, "")),
-        rope = if (identical(along$kind, "rope")) match(along$name, names(si$ropes)) else 0L,
-        along = chain,
-        share = first_of(piece$share, c(0, 1)), end_to_end = isTRUE(piece$end_to_end),
-        number = piece$number, mass = piece$mass, volume = piece$volume, height = piece$height,
-        drag_area = piece$drag_area, smooth_diameter = piece$smooth_diameter,
-        added_mass = piece$added_mass, lift_area = piece$lift_area * way$sign,
-        lift_direction = way$to, upward_lift_area = piece$upward_lift_area
-      )
-    }, unname(si$pieces), links$pieces),
-    plates = lapply(unname(si$otter_boards), function(board) {
-      list(
-        points = place(board$points), attachment = as.double(board$attachment),
-        upright = as.double(upright_board(board, c(0, 0, 0))), side = board$side,
-        level = is_kite(board), area = board$area, mass = board$mass, volume = board$volume,
-        room = board$span / 2 + mean(board$attachment[3, ])
-      )
-    }),
-    share_places = {
-      parsed <- lapply(si$share_places, parse_place)
-      list(
-        rope = match(vapply(parsed, `[[`, "", "name"), names(si$ropes)),
-        share = vapply(parsed, `[[`, 0, "place")
-      )
-    },
+    pieces = group("pieces", function() lapply(unname(si$pieces), piece_numbers, place, si)),
+    plates = group("plates", function() lapply(unname(si$otter_boards), plate_numbers, place),
+      "otter_boards"),
+    share_places = list(
+      rope = match(vapply(shares, `[[`, "", "name"), names(si$ropes)),
+      share = vapply(shares, `[[`, 0, "place")
+    ),
     bag = if (!is.null(si$catch)) {
       list(panels = match(si$catch$panels, names(si$panels)), deep = si$catch$deep)
     },
@@ -88,35 +59,60 @@ gear_numbers <- function(si, netting = NULL) {
   )
 }
 
-# Links of all chains of a gear at once: of every rope and piece its chain (of no links where it has
-# none), of every seam its chains, each list(edge, from, to).
-chain_numbers <- function(si) {
-  of_pieces <- lapply(unname(si$pieces), function(piece) {
-    if (identical(piece$along$kind, "chain")) piece$along$edges
-  })
-  of_seams <- lapply(unname(si$seams), function(seam) unname(seam$edges))
-  chains <- c(
-    lapply(unname(si$ropes), `[[`, "along"), of_pieces, unlist(of_seams, recursive = FALSE)
+point_numbers <- function(point, place) {
+  list(
+    held = is_given(point$held), position = first_of(point$position, numeric(3)),
+    has_near = !is.null(point$near), near = first_of(point$near, numeric(3)),
+    load = point$load, at = place(first_of(point$at, ""))
   )
-  links <- unlist(unname(chains), recursive = FALSE)
-  at <- function(field, of) vapply(links, `[[`, of, field, USE.NAMES = FALSE)
+}
+
+rope_numbers <- function(rope, place, si) {
+  list(
+    from = place(first_of(rope$from, "")), to = place(first_of(rope$to, "")),
+    through = place(rope$through), along = link_numbers(rope$along, si),
+    shares = first_of(rope$shares, numeric()), length = rope$length,
+    diameter = rope$diameter, mass_per_length = rope$mass_per_length,
+    volume_per_length = rope$volume_per_length, weight_factor = 1,
+    axial_stiffness = rope$axial_stiffness, bending_stiffness = rope$bending_stiffness,
+    strut = rope$strut, segments = as.integer(first_of(rope$segments, 0L)),
+    friction = first_of(rope$friction, numeric())
+  )
+}
+
+piece_numbers <- function(piece, place, si) {
+  along <- piece$along
+  way <- lift_directions[[if (is.na(piece$lift_direction)) "up" else piece$lift_direction]]
+  list(
+    at = place(first_of(piece$at, "")),
+    rope = if (identical(along$kind, "rope")) match(along$name, names(si$ropes)) else 0L,
+    along = link_numbers(if (identical(along$kind, "chain")) along$edges, si),
+    share = first_of(piece$share, c(0, 1)), end_to_end = isTRUE(piece$end_to_end),
+    number = piece$number, mass = piece$mass, volume = piece$volume, height = piece$height,
+    drag_area = piece$drag_area, smooth_diameter = piece$smooth_diameter,
+    added_mass = piece$added_mass, lift_area = piece$lift_area * way$sign,
+    lift_direction = way$to, upward_lift_area = piece$upward_lift_area
+  )
+}
+
+plate_numbers <- function(board, place) {
+  list(
+    points = place(board$points), attachment = as.double(board$attachment),
+    upright = as.double(upright_board(board, c(0, 0, 0))), side = board$side,
+    level = is_kite(board), area = board$area, mass = board$mass, volume = board$volume,
+    room = board$span / 2 + mean(board$attachment[3, ])
+  )
+}
+
+# A chain as list(edge, from, to), of no links where it is NULL.
+link_numbers <- function(chain, si) {
+  at <- function(field, of) vapply(chain, `[[`, of, field, USE.NAMES = FALSE)
   ends <- rbind(at("from", 0), at("to", 0))
   reversed <- at("reversed", NA)
   ends[, reversed] <- ends[2:1, reversed]
-  edge <- edge_number(si$panels, at("panel", ""), at("edge", ""))
-  size <- lengths(chains)
-  last <- cumsum(size)
-  all <- lapply(seq_along(chains), function(k) {
-    mine <- seq.int(to = last[k], length.out = size[k])
-    list(edge = edge[mine], from = ends[1L, mine], to = ends[2L, mine])
-  })
-  ropes <- seq_along(si$ropes)
-  pieces <- length(ropes) + seq_along(of_pieces)
-  in_seam <- lengths(of_seams)
-  first <- length(ropes) + length(pieces) + cumsum(in_seam) - in_seam
   list(
-    ropes = all[ropes], pieces = all[pieces],
-    seams = lapply(seq_along(of_seams), function(s) all[first[s] + seq_len(in_seam[s])])
+    edge = edge_number(si$panels, at("panel", ""), at("edge", "")), from = ends[1L, ],
+    to = ends[2L, ]
   )
 }
 
@@ -145,7 +141,8 @@ panel_numbers <- function(si, netting) {
       drag = field("netting_drag", ""), columns = count("columns"), rows = count("rows"),
       bar_segments = count("bar_segments"), bars = unname(panels_of_bars(si, netting)),
       stiff = !vapply(lapply(panels, `[[`, "opening_stiffness"), is.null, NA),
-      opening_couple = opening("couple"), opening_angle = angle
+      opening_couple = opening("couple"), opening_angle = angle,
+      knot_drag = rep(1, length(panels))
     )
   )
 }
@@ -158,6 +155,34 @@ lift_directions <- list(
 # Edge ids: 4 (p - 1) + 1 upper, 2 lower, 3 left, 4 right, for panel p.
 edge_number <- function(panels, panel, edge) {
   4L * (match(panel, names(panels)) - 1L) + match(edge, c("upper", "lower", "left", "right"))
+}
+
+# What a model of a gear takes beside its lattice (src/engine/gear/gear_model.hpp). like: as for
+# gear_numbers(), with its `model`.
+model_numbers <- function(si, like = NULL) {
+  lines <- c("ropes", "panels", "otter_boards")
+  same <- !is.null(like) && identical(si[lines], like$si[lines])
+  blends <- any(vapply(si$panels, function(panel) identical(panel$netting_drag, "blended"), NA))
+  c(
+    list(water = engine_water(si), ground = si$ground, slack_twine = si$slack_twine),
+    if (same) like$model[c("materials", "blended", "load_table")] else list(
+      materials = Map(
+        c, twine_materials(si$ropes), twine_materials(si$panels),
+        twine_materials(lapply(si$otter_boards, strut_line))
+      ),
+      blended = twine_materials(if (blends) si$panels, alone = FALSE),
+      load_table = load_rows(c(si$ropes, si$panels))
+    ),
+    list(
+      # the lattice has their nodes
+      plates = lapply(unname(si$otter_boards), engine_board, 1:3, si$water$density),
+      multipliers = list(
+        normal = rep(1, sum(lengths(si[lines]))), blended_normal = 1, screen_drag = 1,
+        screen_lift = 1
+      ),
+      drag_coefficient = first_of(si$catch$drag_coefficient, 0)
+    )
+  )
 }
 
 # The engine's water: the current as the gear meets it, which is towed along -x.

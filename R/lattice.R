@@ -23,23 +23,28 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   bars <- panels_of_bars(si, netting)
   panels <- panel_table(si$panels)
   asked <- list(nodes = nodes, bars = bars, meshes = panels[c(side_fields, "orientation")])
-  counts <- c("pieces", "ropes", "grouping")
   alike <- identical(asked, from$lattice$counts$asked)
   if (alike && differ_in_conditions(si, from$settled)) return(lattice_in(si, from))
+  numbers <- multiplied_numbers(
+    list(gear = gear_numbers(si, netting), model = model_numbers(si)), si
+  )
   found <- engine_lattice(
-    gear_numbers(si, netting), nodes, if (alike) from$lattice$counts[counts],
+    numbers$gear, nodes, if (alike) from$lattice$counts[lattice_counts],
     if (!is.null(from) && !alike) part_map(si, from$lattice), as.double(from$position), alike
   )
   check_totals(si, panels, found$twine)
   lattice <- c(
-    list(engine = engine_numbers(si, found), parts = part_table(si)),
+    list(engine = engine_numbers(si, numbers$model, found), parts = part_table(si)),
     found[c("nodes", "bar_part", "cell_part", "sphere_part", "lift_part")],
     list(
       board_part = length(si$ropes) + length(si$panels) + length(si$pieces) +
         seq_along(si$otter_boards)
     ),
     gear_division(si, found$division),
-    list(panels = drawn_panels(si, found), counts = c(list(asked = asked), found$counts[counts])),
+    list(
+      panels = drawn_panels(si, found),
+      counts = c(list(asked = asked), found$counts[lattice_counts])
+    ),
     found[c("sheets", "on_cell", "on_sheet", "frame")],
     list(start = matrix(found$start, 3L))
   )
@@ -49,11 +54,13 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   if (alike && identical(lattice$engine$wake_sheets, from$lattice$engine$wake_sheets)) {
     lattice$engine$wake <- from$lattice$engine$wake
   }
-  lattice$engine <- multiplied_engine(lattice, si, unlist(si$multipliers))
   lattice <- add_catch(si, lattice, found$bag)
   if (!is.null(si$shooting)) lattice$hung <- matrix(found$hung, 3L)
   lattice
 }
+
+# What of a lattice's counts divides it.
+lattice_counts <- c("pieces", "ropes", "grouping")
 
 # Whether two gears are the same but for the water's motion and how they are towed. shot: what is
 # let go hangs by that too.
@@ -96,33 +103,30 @@ part_table <- function(si) {
 }
 
 # What the engine reads: what it made of a gear's parts, and what is the gear's as it is.
-engine_numbers <- function(si, found) {
-  blends <- length(found$blended$material) > 0L
+engine_numbers <- function(si, model, found) {
   points <- found$division$places
   c(
     found[c("nodes", "held", "ties")],
-    list(water = engine_water(si), slack_twine = si$slack_twine),
+    model[c("water", "slack_twine")],
     found[c("load", "mass")],
-    list(
-      materials = Map(
-        c, twine_materials(si$ropes), twine_materials(si$panels),
-        twine_materials(lapply(si$otter_boards, strut_line))
-      ),
-      load_table = load_rows(c(si$ropes, si$panels))
-    ),
+    model[c("materials", "load_table", if (any(unlist(model$multipliers) != 1)) "multipliers")],
     found[c("bars", "cells", "spheres", "lifts")],
     list(
-      plates = lapply(unname(si$otter_boards), function(board) {
-        engine_board(board, points[match(board$points, names(si$points))], si$water$density)
-      }),
-      sliding = found$sliding, ground = si$ground, contacts = found$contacts,
+      plates = Map(function(plate, board) {
+        plate$node <- points[match(board$points, names(si$points))]
+        plate
+      }, model$plates, unname(si$otter_boards)),
+      sliding = found$sliding, ground = model$ground, contacts = found$contacts,
       line_friction = if (length(found$line_friction$node)) found$line_friction
     ),
     found[c("volumes", "wake_sheets")],
     list(
       wake = numeric(), screens = found$screens,
-      blended = c(found$blended,
-        list(materials = twine_materials(if (blends) si$panels, alone = FALSE)))
+      blended = c(found$blended, list(materials = if (length(found$blended$material)) {
+        model$blended
+      } else {
+        twine_materials(NULL, alone = FALSE)
+      }))
     ),
     found[c("openings", "bends")]
   )

@@ -44,19 +44,30 @@ measures <- function(state) {
 # The measures of a state without their errors: list(values (SI, by name), kinds, light = whether
 # its drag is little next to its weights).
 state_values <- function(state) {
-  asked <- state$si$measures
-  check_enclosing(state, asked)
-  kinds <- lapply(asked, function(measure) measure_kinds[[measure$kind]])
-  own <- vapply(asked, `[[`, "", "column")
-  standard <- setNames(standard_measures, standard_names())
-  standard <- standard[setdiff(names(standard), own)]
+  check_enclosing(state, state$si$measures)
+  kinds <- measured_kinds(state$si)
   drag <- list(list(kind = "total_drag"))
-  of_all <- lapply(standard, function(measure) list(kind = measure$computed))
-  values <- measure_values(state, c(asked, of_all, drag))
+  values <- measure_values(state, c(asked_of(state$si), drag))
   light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
-  values <- setNames(values[-length(values)], c(own, names(standard)))
-  applies <- !is.nan(values) | seq_along(values) <= length(own)
-  list(values = values[applies], kinds = c(kinds, standard)[applies], light = light)
+  values <- setNames(values[-length(values)], names(kinds))
+  applies <- !is.nan(values) | seq_along(values) <= length(state$si$measures)
+  list(values = values[applies], kinds = kinds[applies], light = light)
+}
+
+# What measures are of by name, with units: what the plan asks for, then the standard ones.
+measured_kinds <- function(si) {
+  own <- vapply(si$measures, `[[`, "", "column")
+  standard <- setNames(standard_measures, standard_names())
+  c(
+    setNames(lapply(si$measures, function(measure) measure_kinds[[measure$kind]]), own),
+    standard[setdiff(names(standard), own)]
+  )
+}
+
+# The same as it is asked of the engine, see measure_values().
+asked_of <- function(si) {
+  standard <- measured_kinds(si)[-seq_along(si$measures)]
+  c(si$measures, lapply(standard, function(measure) list(kind = measure$computed)))
 }
 
 # Stops where the water within netting is asked for that is of no cells.

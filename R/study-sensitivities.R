@@ -16,7 +16,7 @@
 #' the tangent holds that far: whether the secants' mean is within 0.5 % of it, the secants differ
 #' by less than a fifth of it and the tangents on both sides at the state itself by 0.5 %. (Of an
 #' elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as with
-#' much slack netting, or the field is at the end of its range, the secants' mean is given and not
+#' much slack netting, or the field cannot be larger, the secants' mean is given and not
 #' called smooth. Of fields of whole numbers it is the mean of the secants to one less and one more,
 #' smooth where these differ by no more than three times as much as the field, as shares.
 #'
@@ -88,6 +88,8 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
 # Shares of a field's value: of the tangent, as large as it holds (tensions of stiff ropes are
 # differences of positions, which round), and of secants.
 tangent_shares <- c(1e-4, 1e-5)
+# By which the engine's numbers are found to change with a field.
+number_share <- 1e-6
 secant_share <- 0.01
 # Steps of one matrix at most, how often it is made again, and the net force over the largest
 # tension that they end at.
@@ -179,27 +181,35 @@ field_number <- function(plan, path) {
   )
 }
 
-# The gear with a field changed by a share of its value, or NULL where the plan does not allow it.
+# The plan with a field changed by a share of its value.
+scaled_plan <- function(plan, field, share) {
+  for (k in seq_along(field$paths)) {
+    # fields of different values change by the same share
+    one <- if (is.null(field$parts)) field else field$parts[[k]]
+    plan <- set_plan_field(plan, field$paths[k], field_text(one$value * (1 + share), one))
+  }
+  plan
+}
+
+# The gear with such a change, or NULL where the plan does not allow it.
 scaled_gear <- function(gear, field, share) {
-  text <- function(one) field_text(one$value * (1 + share), one)
-  # fields of different values change by the same share
-  values <- if (is.null(field$parts)) rep(list(text(field)), length(field$paths)) else
-    lapply(field$parts, text)
   tryCatch(
-    do.call(update, c(list(gear), setNames(values, field$paths))),
+    as_gear(scaled_plan(gear$plan, field, share), file = gear$file, like = gear,
+      changed = changed_steps(gear, field$paths)),
     codend_error_plan = function(e) NULL
   )
 }
 
 # ---- slopes --------------------------------------------------------------------------------------
 
-# What all fields share: the state with its factors and, where steps of these hold it in balance,
-# its lattice, position and measures as they leave it.
+# What all fields share: the state, and where steps of its factors hold it in balance what is near
+# to it (src/engine/measure/near_gear.hpp) with its numbers, and its measures there.
 tangent_work <- function(state) {
   asked <- state$lattice$counts$asked
+  si <- state$si
   work <- list(
-    state = state, shape = state_shape(state), nodes = asked$nodes,
-    netting = Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
+    state = state, nodes = asked$nodes,
+    netting = Find(function(netting) identical(panels_of_bars(si, netting), asked$bars),
       list(NULL, "bars", "cells")),
     cost = new.env(parent = emptyenv())
   )
@@ -207,65 +217,67 @@ tangent_work <- function(state) {
   work$measures <- names(work$values)
   work$cost$factorisations <- 0L
   # A catch given by its volume moves its front with the shape.
-  if (is.null(state$si$catch) || is.na(state$si$catch$volume)) {
-    factors <- engine_tangent(state$lattice$engine, as.double(state$position))
+  if (is.null(si$catch) || is.na(si$catch$volume)) {
+    work$own <- list(
+      si = si, gear = gear_numbers(si, work$netting), model = model_numbers(si)
+    )
+    work$numbers <- near_numbers(work, si)
+    found <- engine_near_gear(
+      work$numbers, state$lattice$counts[lattice_counts], as.double(state_points(state)),
+      as.double(state$lattice$engine$wake)
+    )
     work$cost$factorisations <- 1L
-    base <- if (!is.null(factors)) balanced(c(work, list(factors = factors)), state$gear)
-    if (!is.null(base)) {
-      work$factors <- factors
-      work[c("lattice", "position", "values")] <- base[c("lattice", "position", "values")]
+    if (!is.null(found)) {
+      work$near <- found$near
+      work$values <- near_shown(work, found$measures)
     }
   }
   work
 }
 
-# A gear brought to balance by steps of the factors from the state, on its lattice: list(lattice
-# (with the wakes of the new shape), position, values), or NULL.
-balanced <- function(work, gear) {
-  made <- made_alike(work, gear)
-  if (!is.null(made)) balanced_lattice(work, made$gear, made$si, made$lattice)
-}
-
-# list(gear, si, lattice) of a gear whose lattice has the nodes of the state's, or NULL.
-made_alike <- function(work, gear) {
-  if (is.null(gear)) return(NULL)
-  si <- gear_si(gear)
-  lattice <- build_lattice(si, work$nodes, work$netting, work$shape)
-  if (!settled_alike(lattice, work$shape)) return(NULL)
-  if (!is.null(si$catch)) {
-    lattice <- set_catch_front(lattice, work$shape$lattice$catch$blocked)
-  }
-  list(gear = gear, si = si, lattice = lattice)
-}
-
-# Where steps to the balance of a lattice begin: free nodes as they are in the state.
-place_of_state <- function(work, lattice) {
-  start <- as.double(lattice$start)
-  if (!is.null(work$position)) {
-    free <- !rep(lattice$engine$held, each = 3L)
-    start[free] <- work$position[free]
-  }
-  start
-}
-
-# The same of a lattice of the gear's.
-balanced_lattice <- function(work, gear, si, lattice) {
-  start <- place_of_state(work, lattice)
-  found <- engine_balance(work$factors, lattice$engine, start, chord_tolerance, chord_steps)
-  # Lines that are all but slack turn the matrix with every step: it is made again.
-  for (again in seq_len(if (is.null(work$position)) 0L else most_renewals)) {
-    if (found$converged || !all(is.finite(found$position))) break
-    factors <- engine_tangent(lattice$engine, found$position)
-    work$cost$factorisations <- work$cost$factorisations + 1L
-    if (is.null(factors)) break
-    found <- engine_balance(factors, lattice$engine, found$position, chord_tolerance, chord_steps)
-  }
-  if (!found$converged) return(NULL)
-  lattice$engine$wake <- found$wake
-  list(
-    lattice = lattice, position = found$position,
-    values = values_at(work, gear, si, lattice, found$position)
+# All numbers of a gear like the state's, as the engine has them together. by: its multipliers.
+near_numbers <- function(work, si, by = unlist(si$multipliers)) {
+  own <- list(
+    gear = gear_numbers(si, work$netting, work$own), model = model_numbers(si, work$own)
   )
+  c(multiplied_numbers(own, si, by), list(
+    questions = questions_of(si, work$state$lattice, asked_of(si)),
+    blocked = if (is.null(si$catch)) 0 else
+      first_of(si$catch$blocked[!is.na(si$catch$blocked)], work$state$lattice$catch$blocked)
+  ))
+}
+
+near_shown <- function(work, values) {
+  kinds <- measured_kinds(work$state$si)
+  shown_numbers(setNames(values, names(kinds)), measure_units(kinds))[work$measures]
+}
+
+# Numbers at a field's value a little larger, list(numbers, share = by which), or NULL where the
+# plan does not allow it.
+field_numbers <- function(work, field) {
+  si <- work$state$si
+  if (!is.null(field$multiplier)) {
+    # numbers are linear in these
+    by <- unlist(si$multipliers)
+    by[field$multiplier] <- 2 * by[field$multiplier]
+    return(list(numbers = near_numbers(work, si, by), share = 1))
+  }
+  gear <- work$state$gear
+  plan <- scaled_plan(gear$plan, field, number_share)
+  si <- tryCatch(
+    check_whole(plan, gear_checked(gear), joined = FALSE)$si, codend_error_plan = function(e) NULL
+  )
+  if (!is.null(si)) list(numbers = near_numbers(work, si), share = number_share)
+}
+
+# Measures of the gear in balance with a field changed by a share, or NULL. to: see field_numbers().
+near_values <- function(work, to, share, tolerance = chord_tolerance, steps = chord_steps,
+                        renewals = most_renewals, closes_in = TRUE) {
+  found <- engine_near_measures(work$near, work$numbers, to$numbers, share / to$share, tolerance,
+    steps, renewals, closes_in)
+  if (is.null(found)) return(NULL)
+  work$cost$factorisations <- work$cost$factorisations + found$factorisations
+  if (length(found$measures)) near_shown(work, found$measures)
 }
 
 values_at <- function(work, gear, si, lattice, position) {
@@ -275,7 +287,7 @@ values_at <- function(work, gear, si, lattice, position) {
 
 # A field's slopes by its share: list(slope, below, above, smooth), each by measure.
 field_slopes <- function(work, field, secants) {
-  found <- if (!is.null(work$factors) && !field$whole) tangent_slopes(work, field)
+  found <- if (!is.null(work$near) && !field$whole) tangent_slopes(work, field)
   if (is.null(found)) {
     step <- if (field$whole) 1 / abs(field$value) else secant_share
     sides <- secant_slopes(work, field, step)
@@ -301,36 +313,21 @@ slope_scale <- function(work, slope) {
 # By the tangent, over the largest share at which steps of the factors lead to balance on both
 # sides; NULL where there is none.
 tangent_slopes <- function(work, field) {
-  side <- function(share) balanced(work, scaled_gear(work$state$gear, field, share))
-  # the engine's numbers alone change by a multiplier: no lattice is made
-  if (!is.null(field$multiplier)) side <- function(share) multiplied_balance(work, field, share)
+  to <- field_numbers(work, field)
+  if (is.null(to)) return(NULL)
   for (share in tangent_shares) {
-    up <- side(share)
-    down <- if (!is.null(up)) side(-share)
+    up <- near_values(work, to, share)
+    down <- if (!is.null(up)) near_values(work, to, -share)
     if (!is.null(down)) break
   }
   if (is.null(down)) return(NULL)
-  slope <- (up$values - down$values) / (2 * share)
+  slope <- (up - down) / (2 * share)
   # where a kink lies at the state itself, slopes on both sides differ
-  turn <- abs(up$values + down$values - 2 * work$values) / share
+  turn <- abs(up + down - 2 * work$values) / share
   list(
     slope = slope, below = NA * slope, above = NA * slope,
     smooth = turn <= kink_share * slope_scale(work, slope)
   )
-}
-
-multiplied_balance <- function(work, field, share) {
-  made <- multiplied_alike(work, field, share)
-  balanced_lattice(work, made$gear, made$si, made$lattice)
-}
-
-# As made_alike(), of a multiplier's field.
-multiplied_alike <- function(work, field, share) {
-  state <- work$state
-  lattice <- work$lattice
-  lattice$engine <- multiplied_engine(lattice, state$si, setNames(1 + share, field$multiplier),
-    first_of(state$si$multipliers$ground_gear_weight, 1))
-  list(gear = state$gear, si = state$si, lattice = lattice)
 }
 
 # By gears settled at both sides: list(below, above).
@@ -347,11 +344,12 @@ secant_slopes <- function(work, field, step) {
 # Measures of a gear settled from the state on its lattice, or NULL.
 settled_values <- function(work, gear) {
   si <- gear_si(gear)
+  shape <- state_shape(work$state)
   found <- settle_level(
-    si, work$nodes, work$netting, work$shape, near_steps, function(iteration, residual) NULL
+    si, work$nodes, work$netting, shape, near_steps, function(iteration, residual) NULL
   )
   work$cost$factorisations <- work$cost$factorisations + found$report$factorisations
-  if (!found$report$converged || !settled_alike(found$lattice, work$shape)) return(NULL)
+  if (!found$report$converged || !settled_alike(found$lattice, shape)) return(NULL)
   values_at(work, gear, si, found$lattice, found$position)
 }
 

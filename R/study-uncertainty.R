@@ -113,9 +113,10 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   spread <- off <- matrix(0, length(work$values), n, dimnames = list(names(work$values), NULL))
   rough <- matrix(FALSE, length(work$values), n, dimnames = dimnames(spread))
   fields <- lapply(sources, source_field, plan = state$gear$plan)
+  to <- vector("list", n)
   for (k in seq_len(n)) {
-    if (is_unused(work, fields[[k]])) next
-    found <- quick_slopes(work, fields[[k]])
+    to[k] <- list(if (!is.null(work$near)) field_numbers(work, fields[[k]]))
+    found <- quick_slopes(work, fields[[k]], to[[k]])
     found$slope[!is.finite(found$slope)] <- 0
     spread[, k] <- found$slope * sources[[k]]$share
     off[, k] <- found$slope * sources[[k]]$off
@@ -123,8 +124,8 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   }
   size <- colMeans(abs(spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
   for (k in utils::head(order(-size), follow)) {
-    if (!is.null(work$factors) && spread_is_finite(spread[, k])) {
-      followed <- followed_change(work, fields[[k]], sources[[k]]$share)
+    if (!is.null(to[[k]]) && spread_is_finite(spread[, k])) {
+      followed <- followed_change(work, to[[k]], sources[[k]]$share)
       if (is.null(followed)) next
       scale <- pmax(abs(spread[, k]), 1e-3 * abs(work$values), .Machine$double.xmin)
       half <- (followed$above - followed$below) / 2
@@ -146,30 +147,18 @@ quick_share <- 1e-5
 quick_steps <- 2L
 quick_tolerance <- 1e-8
 
-# As field_slopes(), as a budget needs them; where steps lead to no balance, those.
-quick_slopes <- function(work, field) {
-  made <- if (is.null(work$factors)) {
-    NULL
-  } else if (is.null(field$multiplier)) {
-    made_alike(work, scaled_gear(work$state$gear, field, quick_share))
-  } else {
-    multiplied_alike(work, field, quick_share)
+# As field_slopes(), as a budget needs them; where steps lead to no balance, those. to: see
+# field_numbers().
+quick_slopes <- function(work, field, to) {
+  if (identical(to$numbers, work$numbers)) {
+    return(list(slope = 0 * work$values, smooth = rep(TRUE, length(work$values))))
   }
-  values <- if (!is.null(made)) quick_values(work, made$gear, made$si, made$lattice)
+  values <- if (!is.null(to)) {
+    near_values(work, to, quick_share, quick_tolerance, quick_steps, 0L, closes_in = FALSE)
+  }
   if (is.null(values)) return(field_slopes(work, field, secants = FALSE))
   slope <- (values - work$values) / quick_share
   list(slope = slope, smooth = rep(TRUE, length(slope)))
-}
-
-# Measures of a lattice brought near to balance, or NULL.
-quick_values <- function(work, gear, si, lattice) {
-  found <- engine_balance(work$factors, lattice$engine, place_of_state(work, lattice),
-    quick_tolerance, quick_steps)
-  if (!isTRUE(found$residual <= quick_tolerance)) {
-    return(balanced_lattice(work, gear, si, lattice)$values)
-  }
-  lattice$engine$wake <- found$wake
-  values_at(work, gear, si, lattice, found$position)
 }
 
 spread_is_finite <- function(x) all(is.finite(x)) && any(x != 0)
@@ -180,29 +169,12 @@ source_field <- function(source, plan) {
   field
 }
 
-# Whether a multiplier has nothing to multiply.
-is_unused <- function(work, field) {
-  name <- field$multiplier
-  if (is.null(name)) return(FALSE)
-  state <- work$state
-  identical(state$lattice$engine,
-    multiplied_engine(state$lattice, state$si, setNames(1.5, name)))
-}
-
 # Changes of measures at a whole standard uncertainty to both sides, or NULL.
-followed_change <- function(work, field, share) {
-  side <- function(way) {
-    if (way * share <= -0.9) return(NULL)
-    found <- if (is.null(field$multiplier)) {
-      balanced(work, scaled_gear(work$state$gear, field, way * share))
-    } else {
-      multiplied_balance(work, field, way * share)
-    }
-    if (!is.null(found)) found$values - work$values
-  }
-  above <- side(1)
-  below <- if (!is.null(above)) side(-1)
-  if (!is.null(below)) list(above = above, below = below)
+followed_change <- function(work, to, share) {
+  if (share >= 0.9) return(NULL)
+  above <- near_values(work, to, share)
+  below <- if (!is.null(above)) near_values(work, to, -share)
+  if (!is.null(below)) list(above = above - work$values, below = below - work$values)
 }
 
 source_correlation <- function(sources, fit = NULL) {

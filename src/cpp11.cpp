@@ -132,17 +132,17 @@ extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velo
   END_CPP11
 }
 // binding_tangent.cpp
-SEXP engine_tangent(list lattice, doubles position);
-extern "C" SEXP _codend_engine_tangent(SEXP lattice, SEXP position) {
+SEXP engine_near_gear(list numbers, list counts, doubles position, doubles wake);
+extern "C" SEXP _codend_engine_near_gear(SEXP numbers, SEXP counts, SEXP position, SEXP wake) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_tangent(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position)));
+    return cpp11::as_sexp(engine_near_gear(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(counts), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(wake)));
   END_CPP11
 }
 // binding_tangent.cpp
-list engine_balance(SEXP tangent, list lattice, doubles position, double tolerance, int steps);
-extern "C" SEXP _codend_engine_balance(SEXP tangent, SEXP lattice, SEXP position, SEXP tolerance, SEXP steps) {
+SEXP engine_near_measures(SEXP near, list first, list second, double share, double tolerance, int steps, int renewals, bool closes_in);
+extern "C" SEXP _codend_engine_near_measures(SEXP near, SEXP first, SEXP second, SEXP share, SEXP tolerance, SEXP steps, SEXP renewals, SEXP closes_in) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_balance(cpp11::as_cpp<cpp11::decay_t<SEXP>>(tangent), cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps)));
+    return cpp11::as_sexp(engine_near_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(near), cpp11::as_cpp<cpp11::decay_t<list>>(first), cpp11::as_cpp<cpp11::decay_t<list>>(second), cpp11::as_cpp<cpp11::decay_t<double>>(share), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<int>>(renewals), cpp11::as_cpp<cpp11::decay_t<bool>>(closes_in)));
   END_CPP11
 }
 // binding.cpp
@@ -227,7 +227,6 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_bag_sizes",       (DL_FUNC) &_codend_engine_bag_sizes,       2},
     {"_codend_engine_bag_weights",     (DL_FUNC) &_codend_engine_bag_weights,     1},
-    {"_codend_engine_balance",         (DL_FUNC) &_codend_engine_balance,         5},
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
@@ -241,6 +240,8 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
     {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,        5},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,     2},
+    {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,       4},
+    {"_codend_engine_near_measures",   (DL_FUNC) &_codend_engine_near_measures,   8},
     {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,     2},
     {"_codend_engine_part_forces",     (DL_FUNC) &_codend_engine_part_forces,     2},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
@@ -248,7 +249,6 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          8},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
-    {"_codend_engine_tangent",         (DL_FUNC) &_codend_engine_tangent,         2},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},
     {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},

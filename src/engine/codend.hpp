@@ -27,6 +27,7 @@
 #include "march/scheduled_conditions.hpp"
 #include "march/schemes.hpp"
 #include "measure/measures.hpp"
+#include "measure/near_gear.hpp"
 #include "measure/settled_gear.hpp"
 #include "model/assembly.hpp"
 #include "model/evaluate.hpp"

@@ -61,17 +61,13 @@ test_that("the program says which field of a file is wrong", {
   expect_match(run$said, "model.bars.rest[2] must be a finite number", fixed = TRUE)
 })
 
-# All numbers of a gear, as src/engine/measure/settled_gear.hpp has them.
+# All numbers of a gear, as src/engine/measure/measured_gear.hpp has them.
 gear_text <- function(state, asked) {
-  engine <- state$lattice$engine
-  unlist(Map(model_text, list(
-    gear_numbers(state$si),
-    c(
-      engine[c("water", "ground", "slack_twine", "materials", "load_table", "plates")],
-      list(blended = engine$blended$materials, drag_coefficient = engine$pressure$drag_coefficient)
-    ),
-    questions_of(state$si, state$lattice, asked), first_of(state$lattice$catch$blocked, 0)
-  ), c("gear", "model", "questions", "blocked")))
+  numbers <- list(gear = gear_numbers(state$si), model = model_numbers(state$si))
+  unlist(Map(model_text, c(multiplied_numbers(numbers, state$si), list(
+    questions = questions_of(state$si, state$lattice, asked),
+    blocked = first_of(state$lattice$catch$blocked, 0)
+  )), c("gear", "model", "questions", "blocked")))
 }
 
 test_that("a program without R settles every shipped gear to the same measures", {

@@ -84,7 +84,9 @@ test_that("every multiplier of a trawl is linear in its force, and its short for
   state <- settled("poly_noreastern_trawl", nodes = 400)
   still <- numeric(length(state$position))
   net_force <- function(by) {
-    engine <- multiplied_engine(state$lattice, state$si, by)
+    si <- state$si
+    si$multipliers[names(by)] <- by
+    engine <- build_lattice(si, 400)$engine
     engine_evaluate(engine, as.vector(state$position), still)$force
   }
   one <- net_force(numeric())

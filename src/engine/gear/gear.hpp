@@ -78,6 +78,7 @@ struct GearRope {
   double length = 0.0;         // m
   double diameter = 0.0;       // m
   double mass_per_length = 0.0, volume_per_length = 0.0;  // kg/m, m2
+  double weight_factor = 1.0;  // by which its weight in water is multiplied
   double axial_stiffness = 0.0, bending_stiffness = 0.0;  // N, N m2
   bool strut = false;                                     // pushes as well
   int segments = 0;                                       // 0: as the lattice needs
@@ -95,6 +96,7 @@ struct GearRope {
     visit("diameter", diameter);
     visit("mass_per_length", mass_per_length);
     visit("volume_per_length", volume_per_length);
+    visit("weight_factor", weight_factor);
     visit("axial_stiffness", axial_stiffness);
     visit("bending_stiffness", bending_stiffness);
     visit("strut", strut);
@@ -111,6 +113,7 @@ struct GearPanel {
   double mass_per_length = 0.0, volume_per_length = 0.0;  // of all twine side by side, kg/m, m2
   double twine_diameter = 0.0, twine_count = 1.0;         // m; side by side
   double knot_diameter = 0.0, knot_twine = 0.0;           // m; 0: no knots
+  double knot_drag = 1.0;                                 // by which their drag is multiplied
   double straight_bar = 0.0;                              // of hexagonal meshes, m
   MeshOrientation orientation = MeshOrientation::diamond;
   WakeLaw shielding = WakeLaw::none;
@@ -134,6 +137,7 @@ struct GearPanel {
     visit("twine_count", twine_count);
     visit("knot_diameter", knot_diameter);
     visit("knot_twine", knot_twine);
+    visit("knot_drag", knot_drag);
     visit("straight_bar", straight_bar);
     visit("orientation", orientation);
     visit("shielding", shielding);

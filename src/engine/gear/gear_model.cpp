@@ -16,6 +16,7 @@ Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& number
   out.mass = lattice.mass;
   out.materials = numbers.materials;
   out.load_table = numbers.load_table;
+  out.multipliers = numbers.multipliers;
   out.bars = lattice.bars;
   lattice.cells.divide(out.cells, out.hexagons, out.hexagonal);
   out.spheres = lattice.spheres;

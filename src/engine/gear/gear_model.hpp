@@ -16,6 +16,7 @@ struct GearModel {
   std::vector<TwineMaterial> materials,
       blended;  // blended: of netting's twine where it is in part a screen
   LoadTable load_table;
+  ForceMultipliers multipliers;
   std::vector<LiftingPlate> plates;
   double drag_coefficient = 0.0;  // of the pressure within a bag
 
@@ -28,6 +29,7 @@ struct GearModel {
     visit.count(Among::materials, materials.size());
     visit.columns("blended", blended);
     visit.optional("load_table", load_table);
+    visit.optional("multipliers", multipliers);
     visit.count(Among::points, 1000000000);  // nodes of another lattice
     visit.items("plates", plates);
     visit("drag_coefficient", drag_coefficient);

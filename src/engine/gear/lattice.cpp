@@ -228,6 +228,7 @@ Lattice build_lattice(const Gear& gear, const Fineness& fineness, const FromShap
   out.held = supports.held;
   out.held.resize(static_cast<std::size_t>(out.nodes), 0);
   add_masses(gear, supports, all.masses, out);
+  add_weights(gear, out.division, out.load);
   const int points = static_cast<int>(out.mass.size());
   if (gear.has_ground) {
     out.contacts = ground_contacts(all.masses, points);

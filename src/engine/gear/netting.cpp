@@ -33,7 +33,7 @@ void add_knots(Collection& to, const GearPanel& panel, int part, int node, doubl
   to.masses.push_back(
       {node, twine * panel.mass_per_length, twine * panel.volume_per_length, d, height, 0.0});
   // Those of a screen drag with it.
-  const double drags = panel.screen() ? 0.0 : 1.0;
+  const double drags = panel.screen() ? 0.0 : panel.knot_drag;
   to.add_sphere(node, pi / 4 * (d * d) * count * drags, d, false,
                 0.5 * pi / 6 * std::pow(d, 3.0) * count, height, part);
 }

@@ -24,6 +24,21 @@ void add_ropes(Collection& to, const Gear& gear, const Division& division) {
   }
 }
 
+void add_weights(const Gear& gear, const Division& division, std::vector<double>& load) {
+  for (int r = 0; r < gear.rope_count; ++r) {
+    const GearRope& rope = gear.ropes[r];
+    if (rope.weight_factor == 1.0) continue;
+    const NodeRun& run = division.ropes[r];
+    const double per_metre = (rope.weight_factor - 1) * gravity *
+                             (rope.mass_per_length - gear.density * rope.volume_per_length);
+    for (std::size_t k = 0; k + 1 < run.node.size(); ++k) {
+      if (run.node[k] == run.node[k + 1]) continue;
+      const double half = (run.at[k + 1] - run.at[k]) * rope.length / 2;
+      for (const int node : {run.node[k], run.node[k + 1]}) load[3 * node + 2] -= half * per_metre;
+    }
+  }
+}
+
 const NodeRun* piece_run(const Gear& gear, const Division& division, int piece) {
   const GearPiece& of = gear.pieces[piece];
   if (of.rope >= 0) return &division.ropes[of.rope];

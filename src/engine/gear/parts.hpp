@@ -26,6 +26,9 @@ struct Supports {
 };
 Supports gear_supports(const Gear& gear, const Division& division);
 
+// Adds to loads (N, 3 per point) what ropes weigh in water more than by their masses.
+void add_weights(const Gear& gear, const Division& division, std::vector<double>& load);
+
 // Of ropes that resist bending, between every two of their bars.
 Bends rope_bends(const Gear& gear, const Division& division);
 // Ropes that rub differently along and across themselves; a node of two is the first's.

@@ -4,8 +4,6 @@
 #include <limits>
 #include <numeric>
 
-#include "../solve/layout.hpp"
-
 namespace codend {
 
 namespace {
@@ -34,33 +32,17 @@ SettledGear settle_level(const GearNumbers& numbers, const Gear& gear, double no
   SettledGear out;
   Fineness fineness;
   fineness.nodes = nodes;
-  out.lattice = build_lattice(gear, fineness, from, [](const Strings& strings, double* x) {
-    lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x,
-            [] { return true; });
-  });
-  out.model = model_of(gear, out.lattice, numbers.model);
-  if (gear.has_bag) {
-    const BagTriangles& bag = out.lattice.bag;
-    out.bag = {static_cast<int>(out.lattice.mass.size()),
-               bag.node,
-               bag.depth,
-               bag.across,
-               bag.real,
-               bag.weight,
-               numbers.blocked};
-    out.model.pressure.node = bag.node;
-    out.model.pressure.weight = pressure_weights(out.bag);
-  }
-  Assembly assembly(out.model);
+  out.gear = measured_gear(numbers, gear, fineness, from);
+  Assembly assembly(out.gear.model);
   SettleControl control;
   control.start = from.given ? Start::near : Start::crude;
-  control.part = line_parts(out.lattice);
+  control.part = line_parts(out.gear.lattice);
   control.tolerance = 1e-8;
   control.iterations = steps;
-  out.position = out.lattice.start;
+  out.position = out.gear.lattice.start;
   const std::vector<double> still(out.position.size(), 0.0);
   out.report = settle(assembly, control, still.data(), out.position.data());
-  if (assembly.has_wake()) out.model.wake = assembly.wake();
+  if (assembly.has_wake()) out.gear.model.wake = assembly.wake();
   return out;
 }
 
@@ -81,18 +63,14 @@ SettledGear settle_gear(const GearNumbers& numbers, double nodes) {
     const SettledGear coarse = settle_level(numbers, free, coarsest_nodes, {}, coarse_steps);
     if (coarse.report.converged) {
       from.given = true;
-      from.map =
-          part_map(free, coarse.lattice.division, coarse.lattice.nodes, coarse.lattice.panels);
-      from.position = all_points(coarse.model, coarse.position);
+      from.map = part_map(free, coarse.gear.lattice.division, coarse.gear.lattice.nodes,
+                          coarse.gear.lattice.panels);
+      from.position = all_points(coarse.gear.model, coarse.position);
     }
   }
   SettledGear out = settle_level(numbers, gear, nodes, from, last_steps);
-  Assembly assembly(out.model);
-  const std::vector<double> still(out.position.size(), 0.0);
-  const Evaluation found = evaluate(assembly, out.position.data(), still.data());
-  out.measures =
-      measure(measure_frame(gear, out.lattice), out.model, numbers.questions,
-              gear.has_bag ? &out.bag : nullptr, measured_shape(found, out.position, still));
+  Assembly assembly(out.gear.model);
+  out.measures = measures_at(numbers, gear, out.gear, assembly, out.position);
   return out;
 }
 

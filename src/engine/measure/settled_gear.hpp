@@ -2,32 +2,13 @@
 // as is asked.
 #pragma once
 
-#include "../gear/gear_model.hpp"
 #include "../solve/settle.hpp"
-#include "measures.hpp"
+#include "measured_gear.hpp"
 
 namespace codend {
 
-// All numbers of a gear. blocked: meshes of its bag behind the front of what fills it; 0: it has none.
-struct GearNumbers {
-  Gear gear;
-  GearModel model;
-  Questions questions;
-  double blocked = 0.0;
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    visit.group("gear", gear);
-    visit.group("model", model);
-    visit.group("questions", questions);
-    visit("blocked", blocked);
-  }
-};
-
 struct SettledGear {
-  Lattice lattice;
-  Model model;
-  FilledBag bag;
+  MeasuredGear gear;
   std::vector<double> position;  // m, 3 per node
   std::vector<double> measures;  // of the questions, SI
   SettleReport report;

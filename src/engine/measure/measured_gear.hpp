@@ -1,0 +1,40 @@
+// A gear from all of its numbers: on a lattice, as a model, and measured at a shape.
+#pragma once
+
+#include "../gear/gear_model.hpp"
+#include "measures.hpp"
+
+namespace codend {
+
+// All numbers of a gear. blocked: meshes of its bag behind the front of what fills it; 0: it has none.
+struct GearNumbers {
+  Gear gear;
+  GearModel model;
+  Questions questions;
+  double blocked = 0.0;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.group("gear", gear);
+    visit.group("model", model);
+    visit.group("questions", questions);
+    visit("blocked", blocked);
+  }
+};
+
+struct MeasuredGear {
+  Lattice lattice;
+  Model model;  // ready for use
+  FilledBag bag;
+};
+
+// gear: that of the numbers, or the same divided otherwise. Throws InputError for what does not fit.
+MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
+                           const FromShape& from);
+
+// Measures of the questions, SI, at positions x (m, 3 per node) at rest. assembly: of its model.
+std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,
+                                const MeasuredGear& of, Assembly& assembly,
+                                const std::vector<double>& x);
+
+}  // namespace codend
