@@ -81,7 +81,8 @@ wrong_calls <- expression(
 
 test_that("wrong calls stop with an error of codend's that says what is wrong", {
   local_reproducible_output(width = 80)
-  withr::local_dir(test_folder())
+  kept <- setwd(test_folder())
+  on.exit(setwd(kept))
   # as a script sees codend
   exported <- list2env(mget(getNamespaceExports("codend"), envir = asNamespace("codend")),
     parent = globalenv())
