@@ -40,7 +40,8 @@ filled_bag <- function(lattice) {
   c(
     list(points = length(lattice$engine$mass)),
     lapply(held[c("node", "depth", "across")], as.vector),
-    list(real = held$real, weight = held$weight, blocked = as.double(held$blocked))
+    # R CMD check takes `held$real` for a use of R's own real(), which is no more
+    list(real = held[["real"]], weight = held$weight, blocked = as.double(held$blocked))
   )
 }
 
