@@ -4,10 +4,6 @@ engine_lattice <- function(numbers, nodes, counts, map, position, alike) {
   .Call(`_codend_engine_lattice`, numbers, nodes, counts, map, position, alike)
 }
 
-engine_first_shape <- function(numbers, map) {
-  .Call(`_codend_engine_first_shape`, numbers, map)
-}
-
 engine_node_counts <- function(numbers, nodes) {
   .Call(`_codend_engine_node_counts`, numbers, nodes)
 }

@@ -99,12 +99,8 @@ settled_state <- function(gear, nodes, netting, from, steps) {
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
-  if (!is.null(from)) {
-    settle_from <- function(shape) settle_level(si, nodes, netting, shape, from_steps, progress)
-    # to move a shape takes as long as many steps
-    other_ropes <- !identical(rope_lengths(si), rope_lengths(from$si))
-    found <- settle_from(c(state_shape(from), tried = other_ropes))
-    if (!found$report$converged && other_ropes) found <- settle_from(shape_for(si, from))
+  if (!is.null(from) && !has_less_catch(si, from$si)) {
+    found <- settle_level(si, nodes, netting, state_shape(from), from_steps, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {

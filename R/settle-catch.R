@@ -22,9 +22,14 @@ settle_catch <- function(si, lattice, solve) {
     # From the first start: a shape settled far off leads the path astray. From near by: slack
     # netting before the front may balance in several ways, and the volume is to follow one of them.
     near <- !is.null(before) && abs(front - before$front) < near_front
-    report <- solve(lattice, if (near) before$report)
-    report$iterations <- iterations <- iterations + report$iterations
-    report$factorisations <- factorisations <- factorisations + report$factorisations
+    for (from in list(if (near) before$report, NULL)) {
+      report <- solve(lattice, from)
+      iterations <- iterations + report$iterations
+      factorisations <- factorisations + report$factorisations
+      if (report$converged || is.null(from)) break
+    }
+    report$iterations <- iterations
+    report$factorisations <- factorisations
     found <- list(lattice = lattice, report = report)
     if (!report$converged) return(found)
     volume <- catch_volume(lattice, matrix(report$position, 3L))
@@ -38,6 +43,13 @@ settle_catch <- function(si, lattice, solve) {
   }
   found$report$converged <- FALSE
   found
+}
+
+# Whether netting holds less of a catch than before. Netting ahead of a catch has several balances: the
+# one that a growing catch reaches is taken from every start.
+has_less_catch <- function(si, before) {
+  held <- function(si) unlist(si$catch[c("blocked", "volume")])
+  any(held(si) < held(before), na.rm = TRUE)
 }
 
 # The volume grows with a power of the meshes behind the front that changes slowly: a secant through

@@ -6,7 +6,7 @@ level_ratio <- 7
 coarsest_nodes <- 250
 # Steps after which a start that should be near counts as a bad one.
 near_steps <- 200L
-# The same from a state, beside which to settle anew takes about as many.
+# The same from a state, beside which to settle anew takes hardly more.
 from_steps <- 100L
 # Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
 settle_tolerance <- 1e-8
@@ -72,18 +72,14 @@ undivided <- function(si) {
 }
 
 # Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over,
-# or NULL; one of the same lattice that has tried = TRUE is given up where it does not lead to
-# balance at once.
+# or NULL; one that was settled on the same lattice is given up where it does not lead to balance
+# at once.
 settle_level <- function(si, nodes, netting, from, steps, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)
   started <- cpu_clock()
   lattice <- build_lattice(si, nodes, netting, from)
-  begins <- if (is.null(from)) {
-    "crude"
-  } else if (!settled_alike(lattice, from)) {
-    "near"
-  } else if (isTRUE(from$tried)) "tried" else "settled"
+  begins <- if (is.null(from)) "crude" else if (settled_alike(lattice, from)) "settled" else "near"
   # The factors lie outside R's heap: nothing else makes R release what building left over.
   if (lattice$nodes > 1e5) gc(verbose = FALSE)
   seconds_lattice <- cpu_clock() - started
@@ -150,28 +146,6 @@ state_shape <- function(state) {
     settled = if (is.null(state$time)) state$si
   )
 }
-
-# A state's shape, moved to where a gear with other lengths of rope should be found.
-#
-# From one pair of crude layouts, which differ by those lengths alone: more warp out takes the whole
-# net aft and down as it is, where netting left in place would be torn between its ropes. (What
-# other forces do is not worth two layouts: the crude ones overrate it.)
-shape_for <- function(si, from) {
-  shape <- state_shape(from)
-  if (identical(rope_lengths(si), rope_lengths(from$si))) return(shape)
-  before <- si
-  before$ropes <- Map(function(rope, old) {
-    rope$length <- old$length
-    rope
-  }, si$ropes, from$si$ropes)
-  map <- part_map(si, shape$lattice)
-  first_shape <- function(si) matrix(engine_first_shape(gear_numbers(si), map), 3L)
-  moved <- first_shape(si) - first_shape(before)
-  shape$position <- shape$position + lattice_points(shape$lattice, moved)
-  shape
-}
-
-rope_lengths <- function(si) vapply(si$ropes, `[[`, 0, "length")
 
 # Stops unless a state's gear has the parts of this one.
 check_same_parts <- function(si, from) {

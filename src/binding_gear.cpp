@@ -61,16 +61,6 @@ struct Framed {
   });
 }
 
-// A gear's crude first shape on the lattice of this map: 3 x nodes, m.
-[[cpp11::register]] doubles engine_first_shape(list numbers, list map) {
-  return guarded([&]() -> doubles {
-    const codend::Gear gear = read_gear(numbers);
-    const codend::PartMap of = codend::read_fields<codend::PartMap>(ListSource(map));
-    of.check(gear, static_cast<std::size_t>(of.nodes) + 1000000000);
-    return as_doubles(codend::first_shape(gear, of, false, lay_out_strings));
-  });
-}
-
 // How many nodes a gear would have: list(nodes = of every panel, then of every rope, divided = whether
 // it says itself how it is divided).
 [[cpp11::register]] list engine_node_counts(list numbers, double nodes) {

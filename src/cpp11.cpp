@@ -13,13 +13,6 @@ extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP nodes, SEXP counts, SE
   END_CPP11
 }
 // binding_gear.cpp
-doubles engine_first_shape(list numbers, list map);
-extern "C" SEXP _codend_engine_first_shape(SEXP numbers, SEXP map) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_first_shape(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(map)));
-  END_CPP11
-}
-// binding_gear.cpp
 list engine_node_counts(list numbers, double nodes);
 extern "C" SEXP _codend_engine_node_counts(SEXP numbers, SEXP nodes) {
   BEGIN_CPP11
@@ -234,7 +227,6 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,    0},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
-    {"_codend_engine_first_shape",     (DL_FUNC) &_codend_engine_first_shape,     2},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
     {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,         6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},

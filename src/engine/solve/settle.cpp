@@ -18,7 +18,7 @@ class Settling {
         report_(report),
         x_(x),
         start_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
-        from_settled_(control.start == Start::settled || control.start == Start::tried),
+        from_settled_(control.start == Start::settled),
         corrected_(from_settled_),
         closing_in_(from_settled_),
         settled_(start_),
@@ -57,11 +57,11 @@ class Settling {
   }
 
   void take_start() {
-    if (control_.start == Start::near) iteration_.begin_near(true);
+    if (control_.start == Start::near) iteration_.begin_near();
     if (from_settled_) iteration_.begin_settled(true);
   }
 
-  // To the last settled shape, from which steps did not close in; false where it was only tried.
+  // To the last settled shape, from which steps did not close in; false where that is the start.
   bool go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
     if (corrected_ && iteration_.has_corrected() && report_.wake_renewals == 0) {
@@ -71,13 +71,12 @@ class Settling {
       steps_ = 0;
       return true;
     }
-    if (control_.start == Start::tried && report_.wake_renewals == 0) {
+    if (report_.wake_renewals == 0) {
       iteration_.measure();
       return false;
     }
     iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
-    if (report_.wake_renewals == 0) iteration_.begin_near(false);
     closing_in_ = false;
     steps_ = 0;
     return true;

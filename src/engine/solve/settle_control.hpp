@@ -20,12 +20,9 @@ struct SettleProgress {
 
 // Where x begins: anywhere; near the result, as carried over from another lattice; or at what was
 // settled for the same lattice with other numbers. A settled start takes Newton steps that carry the
-// tensions it was settled with, undamped, first; where they do not close in it is a near one. A tried
-// start is a settled one that is given up there, for who has another.
-enum class Start { crude, near, settled, tried };
-constexpr std::array<const char*, 4> names_of(Start) {
-  return {"crude", "near", "settled", "tried"};
-}
+// tensions it was settled with, undamped; where they do not close in it is given up, x as it was.
+enum class Start { crude, near, settled };
+constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
 
 // Of the damping D/h (pseudo_time.hpp). Rotation is the largest change of any line's vector in one
 // step, over its rest length.

@@ -70,9 +70,9 @@ void SettleIteration::begin(double pseudo_step, bool by_steps) {
   path_steps_ = control_.law.path_steps;
 }
 
-void SettleIteration::begin_near(bool law) {
+void SettleIteration::begin_near() {
   follow(TensionPath::near_parameter);
-  if (law && report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
+  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::begin_settled(bool correcting) {

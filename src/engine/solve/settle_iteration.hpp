@@ -27,8 +27,7 @@ class SettleIteration {
   // by_steps: whether bows of cells' twines go by steps (bows.hpp).
   void begin(double pseudo_step, bool by_steps = false);
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
-  // law: whether the law may be tried at once.
-  void begin_near(bool law);
+  void begin_near();
   // Takes the present positions, measured, as settled under other loads, likewise.
   // correcting: whether steps are followed by others with their factors, which take fewer steps, but
   // close in from less far.

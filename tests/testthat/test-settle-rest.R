@@ -1,0 +1,82 @@
+# Simple things at rest settle, and a tow of them stays where it begins.
+
+read_text <- function(text) {
+  file <- withr::local_tempfile(fileext = ".yaml", lines = text)
+  read_gear(file)
+}
+on_bed <- "seabed: {depth: 20 m, friction: 0.5}"
+ground_rope <- function(material, where = on_bed) {
+  read_text(sprintf("
+codend: 1
+name: Slack rope
+%s
+points:
+  west: {position: [0 m, 0 m, -20 m], held: fixed}
+  east: {position: [8 m, 0 m, -20 m], held: fixed}
+ropes:
+  line: {from: west, to: east, length: 10 m, diameter: 20 mm, material: %s}
+", where, material))
+}
+# How far any node is from where it began after 20 s, m.
+drift <- function(state) {
+  end <- tow(state, until = 20, every = 20)
+  expect_equal(max(end$time), 20)
+  max(abs(state_at(end, 20)$position - state$position))
+}
+
+test_that("a slack rope lies on level ground, which carries its weight in water", {
+  for (material in c("steel_chain", "PA")) {
+    state <- settle(ground_rope(material), 100)
+    line <- state$si$ropes$line
+    weight <- 10 * (line$mass_per_length - 1025 * line$volume_per_length) * 9.81
+    # a held end carries half of the element beside it itself
+    expect_equal(measures(state)[["ground_load_kN"]], weight / 1000, tolerance = 0.02)
+    expect_lt(drift(state), 1e-3)
+  }
+})
+
+test_that("a slack rope hangs between two points in still water", {
+  state <- settle(ground_rope("PA", ""), 100)
+  # an inextensible catenary: sinh(u) / u = length / span, sag a (cosh(u) - 1)
+  u <- stats::uniroot(function(u) sinh(u) / u - 10 / 8, c(0.1, 5), tol = 1e-10)$root
+  sag <- 4 / u * (cosh(u) - 1)
+  expect_equal(-20 - min(state$position[3, ]), sag, tolerance = 1e-3)
+  expect_lt(drift(state), 1e-3)
+})
+
+test_that("a net lies on the bed, or hangs in still water", {
+  wall <- "
+codend: 1
+name: Net at rest
+%s
+points:
+  west: {position: [0 m, -5 m, -20 m], held: fixed}
+  east: {position: [0 m, 5 m, -20 m], held: fixed}
+panels:
+  wall:
+    mesh_size: 100 mm
+    meshes: {upper: 140, lower: 140, deep: 30}
+    twine: {diameter: 2 mm, material: PA}
+ropes:
+  head_line: {along: wall.upper, hanging_ratio: 0.7, diameter: 12 mm, material: PA}
+  west_tie: {from: west, to: wall.upper_left, length: 0.5 m, diameter: 12 mm, material: PA}
+  east_tie: {from: east, to: wall.upper_right, length: 0.5 m, diameter: 12 mm, material: PA}
+"
+  for (where in c(on_bed, "")) {
+    state <- settle(read_text(sprintf(wall, where)), 300)
+    expect_lt(drift(state), 0.02)
+  }
+})
+
+test_that("gear of every kind settles in still water", {
+  for (name in c("gillnet", "cage", "stow_net", "dip_net", "midwater_trawl")) {
+    gear <- read_gear(name)
+    still <- if (is.null(gear$plan$towing)) {
+      update(gear, water.current = NULL)
+    } else {
+      update(gear, towing.speed = 0)
+    }
+    state <- suppressWarnings(settle(still, 500))
+    expect_lt(drift(state), 0.02)
+  }
+})
