@@ -52,8 +52,8 @@ test_that("a state is the start of another speed, warp or finer lattice", {
 
 test_that("a settled shape is left as it was where its steps do not close in", {
   state <- settled("midwater_trawl", nodes = 500)
-  # held where it was, the net is torn between ropes half as long
-  shorter <- gear_si(update(state$gear, warps.length = "300 m"))
+  # held where it was, the net is torn between ropes a seventh as long
+  shorter <- gear_si(update(state$gear, warps.length = "100 m"))
   left <- settle_level(shorter, 500, NULL, state_shape(state), 300L, function(...) NULL)
   expect_false(left$report$converged)
   expect_identical(left$position, as.vector(state$position))

@@ -25,9 +25,8 @@ class PseudoTime {
 
   // The share to be taken of a step that turns lines by this much.
   double share(double rotation) const;
-  // After a step that turns lines by `rotation`; damped, driven: the sum over free nodes of the way
-  // squared times the damping, and times the net force, N m.
-  void advance(double rotation, double damped, double driven);
+  // After a step that turns lines by `rotation`.
+  void advance(double rotation);
   // Whether the next step is to be judged.
   bool judged() const { return steps_ >= control_.free_steps; }
   // The judgement of a step that turns lines by `rotation`: what would correct it, over the step.
@@ -38,8 +37,7 @@ class PseudoTime {
  private:
   const PseudoTimeControl& control_;
   double step_ = 1.0;
-  double rotation_ = 1.0, last_rotation_ = 1.0;
-  int cycle_ = 0;     // undamped steps in a row that do not close in
+  double rotation_ = 1.0;
   double aim_ = 1.0;  // rotation that is aimed at
   int steps_ = 0;     // since begun
   int held_steps_ = 0;

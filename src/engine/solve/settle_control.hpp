@@ -31,31 +31,22 @@ struct PseudoTimeControl {
   // counts for so many times that of a line, where it does not close in from a settled state. With 12
   // some kites of 300 still go to a balance far from where they start, with 20 none.
   double plate_turns = 20.0;
-  // A linear step says nothing of where a line goes that turns by more than its own length, or of a body that
-  // leaves the water or comes into it, whose buoyancy it misses by so large a share: only so much of the step
-  // is taken.
-  double most_rotation = 1.0;
   // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
   // leaves out, here 2e-4 at most.
   double found_rotation = 0.02;
-  // h goes by the rotation that is aimed at, 1 at first, over that of the step, within these factors:
-  // more would act on the chance of a single step.
-  double least_factor = 0.3, most_factor = 3.0;
+  // A linear step says nothing of where a line goes that turns by more than its own length, or of a body that
+  // leaves the water or comes into it, whose buoyancy it misses by so large a share: of a step only as much is
+  // taken as turns lines by what is aimed at, 1 at first. h goes by that over the step's rotation, but grows
+  // by no more than this: more would act on the chance of a single step.
+  double most_factor = 3.0;
   double longest = 1e12;  // s: damping is then below the rounding of any stiffness
   // Where the matrix is singular the next step is held back more.
   double singular_factor = 0.1;
-  // Undamped steps may go round for ever between shapes. They do where so many in a row turn lines by
-  // more than cycle_rotation and by more than cycle_share of the last, with h beyond cycle_excess times
-  // its own: that in which the step's stiffness alone would make it. h then goes back to cycle_return
-  // times its own, and no further than cycle_least (s).
-  int cycle_steps = 3;
-  double cycle_rotation = 0.1, cycle_share = 0.6, cycle_excess = 10.0;
-  double cycle_return = 3.0, cycle_least = 1e-3;
   // Most starts are through in so many steps. Later ones are judged: by the size of the step that would
   // correct one, over its own. Where that is more than `poor` the next turns lines by less, `shorter`
   // times what this one did; where it is less than `good` by more, up to a whole turn.
   int free_steps = 20;
-  double poor = 1.0, good = 0.3, shorter = 0.7, least_aim = 1e-5;
+  double poor = 1.0, good = 0.3, shorter = 0.7;
 };
 
 // Netting along the flow has next to no pull, so that steps would turn it far beyond what their matrix
@@ -66,22 +57,15 @@ struct HeldControl {
   double share = 0.3, rotation = 0.2;
 };
 
-// Of the interior path (tension_path.hpp): what its parameter mu is multiplied by in a step. Tensions
-// far down the path belong to the present shape: mu falls far only while lines turn little.
+// Of the interior path (tension_path.hpp). Tensions far down the path belong to the present shape: in a
+// step its parameter mu falls by the factor by which the last one turned lines.
 struct PathControl {
-  struct Reduction {
-    double rotation, factor;  // the factor for rotations below
-  };
-  std::array<Reduction, 3> reductions = {{{0.1, 0.05}, {0.5, 0.5}, {1.0, 0.7}}};
+  double least_factor = 0.02;
   // mu is no less than this times the square of the last rotation, to which it rises by so much a step
-  // at most: where lines still turn, tensions far down the path are of no shape. least_again: the share where
-  // it begins again with bows that go by steps, and of gears without cells of netting.
-  double least_by_turn = 1e-7, least_again = 1e-8, most_rise = 10.0;
+  // at most: where lines still turn, tensions far down the path are of no shape.
+  double least_by_turn = 1e-8, most_rise = 10.0;
   // From a settled state's tensions mu falls at once: below this rotation to this share.
   double settled_rotation = 0.02, settled_factor = 1e-3;
-  // There the first step, which is all tangent, turns lines by this much at most: of loads that would
-  // turn them by more a part comes at first, and as much with every further step that turns them by less.
-  double settled_turn = 0.25;
   // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
   // is of second order in the turn.
   double corrected_turn = 0.2;
@@ -124,10 +108,8 @@ struct AttemptControl {
   // count as beginning from, at least, where only the wakes are others.
   double settled_step = 1e6;
   int settled_steps = 30;
-  // It has failed too where a step after the first turns lines by more than this, or where so many in a
-  // row have not halved the least rotation so far.
+  // It has failed too where a step after the first turns lines by more than this.
   double settled_rotation = 1.0;
-  int idle_steps = 10;
   double settled_law = 1e-4;
   double settled_residual = 1e-3;
 };

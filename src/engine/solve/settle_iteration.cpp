@@ -24,8 +24,6 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       values_(9 * assembly.pattern().column.size()),
       load_(total_load()),
       rounding_(rounding_force()),
-      least_by_turn_(assembly.model().cells.count() > 0 ? control.path.least_by_turn
-                                                        : control.path.least_again),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
@@ -62,10 +60,8 @@ double SettleIteration::scale() const {
 void SettleIteration::begin(double pseudo_step, bool by_steps) {
   path_ = TensionPath(assembly_.model(), load_);
   assembly_.bow_by_steps(by_steps);
-  if (by_steps) least_by_turn_ = control_.path.least_again;
   pseudo_time_.begin(pseudo_step);
   on_law_ = begun_ = closing_in_ = false;
-  loaded_ = 1.0;
   steps_to_law_ = 0;
   path_steps_ = control_.law.path_steps;
 }
@@ -79,7 +75,6 @@ void SettleIteration::begin_settled(bool correcting) {
   from_settled_ = closing_in_ = true;
   correcting_ = correcting;
   on_law_ = begun_ = false;
-  loaded_ = loaded_step_ = 1.0;
   settled_steps_ = idle_steps_ = 0;
   least_rotation_ = control_.attempts.settled_rotation;
   follow(TensionPath::settled_parameter);
@@ -178,7 +173,6 @@ void SettleIteration::step() {
     assembly_.strain(strain_);
     path_.prepare(assembly_, strain_, reduction(), least_parameter());
     assembly_.residual(force_.data(), &path_.predicted());
-    if (closing_in_) add_loads_by_parts();
   }
   {
     Stopwatch watch(report_.seconds_jacobian, control_.timed);
@@ -204,7 +198,7 @@ void SettleIteration::choose_law() {
                   report_.residual > law.excess * residual_before_law_ ||
                   (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
-  } else if (!on_law_ && steps_to_law_ <= 0 && loaded_ == 1.0 && pseudo_time_.found() &&
+  } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
              report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
     try_law();
   }
@@ -242,19 +236,15 @@ double SettleIteration::reduction() {
   }
   const PathControl& path = control_.path;
   const double rotation = pseudo_time_.rotation();
-  if (correcting_ && loaded_ < 1.0) return 1.0;
   if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
-  for (const PathControl::Reduction& reduction : path.reductions) {
-    if (rotation < reduction.rotation) return reduction.factor;
-  }
-  return 1.0;
+  return std::clamp(rotation, path.least_factor, 1.0);
 }
 
 // Below which mu does not go in this step, other than from a settled state.
 double SettleIteration::least_parameter() const {
   if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
-  return std::min(least_by_turn_ * rotation * rotation,
+  return std::min(control_.path.least_by_turn * rotation * rotation,
                   control_.path.most_rise * path_.parameter());
 }
 
@@ -271,37 +261,12 @@ const DualTension& SettleIteration::matrix_tension() {
   return held_;
 }
 
-// Loads that have changed since the start was settled act by a part so far, which grows where the last
-// step turned lines little.
-void SettleIteration::add_loads_by_parts() {
-  if (settled_steps_ == 0) first_force_ = force_;
-  if (loaded_ == 1.0) return;
-  if (pseudo_time_.rotation() <= control_.path.settled_turn) {
-    loaded_ = std::min(1.0, loaded_ + loaded_step_);
-  }
-  for (std::size_t k = 0; k < force_.size(); ++k) force_[k] -= (1.0 - loaded_) * first_force_[k];
-}
-
-// The share of the first step from a settled shape, which would turn lines by `rotation`: as the step is
-// linear in the loads, that is the whole step of that part of them.
-double SettleIteration::first_share(double rotation) {
-  loaded_ = loaded_step_ = std::min(1.0, control_.path.settled_turn / rotation);
-  return loaded_;
-}
-
 void SettleIteration::move() {
   take_step();
-  double damped = 0.0, driven = 0.0;
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const Vector dx = at(dx_.data(), free_[i]);
-    damped += damping_[i] * dx.squaredNorm();
-    driven += dx.dot(at(force_.data(), free_[i]));
-  }
   const LineChange& change = assembly_.line_change(dx_.data());
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
-  const bool tangent = closing_in_ && settled_steps_ == 0 && !on_law_;
-  const double share = tangent ? first_share(rotation) : pseudo_time_.share(rotation);
+  const double share = pseudo_time_.share(rotation);
   turned_ = share * rotation;
   from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(assembly_, change.strain, share);
@@ -309,13 +274,8 @@ void SettleIteration::move() {
   if (!closing_in_ && pseudo_time_.judged()) {
     pseudo_time_.judge(rotation, correction_over_step(share));
   }
-  pseudo_time_.advance(tangent ? share * rotation : rotation, damped, driven);
-  if (closing_in_) {
-    ++settled_steps_;
-    const bool closer = loaded_ < 1.0 || pseudo_time_.rotation() < 0.5 * least_rotation_;
-    idle_steps_ = closer ? 0 : idle_steps_ + 1;
-    if (closer) least_rotation_ = pseudo_time_.rotation();
-  }
+  pseudo_time_.advance(rotation);
+  if (closing_in_) ++settled_steps_;
 }
 
 // What is left of the balance where the last step has led, into force_, as a right side of its own matrix:
@@ -363,11 +323,6 @@ double SettleIteration::correction_over_step(double share) {
 // lines by more than the step did.
 void SettleIteration::correct() {
   take_rest();
-  if (loaded_ < 1.0) {
-    for (std::size_t k = 0; k < force_.size(); ++k) {
-      force_[k] -= (1.0 - loaded_) * first_force_[k];
-    }
-  }
   take_right_side();
   linear_.solve_again(right_, step_);
   take_step();

@@ -68,8 +68,6 @@ class SettleIteration {
   double reduction();
   double least_parameter() const;
   const DualTension& matrix_tension();
-  void add_loads_by_parts();
-  double first_share(double rotation);
   void move();
   void take_rest();
   double correction_over_step(double share);
@@ -92,26 +90,19 @@ class SettleIteration {
   const double rounding_;       // N
   bool from_settled_ = false;   // the start is a settled state
   double unstable_size_ = 0.0;  // m
-  double least_by_turn_;        // of this attempt
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
   PartBalance parts_;
   bool begun_ = false;       // a step has been taken
   bool closing_in_ = false;  // from a settled state, by its tensions
-  // Of the loads that have changed since: the share that acts so far, by how much it grows, and the net
-  // forces that the rest would make at the start.
-  double loaded_ = 1.0, loaded_step_ = 1.0;
-  std::vector<double> first_force_;
   // How much the last step turned lines, and where it began.
   double turned_ = 1.0;
   bool correcting_ = false, has_corrected_ = false;
   std::vector<double> from_x_, pull_;
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
-  // Of that state's steps.
-  double least_rotation_ = 1.0;
-  int idle_steps_ = 0, settled_steps_ = 0;
+  int settled_steps_ = 0;            // of that state's tensions
   // Of the trials of the law.
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;
