@@ -75,8 +75,7 @@ void SettleIteration::begin_settled(bool correcting) {
   from_settled_ = closing_in_ = true;
   correcting_ = correcting;
   on_law_ = begun_ = false;
-  settled_steps_ = idle_steps_ = 0;
-  least_rotation_ = control_.attempts.settled_rotation;
+  settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.attempts.settled_step);
   if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
@@ -161,8 +160,7 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
 
 bool SettleIteration::lost() const {
   return closing_in_ && settled_steps_ > 1 &&
-         (pseudo_time_.rotation() > control_.attempts.settled_rotation ||
-          idle_steps_ == control_.attempts.idle_steps);
+         pseudo_time_.rotation() > control_.attempts.settled_rotation;
 }
 
 void SettleIteration::step() {
