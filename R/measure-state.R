@@ -66,7 +66,8 @@ measured_kinds <- function(si) {
 
 # The same as it is asked of the engine, see measure_values().
 asked_of <- function(si) {
-  standard <- measured_kinds(si)[-seq_along(si$measures)]
+  kinds <- measured_kinds(si)
+  standard <- kinds[seq_along(kinds) > length(si$measures)]
   c(si$measures, lapply(standard, function(measure) list(kind = measure$computed)))
 }
 
