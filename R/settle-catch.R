@@ -45,8 +45,8 @@ settle_catch <- function(si, lattice, solve) {
   found
 }
 
-# Whether netting holds less of a catch than before. Netting ahead of a catch has several balances: the
-# one that a growing catch reaches is taken from every start.
+# Whether netting holds less of a catch than before. Netting ahead of a catch has several balances:
+# the one that a growing catch reaches is taken from every start.
 has_less_catch <- function(si, before) {
   held <- function(si) unlist(si$catch[c("blocked", "volume")])
   any(held(si) < held(before), na.rm = TRUE)
