@@ -29,7 +29,7 @@ void PseudoTime::judge(double rotation, double correction) {
 void PseudoTime::advance(double rotation) {
   ++steps_;
   rotation_ = rotation;
-  step_ = std::min(step_ * std::min(aim_ / rotation_, control_.most_factor), control_.longest);
+  step_ = std::min(step_ * aim_ / rotation_, control_.longest);
   if (held_steps_ > 0) {
     --held_steps_;
     step_ = std::min(step_, held_step_);

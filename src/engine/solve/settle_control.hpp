@@ -25,7 +25,10 @@ enum class Start { crude, near, settled };
 constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
 
 // Of the damping D/h (pseudo_time.hpp). Rotation is the largest change of any line's vector in one
-// step, over its rest length.
+// step, over its rest length. A linear step says nothing of where a line goes that turns by more than its
+// own length, or of a body that leaves the water or comes into it, whose buoyancy it misses by so large a
+// share: of a step only as much is taken as turns lines by what is aimed at, 1 at first, and h goes by that
+// over the step's rotation.
 struct PseudoTimeControl {
   // A plate's forces are other ones after some degrees, of which a linear step knows nothing: its turn
   // counts for so many times that of a line, where it does not close in from a settled state. With 12
@@ -34,11 +37,6 @@ struct PseudoTimeControl {
   // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
   // leaves out, here 2e-4 at most.
   double found_rotation = 0.02;
-  // A linear step says nothing of where a line goes that turns by more than its own length, or of a body that
-  // leaves the water or comes into it, whose buoyancy it misses by so large a share: of a step only as much is
-  // taken as turns lines by what is aimed at, 1 at first. h goes by that over the step's rotation, but grows
-  // by no more than this: more would act on the chance of a single step.
-  double most_factor = 3.0;
   double longest = 1e12;  // s: damping is then below the rounding of any stiffness
   // Where the matrix is singular the next step is held back more.
   double singular_factor = 0.1;
