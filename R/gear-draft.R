@@ -18,7 +18,7 @@ draft_gear <- function(plan, like = NULL) {
 # A plan with the fields that are wrong in themselves as they were.
 mended_gear <- function(plan, like, problems) {
   for (problem in problems) {
-    path <- gsub("\\[([0-9]+)\\]", ".\\1", first_of(problem$path, ""))
+    path <- dotted_path(first_of(problem$path, ""))
     if (!nzchar(path)) return(NULL)
     before <- at_path(like$plan, path_steps(path))
     plan <- tryCatch(set_plan_field(plan, path, before), error = function(e) NULL)
@@ -55,7 +55,7 @@ tried_gear <- function(plan, like) {
   )
   # of the plan's own fields, where there are such
   own <- vapply(problems, function(problem) {
-    path <- gsub("\\[([0-9]+)\\]", ".\\1", first_of(problem$path, ""))
+    path <- dotted_path(first_of(problem$path, ""))
     nzchar(path) && !is.null(path_node(plan, path))
   }, NA)
   if (any(own)) problems <- problems[own]

@@ -7,6 +7,9 @@ plan_node <- function(plan) {
 
 path_steps <- function(path) strsplit(path, ".", fixed = TRUE)[[1]]
 
+# A path with its items' numbers as steps: `a[2].b` as `a.2.b`.
+dotted_path <- function(path) gsub("\\[([0-9]+)\\]", ".\\1", path)
+
 # The node one step below `node`, or NULL where it allows no such field. Items of a list go by their
 # number.
 #

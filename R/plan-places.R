@@ -222,7 +222,7 @@ new_scanner <- function(text) {
 field_place <- function(text, path) {
   if (is.null(path) || !is_text(path)) return(NULL)
   places <- plan_places(text)
-  path <- gsub("\\[([0-9]+)\\]", ".\\1", path)
+  path <- dotted_path(path)
   repeat {
     k <- match(path, places$path)
     if (!is.na(k)) return(list(line = places$line[k], column = places$column[k]))

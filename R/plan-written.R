@@ -47,7 +47,7 @@ part_words <- function(path) {
 # The path of the field that became the field of a part, or NULL where none is like it. plan: as
 # written; path, value: of the part's field; value NULL where it is missing; leaves: the plan's.
 written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
-  path <- gsub("\\[([0-9]+)\\]", ".\\1", path)
+  path <- dotted_path(path)
   steps <- path_steps(path)
   last <- sub("^.*[.]", "", leaves$path)
   fits <- last == steps[length(steps)]
@@ -74,7 +74,7 @@ likeness <- function(written, whole) {
 
 # A message about a part's field, of the field that was written instead.
 reworded <- function(message, path, written) {
-  old <- path_steps(gsub("\\[([0-9]+)\\]", ".\\1", path))
+  old <- path_steps(dotted_path(path))
   new <- path_steps(written)
   while (length(old) > 1L && length(new) > 1L && old[length(old)] == new[length(new)]) {
     old <- old[-length(old)]
@@ -93,7 +93,7 @@ doubtful_bare_mesh <- 20
 abort_as_written <- function(e, plan) {
   said <- e$said
   path <- e$path
-  known <- gsub("\\[([0-9]+)\\]", ".\\1", first_of(path, ""))
+  known <- dotted_path(first_of(path, ""))
   if (nzchar(known) && is.null(path_node(plan, known))) {
     written <- written_path(plan, path, e$value)
     if (!is.null(written) && !is.null(path_node(plan, written))) {

@@ -1,9 +1,5 @@
 # Simple things at rest settle, and a tow of them stays where it begins.
 
-read_text <- function(text) {
-  file <- withr::local_tempfile(fileext = ".yaml", lines = text)
-  read_gear(file)
-}
 on_bed <- "seabed: {depth: 20 m, friction: 0.5}"
 ground_rope <- function(material, where = on_bed) {
   read_text(sprintf("
