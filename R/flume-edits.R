@@ -100,6 +100,15 @@ with_point <- function(text) {
     text, perl = TRUE)
 }
 
+# What a field of the page with an example in it was given, such as "11 fm" or "2,8": a bare number
+# has the example's unit.
+typed_quantity <- function(text, like) {
+  text <- with_point(text)
+  parts <- split_quantity(text)
+  unit <- split_quantity(like)[2]
+  if (is.null(parts) || nzchar(parts[2]) || !isTRUE(nzchar(unit))) text else paste(parts[1], unit)
+}
+
 # What a typed number was understood as, and whether it is far from what the field had.
 understood_value <- function(before, after, path) {
   node <- path_node(after, path)

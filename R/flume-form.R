@@ -37,9 +37,9 @@ form_rooms <- list(
 # Fields of a plan that the form leaves to the plan's text.
 form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
-# The form of a plan: a list of groups of list(title, parts), a part list(path, title, help, fields
-# (controls), open (whether the schema allows fields that it lacks), named (whether it is one of
-# several that are told by their names), required).
+# The form of a plan: a list of groups of list(title, parts, open, absent), a part list(path, title,
+# help, fields (controls), picks, open (whether the schema allows fields that it lacks), absent
+# (their paths), named (whether it is one of several that are told by their names), required).
 plan_form <- function(plan) {
   node <- plan_node(plan)
   lapply(names(form_rooms), function(title) {
@@ -51,7 +51,8 @@ plan_form <- function(plan) {
       form_parts(plan[[name]], child_node(node, name), name, name %in% node$required)
     })
     absent <- setdiff(intersect(form_rooms[[title]], names(node$properties)), names(plan))
-    list(title = title, parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L)
+    list(title = title, parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L,
+      absent = I(absent))
   })
 }
 
@@ -71,6 +72,8 @@ form_parts <- function(value, node, path, required, is_named = FALSE) {
   fields <- form_fields(value[setdiff(names(value), apart)], node, path, "")
   part <- list(list(
     path = path, title = path_words(path), help = first_of(node$description, ""), fields = fields,
+    picks = part_picks(value, node, path),
+    absent = I(as.character(absent_fields(value, node, path))),
     open = length(setdiff(names(node$properties), names(value))) > 0L,
     named = is_named, required = required
   ))
@@ -79,6 +82,28 @@ form_parts <- function(value, node, path, required, is_named = FALSE) {
       named && is.null(node$properties[[name]]))
   })
   c(part, do.call(c, others))
+}
+
+# Paths of the fields that a part and the maps in it could have and have not.
+absent_fields <- function(value, node, path) {
+  own <- setdiff(names(node$properties), names(value))
+  if (length(own)) own <- paste0(join(path, ""), own)
+  inner <- Filter(function(name) is_part(value[[name]]) && name %in% names(node$properties),
+    names(value))
+  c(own, unlist(lapply(inner, function(name) {
+    absent_fields(value[[name]], meant_node(value[[name]], child_node(node, name)),
+      join(path, name))
+  })))
+}
+
+# What of a part can be picked from the catalogue, its twine as well: list(path, classes).
+part_picks <- function(value, node, path) {
+  nodes <- list(node, if (is_map(value$twine)) meant_node(value$twine, child_node(node, "twine")))
+  picks <- Map(function(node, path) {
+    classes <- picked_classes(node)
+    if (length(classes)) list(path = path, classes = I(classes))
+  }, nodes, c(path, join(path, "twine")))
+  Filter(Negate(is.null), picks)
 }
 
 # The controls of a map's fields; those of maps in it by both their names.

@@ -28,13 +28,14 @@ read_shipped <- function(name) {
 # A new gear: list(kind, values), texts by what new_plan() asks for.
 read_new <- function(said) {
   said <- as.list(said)
-  asks <- names(new_plan_kinds()[[if (is_text(said$kind)) said$kind else ""]]$asks)
+  asks <- new_plan_kinds()[[if (is_text(said$kind)) said$kind else ""]]$asks
   values <- as.list(said$values)
-  values <- values[names(values) %in% asks]
+  values <- values[names(values) %in% names(asks)]
   good <- vapply(values, function(value) is_text(value) && nchar(value) <= most_characters, NA)
   if (!all(good)) abort_argument("A new gear is asked for by texts such as 25 m.")
   # an empty field is as usual
   values <- values[vapply(values, function(value) nzchar(trimws(value)), NA)]
+  values <- Map(typed_quantity, values, asks[names(values)])
   do.call(new_plan, c(list(said$kind), values))
 }
 

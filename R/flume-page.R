@@ -23,7 +23,9 @@ flume_page <- function(opens = TRUE) {
         id = "design", class = "flume-grid", hidden = if (!opens) NA,
         flume_tank(), flume_controls(), flume_measures(), flume_tabs()
       ),
-      tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite")
+      tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite"),
+      tags$script(type = "application/json", id = "catalogue",
+        shiny::HTML(catalogue_json()))
     )
   )
 }
@@ -137,13 +139,18 @@ flume_controls <- function() {
 
 flume_measures <- function() {
   shiny::tags$section(
-    class = "panel measures", `aria-label` = "Measures", shiny::uiOutput("measures"),
+    class = "panel measures", `aria-label` = "Measures",
+    shiny::tags$div(
+      id = "worth", hidden = NA, shiny::tags$h2("Warnings"), shiny::tags$ul(id = "noted")
+    ),
+    shiny::uiOutput("measures"),
+    shiny::tags$details(
+      id = "measures_more", shiny::tags$summary("All other measures"),
+      shiny::uiOutput("other_measures")
+    ),
     shiny::checkboxInput("with_intervals", "How sure: intervals of 90 %"),
     shiny::tags$p(id = "uncertainty_error", class = "field-error", role = "alert", hidden = NA),
     measures_guide(),
-    shiny::tags$div(
-      id = "worth", hidden = NA, shiny::tags$h2("Worth a look"), shiny::tags$ul(id = "noted")
-    ),
     flume_more_of()
   )
 }

@@ -298,11 +298,17 @@ flume_shown <- function(input, output, tank, said) {
       if (!is.null(tank$gear)) make()
     })
   }
-  output$measures <- of_state(function() {
-    tank$uncertainty_changed()
-    measures_html(tank$measures, tank$pinned$measures, tank$preferred,
-      if (isTRUE(input$with_intervals)) tank$uncertainty)
-  })
+  measured <- function(key) {
+    of_state(function() {
+      tank$uncertainty_changed()
+      measures_html(tank$measures, tank$pinned$measures, tank$preferred,
+        if (isTRUE(input$with_intervals)) tank$uncertainty, key)
+    })
+  }
+  output$measures <- measured(key = TRUE)
+  output$other_measures <- measured(key = FALSE)
+  # they are there as soon as the page opens them
+  shiny::outputOptions(output, "other_measures", suspendWhenHidden = FALSE)
   output$tensions <- of_state(function() tensions_html(tank$state))
   output$drag <- of_state(function() drag_html(tank$state))
   output$differences <- of_state(function() differences_html(tank$pinned$gear, tank$gear))

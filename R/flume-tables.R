@@ -79,9 +79,15 @@ decimals_of <- function(largest) {
   ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
 }
 
-# preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL.
-measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL) {
+# preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL; key: those
+# that come first, or the others.
+measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL, key = TRUE) {
   table <- measure_changes(now, pinned)
+  names <- union(names(now), names(pinned))
+  shown_here <- (names %in% key_names(names)) == key
+  if (!any(shown_here)) return(NULL)
+  table <- table[shown_here, ]
+  names <- names[shown_here]
   units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
   factor <- vapply(units, `[[`, 0, "value")
   numbers <- c("now", "error", "pinned", "change")
@@ -92,7 +98,7 @@ measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL) {
   percent[change == "0"] <- "0"
   shown <- trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error)))
   if (!is.null(uncertainty)) {
-    interval <- interval_cells(uncertainty, union(names(now), names(pinned)), factor)
+    interval <- interval_cells(uncertainty, names, factor)
     shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
   }
   rows <- data.frame(
@@ -100,13 +106,26 @@ measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL) {
     fixed_decimals(table$pinned, decimals), change, percent
   )
   shiny::tagList(
-    html_table("Measures", c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows),
-      titles = table$definition),
-    shiny::tags$p(class = "note", paste0(plus_minus(), ": the estimated discretisation error."),
+    html_table(if (key) "Key measures" else "Other measures",
+      c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows), titles = table$definition),
+    if (key) shiny::tags$p(class = "note",
+      paste0(plus_minus(), ": the estimated discretisation error."),
       if (!is.null(uncertainty)) sprintf("%g %%: the interval that holds the truth with that
         probability, by the combined uncertainty of coefficients, plan, conditions, discretisation
         and model.", 100 * uncertainty$level))
   )
+}
+
+# What people look at first, of any kind of gear; and how many of a gear come first.
+key_measures <- c(
+  "door_spread_m", "wing_end_spread_m", "net_mouth_height_m", "headline_height_m",
+  "footrope_height_m", "total_drag_kN"
+)
+key_count <- 6L
+
+# Of these names those that come first: what is looked at first, then the gear's own in their order.
+key_names <- function(names) {
+  utils::head(union(intersect(key_measures, names), names), key_count)
 }
 
 # "90 %: 4.5 to 6.6" of measures by name, "" of those without; factor: to preferred units.

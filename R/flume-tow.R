@@ -63,10 +63,16 @@ said_time <- function(said, name, low, high) {
   time
 }
 
-# In SI, of a text with a unit.
+# The unit of a bare number of a tow.
+tow_units <- c(time = "1 s", speed = "1 knot", angle = "1 deg", length = "1 m")
+
+# In SI, of a text as people write it.
 said_number <- function(said, name, dimension) {
   good <- is_text(said) && nchar(said) <= most_name
-  number <- if (good) tryCatch(quantity_si(trimws(said), dimension), error = function(e) NA_real_)
+  number <- if (good) {
+    text <- trimws(typed_quantity(said, tow_units[[dimension]]))
+    tryCatch(quantity_si(text, dimension), error = function(e) NA_real_)
+  }
   if (!isTRUE(is.finite(number))) {
     shown <- if (good) said else "something else"
     abort_argument(

@@ -184,6 +184,20 @@ window.codendDrawing = (function () {
     if (!text) grip(thing, path);
   }
 
+  // What can be typed, part after part as one reads a paper drawing, each field once.
+  function by_part() {
+    var parts = [], seen = {};
+    svg().querySelectorAll('[data-path]').forEach(function (one) {
+      var path = one.dataset.path, part = path.replace(/[.](meshes|twine|mesh_size|cutting)([.].*)?$/, '');
+      if (seen[path] || !one.querySelector('text') || !window.codendForm.field(path)) return;
+      seen[path] = true;
+      var own = parts.filter(function (each) { return each.part === part; })[0];
+      if (!own) parts.push(own = { part: part, all: [] });
+      own.all.push(one);
+    });
+    return [].concat.apply([], parts.map(function (each) { return each.all; }));
+  }
+
   function choose(thing) {
     document.querySelectorAll('#drawing .chosen').forEach(function (one) { one.classList.remove('chosen'); });
     thing.classList.add('chosen');
@@ -221,10 +235,8 @@ window.codendDrawing = (function () {
       if (event.key === 'Escape') { finish(false); return; }
       if (event.key !== 'Tab') return;
       event.preventDefault();
-      var all = [].slice.call(svg().querySelectorAll('[data-path]')).filter(function (one) {
-        return one.querySelector('text') && window.codendForm.field(one.dataset.path);
-      });
-      var next = all[all.indexOf(thing) + (event.shiftKey ? -1 : 1)];
+      var all = by_part(), paths = all.map(function (one) { return one.dataset.path; });
+      var next = all[paths.indexOf(path) + (event.shiftKey ? -1 : 1)];
       finish(true);
       if (next) { next.focus(); change(next); }
     });

@@ -188,7 +188,62 @@ window.codendForm = (function () {
       tools.appendChild(element('button', 'btn btn-outline-danger btn-sm take-part', 'Take it out',
         { type: 'button', 'data-path': part.path, 'aria-label': 'Take out ' + part.title }));
     }
+    (part.picks || []).forEach(function (pick) {
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm pick', 'From the catalogue' +
+        (pick.path === part.path ? '' : ': ' + pick.path.split('.').pop()), { type: 'button',
+        'data-path': pick.path, 'data-classes': pick.classes.join(' ') }));
+    });
     if (tools.childNodes.length) box.appendChild(tools);
+  }
+
+  // ---- the catalogue ------------------------------------------------------------------------------
+
+  var things = null;
+  // Opens, in place of its button, what of the catalogue fits a part; `found` at most are shown.
+  function pick_from(button) {
+    var found = 40, path = button.dataset.path, classes = button.dataset.classes.split(' ');
+    things = things || JSON.parse(find('catalogue').textContent);
+    var fits = things.filter(function (thing) { return classes.indexOf(thing['class']) >= 0; });
+    var box = element('div', 'picks'), input = element('input', 'form-control form-control-sm', undefined,
+      { type: 'search', 'aria-label': 'Find in the catalogue', placeholder: 'Find, such as ' +
+        (fits[0] ? fits[0].title.split(' ')[0] : '') + ' or 16 mm', autocomplete: 'off' });
+    var list = element('ul', 'pick-list');
+    function row(thing) {
+      var facts = Object.keys(thing.values).map(function (name) {
+        return name.replace(/_/g, ' ') + ' ' + thing.values[name].replace(/_/g, ' ');
+      });
+      var item = element('li'), one = element('button', 'btn btn-link btn-sm', thing.title, { type: 'button' });
+      item.appendChild(one);
+      item.appendChild(element('span', 'note', facts.join(', ') + (thing.says ? '. ' + thing.says : '') +
+        '. Source: ' + thing.source));
+      one.addEventListener('click', function () {
+        var all = {};
+        Object.keys(thing.values).forEach(function (name) {
+          all[path + '.' + name] = { value: thing.values[name], unit: '' };
+        });
+        edits(all);
+        box.replaceWith(button);
+      });
+      return [item, (thing.title + ' ' + facts.join(' ') + ' ' + thing.says).toLowerCase()];
+    }
+    var rows = fits.map(row);
+    function narrow() {
+      var words = input.value.trim().toLowerCase().replace(',', '.').split(/\s+/).filter(Boolean);
+      list.textContent = '';
+      rows.filter(function (one) {
+        return words.every(function (word) { return one[1].indexOf(word) >= 0; });
+      }).slice(0, found).forEach(function (one) { list.appendChild(one[0]); });
+      if (!list.childNodes.length) list.appendChild(element('li', 'note', 'Nothing here has these words.'));
+    }
+    input.addEventListener('input', narrow);
+    box.addEventListener('keydown', function (event) {
+      if (event.key === 'Escape') { box.replaceWith(button); button.focus(); }
+    });
+    box.appendChild(input);
+    box.appendChild(list);
+    narrow();
+    button.replaceWith(box);
+    input.focus();
   }
 
   function fill_part(part, title, box) {
@@ -288,8 +343,18 @@ window.codendForm = (function () {
 
   // ---- finding ------------------------------------------------------------------------------------
 
+  // What the trade also calls what a plan names.
+  var trade = {
+    door: 'board', doors: 'board', headline: 'head line', headrope: 'head line', groundrope: 'footrope',
+    'fishing line': 'footrope', leg: 'bridle', legs: 'bridle', dandyline: 'bridle', bobbin: 'ground gear',
+    bobbins: 'ground gear', rockhopper: 'ground gear', clump: 'centre weight', wire: 'warp', wires: 'warp',
+    cable: 'warp', buoy: 'float', buoys: 'float', trawlboard: 'board', bag: 'codend', cod: 'codend',
+    kite: 'kites', belly: 'sections', lacing: 'side lines', tex: 'rtex', speed: 'towing speed'
+  };
+
   function search() {
-    var words = find('find_field').value.trim().toLowerCase().split(/\s+/).filter(Boolean);
+    var typed = find('find_field').value.trim().toLowerCase();
+    var words = typed.split(/\s+/).filter(Boolean);
     var all = find('form'), place = find('found_fields');
     if (!place) {
       place = element('div', '', undefined, { id: 'found_fields' });
@@ -298,29 +363,56 @@ window.codendForm = (function () {
     place.textContent = '';
     all.hidden = words.length > 0;
     if (!words.length || !form) return;
-    var found = [];
-    form.groups.forEach(function (one) {
-      (one.parts || []).forEach(function (part) {
-        (part.fields || []).forEach(function (field) {
-          var text = [one.title, part.title, field.label, field.paths.join(' ')].join(' ')
-            .replace(/_/g, ' ').toLowerCase();
-          if (words.every(function (word) { return text.indexOf(word) >= 0; })) {
-            found.push([part, field]);
-          }
-        });
-      });
-    });
-    found.slice(0, 30).forEach(function (one) {
+    var found = matches(words), meant = words.map(function (word) { return trade[word] || word; });
+    if (trade[typed]) meant = [trade[typed]];
+    if (!found.fields.length && meant.join() !== words.join()) found = matches(meant.join(' ').split(' '));
+    found.fields.slice(0, 30).forEach(function (one) {
       var field = Object.assign({}, one[1], {
         label: (one[0].path ? one[0].title + ': ' : '') + one[1].label.toLowerCase()
       });
       place.appendChild(control(field, !field.required));
     });
-    if (found.length !== 1) {
-      place.appendChild(element('p', 'note', found.length > 30 ?
-        'And ' + (found.length - 30) + ' more; another word finds fewer.' :
-        found.length ? found.length + ' fields' : 'No field of this plan has these words.'));
+    var n = found.fields.length;
+    if (n !== 1) {
+      place.appendChild(element('p', 'note', n > 30 ? 'And ' + (n - 30) + ' more; another word finds fewer.' :
+        n ? n + ' fields' : 'No field of this plan has these words.'));
     }
+    if (n || !found.absent.length) return;
+    place.appendChild(element('p', 'note', 'It could have:'));
+    found.absent.slice(0, 8).forEach(function (one) {
+      var tools = element('div', 'part-tools');
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', one.label,
+        { type: 'button', 'data-path': one.path, 'data-title': one.title, 'data-wanted': one.wanted }));
+      place.appendChild(tools);
+    });
+  }
+
+  // Fields of the plan with all these words, and those that it could have.
+  function matches(words) {
+    var found = { fields: [], absent: [] };
+    function has(text) {
+      text = text.replace(/[._]/g, ' ').toLowerCase();
+      return words.every(function (word) { return text.indexOf(word) >= 0; });
+    }
+    form.groups.forEach(function (one) {
+      (one.absent || []).forEach(function (name) {
+        if (has(name)) found.absent.push({ label: name.replace(/_/g, ' '), path: '', title: one.title, wanted: name });
+      });
+      (one.parts || []).forEach(function (part) {
+        (part.fields || []).forEach(function (field) {
+          if (has([one.title, part.title, field.label, field.paths.join(' ')].join(' '))) {
+            found.fields.push([part, field]);
+          }
+        });
+        (part.absent || []).forEach(function (path) {
+          var steps = path.split('.'), name = steps.pop();
+          if (has(name)) {
+            found.absent.push({ label: path.replace(/[._]/g, ' '), path: steps.join('.'), title: one.title, wanted: path });
+          }
+        });
+      });
+    });
+    return found;
   }
   document.addEventListener('input', function (event) {
     if (event.target.id === 'find_field') search();
@@ -352,10 +444,17 @@ window.codendForm = (function () {
 
   // Changes of parts go in their order, each a step of its own.
   function edit(path, what) {
+    var one = {};
+    one[path] = what;
+    edits(one);
+  }
+  function edits(all) {
     gesture += 1;
     last = null;
-    delete moved[path];
-    moved[path] = what;
+    Object.keys(all).forEach(function (path) {
+      delete moved[path];
+      moved[path] = all[path];
+    });
     anew = true;
     send();
     gesture += 1;
@@ -449,9 +548,12 @@ window.codendForm = (function () {
       change(box, { gone: true });
     } else if (button.classList.contains('take-part')) {
       edit(button.dataset.path, { gone: true });
+    } else if (button.classList.contains('pick')) {
+      pick_from(button);
     } else if (button.classList.contains('doubt')) {
       edit(button.dataset.path, { value: button.dataset.instead, unit: '' });
     } else if (button.classList.contains('add-field')) {
+      adding = button;
       Shiny.setInputValue('offers', { path: button.dataset.path, title: button.dataset.title },
         { priority: 'event' });
     } else if (button.classList.contains('part-act')) {
@@ -487,12 +589,12 @@ window.codendForm = (function () {
     input.focus();
   }
 
+  var adding = null;  // the button that asked what may be added
   // What may be added stands in a list, by words; the one that is chosen becomes a control.
   function offers(message) {
-    var button = [].slice.call(document.querySelectorAll('.add-field')).filter(function (one) {
-      return one.dataset.path === message.path && one.dataset.title === message.title;
-    })[0];
-    if (!button) return;
+    var button = adding;
+    if (button && (button.dataset.path !== message.path || button.dataset.title !== message.title)) return;
+    if (!button || !button.isConnected) return;
     var all = message.offers || [];
     var select = element('select', 'form-select form-select-sm offered', undefined,
       { 'aria-label': 'Field to add' });
@@ -512,7 +614,11 @@ window.codendForm = (function () {
       input.focus();
     });
     button.replaceWith(select);
-    select.focus();
+    var wanted = all.map(function (field) { return field.paths[0]; }).indexOf(button.dataset.wanted);
+    if (wanted >= 0) {
+      select.value = wanted;
+      select.dispatchEvent(new Event('change'));
+    } else select.focus();
   }
 
   // ---- what is wrong ------------------------------------------------------------------------------

@@ -108,3 +108,35 @@ test_that("parts are added like another, fields are added and taken out", {
       class = "codend_error_plan")
   }
 })
+
+test_that("what the catalogue has fits its parts, and a pick gives a gear", {
+  plan <- new_plan("bottom_trawl")$plan
+  parts <- do.call(c, lapply(plan_form(plan), `[[`, "parts"))
+  picks <- do.call(c, lapply(parts, `[[`, "picks"))
+  fits <- stats::setNames(lapply(picks, function(pick) unclass(pick$classes)),
+    vapply(picks, `[[`, "", "path"))
+  expect_identical(fits$otter_boards, "board")
+  expect_identical(fits$floats, "float")
+  expect_identical(fits$sections.body.twine, "twine")
+  expect_setequal(fits$warps, c("rope", "wire", "chain"))
+  offered <- offered_catalogue()
+  expect_length(offered, nrow(catalogue()))
+  classes <- vapply(offered, `[[`, "", "class")
+  for (path in c("otter_boards", "floats", "sections.body.twine", "warps")) {
+    for (class in fits[[path]]) {
+      row <- offered[[match(class, classes)]]
+      edits <- stats::setNames(lapply(row$values, function(value) list(value = value, unit = "")),
+        paste0(path, ".", names(row$values)))
+      expect_length(draft_gear(edited_plan(plan, edits)$plan)$problems, 0L)
+    }
+  }
+  expect_true("otter_boards.polar" %in% unlist(lapply(parts, `[[`, "absent")))
+})
+
+test_that("a bare number of a field with an example has its unit", {
+  expect_identical(typed_quantity("15,6", "25 m"), "15.6 m")
+  expect_identical(typed_quantity("11 fm", "25 m"), "11 fm")
+  expect_identical(typed_quantity("1,000", "25 m"), "1,000")
+  expect_identical(typed_quantity("80", "80"), "80")
+  expect_equal(said_number("5", "speed", "speed"), 5 * 1852 / 3600)
+})

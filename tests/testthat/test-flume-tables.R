@@ -50,3 +50,9 @@ test_that("differences of plans are found at their paths", {
   expect_identical(vapply(found, `[[`, "", "path"), c("a.b", "d", "e"))
   expect_length(plan_differences(one, one), 0L)
 })
+
+test_that("six measures come first, what is looked at first before the others", {
+  names <- c("a_m", "total_drag_kN", "b_m", "door_spread_m", "c_m", "d_m", "e_m")
+  first <- c("door_spread_m", "total_drag_kN", "a_m", "b_m", "c_m", "d_m")
+  expect_identical(key_names(names), first)
+})
