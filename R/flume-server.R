@@ -94,7 +94,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
         worker$ask(kind, make, pause = pause, then = function(answer) {
           if (session$isClosed()) return()
           # a later one has its place
-          if (is.null(answer)) return(if (kind != "rest") said("flume_idle", answers = answers))
+          if (is.null(answer)) return(said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
             held <- !is.null(answer$draft)
             if (held) {

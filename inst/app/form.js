@@ -10,7 +10,6 @@ window.codendForm = (function () {
   var form = null;       // R's message
   var moved = {};        // changes by path that are not sent yet
   var sent = null;       // the number of the question that waits for its answer
-  var latest = null;     // the number of the last question
   var typing = null;     // of a number that is being typed
   var anew = false;      // whether a change that is not sent yet was made elsewhere
   var last = null;       // the control that was moved last
@@ -422,9 +421,7 @@ window.codendForm = (function () {
 
   function send() {
     if (sent || !Object.keys(moved).length) return;
-    // nothing more may come of the last, once its shape has
-    window.codendTalk.free(latest);
-    sent = latest = window.codendTalk.next('settling');
+    sent = window.codendTalk.next('settling');
     var edits = moved;
     moved = {};
     Shiny.setInputValue('design', { number: sent, turn: form.turn, gesture: gesture, edits: edits,

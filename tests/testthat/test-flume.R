@@ -110,6 +110,30 @@ test_that("a shape whose rest gave way to a wrong design is told whole after all
   })
 })
 
+test_that("a step whose rest gives way to the next step is answered, so that nobody waits", {
+  rest <- NULL
+  passing_worker <- function(...) {
+    worker <- direct_worker()
+    answer <- worker$ask
+    worker$ask <- function(kind, make, then, pause = 0) {
+      passed <- rest
+      rest <<- NULL
+      if (kind == "design" && !is.null(passed)) passed(NULL)
+      if (kind == "rest") rest <<- then else answer(kind, make, then)
+    }
+    worker
+  }
+  in_flume("towed_cable", new_worker = passing_worker, test = function(session, sent, tank) {
+    for (number in 1:3) {
+      ask(session, towing.speed = list(value = 4 + number / 10, unit = "knot"), number = number)
+    }
+    session$setInputs(undo = list(number = 4))
+    sent("flume_moved")
+    session$setInputs(undo = list(number = 5))
+    expect_identical(sent("flume_idle")[[1]]$answers, 4)
+  })
+})
+
 test_that("a wrong value is kept in the draft and told of, and the last shape stays", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
