@@ -207,9 +207,12 @@ asked_numbers <- function(about, given) {
     }
     number
   })
-  si$shown <- lapply(shown, function(value) {
-    if (is.numeric(value)) shortest_decimal(value) else value
-  })
+  si$shown <- Map(function(value, usual) {
+    if (!is.numeric(value)) return(value)
+    dimension <- quantity_dimension(usual)
+    unit <- if (!is.na(dimension)) names(plan_units[[dimension]])[1]
+    paste(c(shortest_decimal(value), unit), collapse = " ")
+  }, shown, about$asks[names(shown)])
   si
 }
 

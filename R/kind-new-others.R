@@ -25,7 +25,7 @@ new_beam_trawl <- function(given) {
     "# your own numbers, line by line.",
     "codend: 1",
     "kind: beam_trawl",
-    sprintf("name: Beam trawl, %s", metres(given$beam, 0.1)),
+    sprintf("name: Beam trawl, %s", given$shown$beam),
     field_line(sprintf("towing: {speed: %s}", given$shown$speed), "through the water"),
     field_line(sprintf("seabed: {depth: %s, friction: 0.5}", given$shown$depth),
       "sand; 0.3 mud, 0.7 stones"),
@@ -82,7 +82,7 @@ scaled_cage <- function(si, plan) {
   deep <- max(50, 3 * si$depth)
   reach <- 1.8 * deep
   list(
-    name = sprintf("Net cage, %s across", metres(si$diameter)),
+    name = sprintf("Net cage, %s across", si$shown$diameter),
     diameter = si$shown$diameter, depth = si$shown$depth,
     wall.mesh_size = si$shown$mesh_size,
     wall.twine.diameter = millimetres_of(max(0.8, 50 * si$mesh_size)),
@@ -105,7 +105,7 @@ scaled_gillnet <- function(si, plan) {
   area <- (0.066 * tall + 0.05) / 1025
   weight <- 0.2 * tall
   list(
-    name = sprintf("Gillnet, %s by %s", metres(si$length), metres(si$height, 0.1)),
+    name = sprintf("Gillnet, %s by %s", si$shown$length, si$shown$height),
     length = si$shown$length, seabed.depth = si$shown$depth,
     water.current.speed = si$shown$current,
     wall.mesh_size = si$shown$mesh_size,
@@ -144,9 +144,9 @@ scaled_purse_seine <- function(si, plan) {
     paste0("panels.", names(share), ".mesh_size"))
   rope <- function(diameter) millimetres_of(diameter * sqrt(x * tall))
   c(
-    list(name = sprintf("Purse seine, %s", metres(si$length))), mesh, meshes,
+    list(name = sprintf("Purse seine, %s", si$shown$length)), mesh, meshes,
     list(
-      float_line.length = metres(si$length), lead_line.length = metres(1.05 * si$length),
+      float_line.length = si$shown$length, lead_line.length = metres(1.05 * si$length),
       floats.number = max(2, round(4 * si$length)),
       floats.buoyancy = paste(shortest_decimal(round(6.5 * tall, 2)), "N"),
       floats.diameter = millimetres_of(120 * tall^0.4),
@@ -185,7 +185,7 @@ scaled_stow_net <- function(si, plan) {
   rope <- function(diameter) millimetres_of(diameter * x)
   c(
     list(
-      name = sprintf("Stow net, mouth %s by %s", metres(si$width), metres(si$height)),
+      name = sprintf("Stow net, mouth %s by %s", si$shown$width, si$shown$height),
       mouth.width = si$shown$width, mouth.height = si$shown$height,
       water.current.speed = si$shown$current,
       bridles.length = metres(15 * wide), bridles.diameter = rope(20),

@@ -31,7 +31,7 @@ new_bottom_trawl <- function(given) {
     "# tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: bottom_trawl",
-    sprintf("name: Bottom trawl, head line %s", metres(h)),
+    sprintf("name: Bottom trawl, head line %s", given$shown$head_line),
     new_bottom_conditions(given),
     field_line(sprintf("warps: {length: %s, diameter: %s, material: steel_wire, spacing: 6 m}",
       metres(warps, 5), millimetres(max(8, 3 + 0.45 * h))), "3 x depth and more"),
@@ -58,7 +58,7 @@ new_pair_trawl <- function(given) {
     "# tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: pair_trawl",
-    sprintf("name: Pair trawl, head line %s", metres(h)),
+    sprintf("name: Pair trawl, head line %s", given$shown$head_line),
     new_bottom_conditions(given),
     field_line(sprintf("vessels: {distance: %s}", metres(0.36 * (warps + 3.7 * h), 5)),
       "spreads the net"),
@@ -93,7 +93,7 @@ new_demersal_seine <- function(given) {
     "# tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: demersal_seine",
-    sprintf("name: Demersal seine, head line %s", metres(h)),
+    sprintf("name: Demersal seine, head line %s", given$shown$head_line),
     new_bottom_conditions(given),
     field_line(sprintf(
       "warps: {length: %s, diameter: %s, material: combination_rope, spacing: 5 m}",
@@ -164,8 +164,8 @@ new_bottom_net <- function(given) {
     rope_line("  upper", 1.2 * h, bottom_rope(h, 6, 0.3), "longer: the head line rises"),
     rope_line("  lower", 1.2 * h, bottom_rope(h, 8, 0.3), "to the footrope"),
     "# length: from wing end to wing end; bosom: of it, what lies between the wings",
-    mouth_words("head_line", h, bosom[["upper"]], 10 + 0.32 * h),
-    mouth_words("footrope", footrope, bosom[["lower"]], 10 + 0.32 * h),
+    mouth_words("head_line", given$shown$head_line, bosom[["upper"]], 10 + 0.32 * h),
+    mouth_words("footrope", metres(footrope), bosom[["lower"]], 10 + 0.32 * h),
     field_line(sprintf(
       "ground_gear: {length: %s, diameter: %s, mass_in_water: %s kg/m, axial_stiffness: %s MN}",
       metres(footrope), millimetres(20 * sqrt(h)),
@@ -244,7 +244,7 @@ new_midwater_trawl <- function(given) {
     "# a tested gear: put in your own numbers, from the drawing, line by line.",
     "codend: 1",
     "kind: midwater_trawl",
-    sprintf("name: Midwater trawl, head line %s", metres(h)),
+    sprintf("name: Midwater trawl, head line %s", given$shown$head_line),
     field_line(sprintf("towing: {speed: %s}", given$shown$speed), "through the water"),
     field_line("panels: 4", "back, belly and two sides, all alike"),
     if (given$mesh_size > h / 8) field_line("netting: bars", "few large meshes: each is its bars"),
@@ -262,7 +262,7 @@ new_midwater_trawl <- function(given) {
     field_line("hand_ropes:", "board to wing tips; a longer lower one lets the footrope sink"),
     rope_line("  upper", hand_rope, rope(16), ""),
     rope_line("  lower", hand_rope * 1.03, rope(16), ""),
-    rope_line("head_line", h, rope(18), ""),
+    sprintf("head_line: {length: %s, %s}", given$shown$head_line, rope(18)),
     rope_line("footrope", 1.02 * h, sprintf("diameter: %s, material: steel_chain",
       millimetres(max(6, 13 * size^0.3))), ""),
     rope_line("side_lines", 0.95 * h, rope(18), ""),
@@ -302,7 +302,7 @@ rope_line <- function(name, length, of, remark) {
 
 mouth_words <- function(name, length, bosom, diameter) {
   sprintf("%s: {length: %s, bosom: %s, diameter: %s, material: combination_rope}", name,
-    metres(length), metres(bosom), millimetres(diameter))
+    length, metres(bosom), millimetres(diameter))
 }
 
 metres <- function(x, step = 0.5) paste(shortest_decimal(max(step, round(x / step) * step)), "m")

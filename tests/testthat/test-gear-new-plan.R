@@ -113,7 +113,7 @@ test_that("a new beam trawl, gillnet, cage, stow net, purse seine or longline ha
 
 test_that("what a new plan is asked for is checked by name", {
   text <- new_text("bottom_trawl", head_line = "31 m", depth = 77)
-  expect_true(any(grepl("depth: 77,", text, fixed = TRUE)))
+  expect_true(any(grepl("depth: 77 m,", text, fixed = TRUE)))
   expect_true(any(startsWith(text, "head_line: {length: 31 m")))
   expect_error(new_plan("bottom_trawl", headline = "3 m"), "Did you mean `head_line`",
     class = "codend_error_argument")
@@ -130,6 +130,19 @@ test_that("what a new plan is asked for is checked by name", {
   # other fields by their path
   expect_identical(new_plan("gillnet", wall.twine.diameter = "0.4 mm")$plan$wall$twine$diameter,
     "0.4 mm")
+})
+
+test_that("a number that is given is kept to its last digit, whatever its unit", {
+  for (kind in c("bottom_trawl", "pair_trawl", "demersal_seine", "midwater_trawl")) {
+    for (head_line in c("36.13 m", "20.15 fathom")) {
+      gear <- new_plan(kind, head_line = head_line)
+      expect_identical(gear$plan$head_line$length, head_line)
+      expect_match(gear$plan$name, paste("head line", head_line), fixed = TRUE)
+    }
+  }
+  expect_identical(new_plan("bottom_trawl", head_line = 15.6)$plan$head_line$length, "15.6 m")
+  expect_identical(new_plan("purse_seine", length = "301.2 m")$plan$float_line$length, "301.2 m")
+  expect_match(new_plan("gillnet", height = "3.27 m")$plan$name, "50 m by 3.27 m", fixed = TRUE)
 })
 
 test_that("values are asked for, and an empty answer takes the usual one", {
