@@ -72,8 +72,8 @@ engine_near_gear <- function(numbers, counts, position, wake) {
   .Call(`_codend_engine_near_gear`, numbers, counts, position, wake)
 }
 
-engine_near_measures <- function(near, first, second, share, tolerance, steps, renewals, closes_in) {
-  .Call(`_codend_engine_near_measures`, near, first, second, share, tolerance, steps, renewals, closes_in)
+engine_near_change <- function(near, first, second, share, tolerance, steps, renewals, closes_in, reach) {
+  .Call(`_codend_engine_near_change`, near, first, second, share, tolerance, steps, renewals, closes_in, reach)
 }
 
 engine_evaluate <- function(lattice, position, velocity) {

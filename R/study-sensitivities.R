@@ -15,10 +15,12 @@
 #' from this state, and these two secants are given next to the tangent. `smooth` reports whether
 #' the tangent holds that far: whether the secants' mean is within 0.5 % of it, the secants differ
 #' by less than a fifth of it and the tangents on both sides at the state itself by 0.5 %. (Of an
-#' elasticity below 0.01, by these shares of that.) Where such steps do not lead to balance, as with
-#' much slack netting, or the field cannot be larger, the secants' mean is given and not
-#' called smooth. Of fields of whole numbers it is the mean of the secants to one less and one more,
-#' smooth where these differ by no more than three times as much as the field, as shares.
+#' elasticity below 0.01, by these shares of that.) What counts parts of the gear, slack netting
+#' and rope on the bed, moves by steps: its slope is by the lines and contacts that 1 % takes to
+#' zero force. Where such steps do not lead to balance, as with much slack netting, or the field
+#' cannot be larger, the secants' mean is given and not called smooth. Of fields of whole numbers
+#' it is the mean of the secants to one less and one more, smooth where these differ by no more
+#' than three times as much as the field, as shares.
 #'
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as [measures()] has them; all when `NULL`.
@@ -215,6 +217,10 @@ tangent_work <- function(state) {
   )
   work$values <- plain_measures(measures(state))
   work$measures <- names(work$values)
+  kinds <- measured_kinds(si)
+  work$place <- match(work$measures, names(kinds))
+  work$unit <- vapply(measure_units(kinds[work$place]), unit_size, 0)
+  work$asked <- questions_of(si, state$lattice, asked_of(si))
   work$cost$factorisations <- 0L
   # A catch given by its volume moves its front with the shape.
   if (is.null(si$catch) || is.na(si$catch$volume)) {
@@ -241,16 +247,21 @@ near_numbers <- function(work, si, by = unlist(si$multipliers)) {
     gear = gear_numbers(si, work$netting, work$own), model = model_numbers(si, work$own)
   )
   c(multiplied_numbers(own, si, by), list(
-    questions = questions_of(si, work$state$lattice, asked_of(si)),
+    questions = near_questions(work, si),
     blocked = if (is.null(si$catch)) 0 else
       first_of(si$catch$blocked[!is.na(si$catch$blocked)], work$state$lattice$catch$blocked)
   ))
 }
 
-near_shown <- function(work, values) {
-  kinds <- measured_kinds(work$state$si)
-  shown_numbers(setNames(values, names(kinds)), measure_units(kinds))[work$measures]
+# The state's questions but for the numbers in them.
+near_questions <- function(work, si) {
+  asked <- c("measures", "vessel", "towing", "share_places")
+  if (identical(si[asked], work$state$si[asked])) return(work$asked)
+  questions_of(si, work$state$lattice, asked_of(si))
 }
+
+# Measures as they are shown, from the engine's.
+near_shown <- function(work, values) setNames(values[work$place] / work$unit, work$measures)
 
 # Numbers at a field's value a little larger, list(numbers, share = by which), or NULL where the
 # plan does not allow it.
@@ -270,14 +281,15 @@ field_numbers <- function(work, field) {
   if (!is.null(si)) list(numbers = near_numbers(work, si), share = number_share)
 }
 
-# Measures of the gear in balance with a field changed by a share, or NULL. to: see field_numbers().
-near_values <- function(work, to, share, tolerance = chord_tolerance, steps = chord_steps,
-                        renewals = most_renewals, closes_in = TRUE) {
-  found <- engine_near_measures(work$near, work$numbers, to$numbers, share / to$share, tolerance,
-    steps, renewals, closes_in)
+# Change of measures, without jumps, to the gear in balance with a field changed by a share, or
+# NULL. to: see field_numbers(); reach: the share over which what counts elements changes.
+near_change <- function(work, to, share, reach = secant_share, tolerance = chord_tolerance,
+                        steps = chord_steps, renewals = most_renewals, closes_in = TRUE) {
+  found <- engine_near_change(work$near, work$numbers, to$numbers, share / to$share, tolerance,
+    steps, renewals, closes_in, reach / abs(share))
   if (is.null(found)) return(NULL)
   work$cost$factorisations <- work$cost$factorisations + found$factorisations
-  if (length(found$measures)) near_shown(work, found$measures)
+  if (length(found$change)) near_shown(work, found$change)
 }
 
 values_at <- function(work, gear, si, lattice, position) {
@@ -316,14 +328,14 @@ tangent_slopes <- function(work, field) {
   to <- field_numbers(work, field)
   if (is.null(to)) return(NULL)
   for (share in tangent_shares) {
-    up <- near_values(work, to, share)
-    down <- if (!is.null(up)) near_values(work, to, -share)
+    up <- near_change(work, to, share)
+    down <- if (!is.null(up)) near_change(work, to, -share)
     if (!is.null(down)) break
   }
   if (is.null(down)) return(NULL)
   slope <- (up - down) / (2 * share)
   # where a kink lies at the state itself, slopes on both sides differ
-  turn <- abs(up + down - 2 * work$values) / share
+  turn <- abs(up + down) / share
   list(
     slope = slope, below = NA * slope, above = NA * slope,
     smooth = turn <= kink_share * slope_scale(work, slope)

@@ -20,16 +20,19 @@
 #' - model: what no parameter covers (stiff twine, an uneven bed), as the standard deviation that is
 #'   left in the validation book of measures of that kind, with its degrees of freedom.
 #'
-#' # How it is found As JCGM 100:2008 (GUM) has it: contributions are sensitivities times standard
-#' uncertainties, added in quadrature with their correlations; a coefficient whose mean is known to
-#' be off counts with that as well (F.2.4.5). Sensitivities are those of [sensitivities()], to one
-#' side and a few figures, with one factorised matrix; multipliers need no new model. The interval
-#' is the measure plus and minus the combined standard uncertainty times Student's t of the
-#' effective degrees of freedom (G.4). Of the three largest sources the gear is also brought to
-#' balance one standard uncertainty to both sides: where their half difference is more than a fifth
-#' off the slope's it counts instead, and where the two sides differ by more than half the measure
-#' is `smooth = FALSE`: `method = "samples"` then follows the gear through draws of all sources (by
-#' [vary()], on as many cores as [future::plan()] says).
+#' # How it is found
+#' As JCGM 100:2008 (GUM) has it: contributions are sensitivities times standard uncertainties,
+#' added in quadrature with their correlations; a coefficient whose mean is known to be off counts
+#' with that as well (F.2.4.5). Sensitivities are those of [sensitivities()], to both sides and a
+#' few figures, with one factorised matrix. What counts parts of the gear, slack netting and rope
+#' on the bed, grows by the lines and contacts that one standard uncertainty takes to zero force.
+#' The interval is the measure plus and minus the combined standard uncertainty times Student's t
+#' of the effective degrees of freedom (G.4). Of the three largest sources, and of those whose
+#' slopes on both sides of the state are not the same, the gear is settled one standard uncertainty
+#' to both sides (half of the value at most). Half of that difference counts: of the three largest
+#' where it is more than a fifth off the slope's, of the others throughout. Where the two sides
+#' differ by more than half the measure is `smooth = FALSE`: `method = "samples"` then follows the
+#' gear through draws of all sources (by [vary()], on as many cores as [future::plan()] says).
 #'
 #' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
 #' @param of Names of measures; all when `NULL`.
@@ -98,12 +101,17 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   )
 }
 
-# Of the largest sources shapes are followed to one standard uncertainty on both sides.
+# Of the largest sources, and of those whose slopes to both sides differ by more than this, the gear
+# is settled one standard uncertainty to both sides, or this share.
 followed_sources <- 3L
+most_turn <- 0.2
+most_followed <- 0.5
 # Contributions by slopes that are off by more than this count as they are followed, and sides that
 # differ by more than this are not smooth.
 most_off_slope <- 0.2
 most_uneven <- 0.5
+# Of a measure, what differences of its contributions are told as a share of, at least.
+least_contribution <- 0.01
 
 # A measure's change for one standard uncertainty of every source: list(spread and off (what a known
 # bias of the source makes), rough: measures x sources; correlation of the sources; factorisations).
@@ -113,27 +121,25 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   spread <- off <- matrix(0, length(work$values), n, dimnames = list(names(work$values), NULL))
   rough <- matrix(FALSE, length(work$values), n, dimnames = dimnames(spread))
   fields <- lapply(sources, source_field, plan = state$gear$plan)
-  to <- vector("list", n)
+  followed <- logical(n)
   for (k in seq_len(n)) {
-    to[k] <- list(if (!is.null(work$near)) field_numbers(work, fields[[k]]))
-    found <- quick_slopes(work, fields[[k]], to[[k]])
-    found$slope[!is.finite(found$slope)] <- 0
-    spread[, k] <- found$slope * sources[[k]]$share
-    off[, k] <- found$slope * sources[[k]]$off
-    rough[, k] <- !found$smooth
+    share <- sources[[k]]$share
+    found <- quick_slopes(work, fields[[k]], share)
+    if (is.null(found)) found <- followed_slopes(work, fields[[k]], share)
+    followed[k] <- !is.null(found$smooth)
+    spread[, k] <- known_slope(found) * share
+    off[, k] <- known_slope(found) * sources[[k]]$off
+    if (followed[k]) rough[, k] <- !found$smooth
   }
   size <- colMeans(abs(spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
   for (k in utils::head(order(-size), follow)) {
-    if (!is.null(to[[k]]) && spread_is_finite(spread[, k])) {
-      followed <- followed_change(work, to[[k]], sources[[k]]$share)
-      if (is.null(followed)) next
-      scale <- pmax(abs(spread[, k]), 1e-3 * abs(work$values), .Machine$double.xmin)
-      half <- (followed$above - followed$below) / 2
-      wrong <- abs(half - spread[, k]) > most_off_slope * scale
-      uneven <- abs(followed$above + followed$below) > most_uneven * 2 * scale
-      spread[wrong, k] <- half[wrong]
-      rough[, k] <- rough[, k] | uneven
-    }
+    if (followed[k] || !is.finite(size[k]) || size[k] == 0) next
+    found <- followed_slopes(work, fields[[k]], sources[[k]]$share)
+    half <- known_slope(found) * sources[[k]]$share
+    scale <- contribution_scale(work, spread[, k])
+    wrong <- is.finite(found$slope) & abs(half - spread[, k]) > most_off_slope * scale
+    spread[wrong, k] <- half[wrong]
+    rough[, k] <- !found$smooth
   }
   list(
     spread = spread, off = off, rough = rough, correlation = source_correlation(sources, fit),
@@ -141,40 +147,56 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   )
 }
 
-# A budget needs slopes to a few figures: to one side by this share, with so many steps of the
-# factors; net forces over the largest tension that may be left.
+known_slope <- function(found) ifelse(is.finite(found$slope), found$slope, 0)
+
+contribution_scale <- function(work, spread) {
+  pmax(abs(spread), least_contribution * abs(work$values), .Machine$double.xmin)
+}
+
+# A budget needs slopes to a few figures: by this share, with so many steps of the factors; net
+# forces over the largest tension that may be left.
 quick_share <- 1e-5
 quick_steps <- 2L
 quick_tolerance <- 1e-8
 
-# As field_slopes(), as a budget needs them; where steps lead to no balance, those. to: see
-# field_numbers().
-quick_slopes <- function(work, field, to) {
-  if (identical(to$numbers, work$numbers)) {
-    return(list(slope = 0 * work$values, smooth = rep(TRUE, length(work$values))))
+# A source's slopes by its share, list(slope); NULL where steps of the factors lead to no balance,
+# or where the gear goes otherwise on both sides.
+quick_slopes <- function(work, field, share) {
+  to <- if (!is.null(work$near)) field_numbers(work, field)
+  if (is.null(to)) return(NULL)
+  if (identical(to$numbers, work$numbers)) return(list(slope = 0 * work$values))
+  side <- function(way) {
+    near_change(work, to, way * quick_share, share, quick_tolerance, quick_steps, 0L,
+      closes_in = FALSE)
   }
-  values <- if (!is.null(to)) {
-    near_values(work, to, quick_share, quick_tolerance, quick_steps, 0L, closes_in = FALSE)
+  up <- side(1)
+  down <- if (!is.null(up)) side(-1)
+  if (is.null(down)) return(NULL)
+  slope <- (up - down) / (2 * quick_share)
+  turn <- abs(up + down) / quick_share * share
+  if (all(turn <= most_turn * contribution_scale(work, slope * share), na.rm = TRUE)) {
+    list(slope = slope)
   }
-  if (is.null(values)) return(field_slopes(work, field, secants = FALSE))
-  slope <- (values - work$values) / quick_share
-  list(slope = slope, smooth = rep(TRUE, length(slope)))
 }
 
-spread_is_finite <- function(x) all(is.finite(x)) && any(x != 0)
+# The same by gears settled so far to both sides as the source is uncertain, or a quarter of that
+# where one of them does not settle: list(slope, smooth).
+followed_slopes <- function(work, field, share) {
+  for (step in min(share, most_followed) * c(1, 0.25)) {
+    sides <- secant_slopes(work, field, step)
+    if (!anyNA(sides$below) && !anyNA(sides$above)) break
+  }
+  found <- slopes_of_secants(work, sides, 0)
+  uneven <- abs(sides$above - sides$below) * step
+  found$smooth <- !is.na(uneven) &
+    uneven <= 2 * most_uneven * contribution_scale(work, found$slope * step)
+  found
+}
 
 source_field <- function(source, plan) {
   field <- common_field(plan, source$paths)
   field$multiplier <- source$multiplier
   field
-}
-
-# Changes of measures at a whole standard uncertainty to both sides, or NULL.
-followed_change <- function(work, to, share) {
-  if (share >= 0.9) return(NULL)
-  above <- near_values(work, to, share)
-  below <- if (!is.null(above)) near_values(work, to, -share)
-  if (!is.null(below)) list(above = above - work$values, below = below - work$values)
 }
 
 source_correlation <- function(sources, fit = NULL) {

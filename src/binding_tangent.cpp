@@ -77,21 +77,21 @@ class BetweenSource {
   });
 }
 
-// Measures (SI) of a gear on the line through those of two lists of numbers, list(measures,
-// factorisations); NULL where the lists differ in more than numbers, no measures where steps lead to no
-// balance. tolerance, steps, renewals, closes_in: as NearControl.
-[[cpp11::register]] SEXP engine_near_measures(SEXP near, list first, list second, double share,
-                                              double tolerance, int steps, int renewals,
-                                              bool closes_in) {
+// Change of measures (SI, see NearMeasures) to a gear on the line through those of two lists of numbers,
+// list(change, factorisations); NULL where the lists differ in more than numbers, no change where steps
+// lead to no balance. tolerance, steps, renewals, closes_in, reach: as NearControl.
+[[cpp11::register]] SEXP engine_near_change(SEXP near, list first, list second, double share,
+                                            double tolerance, int steps, int renewals,
+                                            bool closes_in, double reach) {
   return guarded([&]() -> SEXP {
     const external_pointer<codend::NearGear> from(near);
     try {
       const auto numbers = codend::read_fields<codend::GearNumbers>(
           BetweenSource(ListSource(first), ListSource(second), share));
       const codend::NearMeasures found =
-          from->measure(numbers, {tolerance, steps, renewals, closes_in});
+          from->measure(numbers, {tolerance, steps, renewals, closes_in, reach});
       return writable::list({
-          "measures"_nm = as_doubles(found.measures),
+          "change"_nm = as_doubles(found.change),
           "factorisations"_nm = found.factorisations,
       });
     } catch (const Unlike&) {

@@ -61,6 +61,26 @@ test_that("slopes by multipliers are differences of settled gears, without a new
   }
 })
 
+test_that("counts and kinks of slack netting contribute what settled gears show", {
+  state <- settled("cage", nodes = 400)
+  sources <- uncertainty_sources(state$gear)
+  names(sources) <- vapply(sources, `[[`, "", "name")
+  sources <- sources[c("twine diameters", "diameters of ropes and wires")]
+  found <- source_contributions(state, sources, follow = 0L)$spread
+  work <- tangent_work(state)
+  whole <- vapply(sources, function(source) {
+    sides <- secant_slopes(work, source_field(source, state$gear$plan), source$share)
+    (sides$below + sides$above) / 2 * source$share
+  }, work$values)
+  main <- c("total_drag_kN", "bottom_depth_m")
+  # the current's drag by d bends over 10 %
+  expect_equal(found[main, ], whole[main, ], tolerance = 0.1, ignore_attr = TRUE)
+  # twines of one cell are 0.1 % of the netting, a fifth of what is found
+  slack <- found["slack_netting_percent", 1L] / whole["slack_netting_percent", 1L]
+  expect_gt(slack, 1 / 2)
+  expect_lt(slack, 2)
+})
+
 test_that("intervals hold as many drawn truths as they say", {
   gear <- update(read_gear("towed_cable"), ropes.cable.segments = 20)
   state <- settle(gear)

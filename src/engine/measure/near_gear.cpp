@@ -17,61 +17,170 @@ bool all_finite(const std::vector<double>& x) {
   return std::all_of(x.begin(), x.end(), [](double one) { return std::isfinite(one); });
 }
 
+using Values = std::vector<double>;
+
+// All numbers of a shape and of another of the same lattice, put together one by one.
+template <class T, class Together>
+MeasuredShape<T> joined(const MeasuredShape<double>& from, const MeasuredShape<double>& to,
+                        Together together) {
+  const auto each = [&](const Values& a, const Values& b) {
+    std::vector<T> out;
+    out.reserve(a.size());
+    for (std::size_t k = 0; k < a.size(); ++k) out.push_back(together(a[k], b[k]));
+    return out;
+  };
+  MeasuredShape<T> out;
+  out.position = each(from.position, to.position);
+  out.velocity = each(from.velocity, to.velocity);
+  out.force = each(from.force, to.force);
+  out.bar_tension = each(from.bar_tension, to.bar_tension);
+  out.u_tension = each(from.u_tension, to.u_tension);
+  out.v_tension = each(from.v_tension, to.v_tension);
+  out.straight_tension = each(from.straight_tension, to.straight_tension);
+  for (std::size_t k = 0; k < from.forces.size(); ++k) {
+    out.forces.push_back(each(from.forces[k], to.forces[k]));
+  }
+  out.attack = each(from.attack, to.attack);
+  out.heel = each(from.heel, to.heel);
+  out.trim = each(from.trim, to.trim);
+  return out;
+}
+
+// A shape `by` times as far away as another is. Tensions and forces that would turn on the way have
+// come to nothing.
+MeasuredShape<double> beyond(const MeasuredShape<double>& from, const MeasuredShape<double>& to,
+                             double by) {
+  MeasuredShape<double> out =
+      joined<double>(from, to, [by](double a, double b) { return a + by * (b - a); });
+  const auto stop = [](const Values& before, Values& after, std::size_t width) {
+    for (std::size_t k = 0; k < after.size(); k += width) {
+      double along = 0.0;
+      for (std::size_t c = k; c < k + width; ++c) along += before[c] * after[c];
+      if (!(along > 0)) std::fill_n(after.begin() + static_cast<std::ptrdiff_t>(k), width, 0.0);
+    }
+  };
+  stop(from.bar_tension, out.bar_tension, 1);
+  stop(from.u_tension, out.u_tension, 1);
+  stop(from.v_tension, out.v_tension, 1);
+  stop(from.straight_tension, out.straight_tension, 1);
+  for (std::size_t k = 0; k < from.forces.size(); ++k) stop(from.forces[k], out.forces[k], 3);
+  return out;
+}
+
+enum class Jumps { none, by_cells, by_elements };
+Jumps jumps(MeasureKind kind) {
+  if (kind == MeasureKind::mouth_blockage) return Jumps::by_cells;
+  const bool counts = kind == MeasureKind::slack_netting || kind == MeasureKind::rope_on_ground;
+  return counts ? Jumps::by_elements : Jumps::none;
+}
+
+// The questions that jump so, and their places among all.
+struct SomeQuestions {
+  Questions asked;
+  std::vector<std::size_t> place;
+  SomeQuestions(const Questions& all, Jumps so) : asked(all) {
+    asked.measures.clear();
+    for (std::size_t k = 0; k < all.measures.size(); ++k) {
+      if (jumps(all.measures[k].kind) != so) continue;
+      asked.measures.push_back(all.measures[k]);
+      place.push_back(k);
+    }
+  }
+};
+
+template <class T>
+std::vector<T> measured(const GearNumbers& numbers, const Questions& questions,
+                        const MeasureFrame& frame, const MeasuredGear& of,
+                        const MeasuredShape<T>& shape) {
+  return measure(frame, of.model, questions, numbers.gear.has_bag ? &of.bag : nullptr, shape);
+}
+
 }  // namespace
 
 NearGear::NearGear(const GearNumbers& numbers, const Counts& counts,
                    const std::vector<double>& position, const std::vector<double>& wake)
-    : counts_(counts), wake_(wake), position_(position) {
+    : numbers_(numbers), counts_(counts), wake_(wake), position_(position) {
   Fineness fineness;
   fineness.counts = &counts_;
-  MeasuredGear own = measured_gear(numbers, numbers.gear, fineness, as_it_is(position));
-  bars_ = own.lattice.bars.node;
-  cells_ = own.lattice.cells.node;
-  own.model.wake = wake_;
-  Assembly assembly(own.model);
-  tangent_ = std::make_unique<Tangent>(assembly, own.lattice.start.data());
+  own_ = measured_gear(numbers_, numbers_.gear, fineness, as_it_is(position_));
+  frame_ = measure_frame(numbers_.gear, own_.lattice);
+  own_.model.wake = wake_;
+  {
+    Assembly assembly(own_.model);
+    tangent_ = std::make_unique<Tangent>(assembly, own_.lattice.start.data());
+  }
   if (!tangent_->regular()) return;
   NearControl control;
   control.renewals = 0;
-  std::vector<double> place;
-  const NearMeasures found = balanced(numbers, control, &place);
-  if (!found.found) return;
+  int factorisations = 0;
+  std::vector<double> place = own_.lattice.start;
+  if (!balanced(own_, control, place, shape_, factorisations)) return;
   std::copy(place.begin(), place.end(), position_.begin());
-  measures_ = found.measures;
+  measures_ = measured(numbers_, numbers_.questions, frame_, own_, shape_);
   regular_ = true;
 }
 
 NearMeasures NearGear::measure(const GearNumbers& numbers, const NearControl& control) const {
-  return balanced(numbers, control, nullptr);
-}
-
-NearMeasures NearGear::balanced(const GearNumbers& numbers, const NearControl& control,
-                                std::vector<double>* place) const {
   NearMeasures out;
   Fineness fineness;
   fineness.counts = &counts_;
   MeasuredGear other = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
-  if (other.lattice.bars.node != bars_ || other.lattice.cells.node != cells_) return out;
+  if (other.lattice.bars.node != own_.lattice.bars.node ||
+      other.lattice.cells.node != own_.lattice.cells.node) {
+    return out;
+  }
   if (other.model.points() == static_cast<int>(wake_.size())) other.model.wake = wake_;
-  Assembly assembly(other.model);
-  std::vector<double> x = other.lattice.start;
+  MeasuredShape<double> shape;
+  if (!balanced(other, control, other.lattice.start, shape, out.factorisations)) return out;
+  const MeasureFrame frame = measure_frame(numbers.gear, other.lattice);
+  out.change.resize(measures_.size());
+  const SomeQuestions plain(numbers.questions, Jumps::none);
+  const auto there = measured(numbers, plain.asked, frame, other, shape);
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    out.change[plain.place[k]] = there[k] - measures_[plain.place[k]];
+  }
+  const SomeQuestions seen(numbers.questions, Jumps::by_cells);
+  const auto changing =
+      joined<Dual>(shape_, shape, [](double a, double b) { return Dual(a, b - a); });
+  const auto moved = measured(numbers, seen.asked, frame, other, changing);
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    out.change[seen.place[k]] = moved[k].value - measures_[seen.place[k]] + moved[k].change;
+  }
+  const SomeQuestions counted(numbers.questions, Jumps::by_elements);
+  const auto count = [&](double by) {
+    return measured(numbers, counted.asked, frame, other, beyond(shape_, shape, by));
+  };
+  const auto ahead = count(control.reach), here = count(0.0), behind = count(-control.reach);
+  for (std::size_t k = 0; k < ahead.size(); ++k) {
+    out.change[counted.place[k]] =
+        here[k] - measures_[counted.place[k]] + (ahead[k] - behind[k]) / control.reach;
+  }
+  return out;
+}
+
+bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control,
+                        std::vector<double>& x, MeasuredShape<double>& shape,
+                        int& factorisations) const {
+  Assembly assembly(gear.model);
   ChordReport report = tangent_->balance(assembly, control.tolerance, control.steps, x.data());
   const auto enough = [&] {
     return report.converged || (!control.closes_in && report.residual <= control.tolerance);
   };
   // Lines that are all but slack turn the matrix with every step: it is made again.
   for (int again = 0; again < control.renewals && !enough() && all_finite(x); ++again) {
-    Assembly here(other.model);
-    const Tangent renewed(here, x.data());
-    ++out.factorisations;
-    if (!renewed.regular()) break;
-    report = renewed.balance(assembly, control.tolerance, control.steps, x.data());
+    if (renewed_) {
+      renewed_->renew(assembly, x.data());
+    } else {
+      renewed_ = std::make_unique<Tangent>(assembly, x.data());
+    }
+    ++factorisations;
+    if (!renewed_->regular()) return false;
+    report = renewed_->balance(assembly, control.tolerance, control.steps, x.data());
   }
-  if (!enough()) return out;
-  out.found = true;
-  out.measures = measures_at(numbers, numbers.gear, other, assembly, x);
-  if (place) *place = x;
-  return out;
+  if (!enough()) return false;
+  const std::vector<double> still(x.size(), 0.0);
+  shape = measured_shape(evaluate(assembly, x.data(), still.data()), x, still);
+  return true;
 }
 
 }  // namespace codend

@@ -14,12 +14,16 @@ struct NearControl {
   double tolerance = 1e-10;  // net force over the largest tension
   int steps = 20, renewals = 3;
   bool closes_in = true;  // whether steps must end by themselves; else the tolerance is enough
+  double reach = 1.0;     // of counts, see NearMeasures
 };
 
 struct NearMeasures {
-  bool found = false;
   int factorisations = 0;
-  std::vector<double> measures;  // of the questions, SI; empty where steps lead to no balance
+  // Of the questions, SI, from the gear itself, without jumps; empty where steps lead to no balance.
+  // What is seen in cells of a picture changes by its exact derivative. What counts elements (slack
+  // twines, rope on the ground) changes by those that `reach` times the change takes to zero, less
+  // those that as much the other way does: as many are taken for just beyond zero as before it.
+  std::vector<double> change;
 };
 
 class NearGear {
@@ -36,19 +40,24 @@ class NearGear {
   // Of the gear itself, in balance to rounding.
   const std::vector<double>& measures() const { return measures_; }
 
-  // Of a gear with other numbers; not found where its lattice has other nodes.
+  // Of a gear with other numbers; empty too where its lattice has other nodes.
   NearMeasures measure(const GearNumbers& numbers, const NearControl& control) const;
 
  private:
-  NearMeasures balanced(const GearNumbers& numbers, const NearControl& control,
-                        std::vector<double>* place) const;
+  // Brings nodes at x (m, 3 each) to balance; false where steps do not.
+  bool balanced(const MeasuredGear& gear, const NearControl& control, std::vector<double>& x,
+                MeasuredShape<double>& shape, int& factorisations) const;
 
+  const GearNumbers numbers_;
   const Counts counts_;
   const std::vector<double> wake_;
   std::vector<double> position_;  // of points; nodes in balance
-  std::vector<int> bars_, cells_;
+  MeasuredGear own_;
   std::unique_ptr<Tangent> tangent_;
+  mutable std::unique_ptr<Tangent> renewed_;  // where steps of the first do not close in
   bool regular_ = false;
+  MeasureFrame frame_;
+  MeasuredShape<double> shape_;
   std::vector<double> measures_;
 };
 

@@ -24,15 +24,20 @@ Tangent::Tangent(Assembly& assembly, const double* x)
       lu_(Precision::double_precision, usable_threads()),
       right_(3 * free_.size()),
       solution_(right_.size()) {
-  const std::vector<double> rest(size_, 0.0);
-  assembly.move_to(x, rest.data());
-  std::vector<double> values(9 * assembly.pattern().column.size());
-  assembly.jacobian({1.0, 0.0}, values.data());
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(right_.data(), static_cast<int>(i)) = at(x, free_[i]);
   }
   lu_.analyse(assembly.pattern(), right_.data());
-  regular_ = lu_.factorise(values.data());
+  entries_ = assembly.pattern().column.size();
+  renew(assembly, x);
+}
+
+void Tangent::renew(Assembly& assembly, const double* x) {
+  const std::vector<double> rest(size_, 0.0);
+  assembly.move_to(x, rest.data());
+  std::vector<double> values(9 * assembly.pattern().column.size());
+  assembly.jacobian({1.0, 0.0}, values.data());
+  regular_ = values.size() == 9 * entries_ && lu_.factorise(values.data());
   lu_.end_second_thread();
 }
 

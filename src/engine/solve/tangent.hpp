@@ -32,6 +32,10 @@ class Tangent {
   Tangent(Assembly& assembly, const double* x);
   Tangent(const Tangent&) = delete;
 
+  // The same of an assembly of the same nodes, whose numbers may be others; not regular where it has
+  // another pattern.
+  void renew(Assembly& assembly, const double* x);
+
   // False where J is singular; nothing below may be called then.
   bool regular() const { return regular_; }
   // 3 times the number of nodes.
@@ -51,6 +55,7 @@ class Tangent {
  private:
   const std::size_t size_;
   const std::vector<int> free_;
+  std::size_t entries_ = 0;  // of the pattern
   bool regular_ = false;
   BlockLU lu_;
   mutable std::vector<double> right_, solution_;
