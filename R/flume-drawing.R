@@ -14,7 +14,8 @@ flume_draws <- function(input, tank, ask_clerk, said) {
     if (is.null(tank$gear)) return()
     edited <- tank$edited
     ask_clerk("drawing", "drawing", tank$draft, function(found) {
-      said("flume_drawing", svg = found, stale = edited != tank$edited)
+      # else the page has asked, or will, for that of the draft as it is now
+      if (edited == tank$edited) said("flume_drawing", svg = found)
     })
   })
 }

@@ -1,13 +1,13 @@
 // The net drawing in the flume tank, which is its editor: zoom and pan, click a number and type, drag the
 // lower edge of a panel to make it deeper.
 //
-// codendDrawing.show(text) shows an SVG; .want() asks for it where it is seen, once nothing moves;
-// .wrong(paths) marks fields that do not fit.
+// codendDrawing.show(text) shows an SVG; .want() asks for it where it is seen, once nobody types;
+// .wrong(paths) marks fields that do not fit; .seek(path) brings a part into sight as soon as it is drawn.
 window.codendDrawing = (function () {
   'use strict';
 
   var element = window.codendView.element;
-  var timer = null, stale = true, wrong_paths = [], box = null, whole = null, handle = null;
+  var timer = null, stale = true, wrong_paths = [], box = null, whole = null, handle = null, sought = null;
   var legible = 11;  // px, the smallest letters when the drawing opens
   function find(id) { return document.getElementById(id); }
   function seen() { return find('flume').classList.contains('drawn'); }
@@ -18,7 +18,6 @@ window.codendDrawing = (function () {
     window.clearTimeout(timer);
     if (!stale || !seen()) return;
     timer = window.setTimeout(function () {
-      if (window.codendTalk.waits() || find('drawing').querySelector('.typed')) { want(); return; }
       stale = false;
       window.codendTalk.tell('drawing_wanted', Date.now());
     }, 250);
@@ -59,6 +58,7 @@ window.codendDrawing = (function () {
     if (!box) open_view();
     look();
     mark();
+    if (sought) seek(sought);
   }
 
   // ---- zoom and pan -------------------------------------------------------------------------------
@@ -98,6 +98,23 @@ window.codendDrawing = (function () {
     box[0] += dx * box[2];
     box[1] += dy * box[3];
     look();
+  }
+
+  // Moves to a thing that is out of sight.
+  function bring(thing) {
+    var b = thing.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
+    if (x > box[0] && y > box[1] && x < box[0] + box[2] && y < box[1] + box[3]) return;
+    box[0] = within(whole[0], whole[2], x - box[2] / 2, box[2]);
+    box[1] = within(whole[1], whole[3], y - box[3] / 2, box[3]);
+    look();
+  }
+  function within(low, size, from, length) { return Math.max(low, Math.min(from, low + size - length)); }
+  function seek(path) {
+    var thing = svg() && svg().querySelector('[data-path="' + CSS.escape(path) + '"]');
+    sought = thing ? null : path;
+    if (!thing || !box) return;
+    bring(thing);
+    choose(thing);
   }
 
   var fingers = {}, apart = 0, moved = 0;
@@ -157,12 +174,7 @@ window.codendDrawing = (function () {
     place.addEventListener('focusin', function (event) {
       var thing = event.target.closest('[data-path]');
       if (!thing || !box || moved) return;
-      var b = thing.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
-      if (x < box[0] || y < box[1] || x > box[0] + box[2] || y > box[1] + box[3]) {
-        box[0] = x - box[2] / 2;
-        box[1] = y - box[3] / 2;
-        look();
-      }
+      bring(thing);
     });
     place.addEventListener('click', function (event) {
       var thing = event.target.closest('[data-path]');
@@ -182,6 +194,12 @@ window.codendDrawing = (function () {
       window.codendPage.tell('refused', 'The form has no field of ' + path + '.');
     }
     if (!text) grip(thing, path);
+  }
+
+  // What shows the value of a field.
+  function figures(path) {
+    return [].slice.call(svg().querySelectorAll('[data-path="' + CSS.escape(path) + '"]'))
+      .filter(function (one) { return one.querySelector('text'); });
   }
 
   // What can be typed, part after part as one reads a paper drawing, each field once.
@@ -224,10 +242,15 @@ window.codendDrawing = (function () {
       var typed = String(input.value).trim();
       row.remove();
       if (keep && typed && typed !== String(field.value)) {
+        figures(path).forEach(function (one) {
+          var text = one.querySelector('text');
+          text.textContent = typed;
+          text.removeAttribute('textLength');
+        });
         window.codendForm.edit(path, { value: typed, unit: field.unit });
       }
-      want();
-      thing.focus({ preventScroll: true });
+      var now = figures(path)[0];
+      if (now) now.focus({ preventScroll: true });
     }
     row.addEventListener('submit', function (event) { event.preventDefault(); finish(true); });
     input.addEventListener('keydown', function (event) {
@@ -305,7 +328,7 @@ window.codendDrawing = (function () {
   });
   document.addEventListener('DOMContentLoaded', listen);
   return {
-    show: show, want: want, opened: function () { box = null; },
+    show: show, want: want, seek: seek, opened: function () { box = sought = null; },
     wrong: function (paths) { wrong_paths = paths; mark(); }
   };
 }());

@@ -578,6 +578,7 @@ window.codendForm = (function () {
       var made = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
       if (!made || made === name) return;
       opened[parent + '.' + made] = true;
+      window.codendDrawing.seek(parent + '.' + made);
       if (act === 'copy') edit(parent + '.' + made, { like: path, after: name });
       else edit(path, { rename: made });
     });
@@ -697,7 +698,9 @@ window.codendForm = (function () {
   }
   document.addEventListener('click', function (event) {
     var button = event.target.closest && event.target.closest('.go-to');
-    if (button) open(button.dataset.path);
+    if (!button) return;
+    open(button.dataset.path);
+    window.codendDrawing.seek(button.dataset.path);
   });
 
   // A change that no plan can hold.

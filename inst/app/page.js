@@ -104,7 +104,6 @@ window.codendPage = (function () {
       window.codendDesigns.moved();
       window.codendSlopes.stale();
       window.codendTow.design(message.towed);
-      window.codendDrawing.want(true);
       want_texts();
     });
     // A shape that a slider passes through; the rest of it follows. bytes: R/flume-picture.R.
@@ -157,7 +156,7 @@ window.codendPage = (function () {
         window.codendSlopes.form();
       }
       window.codendForm.draft(message);
-      window.codendDrawing.want(true);
+      if (message.settling || message.form) window.codendDrawing.want(true);
       window.codendDesigns.moved();
     });
     Shiny.addCustomMessageHandler('flume_slopes', function (message) {

@@ -357,6 +357,20 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await type('sections.section_1.mesh_size', '31 m');
   await page.waitForSelector('#unfinished', { state: 'hidden', ...patience });
   await changed(page, 'total drag', before);
+  // a copy of a panel comes into sight, its numbers are what was typed at once, and is undone
+  await page.locator('#drawing [data-component="panel"][data-path="sections.section_1"]').first().dispatchEvent('click');
+  await page.click('[data-act="copy"][data-path="sections.section_1"]', patience);
+  await page.keyboard.type('another');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#drawing .chosen[data-path="sections.another"]', { state: 'attached', ...patience });
+  const place = await page.locator('#drawing').boundingBox();
+  const panel = await page.locator('#drawing .chosen').boundingBox();
+  assert.ok(panel.y + panel.height / 2 > place.y && panel.y + panel.height / 2 < place.y + place.height);
+  await type('sections.another.mesh_size', '29,5');
+  assert.equal(await figure('sections.another.mesh_size').locator('text').textContent(), '29,5');
+  await page.click('#undo');
+  await page.click('#undo');
+  await page.waitForSelector('#drawing [data-path="sections.another"]', { state: 'detached', ...patience });
   // zoomed by keys
   const view = await page.getAttribute('#drawing svg', 'viewBox');
   await page.focus('#drawing');
