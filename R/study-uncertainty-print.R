@@ -62,9 +62,12 @@ narrow_lines <- function(x, name) {
   row <- x$narrow[x$narrow$measure == name, ]
   if (!nrow(row)) return(character())
   now <- x$measures$uncertainty[x$measures$measure == name]
+  by <- row$by[1L]
+  as_measure <- match(by, x$measures$measure)
+  if (!is.na(as_measure)) by <- words_of(by, x$measures$unit[as_measure])
   with_plain_numbers(sprintf(
     "  to narrow it most, measure %s: its standard uncertainty falls from %.2g to %.2g %s",
-    gsub("_", " ", row$by[1L]), now, row$left[1L], x$measures$unit[x$measures$measure == name]
+    by, now, row$left[1L], x$measures$unit[x$measures$measure == name]
   ))
 }
 

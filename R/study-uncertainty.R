@@ -29,10 +29,11 @@
 #' The interval is the measure plus and minus the combined standard uncertainty times Student's t
 #' of the effective degrees of freedom (G.4). Of the three largest sources, and of those whose
 #' slopes on both sides of the state are not the same, the gear is settled one standard uncertainty
-#' to both sides (half of the value at most). Half of that difference counts: of the three largest
-#' where it is more than a fifth off the slope's, of the others throughout. Where the two sides
-#' differ by more than half the measure is `smooth = FALSE`: `method = "samples"` then follows the
-#' gear through draws of all sources (by [vary()], on as many cores as [future::plan()] says).
+#' to both sides (half of the value at most; to one side where the other does not settle in a few
+#' steps). Half of that difference counts: of the three largest where it is more than a fifth off
+#' the slope's, of the others throughout. Where the two sides differ by more than half the measure
+#' is `smooth = FALSE`: `method = "samples"` then follows the gear through draws of all sources (by
+#' [vary()], on as many cores as [future::plan()] says).
 #'
 #' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
 #' @param of Names of measures; all when `NULL`.
@@ -188,7 +189,9 @@ followed_slopes <- function(work, field, share) {
   }
   found <- slopes_of_secants(work, sides, 0)
   uneven <- abs(sides$above - sides$below) * step
-  found$smooth <- !is.na(uneven) &
+  # of one side alone nothing is known against it
+  uneven[is.na(uneven)] <- 0
+  found$smooth <- !is.na(found$slope) &
     uneven <= 2 * most_uneven * contribution_scale(work, found$slope * step)
   found
 }

@@ -54,6 +54,9 @@ uncertainty_frame <- function(across, names, xlab) {
     mgp = c(1.8, 0.5, 0), tcl = -0.25, las = 1, family = "sans", bg = "white")
   plot_bars_frame(across, names)
   graphics::title(xlab = xlab)
+  ends <- graphics::par("usr")
+  graphics::legend(ends[1L], ends[4L], names(budget_colours), fill = budget_colours, border = NA,
+    horiz = TRUE, yjust = 0, bty = "n", cex = 0.9, xpd = NA)
 }
 
 draw_budget <- function(table, page) {
@@ -70,8 +73,6 @@ draw_budget <- function(table, page) {
     graphics::rect(ends[-length(ends)], at[m] - 0.36, ends[-1L], at[m] + 0.36,
       col = budget_colours, border = NA)
   }
-  graphics::legend("bottomright", names(budget_colours), fill = budget_colours, border = NA,
-    bg = "white", cex = 0.9)
 }
 
 draw_sources <- function(x, name, page) {
