@@ -144,11 +144,27 @@ floored_errors <- function(error, size, nodes, class, slack) {
   sqrt(error^2 + floor^2)
 }
 
+# What a balance leaves in measures (as shown) that vanish: in forces the share of the largest one
+# that settle() ends at, in lengths that of the longest, and what follows from these in areas and
+# volumes.
+balance_errors <- function(values, units) {
+  size <- abs(plain(values))
+  largest <- function(of) max(0, size[of], na.rm = TRUE)
+  error <- numeric(length(size))
+  powers <- c(m = 1, m2 = 2, m3 = 3)
+  for (unit in names(powers)) error[units == unit] <- largest(units == "m")^powers[[unit]]
+  for (unit in names(plan_units$force)) error[units == unit] <- largest(units == unit)
+  settle_tolerance * error
+}
+
 # The lattices that the measures of a state, `values` as shown, may be compared with, from coarse to
 # fine: list(nodes, values). See state_levels().
 levels_of <- function(state, values) {
   compared <- state$compared
-  if (!is.null(compared)) return(carry_levels(compared$levels, compared$values, values))
+  if (!is.null(compared)) {
+    if (is.null(compared$values)) return(compared$levels)
+    return(carry_levels(compared$levels, compared$values, values))
+  }
   if (is.null(state$levels)) return(list())
   levels <- state$levels$own()
   # without levels to carry the other gear is not measured
@@ -166,10 +182,11 @@ compared_lattices <- function(state) {
 
 # By how much a step of a march may be off, as a standard error of a measure: of the places that it
 # follows from one and a half times the accuracy that steps are held to (on gears that were tried
-# positions stay within three), of forces 2.5 % at the usual one. An opening has two sides, an area
-# two lengths, a volume three.
+# positions stay within three), of forces 2.5 % at the usual one and as its root: from 0.01 to 0.3 m
+# nine tenths of the forces of a purse seine that is shot were off by 4 and 9 %, of a trawl that
+# shoots its warps by 0.03 and 0.15 %. An opening has two sides, an area two lengths, a volume three.
 step_places <- 1.5
-step_forces <- 2.5
+step_forces <- 0.25
 
 # Such errors of measures (as shown) with these units; accuracy: m.
 step_errors <- function(values, units, accuracy) {
@@ -180,14 +197,14 @@ step_errors <- function(values, units, accuracy) {
   error[units == "m2"] <- (2 * place * sqrt(size))[units == "m2"]
   error[units == "m3"] <- (3 * place * size^(2 / 3))[units == "m3"]
   forces <- units %in% c(names(plan_units$force), "kW")
-  error[forces] <- step_forces * accuracy * size[forces]
+  error[forces] <- step_forces * sqrt(accuracy) * size[forces]
   error
 }
 
 # The errors of a moment of a tow: of its lattice and its steps; NA where its start had no such
 # measure.
 moment_errors <- function(error, state, values, units) {
-  error[!names(values) %in% names(state$compared$values)] <- NA
+  error[!names(values) %in% names(state$compared$levels[[1L]]$values)] <- NA
   sqrt(error^2 + step_errors(values, units, state$step_accuracy)^2)
 }
 

@@ -10,6 +10,7 @@ new_measures <- function(values, kinds, nodes = NA, levels = NULL, light = FALSE
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
   error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
     error_classes(kind, units), which(kind == "slack_netting"))
+  error <- sqrt(error^2 + balance_errors(shown, units)^2)
   if (!is.null(moment)) error <- moment_errors(error, moment, shown, units)
   structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
     error = error, main = setNames(main_measures(kind, units, light), names(values)),

@@ -182,6 +182,10 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   } else {
     settled_trajectory(gear, given, until, nodes, netting)
   }
+  if (!going_on && starts_elsewhere(trajectory)) {
+    trajectory$compared <- moments_elsewhere(gear, given, until, every, method, nodes, netting,
+      trajectory$lattice$nodes)
+  }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   march_trajectory(trajectory, until, every, method, measures, record)
 }
@@ -310,7 +314,9 @@ tow_quantity <- function(value, name, dimension) {
 settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
-  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
+  if (!is.null(si$shooting)) {
+    return(shot_trajectory(gear, si, given, until, nodes, netting))
+  }
   if (!is.null(si$laid)) {
     return(laid_trajectory(settle(gear, nodes, netting), given, until))
   }
@@ -347,5 +353,10 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   settled <- name_parts(settled, start)
   if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$lattice$engine$wake <- settled$wake
+  # its gear's errors, as shares, are those that it has as its plan's conditions settle it
+  what$compared <- tryCatch(
+    compared_lattices(settled_state(gear, nodes, netting, NULL, settle_iterations)),
+    codend_error_not_converged = function(e) NULL
+  )
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

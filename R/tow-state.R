@@ -42,7 +42,7 @@ state_at <- function(trajectory, time) {
     as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0)))
   )
   state$time <- trajectory$time[k]
-  state$compared <- trajectory$compared
+  state$compared <- compared_at(trajectory, state$time)
   state$step_accuracy <- first_of(trajectory$method$accuracy, 0)
   state
 }
