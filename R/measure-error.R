@@ -182,9 +182,10 @@ compared_lattices <- function(state) {
 
 # By how much a step of a march may be off, as a standard error of a measure: of the places that it
 # follows from one and a half times the accuracy that steps are held to (on gears that were tried
-# positions stay within three), of forces 2.5 % at the usual one and as its root: from 0.01 to 0.3 m
-# nine tenths of the forces of a purse seine that is shot were off by 4 and 9 %, of a trawl that
-# shoots its warps by 0.03 and 0.15 %. An opening has two sides, an area two lengths, a volume three.
+# positions stay within three), of forces 2.5 % at the usual one and as its root: with 0.01 and with
+# 0.3 m nine tenths of the forces of a purse seine that is shot are off by 4 and 9 % at most, of a
+# trawl that shoots its warps by 0.03 and 0.15 %. An opening has two sides, an area two lengths, a
+# volume three.
 step_places <- 1.5
 step_forces <- 0.25
 

@@ -47,6 +47,15 @@ state_at <- function(trajectory, time) {
   state
 }
 
+# What the measures of a moment are compared with, as compared_lattices() gives it.
+compared_at <- function(trajectory, time) {
+  compared <- trajectory$compared
+  if (is.null(compared$time)) return(compared)
+  k <- which.min(abs(compared$time - time))
+  level <- list(nodes = compared$nodes, values = setNames(compared$values[, k], compared$measures))
+  list(levels = list(level), values = if (time > compared$time[k] + 1e-6) compared$last)
+}
+
 # From axes over the ground to those of a vessel on a course (rad).
 to_vessel <- function(course) {
   rbind(c(cos(course), -sin(course), 0), c(sin(course), cos(course), 0), c(0, 0, 1))

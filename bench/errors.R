@@ -1,10 +1,10 @@
 # make errors: whether the errors that are reported of measures hold. Shipped gears, some drawn at
 # random (their speeds too), shipped ones at another speed, and tows are computed with several
 # numbers of nodes and with many more; the difference is taken for the true error. What the finest
-# lattice leaves is in it: a truth from 12,000 nodes is a third short at 1,500 where errors fall with
-# the length of elements. Arguments, by name: gears=20 of random ones, seed=1001 of the first of them,
-# nodes=300,500,1500, finest=12000, speeds=0.7 times that of a shipped gear, tows=1 (0 for none).
-# Writes to bench/results/: errors.csv, a row per measure; errors.md.
+# lattice leaves is in it: 12,000 nodes show two thirds of the error of 1,500 where errors fall with
+# the length of elements. Arguments, by name: gears=20 of random ones, seed=1001 of the first of
+# them, nodes=300,500,1500, finest=12000, speeds=0.7 times that of a shipped gear, tows=1 (0 for
+# none). Writes to bench/results/: errors.csv, a row per measure; errors.md.
 library(codend)
 for (room in c("sizes", "results", "forge")) {
   source(file.path("bench", paste0(room, ".R")))
@@ -105,7 +105,10 @@ for (number in asked$seed - 1 + seq_len(asked$gears)) {
 }
 if (asked$tows > 0) rows <- c(rows, lapply(names(tows), of_tow))
 rows <- do.call(rbind, rows)
-save_table(rows, "errors")
+kept <- rows[c("gear", "class", "asked", "nodes", "measure", "value", "error", "unit", "fine",
+  "fine_nodes")]
+kept[] <- lapply(kept, function(column) if (is.double(column)) signif(column, 5) else column)
+save_table(kept, "errors")
 
 summed <- function(rows) {
   moving <- which(!rows$exact & is.finite(rows$error))

@@ -1,5 +1,5 @@
 # Whether optimise_gear() finds the best of a grid where answers have kinks: ten cases on trawls of
-# three kinds, each against a grid of settled gears, both with 300 nodes and without a finer lattice.
+# three kinds, each against a grid of settled gears, both with 300 nodes and no finer lattice.
 # Writes bench/results/kinks.md.
 library(codend)
 source(file.path("bench", "results.R"))
@@ -44,7 +44,8 @@ own_range <- function(plan, field, range) {
   if (is.numeric(range) || !all(grepl("%$", range))) return(range)
   own <- Reduce(function(x, name) x[[name]], strsplit(field, ".", fixed = TRUE)[[1L]], plan)
   own <- if (is.list(own)) own$value else own
-  paste(as.numeric(sub(" .*", "", own)) * as.numeric(sub(" *%", "", range)) / 100, sub("^[^ ]* ", "", own))
+  share <- as.numeric(sub(" *%", "", range)) / 100
+  paste(as.numeric(sub(" .*", "", own)) * share, sub("^[^ ]* ", "", own))
 }
 
 run <- function(k) {
@@ -73,7 +74,8 @@ run <- function(k) {
     gear = one$of, aim = paste(if (one$sign < 0) "large" else "small", one$aim),
     limit = sprintf("%s %s %.4g", one$limit, if (one$share > 0) "at most" else "at least", limit),
     `as it was` = start[[one$aim]], `best of the grid` = -one$sign * best,
-    `optimise_gear()` = -one$sign * value, `better than the grid, %` = 100 * (value - best) / abs(best),
+    `optimise_gear()` = -one$sign * value,
+    `better than the grid, %` = 100 * (value - best) / abs(best),
     kinks = nrow(found$kinks), settles = found$settles
   )
   cat(k, one$of, names(change), signif(row[["better than the grid, %"]], 3), found$settles, "\n")

@@ -264,13 +264,19 @@ test_that("errors of a moment of a tow hold what finer lattices and steps change
 })
 
 test_that("errors of a gear that is shot are those that another lattice of its tow shows", {
-  shot <- function(nodes) {
-    as.data.frame(tow("purse_seine", until = 60, every = 30, nodes = nodes, accuracy = 0.3))
-  }
-  coarse <- shot(250)
+  shot <- function(nodes) tow("purse_seine", until = 60, every = 30, nodes = nodes, accuracy = 0.3)
+  start <- shot(250)
+  coarse <- as.data.frame(start)
   expect_true(all(is.finite(coarse$error)))
+  on <- as.data.frame(tow(start, until = 70))
+  expect_true(all(is.finite(on$error[on$time_s == 70])))
+  share <- function(table, time) {
+    with(table[table$time_s == time & table$measure == "lead_line_depth_quarter_m", ],
+      sqrt(error^2 - step_errors(value, unit, 0.3)^2) / value)
+  }
+  expect_equal(share(on, 70), share(coarse, 60), tolerance = 0.05)
   # a third lattice: what its bottom does between is not what the gear at rest would show
-  fine <- shot(1000)
+  fine <- as.data.frame(shot(1000))
   off <- abs(coarse$value - fine$value)
   exact <- off <= 1e-7 * abs(fine$value)
   # of 54 values 0.9 less twice the deviation of that share

@@ -36,15 +36,13 @@ moments_elsewhere <- function(gear, given, until, every, method, nodes, netting,
   }
 }
 
-# What the measures of a moment are compared with, as compared_lattices() gives it.
-compared_at <- function(trajectory, time) {
+# A trajectory that goes on: past the moments that it is compared at the errors are, as shares,
+# those of the last one, whose measures are kept with them.
+with_last_moment <- function(trajectory) {
   compared <- trajectory$compared
-  if (is.null(compared$time)) return(compared)
-  k <- which.min(abs(compared$time - time))
-  level <- list(nodes = compared$nodes, values = setNames(compared$values[, k], compared$measures))
-  # a tow that went on keeps the shares of the last moment that both had
-  own <- if (abs(compared$time[k] - time) > 1e-6) {
-    plain_measures(measures(state_at(trajectory, compared$time[k])))
+  if (!is.null(compared$time) && is.null(compared$last)) {
+    time <- compared$time[length(compared$time)]
+    trajectory$compared$last <- plain_measures(measures(state_at(trajectory, time)))
   }
-  list(levels = list(level), values = own)
+  trajectory
 }
