@@ -8,8 +8,6 @@ namespace {
 
 constexpr int most_iterations = 60;
 constexpr double smallest_change = 1e-15;
-// Of led bows.
-constexpr double longest_step = 0.2, shortest_step = 1e-3, step_growth = 1.5, step_return = 0.5;
 
 // Two families of one cell; f = 0: u, 1: v.
 struct Cell {
@@ -123,10 +121,8 @@ void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end
   }
 }
 
-void LedBows::go_by_steps() { step.assign(bow.size(), longest_step); }
-
 void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
-               const double* tension, LedBows& led) {
+               const double* tension, double* bow) {
   for (int c = begin; c < end; ++c) {
     const std::size_t e = static_cast<std::size_t>(c);
     if (!bows(cells, e)) continue;
@@ -134,28 +130,17 @@ void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int en
     Cell cell = cell_of(cells, a, e, line);
     for (int f = 0; f < 2; ++f) cell.tension[f] = std::max(tension[line[f]], 0.0);
     // Lengths hardly change with the bow.
-    double s = led.bow[e];
+    double s = bow[e];
     for (int k = 0; k < most_iterations; ++k) {
       const double before = s;
       cell.set_lengths(s);
       s = cell.balance();
       if (std::abs(s - before) <= smallest_change) break;
     }
-    bool held = false;
-    if (!led.step.empty()) {
-      const double left = s - led.bow[e];
-      const bool back = left * led.step[e] < 0.0;
-      const double step = std::clamp(std::abs(led.step[e]) * (back ? step_return : step_growth),
-                                     shortest_step, longest_step);
-      led.step[e] = std::copysign(step, left);
-      held = std::abs(left) > step;
-      if (held) s = led.bow[e] + led.step[e];
-    }
-    led.bow[e] = s;
+    bow[e] = s;
     cell.set_lengths(s);
     put(cells, a, e, line, cell, s);
     for (int f = 0; f < 2; ++f) {
-      if (held) a.bow_slope[line[f]] = 0.0;
       a.inverse_length[line[f]] = inverse_length(cell, f);
       a.strain[line[f]] = cell.length[f] * a.inverse_rest[line[f]] - 1.0;
     }

@@ -28,17 +28,10 @@ namespace codend {
 // holds it, slopes. Vectors and twists of the lines are given.
 void set_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end);
 
-// Bows that a solver's tensions lead, per cell. Where a tension comes and goes from step to step, bows
-// that go all the way may keep it so. By steps a bow goes a step at most, which halves where it turns
-// back, and one that has not got there is held in the solver's matrix.
-struct LedBows {
-  std::vector<double> bow, step;  // step: with the sign of the last; empty: all the way
-
-  void go_by_steps();
-};
-// Leads them by tensions of one line each (N), and sets lengths and strains too.
+// Leads them by a solver's tensions of one line each (N), from `bow`, one per cell, and sets lengths and
+// strains too.
 void lead_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end,
-               const double* tension, LedBows& led);
+               const double* tension, double* bow);
 
 // Per line: tension and modulus (N), strain by which the tension misses the law (or null), change of
 // strain at given bows (or null).

@@ -86,7 +86,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (!a.inverse_length) a.inverse_length = a.inverse_span;
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
-  led_bows_.bow.assign(static_cast<std::size_t>(cells.count()), 0.0);
+  led_bows_.assign(static_cast<std::size_t>(cells.count()), 0.0);
   in_strips(cells.count(), [&](int begin, int end) { all_cells_.push_back({begin, end}); });
   moving_cells_ = all_cells_;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
@@ -301,14 +301,9 @@ void Lines::move_to(const double* position) {
   }
 }
 
-void Lines::bow_by_steps(bool steps) {
-  led_bows_.step.clear();
-  if (steps) led_bows_.go_by_steps();
-}
-
 void Lines::bow_to(const double* tension) {
   for (const auto [begin, end] : moving_cells_) {
-    lead_bows(cells_, arrays_, begin, end, tension, led_bows_);
+    lead_bows(cells_, arrays_, begin, end, tension, led_bows_.data());
   }
 }
 

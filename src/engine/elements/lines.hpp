@@ -48,8 +48,6 @@ class Lines {
   // Vectors and what follows from them.
   void move_to(const double* position);
 
-  // Whether bow_to() goes by steps (LedBows); at first it does not.
-  void bow_by_steps(bool steps);
   // Leads the bows of cells' twines by given tensions of one line each (N) to where these
   // balance; until the next move_to() lengths and strains are those of these bows, tensions are not.
   void bow_to(const double* tension);
@@ -104,7 +102,7 @@ class Lines {
   std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
-  LedBows led_bows_;
+  std::vector<double> led_bows_;  // of cells, by a solver's tensions
   std::vector<char> still_;                          // per line; empty: none
   std::vector<CellRange> all_cells_, moving_cells_;  // in strips
   bool renew_ = true;

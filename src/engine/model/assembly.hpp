@@ -73,7 +73,6 @@ class Assembly {
 
   // Bows of cells' twines by the tensions of a solver (Lines), all the way or by steps, until the next
   // move_to(): strains and derivatives are then those that the solver needs.
-  void bow_by_steps(bool steps) { lines_.bow_by_steps(steps); }
   void bow_to(const DualTension& dual) { lines_.bow_to(dual.tension.data()); }
   // Adds to `strain` (per line) what bows change of strains (Lines::share_bows()).
   void share_bows(const DualTension& dual, const double* mismatch, const double* change,

@@ -14,8 +14,7 @@ LinearStep::LinearStep(const Assembly& assembly, const SettleControl& control, S
       pause_(control.pause),
       timed_(control.timed),
       report_(report),
-      x_(x),
-      double_steps_(control_.first_double_steps) {}
+      x_(x) {}
 
 BlockLU& LinearStep::factors() {
   if (!lu_) analyse(Precision::single_precision);
@@ -37,9 +36,7 @@ void LinearStep::analyse(Precision precision) {
 
 bool LinearStep::solve(const std::vector<double>& values, const std::vector<double>& right,
                        std::vector<double>& step) {
-  if (!lu_ || (precision_ == Precision::double_precision && double_left_-- == 0)) {
-    analyse(Precision::single_precision);
-  }
+  if (!lu_) analyse(Precision::single_precision);
   if (precision_ == Precision::single_precision) {
     {
       Stopwatch watch(report_.seconds_linear, timed_);
@@ -51,8 +48,6 @@ bool LinearStep::solve(const std::vector<double>& values, const std::vector<doub
       }
     }
     analyse(Precision::double_precision);
-    double_left_ = double_steps_ - 1;
-    double_steps_ = std::min(2 * double_steps_, control_.most_double_steps);
   }
   Stopwatch watch(report_.seconds_linear, timed_);
   ++report_.factorisations;

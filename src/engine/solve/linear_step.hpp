@@ -37,7 +37,6 @@ class LinearStep {
   SettleReport& report_;
   const double* x_;
   Precision precision_ = Precision::single_precision;
-  int double_left_ = 0, double_steps_;
   std::unique_ptr<BlockLU> lu_;
 };
 

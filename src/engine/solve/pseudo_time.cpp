@@ -19,11 +19,8 @@ void PseudoTime::hold(double step, int steps) {
 double PseudoTime::share(double rotation) const { return std::min(1.0, aim_ / rotation); }
 
 void PseudoTime::judge(double rotation, double correction) {
-  if (correction > control_.poor) {
-    aim_ = control_.shorter * std::min(aim_, rotation);
-  } else if (correction < control_.good) {
-    aim_ = std::min(1.0, aim_ / control_.shorter);
-  }
+  aim_ = correction > 1.0 ? control_.shorter * std::min(aim_, rotation)
+                          : std::min(1.0, aim_ / control_.shorter);
 }
 
 void PseudoTime::advance(double rotation) {

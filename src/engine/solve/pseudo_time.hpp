@@ -11,7 +11,7 @@ class PseudoTime {
   explicit PseudoTime(const PseudoTimeControl& control) : control_(control) {}
 
   // Anew with this h (s), as if lines had last turned by `rotation`.
-  void begin(double step, double rotation = 1.0);
+  void begin(double step = 1.0, double rotation = 1.0);
   // For so many steps h stays no longer than this (s).
   void hold(double step, int steps);
   void set_step(double step) { step_ = step; }
@@ -32,7 +32,7 @@ class PseudoTime {
   // The judgement of a step that turns lines by `rotation`: what would correct it, over the step.
   void judge(double rotation, double correction);
   // After none, as the matrix was singular.
-  void shorten() { step_ *= control_.singular_factor; }
+  void shorten() { step_ *= control_.shorter; }
 
  private:
   const PseudoTimeControl& control_;

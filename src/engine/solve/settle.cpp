@@ -8,7 +8,7 @@
 namespace codend {
 namespace {
 
-// What goes on around the iteration: starts and new attempts, wakes, unstable equilibria.
+// What goes on around the iteration: starts, wakes, unstable equilibria.
 class Settling {
  public:
   Settling(Assembly& assembly, const SettleControl& control, const double* v, double* x,
@@ -17,11 +17,9 @@ class Settling {
         control_(control),
         report_(report),
         x_(x),
-        start_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
         from_settled_(control.start == Start::settled),
-        corrected_(from_settled_),
         closing_in_(from_settled_),
-        settled_(start_),
+        settled_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
         iteration_(assembly, control, v, x, report) {}
 
   void run() {
@@ -36,7 +34,7 @@ class Settling {
       iteration_.measure();
       if (report_.iterations == 0) {
         take_start();
-      } else if (closing_in_ && (steps_ == control_.attempts.settled_steps || iteration_.lost() ||
+      } else if (closing_in_ && (steps_ == control_.settled.steps || iteration_.lost() ||
                                  !std::isfinite(report_.residual))) {
         if (!go_back()) return;
       }
@@ -49,47 +47,23 @@ class Settling {
       }
       if (report_.converged) leave_if_unstable();
       if (report_.converged || report_.iterations >= control_.iterations) return;
-      if (steps_ == control_.attempts.steps || !std::isfinite(report_.residual)) {
-        if (!begin_again()) return;
-      }
+      if (!std::isfinite(report_.residual)) return;
       iteration_.step();
     }
   }
 
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near();
-    if (from_settled_) iteration_.begin_settled(true);
+    if (from_settled_) iteration_.begin_settled();
   }
 
   // To the last settled shape, from which steps did not close in; false where that is the start.
   bool go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
-    if (corrected_ && iteration_.has_corrected() && report_.wake_renewals == 0) {
-      corrected_ = false;
-      iteration_.measure();
-      iteration_.begin_settled(false);
-      steps_ = 0;
-      return true;
-    }
-    if (report_.wake_renewals == 0) {
-      iteration_.measure();
-      return false;
-    }
-    iteration_.begin(control_.attempts.first_step[attempt_]);
     iteration_.measure();
+    if (report_.wake_renewals == 0) return false;
+    iteration_.begin();
     closing_in_ = false;
-    steps_ = 0;
-    return true;
-  }
-
-  // At the start, at another pace, and every other time with bows that go by steps; false after the last
-  // attempt.
-  bool begin_again() {
-    if (++attempt_ == control_.attempts.first_step.size()) return false;
-    std::copy(start_.begin(), start_.end(), x_);
-    iteration_.begin(control_.attempts.first_step[attempt_], attempt_ % 2 == 1);
-    iteration_.measure();
-    steps_ = here_ = 0;
     return true;
   }
 
@@ -104,7 +78,7 @@ class Settling {
     if (from_settled_ || !assembly_.has_wake()) return;
     const bool close = iteration_.nearly_balanced();
     const bool far = control_.start == Start::near && wake_searches_ == 0 &&
-                     far_searches_ < control_.wake.far_searches && iteration_.far_on_path();
+                     far_searches_ < control_.wake.renewals && iteration_.far_on_path();
     if (!close && !far) return;
     const bool search = far || wake_searches_ < most_wake_searches();
     const double change = assembly_.renew_wake(search, control_.wake.tolerance);
@@ -114,7 +88,6 @@ class Settling {
   }
 
   int most_wake_searches() const {
-    if (control_.start == Start::near) return control_.wake.near_searches;
     const bool settled = from_settled_ && !assembly_.model().wake.empty();
     return settled ? control_.wake.settled_searches : control_.wake.searches;
   }
@@ -131,7 +104,7 @@ class Settling {
     iteration_.measure();
     iteration_.resume();
     closing_in_ = true;
-    settled_.assign(x_, x_ + start_.size());
+    settled_.assign(x_, x_ + settled_.size());
     steps_ = 0;
   }
 
@@ -142,19 +115,13 @@ class Settling {
     report_.unstable = growing.found;
     if (!growing.found) return;
     const bool wall = iteration_.only_walls_may_be_unstable();
-    if (wall) unstable_.assign(x_, x_ + start_.size());
-    const PerturbationControl& how = control_.perturbation;
-    if (here_ == (wall ? how.most_of_wall : how.most)) {
-      if (wall && report_.perturbations < how.most && begin_again()) report_.converged = false;
-      return;
-    }
-    ++here_;
+    if (wall) unstable_.assign(x_, x_ + settled_.size());
+    if (report_.perturbations == control_.perturbation.most) return;
     iteration_.perturb(growing, report_.perturbations % 2 == 1);
     closing_in_ = false;
     ++report_.perturbations;
     report_.converged = false;
     iteration_.measure();
-    steps_ = 0;
   }
 
   // Back to the last unstable balance of a wall, from which no other was found.
@@ -169,14 +136,10 @@ class Settling {
   const SettleControl& control_;
   SettleReport& report_;
   double* x_;
-  const std::vector<double> start_;
-  std::size_t attempt_ = 0;
-  int steps_ = 0;                             // of this attempt
-  int here_ = 0;                              // perturbations of this attempt
+  int steps_ = 0;                             // from the last settled shape
   int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
   int wake_rounds_ = 0;                       // renewals of wakes in balance
   const bool from_settled_;
-  bool corrected_;  // whether the steps from a settled shape are
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;

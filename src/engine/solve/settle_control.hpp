@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -37,14 +36,13 @@ struct PseudoTimeControl {
   // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
   // leaves out, here 2e-4 at most.
   double found_rotation = 0.02;
-  double longest = 1e12;  // s: damping is then below the rounding of any stiffness
-  // Where the matrix is singular the next step is held back more.
-  double singular_factor = 0.1;
-  // Most starts are through in so many steps. Later ones are judged: by the size of the step that would
-  // correct one, over its own. Where that is more than `poor` the next turns lines by less, `shorter`
-  // times what this one did; where it is less than `good` by more, up to a whole turn.
-  int free_steps = 20;
-  double poor = 1.0, good = 0.3, shorter = 0.7;
+  // s: steps are then next to undamped; those from a settled shape begin with it.
+  double longest = 1e6;
+  // Most starts are through in so many steps. Later ones are judged: where the step that would correct one
+  // is larger than its own, or the matrix is singular, the next turns lines by less, `shorter` times what
+  // this one did, else by more, up to a whole turn.
+  int free_steps = 10;
+  double shorter = 0.7;
 };
 
 // Netting along the flow has next to no pull, so that steps would turn it far beyond what their matrix
@@ -59,57 +57,41 @@ struct HeldControl {
 // step its parameter mu falls by the factor by which the last one turned lines.
 struct PathControl {
   double least_factor = 0.02;
-  // mu is no less than this times the square of the last rotation, to which it rises by so much a step
-  // at most: where lines still turn, tensions far down the path are of no shape.
-  double least_by_turn = 1e-8, most_rise = 10.0;
-  // From a settled state's tensions mu falls at once: below this rotation to this share.
-  double settled_rotation = 0.02, settled_factor = 1e-3;
+  // mu is no less than this times the square of the last rotation: where lines still turn, tensions far
+  // down the path are of no shape.
+  double least_by_turn = 1e-8;
+  // From a settled state's tensions mu falls at once to this share, where the shape is found.
+  double settled_factor = 1e-3;
   // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
   // is of second order in the turn.
   double corrected_turn = 0.2;
 };
 
-// Of trials of the constitutive law itself. A trial fails where lines turn by more than `rotation`
-// (strains are then off by its square over 2, more than most twine is stretched), where the residual is
-// `excess` times that before, or where `steps` have not brought it below `closing` of its own first;
-// the path then goes on from where it was left.
+// Of trials of the constitutive law itself. A trial fails where the shape is no longer found, or where
+// `steps` have not brought the residual below `closing` of its own first; the path then goes on from where
+// it was left, for as many steps before the next trial, doubled by every one that fails: trials stay a
+// small part of all steps where they cannot succeed yet.
 struct LawControl {
   double residual = 0.1;  // of the path's shape, below which it is tried
-  // The same where the path began from a settled state: it closes in by itself.
+  // The same where the path began from a settled state: it closes in by itself. Such a state whose own
+  // residual is less begins with a trial.
   double settled_residual = 1e-4;
-  double rotation = 0.05;
-  double excess = 100.0;
   int steps = 6;
   double closing = 0.3;
-  // The path's steps before the next trial, doubled by every one that fails: trials stay a small part
-  // of all steps where they cannot succeed yet.
-  int path_steps = 3, most_path_steps = 48;
 };
 
 // Of the linear equations of a step.
 struct LinearControl {
-  // Steps are solved to this residual over the right side; Newton's method gains nothing from more. One
-  // above `limit` is no step.
+  // Steps are solved to this residual over the right side; Newton's method gains nothing from more. Where
+  // one is above `limit` factors are in double precision from then on.
   double tolerance = 1e-4, limit = 0.1;
-  // Steps with double-precision factors where single ones were not enough, doubled every time.
-  int first_double_steps = 2, most_double_steps = 64;
 };
 
-// Of beginnings.
-struct AttemptControl {
-  // One that is not through in so many steps begins again at another pace, and every other time with bows
-  // that go by steps.
-  int steps = 300;
-  std::array<double, 4> first_step = {1.0, 0.25, 4.0, 0.1};  // h, s
-  // From a settled shape under other loads: h (s), next to undamped; steps after which this counts as
-  // failed; the residual below which the law itself is tried before any step; and the one that trials
-  // count as beginning from, at least, where only the wakes are others.
-  double settled_step = 1e6;
-  int settled_steps = 30;
-  // It has failed too where a step after the first turns lines by more than this.
-  double settled_rotation = 1.0;
-  double settled_law = 1e-4;
-  double settled_residual = 1e-3;
+// Of steps from a settled shape under other loads, which have failed after so many, or where one after the
+// first turns lines by more than `rotation`.
+struct SettledControl {
+  int steps = 30;
+  double rotation = 1.0;
 };
 
 // Of wakes. They are renewed on every settled shape until no point's share of the free flow's speed
@@ -119,24 +101,19 @@ struct AttemptControl {
 struct WakeControl {
   double tolerance = wake_tolerance;
   int renewals = 20, searches = 4, settled_searches = 1;
-  // From other than a settled state they are followed before: where lines turn and the residual is by
-  // less than these. A shape that is carried over has its wake from the start, which is searched at every
-  // step as long as the path's mu is at least far_parameter (later a point that comes into a wake costs as
-  // many steps as a start) and once when it is nearly found.
-  double rotation = 2e-3, residual = 1e-3;
+  // From other than a settled state they are followed before: where the law would be tried, and of a shape
+  // that is carried over from the start on, as long as the path's mu is at least this: later a point that
+  // comes into a wake costs as many steps as a start.
   double far_parameter = 1e-6;
-  int far_searches = 20, near_searches = 1;
 };
 
 // Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's
 // size, small beside it and large beside what Newton's method would take back at once; h stays below
-// `pace` of the time in which the motion grows, so that steps follow it, for so many steps. A wall that
-// goes through itself often comes back to the same balance: it begins again at another pace besides.
+// `pace` of the time in which the motion grows, so that steps follow it, for so many steps.
 struct PerturbationControl {
   double size = 0.1, pace = 0.4;
   int steps = 40;
-  int most = 4;          // perturbations, to and fro
-  int most_of_wall = 1;  // before it begins again
+  int most = 4;  // perturbations, to and fro
 };
 
 struct SettleControl {
@@ -165,7 +142,7 @@ struct SettleControl {
   PathControl path;
   LawControl law;
   LinearControl linear;
-  AttemptControl attempts;
+  SettledControl settled;
   WakeControl wake;
   PerturbationControl perturbation;
 };

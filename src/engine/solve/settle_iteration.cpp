@@ -28,7 +28,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
       parts_(assembly, control.part),
-      path_steps_(control.law.path_steps),
+      path_steps_(control.law.steps),
       left_path_(path_) {}
 
 void SettleIteration::measure() {
@@ -57,13 +57,12 @@ double SettleIteration::scale() const {
   return scale;
 }
 
-void SettleIteration::begin(double pseudo_step, bool by_steps) {
+void SettleIteration::begin() {
   path_ = TensionPath(assembly_.model(), load_);
-  assembly_.bow_by_steps(by_steps);
-  pseudo_time_.begin(pseudo_step);
+  pseudo_time_.begin();
   on_law_ = begun_ = closing_in_ = false;
   steps_to_law_ = 0;
-  path_steps_ = control_.law.path_steps;
+  path_steps_ = control_.law.steps;
 }
 
 void SettleIteration::begin_near() {
@@ -71,26 +70,21 @@ void SettleIteration::begin_near() {
   if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
-void SettleIteration::begin_settled(bool correcting) {
+void SettleIteration::begin_settled() {
   from_settled_ = closing_in_ = true;
-  correcting_ = correcting;
   on_law_ = begun_ = false;
   settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
-  pseudo_time_.set_step(control_.attempts.settled_step);
-  if (report_.residual < control_.attempts.settled_law) pseudo_time_.assume_rotation(0.0);
+  pseudo_time_.set_step(control_.pseudo_time.longest);
+  if (report_.residual < control_.law.settled_residual) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::resume() {
-  on_law_ = true;
-  law_steps_ = 0;
-  residual_on_law_ = report_.residual;
-  residual_before_law_ = std::max(report_.residual, control_.attempts.settled_residual);
-  left_x_.assign(x_, x_ + force_.size());
   assembly_.strain(strain_);
-  left_path_ = TensionPath(assembly_.model(), load_);
-  left_path_.follow(strain_, TensionPath::settled_parameter);
-  left_pseudo_step_ = control_.attempts.settled_step;
+  path_ = TensionPath(assembly_.model(), load_);
+  path_.follow(strain_, TensionPath::settled_parameter);
+  try_law();
+  left_pseudo_step_ = control_.pseudo_time.longest;
   pseudo_time_.begin(pseudo_time_.step(), control_.pseudo_time.found_rotation);
 }
 
@@ -111,8 +105,7 @@ bool SettleIteration::balanced() {
 }
 
 bool SettleIteration::nearly_balanced() const {
-  return pseudo_time_.rotation() < control_.wake.rotation &&
-         report_.residual < control_.wake.residual;
+  return pseudo_time_.found() && report_.residual < control_.law.residual;
 }
 
 bool SettleIteration::far_on_path() const {
@@ -160,7 +153,7 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
 
 bool SettleIteration::lost() const {
   return closing_in_ && settled_steps_ > 1 &&
-         pseudo_time_.rotation() > control_.attempts.settled_rotation;
+         pseudo_time_.rotation() > control_.settled.rotation;
 }
 
 void SettleIteration::step() {
@@ -182,7 +175,7 @@ void SettleIteration::step() {
   take_right_side();
   if (linear_.solve(values_, right_, step_)) {
     move();
-    if (closing_in_ && !on_law_ && correcting_ && turned_ < control_.path.corrected_turn) correct();
+    if (closing_in_ && !on_law_ && turned_ < control_.path.corrected_turn) correct();
   } else {
     pseudo_time_.shorten();
   }
@@ -192,8 +185,7 @@ void SettleIteration::step() {
 void SettleIteration::choose_law() {
   const LawControl& law = control_.law;
   const bool tried = law_steps_ >= law.steps;
-  if (on_law_ && (pseudo_time_.rotation() > law.rotation ||
-                  report_.residual > law.excess * residual_before_law_ ||
+  if (on_law_ && (!pseudo_time_.found() ||
                   (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
@@ -210,7 +202,6 @@ void SettleIteration::choose_law() {
 void SettleIteration::try_law() {
   on_law_ = true;
   law_steps_ = 0;
-  residual_before_law_ = report_.residual;
   left_x_.assign(x_, x_ + force_.size());
   left_path_ = path_;
   left_pseudo_step_ = pseudo_time_.step();
@@ -219,7 +210,7 @@ void SettleIteration::try_law() {
 void SettleIteration::leave_law() {
   on_law_ = false;
   steps_to_law_ = path_steps_;
-  path_steps_ = std::min(2 * path_steps_, control_.law.most_path_steps);
+  path_steps_ *= 2;
   std::copy(left_x_.begin(), left_x_.end(), x_);
   path_ = left_path_;
   pseudo_time_.set_step(left_pseudo_step_);
@@ -232,18 +223,15 @@ double SettleIteration::reduction() {
     begun_ = true;
     return 1.0;
   }
-  const PathControl& path = control_.path;
-  const double rotation = pseudo_time_.rotation();
-  if (closing_in_ && rotation < path.settled_rotation) return path.settled_factor;
-  return std::clamp(rotation, path.least_factor, 1.0);
+  if (closing_in_ && pseudo_time_.found()) return control_.path.settled_factor;
+  return std::clamp(pseudo_time_.rotation(), control_.path.least_factor, 1.0);
 }
 
 // Below which mu does not go in this step, other than from a settled state.
 double SettleIteration::least_parameter() const {
   if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
-  return std::min(control_.path.least_by_turn * rotation * rotation,
-                  control_.path.most_rise * path_.parameter());
+  return control_.path.least_by_turn * rotation * rotation;
 }
 
 // The tensions of the step's matrix: the path's, and what holds lines against turns.
@@ -326,7 +314,6 @@ void SettleIteration::correct() {
   take_step();
   const LineChange& change = assembly_.line_change(dx_.data());
   if (!(change.rotation < turned_)) return;
-  has_corrected_ = true;
   path_.advance(assembly_, change.strain, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
   pseudo_time_.assume_rotation(change.rotation);

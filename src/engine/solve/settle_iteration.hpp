@@ -23,15 +23,12 @@ class SettleIteration {
   // Net forces of the law itself.
   void measure();
 
-  // Back to a crude start that the caller has put into x, with this pseudo time step (s).
-  // by_steps: whether bows of cells' twines go by steps (bows.hpp).
-  void begin(double pseudo_step, bool by_steps = false);
+  // Anew from a crude start that the caller has put into x.
+  void begin();
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   void begin_near();
   // Takes the present positions, measured, as settled under other loads, likewise.
-  // correcting: whether steps are followed by others with their factors, which take fewer steps, but
-  // close in from less far.
-  void begin_settled(bool correcting);
+  void begin_settled();
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
   // not close in the path from that shape's tensions.
   void resume();
@@ -46,8 +43,6 @@ class SettleIteration {
   void judge_parts();
   // Whether steps from a settled shape do not close in.
   bool lost() const;
-  // Whether any of them was corrected.
-  bool has_corrected() const { return has_corrected_; }
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -98,7 +93,6 @@ class SettleIteration {
   bool closing_in_ = false;  // from a settled state, by its tensions
   // How much the last step turned lines, and where it began.
   double turned_ = 1.0;
-  bool correcting_ = false, has_corrected_ = false;
   std::vector<double> from_x_, pull_;
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
@@ -107,7 +101,7 @@ class SettleIteration {
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;
   int path_steps_;
-  double residual_before_law_ = 0.0, residual_on_law_ = 0.0;
+  double residual_on_law_ = 0.0;
   // Where the path was left for the law.
   std::vector<double> left_x_;
   TensionPath left_path_;
