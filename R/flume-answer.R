@@ -1,10 +1,6 @@
 # What a worker of the flume tank answers to a request. It knows no page: it may run in a process of
 # its own.
 
-# Steps of the solver from a crude start, at most, before a design counts as one that does not
-# settle: someone is waiting.
-flume_steps <- 1000L
-
 # Most nodes of a design, whatever its plan asks for.
 flume_nodes <- 20000
 
@@ -135,7 +131,7 @@ save_state <- function(state, said) {
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
   check_lattice_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
-  settle_from <- function(from) settle_gear(gear, nodes, NULL, from, flume_steps)
+  settle_from <- function(from) settle_gear(gear, nodes, NULL, from)
   state <- withCallingHandlers(
     tryCatch(settle_from(from), codend_error_argument = function(e) settle_from(NULL)),
     codend_warning = function(w) {

@@ -139,7 +139,7 @@ settle_accurately <- function(state, accuracy, netting) {
     nodes <- state$lattice$nodes
     growth <- min(max(nodes_for(1, error, accuracy), least_growth), most_growth)
     finer <- if (nodes * growth <= most_accurate_nodes) {
-      settled_state(state$gear, nodes * growth, netting, state, settle_iterations)
+      settled_state(state$gear, nodes * growth, netting, state)
     }
     if (is.null(finer) || finer$lattice$nodes < least_ratio * nodes) {
       cli::cli_warn(
@@ -194,7 +194,7 @@ finer_state <- function(state, netting) {
   wanted <- min(usual_nodes * extra_ratio, fixed_nodes(state$si, netting))
   if (is.null(extra) || wanted < least_ratio * state$lattice$nodes) return(NULL)
   tryCatch(
-    settled_state(state$gear, wanted, netting, extra, settle_iterations),
+    settled_state(state$gear, wanted, netting, extra),
     codend_error_not_converged = function(e) NULL
   )
 }

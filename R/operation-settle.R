@@ -78,35 +78,34 @@ settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = N
   if (is.null(nodes)) nodes <- nodes_of(from)
   check_settle_arguments(gear, nodes, netting)
   if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
-  state <- settled_state(gear, nodes, netting, from, settle_iterations)
+  state <- settled_state(gear, nodes, netting, from)
   if (!is.null(accuracy)) state <- settle_accurately(state, accuracy, netting)
   if (aims) state <- aim_accuracy(state, netting)
   warn_of_doubts(state, swings = is.null(from))
   state
 }
 
-# steps: of the solver from a crude start, at most.
-settle_gear <- function(gear, nodes, netting, from, steps) {
-  state <- settled_state(gear, nodes, netting, from, steps)
+settle_gear <- function(gear, nodes, netting, from) {
+  state <- settled_state(gear, nodes, netting, from)
   warn_of_doubts(state, swings = FALSE)
   state
 }
 
 # As settle_gear(), without its warnings.
-settled_state <- function(gear, nodes, netting, from, steps) {
+settled_state <- function(gear, nodes, netting, from) {
   started <- cpu_clock()
   si <- gear_si(gear)
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from) && !has_less_catch(si, from$si)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), from_steps, progress)
+    found <- settle_level(si, nodes, netting, state_shape(from), progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
-      settle_from_coarse(si, nodes, netting, steps, progress)
+      settle_from_coarse(si, nodes, netting, progress)
     } else {
-      settle_shot(gear, si, nodes, netting, steps, progress)
+      settle_shot(gear, si, nodes, netting, progress)
     }
   }
   report <- found$report
@@ -121,11 +120,11 @@ settled_state <- function(gear, nodes, netting, from, steps) {
 }
 
 # Settles a gear from its coarser levels, where it is not coarse itself.
-settle_from_coarse <- function(si, nodes, netting, steps, progress) {
+settle_from_coarse <- function(si, nodes, netting, progress) {
   coarse <- if (min(nodes, fixed_nodes(si, netting)) > 2 * coarsest_nodes) {
     coarse_shape(si, nodes, netting, progress)
   }
-  settle_level(si, nodes, netting, coarse, steps, progress)
+  settle_level(si, nodes, netting, coarse, progress)
 }
 
 check_settle_arguments <- function(gear, nodes, netting) {

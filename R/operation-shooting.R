@@ -11,15 +11,15 @@ most_sinkings <- 2L
 sinking_accuracy <- 0.5
 
 # As settle_level(), of the last of its trials. steps: of the coarsest level, at most.
-settle_shot <- function(gear, si, nodes, netting, steps, progress) {
+settle_shot <- function(gear, si, nodes, netting, progress) {
   free <- undivided(si)
   coarse <- min(nodes, coarsest_nodes)
   settle_from <- function(shape) {
-    found <- settle_level(free, coarse, "cells", shape, steps, progress)
+    found <- settle_level(free, coarse, "cells", shape, progress)
     if (!found$report$converged) return(found)
     shape <- list(lattice = found$lattice, position = lattice_points(found$lattice, found$position))
     settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress, shape), near_steps, progress
+      si, nodes, netting, coarse_shape(si, nodes, netting, progress, shape), progress
     )
   }
   found <- settle_from(NULL)

@@ -4,13 +4,9 @@
 # How many times as many nodes the next finer level has, and how many the coarsest.
 level_ratio <- 7
 coarsest_nodes <- 250
-# Steps after which a start that should be near counts as a bad one.
-near_steps <- 200L
-# The same from a state, beside which to settle anew takes hardly more.
-from_steps <- 100L
-# Largest net force at the end, as a share of the largest tension, and most steps of a crude start.
+# Largest net force at the end, as a share of the largest tension, and most steps of a level.
 settle_tolerance <- 1e-8
-settle_iterations <- 600L
+settle_iterations <- 400L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
 # every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
@@ -21,8 +17,7 @@ coarse_shape <- function(si, nodes, netting, progress, found = NULL, levels = NU
   if (is.null(levels)) levels <- if (length(si$panels)) coarse_levels(nodes) else nodes / 4
   for (level in levels) {
     coarse <- settle_level(
-      free, level, if (level == coarsest_nodes) "cells" else netting, found, near_steps,
-      progress
+      free, level, if (level == coarsest_nodes) "cells" else netting, found, progress
     )
     if (!coarse$report$converged) next
     found <- list(
@@ -74,7 +69,7 @@ undivided <- function(si) {
 # Settles one lattice: list(lattice, position, strain, report, from). from: a shape to carry over,
 # or NULL; one that was settled on the same lattice is given up where it does not lead to balance
 # at once.
-settle_level <- function(si, nodes, netting, from, steps, progress) {
+settle_level <- function(si, nodes, netting, from, progress) {
   # A coarser level that is still to be settled is not of this one's time.
   force(from)
   started <- cpu_clock()
@@ -91,7 +86,7 @@ settle_level <- function(si, nodes, netting, from, steps, progress) {
     if (is.null(from)) from <- list(position = lattice$start, begins = begins, strain = strain)
     engine_settle(
       lattice$engine, as.double(from$position), first_of(from$begins, "settled"),
-      as.double(from$strain), line_part(lattice), settle_tolerance, steps, progress
+      as.double(from$strain), line_part(lattice), settle_tolerance, settle_iterations, progress
     )
   }
   settled <- if (is.null(si$catch) || is.na(si$catch$volume)) {

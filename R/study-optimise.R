@@ -172,7 +172,7 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   check_package("nloptr", "An optimum")
   fields <- free_fields(gear, change)
   points <- new_points(gear, fields, nodes, netting)
-  base <- settled_state(gear, nodes, netting, NULL, settle_iterations)
+  base <- settled_state(gear, nodes, netting, NULL)
   points$count$settles <- 1L
   base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
   words <- formula_words(base$measures)

@@ -31,7 +31,7 @@ settle_point <- function(points, values, from = NULL) {
   if (is.null(gear)) return(NULL)
   points$count$settles <- points$count$settles + 1L
   state <- tryCatch(
-    settled_state(gear, points$nodes, points$netting, from, settle_iterations),
+    settled_state(gear, points$nodes, points$netting, from),
     codend_error_not_converged = function(e) NULL
   )
   if (is.null(state)) return(NULL)

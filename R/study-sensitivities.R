@@ -358,7 +358,7 @@ settled_values <- function(work, gear) {
   si <- gear_si(gear)
   shape <- state_shape(work$state)
   found <- settle_level(
-    si, work$nodes, work$netting, shape, near_steps, function(iteration, residual) NULL
+    si, work$nodes, work$netting, shape, function(iteration, residual) NULL
   )
   work$cost$factorisations <- work$cost$factorisations + found$report$factorisations
   if (!found$report$converged || !settled_alike(found$lattice, shape)) return(NULL)

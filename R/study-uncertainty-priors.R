@@ -40,7 +40,7 @@ change_with_priors <- function(gear, change) {
 # The calibrated gear in the conditions of its plan, settled.
 settled_calibration <- function(fit) {
   points <- fit$task$points
-  settled_state(fit$gear, points$nodes, points$netting, NULL, settle_iterations)
+  settled_state(fit$gear, points$nodes, points$netting, NULL)
 }
 
 # Sources of a calibrated gear: what was calibrated has the covariance that was found.

@@ -62,3 +62,11 @@ shipped_states <- c("towed_cable", "crossing_cables", "midwater_trawl")
 shipped_state <- function(name) {
   if (name == "midwater_trawl") settled(name, nodes = 500) else settled(name)
 }
+
+# Runs code with at most so many steps of settling a level.
+with_settle_iterations <- function(iterations, code) {
+  allowed <- getFromNamespace("settle_iterations", "codend")
+  on.exit(assignInNamespace("settle_iterations", allowed, "codend"))
+  assignInNamespace("settle_iterations", iterations, "codend")
+  code
+}

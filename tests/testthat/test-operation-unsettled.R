@@ -2,7 +2,7 @@
 
 test_that("advice names slack netting, the line along it, and a law that lets it hang slack", {
   gear <- update(read_gear("midwater_trawl"), netting_drag = "blended")
-  state <- suppressWarnings(settle_gear(gear, 300, "cells", NULL, 600L))
+  state <- suppressWarnings(settle_gear(gear, 300, "cells", NULL))
   lattice <- state$lattice
   # a node of netting that a rope is laced to, in a shape all of whose lines are slack, then none
   node <- intersect(lattice$engine$cells$node, lattice$engine$bars$node)[1]
@@ -18,6 +18,6 @@ test_that("advice names slack netting, the line along it, and a law that lets it
 })
 
 test_that("the error carries the advice", {
-  expect_error(settle_gear(read_gear("towed_cable"), 300, NULL, NULL, 2L),
+  expect_error(with_settle_iterations(2L, settle(read_gear("towed_cable"), 300)),
     "Worst at rope `cable`.*when-it-does-not-settle", class = "codend_error_not_converged")
 })

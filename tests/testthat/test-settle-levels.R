@@ -10,7 +10,7 @@ test_that("levels grow by the ratio from the coarsest", {
 test_that("coarse to fine ends where the crude start ends", {
   gear <- read_gear("midwater_trawl")
   state <- settle(gear, nodes = 1500, netting = "bars")
-  crude <- settle_level(gear_si(gear), 1500, "bars", NULL, 800L, function(...) NULL)
+  crude <- settle_level(gear_si(gear), 1500, "bars", NULL, function(...) NULL)
   expect_true(crude$report$converged)
   # Forces in balance to 1e-8 of the largest tension; slack twine has little to hold it in place.
   expect_equal(crude$position, as.vector(state$position), tolerance = 1e-6)
@@ -31,7 +31,7 @@ test_that("a state is the start of another speed, warp or finer lattice", {
     near <- settle(faster, nodes = 500, from = state)
     anew <- settle(faster, nodes = 500)
     expect_equal(measures(near), measures(anew), tolerance = 1e-5)
-    crude <- settle_level(gear_si(faster), 500, NULL, NULL, 800L, function(...) NULL)
+    crude <- settle_level(gear_si(faster), 500, NULL, NULL, function(...) NULL)
     expect_lt(near$report$factorisations, share[[speed]] * crude$report$factorisations)
   }
 
@@ -54,7 +54,7 @@ test_that("a settled shape is left as it was where its steps do not close in", {
   state <- settled("midwater_trawl", nodes = 500)
   # held where it was, the net is torn between ropes a seventh as long
   shorter <- gear_si(update(state$gear, warps.length = "100 m"))
-  left <- settle_level(shorter, 500, NULL, state_shape(state), 300L, function(...) NULL)
+  left <- settle_level(shorter, 500, NULL, state_shape(state), function(...) NULL)
   expect_false(left$report$converged)
   expect_identical(left$position, as.vector(state$position))
 })

@@ -53,13 +53,6 @@ test_that("a plan written, read and settled again gives the same bytes", {
   }
 })
 
-with_settle_iterations <- function(iterations, code) {
-  allowed <- getFromNamespace("settle_iterations", "codend")
-  on.exit(assignInNamespace("settle_iterations", allowed, "codend"))
-  assignInNamespace("settle_iterations", iterations, "codend")
-  code
-}
-
 test_that("a gear that does not settle is an error that names its part and place", {
   # no solve of this gear ends in one step
   error <- with_settle_iterations(1L, {

@@ -8,7 +8,6 @@ void PseudoTime::begin(double step, double rotation) {
   step_ = step;
   rotation_ = rotation;
   aim_ = 1.0;
-  steps_ = 0;
 }
 
 void PseudoTime::hold(double step, int steps) {
@@ -24,7 +23,6 @@ void PseudoTime::judge(double rotation, double correction) {
 }
 
 void PseudoTime::advance(double rotation) {
-  ++steps_;
   rotation_ = rotation;
   step_ = std::min(step_ * aim_ / rotation_, control_.longest);
   if (held_steps_ > 0) {

@@ -38,10 +38,8 @@ struct PseudoTimeControl {
   double found_rotation = 0.02;
   // s: steps are then next to undamped; those from a settled shape begin with it.
   double longest = 1e6;
-  // Most starts are through in so many steps. Later ones are judged: where the step that would correct one
-  // is larger than its own, or the matrix is singular, the next turns lines by less, `shorter` times what
-  // this one did, else by more, up to a whole turn.
-  int free_steps = 10;
+  // Steps are judged by the one that would correct them: where that is larger, or the matrix is singular,
+  // the next turns lines by less, `shorter` times what this one did, else by more, up to a whole turn.
   double shorter = 0.7;
 };
 
