@@ -108,7 +108,7 @@ fuzz <- function() whole("tests/fuzz/run.R", "60", "1")
 # Sixty gears drawn at random, others every time: it says which.
 forge <- function() {
   seed <- as.integer(Sys.time()) %% 1e6
-  whole("bench/settle-forge.R", "count=60", paste0("seed=", seed), "least=0.9")
+  whole("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9")
 }
 
 # What a job says, counts and finds wrong: jobs run at once, and their lines are not to mix.

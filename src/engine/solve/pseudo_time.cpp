@@ -8,6 +8,7 @@ void PseudoTime::begin(double step, double rotation) {
   step_ = step;
   rotation_ = rotation;
   aim_ = 1.0;
+  steps_ = 0;
 }
 
 void PseudoTime::hold(double step, int steps) {
@@ -23,6 +24,7 @@ void PseudoTime::judge(double rotation, double correction) {
 }
 
 void PseudoTime::advance(double rotation) {
+  ++steps_;
   rotation_ = rotation;
   step_ = std::min(step_ * aim_ / rotation_, control_.longest);
   if (held_steps_ > 0) {

@@ -27,6 +27,8 @@ class PseudoTime {
   double share(double rotation) const;
   // After a step that turns lines by `rotation`.
   void advance(double rotation);
+  // Whether the next step is to be judged.
+  bool judged() const { return steps_ >= control_.free_steps; }
   // The judgement of a step that turns lines by `rotation`: what would correct it, over the step.
   void judge(double rotation, double correction);
   // After none, as the matrix was singular.
@@ -37,6 +39,7 @@ class PseudoTime {
   double step_ = 1.0;
   double rotation_ = 1.0;
   double aim_ = 1.0;  // rotation that is aimed at
+  int steps_ = 0;     // since begun
   int held_steps_ = 0;
   double held_step_ = 0.0;
 };

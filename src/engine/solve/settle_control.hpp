@@ -38,8 +38,10 @@ struct PseudoTimeControl {
   double found_rotation = 0.02;
   // s: steps are then next to undamped; those from a settled shape begin with it.
   double longest = 1e6;
-  // Steps are judged by the one that would correct them: where that is larger, or the matrix is singular,
-  // the next turns lines by less, `shorter` times what this one did, else by more, up to a whole turn.
+  // Most starts are through in so many steps. Later ones are judged by the step that would correct them:
+  // where that is larger, or the matrix is singular, the next turns lines by less, `shorter` times what
+  // this one did, else by more, up to a whole turn.
+  int free_steps = 10;
   double shorter = 0.7;
 };
 
@@ -62,7 +64,7 @@ struct PathControl {
   double settled_factor = 1e-3;
   // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
   // is of second order in the turn.
-  double corrected_turn = 0.2;
+  double corrected_turn = 0.1;
 };
 
 // Of trials of the constitutive law itself. A trial fails where the shape is no longer found, or where

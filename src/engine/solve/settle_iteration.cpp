@@ -257,7 +257,9 @@ void SettleIteration::move() {
   from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(assembly_, change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  if (!closing_in_) pseudo_time_.judge(rotation, correction_over_step(share));
+  if (!closing_in_ && pseudo_time_.judged()) {
+    pseudo_time_.judge(rotation, correction_over_step(share));
+  }
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
 }
