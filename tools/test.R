@@ -4,7 +4,7 @@
 #   Rscript tools/test.R       all of them
 #   Rscript tools/test.R fast  without the files of package tests that take longest
 #   Rscript tools/test.R ci    the checks of tools/checks.R, each counted as one, all of the tests,
-#                              a minute of tests/fuzz and sixty gears drawn at random, each
+#                              a minute of tests/fuzz and a hundred gears drawn at random, each
 #                              counted as one
 #   Rscript tools/test.R files '^s'  package tests of these files, test-*.R
 # All but the engine's tests run in as many processes as there are cores, the longest first.

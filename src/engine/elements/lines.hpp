@@ -102,7 +102,7 @@ class Lines {
   std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
   const LineKernels& kernels_;
-  std::vector<double> led_bows_;  // of cells, by a solver's tensions
+  std::vector<double> led_bows_;                     // of cells, by a solver's tensions
   std::vector<char> still_;                          // per line; empty: none
   std::vector<CellRange> all_cells_, moving_cells_;  // in strips
   bool renew_ = true;

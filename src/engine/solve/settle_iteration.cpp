@@ -70,8 +70,9 @@ void SettleIteration::begin_near() {
   if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
-void SettleIteration::begin_settled() {
+void SettleIteration::begin_settled(bool correcting) {
   from_settled_ = closing_in_ = true;
+  correcting_ = correcting;
   on_law_ = begun_ = false;
   settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
@@ -152,8 +153,7 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
 }
 
 bool SettleIteration::lost() const {
-  return closing_in_ && settled_steps_ > 1 &&
-         pseudo_time_.rotation() > control_.settled.rotation;
+  return closing_in_ && settled_steps_ > 1 && pseudo_time_.rotation() > control_.settled.rotation;
 }
 
 void SettleIteration::step() {
@@ -175,7 +175,7 @@ void SettleIteration::step() {
   take_right_side();
   if (linear_.solve(values_, right_, step_)) {
     move();
-    if (closing_in_ && !on_law_ && turned_ < control_.path.corrected_turn) correct();
+    if (correcting_ && closing_in_ && !on_law_ && turned_ < control_.path.corrected_turn) correct();
   } else {
     pseudo_time_.shorten();
   }
@@ -185,8 +185,8 @@ void SettleIteration::step() {
 void SettleIteration::choose_law() {
   const LawControl& law = control_.law;
   const bool tried = law_steps_ >= law.steps;
-  if (on_law_ && (!pseudo_time_.found() ||
-                  (tried && !(report_.residual < law.closing * residual_on_law_)))) {
+  if (on_law_ &&
+      (!pseudo_time_.found() || (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
              report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
@@ -231,7 +231,8 @@ double SettleIteration::reduction() {
 double SettleIteration::least_parameter() const {
   if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
-  return control_.path.least_by_turn * rotation * rotation;
+  return std::min(control_.path.least_by_turn * rotation * rotation,
+                  control_.path.most_rise * path_.parameter());
 }
 
 // The tensions of the step's matrix: the path's, and what holds lines against turns.
@@ -314,6 +315,7 @@ void SettleIteration::correct() {
   take_step();
   const LineChange& change = assembly_.line_change(dx_.data());
   if (!(change.rotation < turned_)) return;
+  has_corrected_ = true;
   path_.advance(assembly_, change.strain, 1.0);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
   pseudo_time_.assume_rotation(change.rotation);

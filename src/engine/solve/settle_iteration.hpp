@@ -28,7 +28,9 @@ class SettleIteration {
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   void begin_near();
   // Takes the present positions, measured, as settled under other loads, likewise.
-  void begin_settled();
+  // correcting: whether steps are followed by others with their factors, which take fewer steps, but
+  // close in from less far.
+  void begin_settled(bool correcting);
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
   // not close in the path from that shape's tensions.
   void resume();
@@ -43,6 +45,8 @@ class SettleIteration {
   void judge_parts();
   // Whether steps from a settled shape do not close in.
   bool lost() const;
+  // Whether any of them was corrected.
+  bool has_corrected() const { return has_corrected_; }
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -93,6 +97,7 @@ class SettleIteration {
   bool closing_in_ = false;  // from a settled state, by its tensions
   // How much the last step turned lines, and where it began.
   double turned_ = 1.0;
+  bool correcting_ = false, has_corrected_ = false;
   std::vector<double> from_x_, pull_;
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
