@@ -276,7 +276,7 @@ test_that("errors of a gear that is shot are those that another lattice of its t
   }
   expect_equal(share(on, 70), share(coarse, 60), tolerance = 0.05)
   # a third lattice: what its bottom does between is not what the gear at rest would show
-  fine <- as.data.frame(shot(1000))
+  fine <- as.data.frame(shot(600))
   off <- abs(coarse$value - fine$value)
   exact <- off <= 1e-7 * abs(fine$value)
   # of 54 values 0.9 less twice the deviation of that share
