@@ -64,7 +64,8 @@ uncertainty_columns <- function(uncertainty) {
   interval <- paste(ends$low, "to", ends$high)
   groups <- c("coefficients", "plan", "conditions", "lattice", "model")
   columns <- lapply(table[c("uncertainty", groups)], function(x) {
-    ifelse(x > 0, two_figures(x), "")
+    # a hundredth of the whole adds nothing to it
+    ifelse(x > table$uncertainty / 100, two_figures(x), "")
   })
   c(
     list(` measure` = words_of(table$measure, table$unit), value = figures(table$value),
