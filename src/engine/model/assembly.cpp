@@ -16,6 +16,7 @@ Assembly::Assembly(const Model& model)
       velocity_(position_.size()),
       load_(position_.size()),
       force_(position_.size()),
+      no_tension_(static_cast<std::size_t>(model.constraints()), 0.0),
       moved_(position_.size()),
       scale_(static_cast<std::size_t>(model.points())) {
   if (!model.wake.empty()) wake_.set_share(model.wake);
@@ -160,14 +161,12 @@ void Assembly::residual(double* force, const DualTension* dual) {
 }
 
 void Assembly::pull_of(const DualTension& dual, double* force) {
-  // Lines add their drag with their pull: it is taken off again.
-  const std::vector<double> none(dual.tension.size(), 0.0);
-  std::vector<double> drag(3 * static_cast<std::size_t>(model_.nodes));
+  // Lines add their drag with their pull: it is taken off before.
   std::fill(force_.begin(), force_.end(), 0.0);
-  add_pull(none.data(), none.data() + lines_.count(), drag.data());
-  std::fill(force_.begin(), force_.end(), 0.0);
+  lines_.add_force(no_tension_.data(), force_.data());
+  model_.contacts.add_force(field(), no_tension_.data() + lines_.count(), force_.data());
+  for (double& f : force_) f = -f;
   add_pull(dual.tension.data(), dual.tension.data() + lines_.count(), force);
-  for (std::size_t k = 0; k < drag.size(); ++k) force[k] -= drag[k];
 }
 
 void Assembly::add_pull(const double* tension, const double* normal_force, double* force) {

@@ -177,7 +177,7 @@ class Assembly {
   bool has_bodies_ = false;
   std::vector<char> in_body_;  // per node
   // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
-  std::vector<double> position_, velocity_, load_, force_, moved_, masses_, scale_;
+  std::vector<double> position_, velocity_, load_, force_, no_tension_, moved_, masses_, scale_;
 };
 
 }  // namespace codend

@@ -22,6 +22,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       step_(right_.size()),
       damping_(free_.size()),
       values_(9 * assembly.pattern().column.size()),
+      pull_(force_.size()),
       load_(total_load()),
       rounding_(rounding_force()),
       pseudo_time_(control.pseudo_time),
@@ -281,7 +282,6 @@ void SettleIteration::take_rest() {
   assembly_.residual(force_.data(), &path_.current());
   assembly_.move_to(from_x_.data(), v_);
   assembly_.bow_to(path_.current());
-  pull_.resize(force_.size());
   assembly_.pull_of(path_.correction(), pull_.data());
   for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
 }

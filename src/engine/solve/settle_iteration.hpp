@@ -84,7 +84,7 @@ class SettleIteration {
   const std::vector<int>& free_;
   const double* v_;
   double* x_;
-  std::vector<double> force_, dx_, right_, step_, damping_, values_, strain_;
+  std::vector<double> force_, dx_, right_, step_, damping_, values_, pull_, strain_;
   const double load_;           // N
   const double rounding_;       // N
   bool from_settled_ = false;   // the start is a settled state
@@ -98,7 +98,7 @@ class SettleIteration {
   // How much the last step turned lines, and where it began.
   double turned_ = 1.0;
   bool correcting_ = false, has_corrected_ = false;
-  std::vector<double> from_x_, pull_;
+  std::vector<double> from_x_;
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
   int settled_steps_ = 0;            // of that state's tensions
