@@ -6,7 +6,7 @@ level_ratio <- 7
 coarsest_nodes <- 250
 # Largest net force at the end, as a share of the largest tension, and most steps of a level.
 settle_tolerance <- 1e-8
-settle_iterations <- 400L
+settle_iterations <- 300L
 
 # The settled shape of the next coarser level, list(lattice, position = 3 x points, strain = of
 # every line or NULL, si, coarser = the same of the level before or NULL), or `found`, a shape to
