@@ -10,7 +10,7 @@ sinking_time <- 900
 most_sinkings <- 2L
 sinking_accuracy <- 0.5
 
-# As settle_level(), of the last of its trials. steps: of the coarsest level, at most.
+# As settle_level(), of the last of its trials.
 settle_shot <- function(gear, si, nodes, netting, progress) {
   free <- undivided(si)
   coarse <- min(nodes, coarsest_nodes)

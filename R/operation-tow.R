@@ -358,7 +358,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   what$lattice$engine$wake <- settled$wake
   # its gear's errors, as shares, are those that it has as its plan's conditions settle it
   what$compared <- tryCatch(
-    compared_lattices(settled_state(gear, nodes, netting, NULL, settle_iterations)),
+    compared_lattices(settled_state(gear, nodes, netting, NULL)),
     codend_error_not_converged = function(e) NULL
   )
   add_start(what, settled$position, c(-now$speed, 0, 0))
