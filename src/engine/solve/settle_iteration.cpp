@@ -107,7 +107,7 @@ bool SettleIteration::balanced() {
 }
 
 bool SettleIteration::nearly_balanced() const {
-  return pseudo_time_.found() && report_.residual < control_.law.residual;
+  return pseudo_time_.found() && report_.residual < control_.law.settled_residual;
 }
 
 bool SettleIteration::far_on_path() const {
