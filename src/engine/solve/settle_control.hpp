@@ -102,9 +102,9 @@ struct WakeControl {
   double tolerance = wake_tolerance;
   int renewals = 20, searches = 4, settled_searches = 1;
   // From other than a settled state they are followed before: where the shape is found and the residual
-  // is below settled_residual of the law, and of a shape that is carried over from the start on, as long
-  // as the path's mu is at least this: later a point that comes into a wake costs as many steps as a
-  // start.
+  // below settled_residual of the law; of a shape that is carried over below `residual` of the law, and
+  // from the start on as long as the path's mu is at least this: later a point that comes into a wake
+  // costs as many steps as a start.
   double far_parameter = 1e-6;
 };
 

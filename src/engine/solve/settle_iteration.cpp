@@ -107,7 +107,9 @@ bool SettleIteration::balanced() {
 }
 
 bool SettleIteration::nearly_balanced() const {
-  return pseudo_time_.found() && report_.residual < control_.law.settled_residual;
+  const LawControl& law = control_.law;
+  const double most = control_.start == Start::near ? law.residual : law.settled_residual;
+  return pseudo_time_.found() && report_.residual < most;
 }
 
 bool SettleIteration::far_on_path() const {
@@ -186,7 +188,7 @@ void SettleIteration::step() {
 void SettleIteration::choose_law() {
   const LawControl& law = control_.law;
   const bool tried = law_steps_ >= law.steps;
-  if (on_law_ &&
+  if (on_law_ && law_steps_ > 0 &&
       (!pseudo_time_.found() || (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
