@@ -53,7 +53,5 @@ offered_catalogue <- remembered(function() {
 })
 
 catalogue_json <- function() {
-  text <- as.character(jsonlite::toJSON(offered_catalogue(), auto_unbox = TRUE))
-  # nothing in it ends the page's script
-  gsub("</", "<\\/", text, fixed = TRUE)
+  escape_json(as.character(jsonlite::toJSON(offered_catalogue(), auto_unbox = TRUE)))
 }

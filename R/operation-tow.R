@@ -318,9 +318,7 @@ tow_quantity <- function(value, name, dimension) {
 settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
-  if (!is.null(si$shooting)) {
-    return(shot_trajectory(gear, si, given, until, nodes, netting))
-  }
+  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
   if (!is.null(si$laid)) {
     return(laid_trajectory(settle(gear, nodes, netting), given, until))
   }

@@ -15,9 +15,7 @@ share_file <- function(name) {
 packed_text <- function(text) deflated(charToRaw(enc2utf8(text)))
 
 scene_json <- function(scene) {
-  # no mark that HTML knows, whatever takes the text out again
-  text <- as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null"))
-  gsub("<", "\\u003c", text, fixed = TRUE)
+  escape_json(as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null")))
 }
 
 # What the page unpacks, by name: deflated bytes as letters_of() gives them.

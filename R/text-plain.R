@@ -13,6 +13,10 @@ plain_message <- function(condition) {
 # Text as it may stand in HTML and XML, between tags and as the value of an attribute.
 escape_markup <- function(text) htmltools::htmlEscape(text, attribute = TRUE)
 
+# JSON without any `<`: within a page's script, `<!--` and `<script` of a name would hide all that
+# follows, and `</script` would end it.
+escape_json <- function(text) gsub("<", "\\u003c", text, fixed = TRUE)
+
 capital <- function(text) paste0(toupper(substr(text, 1, 1)), substring(text, 2))
 
 # The value of an expression in which numbers become text as they do without options(OutDec,

@@ -78,14 +78,13 @@ viewed_scene <- function(of, colour = "tension") {
   )
 }
 
-# JSON as htmlwidgets asks for it, without any `<`: within a page's script, `<!--` and `<script` of
-# a name would hide all that follows.
+# JSON as htmlwidgets asks for it.
 embedded_json <- function(x, ...) {
   text <- jsonlite::toJSON(
     I(x), dataframe = "columns", null = "null", na = "null", auto_unbox = TRUE, digits = 16,
     use_signif = TRUE, force = TRUE, rownames = FALSE, keep_vec_names = TRUE, json_verbatim = TRUE
   )
-  structure(gsub("<", "\\u003c", text, fixed = TRUE), class = "json")
+  structure(escape_json(text), class = "json")
 }
 
 # A scene as a widget that fills its place; element: its name in HTML, or NULL for a random one.

@@ -2,7 +2,7 @@
 # three kinds, each against a grid of settled gears, both with 300 nodes and no finer lattice.
 # Writes bench/results/kinks.md.
 library(codend)
-source(file.path("bench", "results.R"))
+for (room in c("results", "forge")) source(file.path("bench", paste0(room, ".R")))
 
 nodes <- 300
 across <- 13  # gears of the grid along each of two fields
@@ -44,8 +44,8 @@ own_range <- function(plan, field, range) {
   if (is.numeric(range) || !all(grepl("%$", range))) return(range)
   own <- Reduce(function(x, name) x[[name]], strsplit(field, ".", fixed = TRUE)[[1L]], plan)
   own <- if (is.list(own)) own$value else own
-  share <- as.numeric(sub(" *%", "", range)) / 100
-  paste(as.numeric(sub(" .*", "", own)) * share, sub("^[^ ]* ", "", own))
+  shares <- as.numeric(sub(" *%", "", range)) / 100
+  vapply(shares, function(share) scaled_value(own, share), "", USE.NAMES = FALSE)
 }
 
 run <- function(k) {

@@ -105,7 +105,7 @@ whole <- function(...) {
 # The same cases each time, as many as the machine gets through.
 fuzz <- function() whole("tests/fuzz/run.R", "60", "1")
 
-# Sixty gears drawn at random, others every time: it says which.
+# A hundred gears drawn at random, others every time: it says which.
 forge <- function() {
   seed <- as.integer(Sys.time()) %% 1e6
   whole("bench/settle-forge.R", "count=100", paste0("seed=", seed), "least=0.9")

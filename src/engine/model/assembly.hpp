@@ -71,8 +71,8 @@ class Assembly {
   void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
-  // Bows of cells' twines by the tensions of a solver (Lines), all the way or by steps, until the next
-  // move_to(): strains and derivatives are then those that the solver needs.
+  // Bows of cells' twines by the tensions of a solver (Lines), until the next move_to(): strains and
+  // derivatives are then those that the solver needs.
   void bow_to(const DualTension& dual) { lines_.bow_to(dual.tension.data()); }
   // Adds to `strain` (per line) what bows change of strains (Lines::share_bows()).
   void share_bows(const DualTension& dual, const double* mismatch, const double* change,

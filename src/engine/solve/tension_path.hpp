@@ -31,8 +31,6 @@ class TensionPath {
   static constexpr double near_parameter = 1e-4, settled_parameter = 1e-9;
   double parameter() const { return parameter_; }
   void follow(const std::vector<double>& strain, double parameter);
-  // The same for one line at the present mu.
-  void follow(std::size_t k, double strain);
 
   // Before a Newton step at strains towards `reduction` times the present mu, or `least`: after it `current()`
   // holds T and the modulus of the step's matrix, `predicted()` the tensions of its right side.
@@ -56,6 +54,8 @@ class TensionPath {
   void add_bows(const Assembly& assembly);
   // ratio_: of slack to tension, in the step's matrix.
   std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_, bow_;
+  // follow() of one line or contact at the present mu.
+  void follow(std::size_t k, double strain);
   void rest_contact(std::size_t k, double penetration);
   // What a line's strain misses of that of its tension and slack variable, on the way to mu.
   void mismatch(std::size_t k, double strain, double stretched);
