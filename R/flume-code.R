@@ -1,19 +1,19 @@
 # The R code that makes what the flume tank shows.
 
-# loaded, pinned, design: gears, `loaded` as it was opened; nodes: of the lattice, about.
-flume_code <- function(loaded, pinned, design, nodes) {
+# loaded, kept, design: gears, `loaded` as it was opened; nodes: of the lattice, about.
+flume_code <- function(loaded, kept, design, nodes) {
   settle_call <- function(gear) {
     paste0("settle(", gear, ", nodes = ", shortest_decimal(nodes), ")")
   }
-  differ <- !identical(pinned$plan, design$plan)
+  differ <- !identical(kept$plan, design$plan)
   lines <- c(
     "library(codend)", "", gear_code("gear", loaded, design, "loaded"),
     paste("state <-", settle_call("gear")), "", "summary(state)", "plot(state)", "view_3d(state)"
   )
   if (differ) {
     lines <- c(
-      lines, "", "# beside the pinned design", gear_code("pinned", loaded, pinned, "loaded_pinned"),
-      paste("reference <-", settle_call("pinned")),
+      lines, "", "# compared with the kept design", gear_code("kept", loaded, kept, "loaded_kept"),
+      paste("reference <-", settle_call("kept")),
       "named <- intersect(names(measures(state)), names(measures(reference)))",
       "measures(state)[named] - measures(reference)[named]"
     )

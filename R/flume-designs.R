@@ -3,11 +3,12 @@
 # Designs that a page may keep.
 most_kept <- 24L
 
-# One design that is kept: found = list(gear, drawing, measures).
+# One design that is kept: found = list(gear, drawing, measures). `seen` says whether it is in the
+# picture.
 kept_design <- function(id, name, found) {
   list(
     id = id, name = name, design = design_of(found$gear), gear = found$gear,
-    drawing = found$drawing, measures = found$measures
+    drawing = found$drawing, measures = found$measures, seen = TRUE
   )
 }
 

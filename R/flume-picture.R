@@ -1,4 +1,4 @@
-# What the flume tank's viewer is sent: scenes of the design on screen and the pinned one, in a few
+# What the flume tank's viewer is sent: scenes of the design on screen and of kept ones, in a few
 # tens of kilobytes; what joins their points only when it changes.
 
 # Lines and cells that a tank's picture has at most.
@@ -14,25 +14,22 @@ flume_drawing <- function(state) {
   )
 }
 
-# The message of a picture. now and pinned: drawings; known: list(now, pinned) of those that the
-# page already has, NULL at first; passed: whether the page has the present shape from
-# moved_message(). Colours of both have the same scales, so that they compare.
-picture_message <- function(state, now, pinned, known, passed = FALSE) {
-  about <- scene_about(state, list(now, pinned))
-  part <- function(drawing, before, passed = FALSE) {
-    c(
-      list(times = I(0), labels = I("")),
-      # the kept design seldom moves
-      if (passed) {
-        drawing$moved[setdiff(names(drawing$moved), moved_arrays)]
-      } else if (!identical(drawing$moved, before$moved)) {
-        drawing$moved
-      },
-      if (!identical(drawing$fixed, before$fixed)) drawing$fixed
-    )
-  }
+# The message of a picture. now: a drawing; seen: kept designs that are drawn with it; known: what
+# the page already has, list(now = a drawing, kept = ids), NULL at first; passed: whether the page
+# has the present shape from moved_message(). Colours of all have the same scales, so that they
+# compare.
+picture_message <- function(state, now, seen, known, passed = FALSE) {
+  moved <- if (passed) now$moved[setdiff(names(now$moved), moved_arrays)] else now$moved
+  about <- scene_about(state, c(list(now), lapply(seen, `[[`, "drawing")))
   list(
-    now = part(now, known$now, passed), pinned = part(pinned, known$pinned), of_both = about,
+    now = c(moved, if (!identical(now$fixed, known$now$fixed)) now$fixed),
+    kept = lapply(seen, function(one) {
+      new <- !one$id %in% known$kept
+      list(
+        id = one$id, name = one$name, scene = if (new) c(one$drawing$moved, one$drawing$fixed)
+      )
+    }),
+    of_all = c(list(times = I(0), labels = I("")), about),
     name = about$name, conditions = conditions_text(state$si)
   )
 }

@@ -22,7 +22,7 @@ flume_saves <- function(output, tank, clerk) {
     )), ""), file)
   })
   output$save_measures <- save("-measures", "csv", table(function() {
-    measure_changes(tank$measures, tank$pinned$measures)
+    measure_changes(tank$measures, tank$kept[[1L]]$measures)
   }))
   output$save_designs <- save("-designs", "csv", table(function() {
     designs_frame(c(tank$kept, list(list(name = "On screen", measures = tank$measures))))

@@ -248,7 +248,8 @@ flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_work
     } else {
       good <- trying("keep", switch(act,
         compare = tank$compare(asked$id), remove = tank$remove(asked$id),
-        rename = tank$rename(asked$id, asked$name)
+        rename = tank$rename(asked$id, asked$name), show = tank$see(asked$id, TRUE),
+        hide = tank$see(asked$id, FALSE)
       ))
       if (good && !is.null(tank$gear)) show()
     }
@@ -301,7 +302,7 @@ flume_shown <- function(input, output, tank, said) {
   measured <- function(key) {
     of_state(function() {
       tank$uncertainty_changed()
-      measures_html(tank$measures, tank$pinned$measures, tank$preferred,
+      measures_html(tank$measures, tank$kept[[1L]]$measures, tank$preferred,
         if (isTRUE(input$with_intervals)) tank$uncertainty, key)
     })
   }
@@ -311,7 +312,7 @@ flume_shown <- function(input, output, tank, said) {
   shiny::outputOptions(output, "other_measures", suspendWhenHidden = FALSE)
   output$tensions <- of_state(function() tensions_html(tank$state))
   output$drag <- of_state(function() drag_html(tank$state))
-  output$differences <- of_state(function() differences_html(tank$pinned$gear, tank$gear))
+  output$differences <- of_state(function() differences_html(tank$kept[[1L]]$gear, tank$gear))
   output$designs <- of_state(function() {
     tank$kept_changed()
     on_screen <- list(list(name = "On screen", measures = tank$measures))
@@ -330,7 +331,7 @@ flume_shown <- function(input, output, tank, said) {
   })
   shiny::observe({
     tank$kept_changed()
-    said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name")))
+    said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name", "seen")))
   })
   shiny::observeEvent(input$offers, {
     asked <- as.list(input$offers)

@@ -27,22 +27,22 @@ text_rows <- function(table) {
   lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
 }
 
-# Measures of two states beside each other: data frame with measure, unit, now, its error, pinned,
-# change, change_percent (NA where only one has the measure, or the pinned one is 0), definition.
-measure_changes <- function(now, pinned) {
-  names <- union(names(now), names(pinned))
-  unit <- unname(c(attr(now, "unit"), attr(pinned, "unit"))[names])
+# Measures of two states beside each other: data frame with measure, unit, now, its error, kept,
+# change, change_percent (NA where only one has the measure, or the kept one is 0), definition.
+measure_changes <- function(now, kept) {
+  names <- union(names(now), names(kept))
+  unit <- unname(c(attr(now, "unit"), attr(kept, "unit"))[names])
   error <- unname(attr(now, "error")[names])
   definition <- c(
-    setNames(definitions_of(now), names(now)), setNames(definitions_of(pinned), names(pinned))
+    setNames(definitions_of(now), names(now)), setNames(definitions_of(kept), names(kept))
   )[names]
   now <- unname(plain_measures(now)[names])
-  pinned <- unname(plain_measures(pinned)[names])
-  change <- now - pinned
+  kept <- unname(plain_measures(kept)[names])
+  change <- now - kept
   data.frame(
     measure = words_of(names, unit), unit = unit,
-    now = now, error = error, pinned = pinned, change = change,
-    change_percent = ifelse(pinned == 0, NA_real_, 100 * change / abs(pinned)),
+    now = now, error = error, kept = kept, change = change,
+    change_percent = ifelse(kept == 0, NA_real_, 100 * change / abs(kept)),
     definition = unname(definition)
   )
 }
@@ -81,18 +81,18 @@ decimals_of <- function(largest) {
 
 # preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL; key: those
 # that come first, or the others.
-measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL, key = TRUE) {
-  table <- measure_changes(now, pinned)
-  names <- union(names(now), names(pinned))
+measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key = TRUE) {
+  table <- measure_changes(now, kept)
+  names <- union(names(now), names(kept))
   shown_here <- (names %in% key_names(names)) == key
   if (!any(shown_here)) return(NULL)
   table <- table[shown_here, ]
   names <- names[shown_here]
   units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
   factor <- vapply(units, `[[`, 0, "value")
-  numbers <- c("now", "error", "pinned", "change")
+  numbers <- c("now", "error", "kept", "change")
   table[numbers] <- lapply(table[numbers], `*`, factor)
-  decimals <- decimals_of(pmax(abs(table$now), abs(table$pinned), na.rm = TRUE))
+  decimals <- decimals_of(pmax(abs(table$now), abs(table$kept), na.rm = TRUE))
   change <- signed(table$change, decimals)
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
@@ -103,7 +103,7 @@ measures_html <- function(now, pinned, preferred = list(), uncertainty = NULL, k
   }
   rows <- data.frame(
     paste0(table$measure, " (", vapply(units, `[[`, "", "unit"), ")"), shown,
-    fixed_decimals(table$pinned, decimals), change, percent
+    fixed_decimals(table$kept, decimals), change, percent
   )
   shiny::tagList(
     html_table(if (key) "Key measures" else "Other measures",
@@ -227,8 +227,8 @@ plan_differences <- function(one, other) {
   found
 }
 
-differences_html <- function(pinned, now) {
-  found <- plan_differences(pinned$plan, now$plan)
+differences_html <- function(kept, now) {
+  found <- plan_differences(kept$plan, now$plan)
   if (!length(found)) {
     return(shiny::tags$p("The design on screen is the kept one that it is compared with."))
   }

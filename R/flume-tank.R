@@ -5,7 +5,7 @@
 # with it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the
 # pictures, `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and
 # `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
-# `pinned` is the kept design that others are compared with.
+# The first of the designs that are kept is the one that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
 new_tank <- function(start, marked, nodes) {
@@ -117,7 +117,6 @@ new_tank <- function(start, marked, nodes) {
     tank$ids <- tank$ids + 1L
     name <- design_name(name, paste("Design", tank$ids))
     tank$kept <- c(tank$kept, list(kept_design(tank$ids, name, found)))
-    if (length(tank$kept) == 1L) tank$pinned <- tank$kept[[1L]]
     count(tank$kept_changed)
   }
   tank$kept_at <- function(id) {
@@ -131,30 +130,37 @@ new_tank <- function(start, marked, nodes) {
     tank$kept[[k]]$name <- design_name(name, tank$kept[[k]]$name)
     count(tank$kept_changed)
   }
+  # Whether a kept design is in the picture; the first one always is.
+  tank$see <- function(id, seen) {
+    k <- tank$kept_at(id)
+    tank$kept[[k]]$seen <- seen || k == 1L
+    count(tank$kept_changed)
+  }
   # The design that others are compared with comes first.
   tank$compare <- function(id) {
     k <- tank$kept_at(id)
     tank$kept <- c(tank$kept[k], tank$kept[-k])
-    tank$pinned <- tank$kept[[1L]]
+    tank$kept[[1L]]$seen <- TRUE
     count(tank$kept_changed)
   }
   tank$remove <- function(id) {
     k <- tank$kept_at(id)
     if (length(tank$kept) == 1L) abort_argument("One design stays, to compare with.")
     tank$kept <- tank$kept[-k]
-    tank$pinned <- tank$kept[[1L]]
+    tank$kept[[1L]]$seen <- TRUE
     count(tank$kept_changed)
   }
 
   # passed: whether the page has the shape already.
   tank$picture <- function(passed = FALSE) {
-    message <- picture_message(tank$state, tank$drawing, tank$pinned$drawing, tank$known, passed)
-    tank$known <- list(now = tank$drawing, pinned = tank$pinned$drawing)
+    seen <- Filter(function(one) one$seen, tank$kept)
+    message <- picture_message(tank$state, tank$drawing, seen, tank$known, passed)
+    tank$known <- list(now = tank$drawing, kept = vapply(seen, `[[`, 0L, "id"))
     message
   }
   # The page draws what nobody here knows, or no longer.
   tank$forget_picture <- function() tank$known["now"] <- list(NULL)
-  tank$code <- function() flume_code(tank$loaded, tank$pinned$gear, tank$gear, nodes)
+  tank$code <- function() flume_code(tank$loaded, tank$kept[[1L]]$gear, tank$gear, nodes)
   # What the address says: the design on screen and those that are kept.
   tank$words <- function() {
     named <- lapply(tank$kept, function(kept) c(list(name = kept$name), design_words(kept$design)))

@@ -22,7 +22,8 @@
 #' - the measures, each with its change from a kept design, and warnings ([findings()]):
 #'   they follow when a slider pauses, and twice a second while it moves. The gear is kept as it was
 #'   opened; *Keep this design* keeps others, and a table has all next to each other. Each can be
-#'   put on screen again, or drawn over the other or next to it;
+#'   put on screen again. Any number of them is drawn under the present one, each in its colour, or
+#'   side by side, aligned at the bosom (level, where there is a bed) or at the towing point;
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
 #' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
 #'   or what the plan's section `tow` says, to play with its graphs;

@@ -123,9 +123,18 @@ window.codendDesigns = (function () {
     var place = find('kept_designs');
     place.textContent = '';
     first = kept.length ? kept[0].id : null;
+    var seen = 0;
     kept.forEach(function (one, k) {
-      var row = element('div', 'kept-row'), name = element('input', 'form-control form-control-sm',
-        undefined, { type: 'text', 'aria-label': 'Name of a kept design', maxlength: 60 });
+      var row = element('div', 'kept-row'), tick = element('input', 'form-check-input', undefined,
+        { type: 'checkbox', 'aria-label': 'In the picture: ' + one.name, title: 'In the picture' });
+      tick.checked = one.seen;
+      tick.addEventListener('change', function () { act(one.id, tick.checked ? 'show' : 'hide'); });
+      row.appendChild(tick);
+      var colour = element('span', 'kept-colour');
+      if (one.seen) colour.style.background = window.codendView.kept_colour(seen++);
+      row.appendChild(colour);
+      var name = element('input', 'form-control form-control-sm', undefined,
+        { type: 'text', 'aria-label': 'Name of a kept design', maxlength: 60 });
       name.value = one.name;
       name.addEventListener('change', function () { act(one.id, 'rename', name.value); });
       row.appendChild(name);

@@ -138,8 +138,9 @@ window.codendTank = (function () {
     },
     picture: function (message) {
       if (!viewer) return;
-      viewer.show(Object.assign(message.now, message.of_both),
-        Object.assign(message.pinned, message.of_both));
+      viewer.show(Object.assign(message.now, message.of_all), message.kept.map(function (one) {
+        return { key: one.id, name: one.name, scene: Object.assign({}, one.scene, message.of_all) };
+      }));
       about = viewer.gear().told;
       repaint_planes();
     },

@@ -564,6 +564,28 @@ window.codendView.gear = function (materials) {
     return { opening: one('opening'), angle: one('angle') };
   };
 
+  // Where designs are aligned, now: the bosom, which is the head line's place furthest aft, and the
+  // middle of the towing points, each [x, y, z] or missing.
+  gear.places_to_align = function () {
+    var found = {}, p = gear.points, ropes = gear.ropes, marks = told.marks;
+    for (var l = 0; l < ropes.part.length; l++) {
+      if (told.parts.role[ropes.part[l]] !== 'head_line') continue;
+      [2 * l, 2 * l + 1].forEach(function (end) {
+        var i = 3 * ropes.ends[end];
+        if (!found.bosom || p[i] > found.bosom[0]) found.bosom = [p[i], p[i + 1], p[i + 2]];
+      });
+    }
+    function middle_of(role) {
+      var own = marks.role.map(function (name, i) { return name === role ? i : -1; })
+        .filter(function (i) { return i >= 0; });
+      return own.length ? [0, 1, 2].map(function (axis) {
+        return own.reduce(function (sum, i) { return sum + gear.at[3 * i + axis]; }, 0) / own.length;
+      }) : null;
+    }
+    found.towing = middle_of('moved') || middle_of('fixed');
+    return found;
+  };
+
   // Ranges of the whole gear and of its netting with the pieces beside it at all times: {low, high},
   // the latter null without netting.
   gear.ranges = function () {

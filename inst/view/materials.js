@@ -4,6 +4,11 @@ window.codendView = window.codendView || {};
 window.codendView.rgb = function (hex) {
   return [1, 3, 5].map(function (at) { return parseInt(hex.slice(at, at + 2), 16) / 255; });
 };
+// Colours of the kept designs over which another is drawn, told apart by readers who see no red or green
+// (after Okabe and Ito, Color Universal Design, 2008).
+window.codendView.kept_colour = function (k) {
+  return ['#7F8B95', '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#56B4E9', '#8C6D00', '#000000'][k % 8];
+};
 window.codendView.materials = function () {
   'use strict';
   var T = window.THREE, rgb = window.codendView.rgb;

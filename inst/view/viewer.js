@@ -4,10 +4,11 @@
 //
 // codendView.viewer(host, options) fills the element `host`. options: title (whether the gear's name
 // stands over the picture), colour (what colours show at first). The viewer has
-//   show(now, pinned)     takes scenes, or what of them has changed
+//   show(now, kept)       takes a scene, or what of it has changed, and designs beside it: [{key, name,
+//                         scene}], the scene whole at first, then what is about all
 //   pass(part)            takes a shape that the gear passes through, and draws that at once
 //   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
-//                         over, beside)
+//                         over, beside), align (bosom, towing)
 //   seek(s)               shows a moment of what moves
 //   picture()             the picture as the address of its own PNG, on white
 //   flat(...)             draws the gear flat on a part of another canvas
@@ -40,8 +41,10 @@ window.codendView.viewer = function (host, options) {
   renderer.debug.checkShaderErrors = false;
 
   var materials = view.materials(), shared = materials.shared;
-  var gears = { now: null, pinned: null }, told = null;
-  var choice = { focus: 'net', from: 'bow', compare: 'off', colour: options.colour || 'tension' };
+  var gears = { now: null }, kept = [], told = null;  // kept: [{key, name, gear}]
+  var choice = {
+    focus: 'net', from: 'bow', compare: 'off', align: 'bosom', colour: options.colour || 'tension'
+  };
   // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards,
   // radians.
   var directions = {
@@ -78,21 +81,39 @@ window.codendView.viewer = function (host, options) {
     return range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
   }
 
+  // The gears in the picture.
+  function compared() {
+    if (choice.compare === 'off') return [gears.now];
+    return kept.map(function (one) { return one.gear; }).concat(gears.now);
+  }
+
+  // How far (m) a gear is moved for its bosom or towing point to meet that of the present one; level
+  // where heights above a bed compare.
+  function shift_of(gear) {
+    if (gear === gears.now) return [0, 0, 0];
+    var at = gear.places_to_align()[choice.align], to = gears.now.places_to_align()[choice.align];
+    return at && to ? [to[0] - at[0], to[1] - at[1], told.bed ? 0 : to[2] - at[2]] : [0, 0, 0];
+  }
+
   // What is looked at. It follows the gear only when it leaves, so that a gear that grows is seen to
   // grow.
   var held = {};
   function focus() {
     var key = choice.focus;
-    function of(gear) { return gear && (gear.range[key] || gear.range.whole); }
-    var all = choice.compare === 'off' ? of(gears.now) : join(of(gears.now), of(gears.pinned));
-    var kept = held[key];
-    if (kept) {
-      var size = longest(kept), slack = 0.06 * size, fits = longest(all) > 0.6 * size;
+    function of(gear) {
+      var range = gear.range[key] || gear.range.whole, by = shift_of(gear);
+      function moved(end) { return end.map(function (v, k) { return v + by[k]; }); }
+      return { low: moved(range.low), high: moved(range.high) };
+    }
+    var all = compared().map(of).reduce(join);
+    var before = held[key];
+    if (before) {
+      var size = longest(before), slack = 0.06 * size, fits = longest(all) > 0.6 * size;
       for (var axis = 0; axis < 3; axis++) {
-        fits = fits && all.low[axis] > kept.low[axis] - slack &&
-          all.high[axis] < kept.high[axis] + slack;
+        fits = fits && all.low[axis] > before.low[axis] - slack &&
+          all.high[axis] < before.high[axis] + slack;
       }
-      if (fits) return kept;
+      if (fits) return before;
     }
     held[key] = { low: all.low.slice(), high: all.high.slice() };
     return held[key];
@@ -118,15 +139,15 @@ window.codendView.viewer = function (host, options) {
       }));
     }
     if (told.times.length > 1) return corners;
-    ['now', 'pinned'].forEach(function (name) {
-      var gear = gears[name];
-      if (!gear || name === 'pinned' && choice.compare === 'off') return;
+    compared().forEach(function (gear) {
+      var by = shift_of(gear);
       [[gear.points], [gear.at, gear.told.marks.size]].forEach(function (all) {
         var p = all[0];
         for (var i = 0; i < p.length; i += 3) {
-          if ([0, 1, 2].every(function (axis) {
-            return p[i + axis] >= range.low[axis] - 1e-6 && p[i + axis] <= range.high[axis] + 1e-6;
-          })) found.push([p[i], p[i + 1], p[i + 2], all[1] ? all[1][i / 3] / 2 : 0]);
+          var at = [p[i] + by[0], p[i + 1] + by[1], p[i + 2] + by[2]];
+          if (at.every(function (v, axis) {
+            return v >= range.low[axis] - 1e-6 && v <= range.high[axis] + 1e-6;
+          })) found.push(at.concat(all[1] ? all[1][i / 3] / 2 : 0));
         }
       });
     });
@@ -199,9 +220,8 @@ window.codendView.viewer = function (host, options) {
   }
 
   function aspect() {
-    var across = canvas.clientWidth || 1, up = canvas.clientHeight || 1;
-    if (choice.compare === 'beside') { if (across > up) across /= 2; else up /= 2; }
-    return across / up;
+    var box = boxes(canvas.clientWidth || 1, canvas.clientHeight || 1)[0];
+    return box.width / box.height;
   }
 
   // Looks at the focus from where the eye is, from as far as is needed.
@@ -326,21 +346,37 @@ window.codendView.viewer = function (host, options) {
     return shared.pixel.value * shared.ratio.value * perspective.position.distanceTo(place);
   }
 
+  // ghost: the one colour that it has, or null. The eye moves the other way for a gear that is moved.
   function draw_gear(gear, eye, ghost, size) {
+    var by = shift_of(gear), from = eye.position.clone();
     shared.ghost.value = ghost ? 0.85 : 0;
+    if (ghost) shared.ghostColour.value.set(ghost);
+    eye.position.sub(new T.Vector3().fromArray(by));
+    eye.updateMatrixWorld();
     gear.place_marks(size);
     renderer.render(gear.scene, eye);
+    eye.position.copy(from);
+    eye.updateMatrixWorld();
+  }
+
+  // The kept designs over which the present one is drawn, each in its colour.
+  function draw_kept(eye, size) {
+    kept.forEach(function (one, k) { draw_gear(one.gear, eye, view.kept_colour(k), size); });
   }
 
   function boxes(width, height) {
-    if (choice.compare !== 'beside' || !gears.pinned) {
-      return [{ left: 0, top: 0, width: width, height: height, gear: 'now' }];
+    if (choice.compare !== 'beside' || !kept.length) {
+      return [{ left: 0, top: 0, width: width, height: height, gear: gears.now }];
     }
-    var wide = width > height, w = wide ? width / 2 : width, h = wide ? height : height / 2;
-    return [
-      { left: 0, top: 0, width: w, height: h, gear: 'pinned' },
-      { left: wide ? w : 0, top: wide ? 0 : h, width: w, height: h, gear: 'now' }
-    ];
+    var all = kept.concat({ name: 'Now', gear: gears.now }), n = all.length;
+    var columns = Math.min(n, Math.max(1, Math.round(Math.sqrt(n * width / height))));
+    var w = width / columns, h = height / Math.ceil(n / columns);
+    return all.map(function (one, k) {
+      return {
+        left: k % columns * w, top: Math.floor(k / columns) * h, width: w, height: h, gear: one.gear,
+        name: one.name
+      };
+    });
   }
 
   function fog_colour(hex) { shared.fogColour.value.set(hex); }
@@ -389,10 +425,8 @@ window.codendView.viewer = function (host, options) {
       shared.pixel.value /= ratio;
       shared.ghost.value = 0;
       renderer.render(around, perspective);
-      if (choice.compare === 'over' && gears.pinned) {
-        draw_gear(gears.pinned, perspective, true, size_at);
-      }
-      draw_gear(gears[box.gear], perspective, false, size_at);
+      if (choice.compare === 'over') draw_kept(perspective, size_at);
+      draw_gear(box.gear, perspective, null, size_at);
       shared.ghost.value = 0;
       renderer.render(above, perspective);
     });
@@ -430,7 +464,7 @@ window.codendView.viewer = function (host, options) {
   tip.setAttribute('role', 'status');
   tip.hidden = true;
   var labels = {};
-  ['surface', 'bed', 'now', 'pinned', 'vessel'].forEach(function (name) {
+  ['surface', 'bed', 'vessel'].forEach(function (name) {
     labels[name] = element('div', 'view-label view-label-' + name);
     host.appendChild(labels[name]);
   });
@@ -447,7 +481,8 @@ window.codendView.viewer = function (host, options) {
   }
   function group(words) { return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words }); }
 
-  var groups = { focus: group('Look at'), from: group('Look from'), compare: group('Pinned design') };
+  var groups = { focus: group('Look at'), from: group('Look from'), compare: group('Kept designs') };
+  var names = [];  // of designs side by side
   [['net', 'Net', 'n'], ['whole', 'Whole gear', 'g']].forEach(function (one) {
     groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
   });
@@ -460,6 +495,14 @@ window.codendView.viewer = function (host, options) {
     'aria-label': 'What the colours show', title: 'What the colours show (key c)'
   });
   colours.addEventListener('change', function () { choose('colour', colours.value); });
+  var align = element('select', 'view-colour', undefined, {
+    'aria-label': 'Designs are aligned at', title: 'Designs are aligned at'
+  });
+  [['bosom', 'At the bosom'], ['towing', 'At the towing point']].forEach(function (one) {
+    align.appendChild(element('option', '', one[1], { value: one[0] }));
+  });
+  align.addEventListener('change', function () { choose('align', align.value); });
+  groups.compare.appendChild(align);
   var help = element('button', 'view-button', '?', {
     type: 'button', 'aria-expanded': 'false', 'aria-label': 'Keys', title: 'Keys (key h)'
   });
@@ -529,7 +572,9 @@ window.codendView.viewer = function (host, options) {
     }
     if (choice.colour === 'slack') entry('taut', '#5F7482', 'line');
     if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry('rope', '#4A545C', 'line');
-    if (choice.compare === 'over') entry('pinned', '#7F8B95', 'line');
+    if (choice.compare === 'over') {
+      kept.forEach(function (one, k) { entry(one.name, view.kept_colour(k), 'line'); });
+    }
     var marks = told.marks;
     marks.label.forEach(function (words, k) {
       if (marks.label.indexOf(words) === k) {
@@ -574,24 +619,20 @@ window.codendView.viewer = function (host, options) {
       'sea bed, ' + three(-depth) + ' m deep');
     var vessel = gears.now.vessels[0];
     put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], 'vessel');
-    ['now', 'pinned'].forEach(function (name) {
-      labels[name].hidden = choice.compare !== 'beside' || !gears.pinned;
+    names.forEach(function (label) { label.remove(); });
+    names = boxes(width, height).filter(function (one) { return one.name; }).map(function (one) {
+      var label = element('div', 'view-label view-label-name', one.name);
+      label.style.left = one.left + one.width / 2 + 'px';
+      label.style.top = one.top + (one.top ? 16 : bar.offsetTop + bar.offsetHeight + 22) + 'px';
+      return host.appendChild(label);
     });
-    if (choice.compare === 'beside') {
-      boxes(width, height).forEach(function (one) {
-        var label = labels[one.gear];
-        label.textContent = one.gear === 'now' ? 'Now' : 'Pinned';
-        label.style.left = one.left + one.width / 2 + 'px';
-        label.style.top = one.top + 50 + 'px';
-      });
-    }
     return box;
   }
 
   // A length at the middle of what is looked at.
   function tell_scale() {
-    var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / canvas.clientHeight;
-    if (choice.compare === 'beside' && canvas.clientWidth <= canvas.clientHeight) metres *= 2;
+    var box = boxes(canvas.clientWidth, canvas.clientHeight)[0];
+    var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / box.height;
     var long = round(90 * metres);
     scaleBar.textContent = '';
     var line = element('i', 'line');
@@ -632,7 +673,7 @@ window.codendView.viewer = function (host, options) {
   function on_screen() {
     if (seen) return seen;
     var gear = gears.now, box = boxes(canvas.clientWidth, canvas.clientHeight).filter(function (b) {
-      return b.gear === 'now';
+      return b.gear === gears.now;
     })[0];
     set_eye(box.width, box.height);
     shared.pixel.value /= shared.ratio.value;
@@ -790,7 +831,11 @@ window.codendView.viewer = function (host, options) {
     } else {
       press(what, value);
       held = {};
-      if (gears.now) aim();
+      if (gears.now) {
+        offer_align();
+        recolour();
+        aim();
+      }
     }
     if (told) write_legend();
     repaint();
@@ -798,9 +843,15 @@ window.codendView.viewer = function (host, options) {
   }
 
   function recolour() {
-    ['now', 'pinned'].forEach(function (name) {
-      if (gears[name]) gears[name].colour(choice.colour);
-    });
+    compared().forEach(function (gear) { gear.colour(choice.colour); });
+  }
+
+  // Where the designs in the picture can be aligned.
+  function offer_align() {
+    var places = gears.now ? gears.now.places_to_align() : {};
+    align.hidden = choice.compare === 'off' || !places.bosom || !places.towing;
+    if (!places[choice.align]) choice.align = places.bosom ? 'bosom' : 'towing';
+    align.value = choice.align;
   }
 
   var fingers = {}, apart = 0, hovering = null, chosen = false;
@@ -948,8 +999,8 @@ window.codendView.viewer = function (host, options) {
     renderer.setViewport(0, 0, width, height);
     renderer.clear();
     function pixel() { return 1 / scale; }
-    if (choice.compare !== 'off' && gears.pinned) draw_gear(gears.pinned, flatCamera, true, pixel);
-    draw_gear(gears.now, flatCamera, false, pixel);
+    if (choice.compare !== 'off') draw_kept(flatCamera, pixel);
+    draw_gear(gears.now, flatCamera, null, pixel);
     renderer.setScissorTest(false);
     context.drawImage(canvas, 0, canvas.height - Math.round(height * ratio), Math.round(width * ratio),
       Math.round(height * ratio), box.left + (box.width - width) / 2, box.top + (box.height - height) / 2,
@@ -959,12 +1010,24 @@ window.codendView.viewer = function (host, options) {
 
   // ---- scenes -----------------------------------------------------------------------------------
 
-  function take(name, part) {
-    if (!part) return;
-    if (!gears[name]) gears[name] = view.gear(materials);
-    gears[name].take(part);
-    gears[name].range = gears[name].ranges();
-    gears[name].colour(choice.colour);
+  function take(gear, part) {
+    gear.take(part);
+    gear.range = gear.ranges();
+    gear.colour(choice.colour);
+  }
+  function take_now(part) {
+    if (!gears.now) gears.now = view.gear(materials);
+    take(gears.now, part);
+  }
+  function take_kept(all) {
+    kept = all.map(function (one) {
+      var before = kept.filter(function (other) { return other.key === one.key; })[0];
+      var gear = before ? before.gear : view.gear(materials);
+      if (one.scene.points) take(gear, one.scene);
+      else Object.assign(gear.told, one.scene);
+      return { key: one.key, name: one.name, gear: gear };
+    });
+    if (!kept.length) choice.compare = 'off';
   }
 
   // Keeps a gear in sight that leaves it.
@@ -978,12 +1041,11 @@ window.codendView.viewer = function (host, options) {
 
   var moment = null, netless = false;
   var shown = {
-    show: function (now, pinned) {
+    show: function (now, beside) {
       var first = !gears.now || now.name !== told.name;
-      take('now', now);
-      take('pinned', pinned);
+      take_now(now);
+      take_kept(beside || []);
       told = gears.now.told;
-      shared.ghostColour.value.set('#7F8B95');
       canvas.setAttribute('aria-label', told.name + ' in three dimensions. ' + told.conditions +
         '. Arrow keys turn it, plus and minus zoom.');
       if (options.title) {
@@ -991,7 +1053,8 @@ window.codendView.viewer = function (host, options) {
         title.appendChild(element('div', 'name', told.name));
         title.appendChild(element('div', 'conditions', told.conditions));
       }
-      groups.compare.hidden = !gears.pinned;
+      groups.compare.hidden = !kept.length;
+      offer_align();
       // Without netting there is nothing but the whole gear.
       var net = groups.focus.querySelector('[data-value="net"]');
       net.disabled = !gears.now.range.net;
@@ -1028,7 +1091,7 @@ window.codendView.viewer = function (host, options) {
     // Scales and words stay until the rest is known.
     pass: function (part) {
       hasten();
-      take('now', part);
+      take_now(part);
       follow();
       repaint();
     },

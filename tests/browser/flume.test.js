@@ -76,12 +76,12 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   await slider.focus();
   await page.keyboard.press('End');
   await changed(page, 'net mouth height', height);
-  const [now, pinned, change] = (await measure(page, 'net mouth height')).map(number);
+  const [now, kept, change] = (await measure(page, 'net mouth height')).map(number);
   // a row's decimals follow its new value
-  assert.ok(Math.abs(pinned - number(height)) < 0.06);
+  assert.ok(Math.abs(kept - number(height)) < 0.06);
   // towed faster, a net closes
-  assert.ok(now < pinned - 5);
-  assert.ok(Math.abs(change - (now - pinned)) < 0.11);
+  assert.ok(now < kept - 5);
+  assert.ok(Math.abs(change - (now - kept)) < 0.11);
   await page.waitForFunction(() => /^Settled\. door spread/.test(
     document.getElementById('said').textContent), null, patience);
   // and back to where it was
@@ -219,7 +219,7 @@ test('what is on screen can be saved', async () => {
   assert.equal(name, 'midwater-trawl-2048-m-around-the-mouth.yaml');
   assert.match(plan, /(^|\n)codend: 1\n[^]*speed: 5 knot/);
   const [, measures] = await save('save_measures');
-  assert.match(measures, /^"measure","unit","now","error","pinned","change","change_percent","definition"\n"door s/);
+  assert.match(measures, /^"measure","unit","now","error","kept","change","change_percent","definition"\n"door s/);
   assert.match((await save('save_tensions'))[1], /^"part","kind","role","element"/);
   assert.match((await save('save_drag'))[1], /^"part","kind","role","drag_kN"/);
   await tab(page, 'R code');
@@ -243,10 +243,19 @@ test('a kept design is drawn over the other and beside it, in a table, and can b
   await page.waitForFunction(() => /otter_boards\.area/.test(
     document.getElementById('differences').textContent), null, patience);
   await page.click('#keep');
+  // of three designs each has its place; nets meet at their bosom or where they are towed
+  const names = () => page.locator('.view-label-name').allTextContents();
+  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 3, null, patience);
+  assert.deepEqual(await names(), ['As opened', 'Design 2', 'Now']);
+  const apart = await picture(page);
+  await page.selectOption('[aria-label="Designs are aligned at"]', 'towing');
+  assert.notEqual(await picture(page), apart);
   await tab(page, 'Designs');
   await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
   await page.waitForFunction(() => document.querySelectorAll('#designs thead th').length === 4, null,
     patience);
+  await page.click('[aria-label="In the picture: Design 2"]');
+  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 2, null, patience);
   await page.click('.kept-row:nth-child(2) button:has-text("Compare with it")');
   await tab(page, 'Changes');
   await page.waitForFunction(() => /is the kept one/.test(

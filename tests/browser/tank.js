@@ -45,7 +45,7 @@ async function open(browser, url, size) {
 // The control of a field: the one before the form, where it is there too.
 const control = (page, fieldPath) => page.locator(`.control[data-paths~="${fieldPath}"]`).first();
 
-// A measure's row as texts: [now, pinned, change, %].
+// A measure's row as texts: [now, kept, change, %].
 async function measure(page, name) {
   const row = page.locator('.measures tbody tr', {
     has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) })

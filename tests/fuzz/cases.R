@@ -199,7 +199,7 @@ try_messages <- function() {
       )))
     )
   }, NA)
-  judged(as.character(codend:::measures_html(tank$measures, tank$pinned$measures)))
+  judged(as.character(codend:::measures_html(tank$measures, tank$kept[[1]]$measures)))
   if (all(good)) "taken" else "refused"
 }
 

@@ -15,7 +15,7 @@ test_that("the code of a changed shipped plan settles the same gear", {
   expect_match(code, "update(read_gear(\"towed_cable\"),", fixed = TRUE)
   ran <- run_code(code)
   expect_identical(ran$gear$plan, design$plan)
-  expect_identical(ran$pinned$plan, loaded$plan)
+  expect_identical(ran$kept$plan, loaded$plan)
   expect_identical(measures(ran$state), measures(settle(design, nodes = 300)))
 })
 

@@ -15,7 +15,7 @@ test_that("a page is told what more of a field does, in the units that it likes"
     depth <- match("body depth", told[[1]]$measures)
     expect_true(told[[1]]$smooth[depth])
     ask(session, ropes.cable.length = list(value = 1010, unit = "m"))
-    more <- tank$measures[["body_depth_m"]] - tank$pinned$measures[["body_depth_m"]]
+    more <- tank$measures[["body_depth_m"]] - tank$kept[[1]]$measures[["body_depth_m"]]
     expect_equal(more / 10, unclass(told[[1]]$slope)[depth], tolerance = 0.02)
     # those of another design count no more
     expect_null(tank$slopes)

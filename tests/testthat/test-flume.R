@@ -9,7 +9,7 @@ test_that("the page opens with the settled gear, its picture and its controls", 
     # the cable's bars, one after the other, in single precision of lengths up to 1000 m
     expect_equal(points[, ends], unname(state_points(tank$state)[, rope_lines(
       tank$state, state_points(tank$state), 1e4)$ends]), tolerance = 1e-6)
-    expect_identical(picture$pinned$points, picture$now$points)
+    expect_identical(picture$kept[[1]]$scene$points, picture$now$points)
     form <- tank$form()
     expect_identical(form$quick[[1]]$label, "Towing speed")
     expect_match(session$output$measures$html, "ship tension (kN)", fixed = TRUE)
@@ -28,12 +28,12 @@ test_that("a control moves the gear to what settle() finds from the start", {
     # what joins the points is not sent again
     expect_null(picture[[1]]$now$ropes)
     # nor the kept design, which has not moved
-    expect_null(picture[[1]]$pinned$points)
+    expect_null(picture[[1]]$kept[[1]]$scene$points)
     expect_type(picture[[1]]$now$points$floats, "character")
     anew <- settle(update(read_gear("towed_cable"), towing.speed = "5 knot"), nodes = 300)
     # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
     expect_equal(tank$measures, measures(anew), tolerance = 1e-6)
-    expect_identical(tank$pinned$measures, opened)
+    expect_identical(tank$kept[[1]]$measures, opened)
   })
 })
 
@@ -246,7 +246,7 @@ test_that("files that are no plans are refused by their own name", {
 
     expect_length(upload(format(settled_gear("panel_in_current"))), 0L)
     expect_identical(tank$gear$plan$name, "Panel in a current")
-    expect_identical(tank$pinned$gear, tank$gear)
+    expect_identical(tank$kept[[1]]$gear, tank$gear)
     labels <- vapply(tank$form()$quick, `[[`, "", "label")
     expect_true("Current" %in% labels)
   })
@@ -358,7 +358,7 @@ test_that("designs are kept beside each other, by name, and come back", {
     act(id = ids[1], act = "open")
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
     act(id = ids[2], act = "compare")
-    expect_identical(tank$pinned$gear$plan$towing$speed, "5 knot")
+    expect_identical(tank$kept[[1]]$gear$plan$towing$speed, "5 knot")
     act(id = ids[2], act = "rename", name = "Faster")
     expect_identical(kept("name"), c("Faster", "As opened"))
     act(id = ids[2], act = "remove")
@@ -422,7 +422,7 @@ test_that("what is on screen is saved as it is", {
     expect_identical(read_gear(session$output$save_plan)$plan, tank$gear$plan)
     table <- utils::read.csv(session$output$save_measures)
     expect_equal(table$now, unname(tank$measures), tolerance = 1e-12)
-    expect_equal(table$change, table$now - table$pinned, tolerance = 1e-9)
+    expect_equal(table$change, table$now - table$kept, tolerance = 1e-9)
     expect_equal(utils::read.csv(session$output$save_drag)$drag_kN,
       as.data.frame(tank$state, what = "drag")$drag_kN, tolerance = 1e-12)
   })
