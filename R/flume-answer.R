@@ -59,6 +59,7 @@ made_of_state <- list(
   drawing = function(state, said) drawing_text(state, said),
   slopes = function(state, said) slopes_asked(state, said),
   uncertainty = function(state, said) uncertainty(state),
+  vary = function(state, said) varied_measures(state, said),
   tow = function(state, said) tow_asked(state, said),
   save_tow = function(state, said) save_tow(said)
 )

@@ -37,7 +37,7 @@ viewer_scripts <- c(
 )
 flume_scripts <- c(
   "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
-  "slopes.js", "tow.js", "page.js"
+  "slopes.js", "graphs.js", "vary.js", "tow.js", "page.js"
 )
 
 flume_header <- function() {
@@ -205,6 +205,7 @@ flume_tabs <- function() {
       tab("Tensions", shiny::uiOutput("tensions")),
       tab("Drag", shiny::uiOutput("drag")),
       tab("Slopes", flume_slopes_tab()),
+      tab("Vary", flume_vary_tab()),
       tab("Tow", flume_tow_tab()),
       tab("Designs", tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
       tab("Changes", shiny::uiOutput("differences")),
@@ -226,6 +227,43 @@ flume_slopes_tab <- function() {
     tags$button(type = "button", id = "slopes_table", class = "btn btn-primary btn-sm",
       "Find the slopes"),
     shiny::uiOutput("slopes")
+  )
+}
+
+# Measures against a field, as graphs.
+flume_vary_tab <- function() {
+  tags <- shiny::tags
+  text <- function(id, label, ...) {
+    tags$label(label, tags$input(id = id, class = "form-control form-control-sm",
+      autocomplete = "off", ...))
+  }
+  tags$div(
+    tags$p(class = "note", "Settles the design on screen with other values of one field, in the
+      background, and draws each measure against it."),
+    tags$div(
+      id = "vary_asks",
+      tags$label("Field", tags$select(id = "vary_field", class = "form-select form-select-sm")),
+      text("vary_from", "From", type = "text"), text("vary_to", "To", type = "text"),
+      text("vary_number", "Values", type = "number", value = 11, min = 2, max = most_varied)
+    ),
+    tags$div(
+      class = "button-row",
+      tags$button(type = "button", id = "vary_start", class = "btn btn-primary btn-sm",
+        "Draw the graphs"),
+      tags$button(type = "button", id = "vary_stop", class = "btn btn-outline-secondary btn-sm",
+        hidden = NA, "Stop")
+    ),
+    tags$p(id = "vary_error", class = "field-error", role = "alert", hidden = NA),
+    tags$div(
+      id = "varied", hidden = NA,
+      tags$p(id = "vary_said", class = "note", role = "status"),
+      tags$p(id = "vary_stale", class = "note", hidden = NA),
+      tags$div(id = "vary_graphs", class = "graphs"),
+      tags$label("Another graph", tags$select(id = "vary_more",
+        class = "form-select form-select-sm")),
+      tags$ul(class = "downloads", save_line("save_vary", "Graphs (CSV)",
+        "all measures at every value, as vary() gives them"))
+    )
   )
 }
 
@@ -261,7 +299,7 @@ flume_tow_tab <- function() {
     tags$p(id = "tow_error", class = "field-error", role = "alert", hidden = NA),
     tags$div(
       id = "towed", hidden = NA, tags$p(id = "tow_stale", class = "note", hidden = NA),
-      tags$div(id = "tow_place"), tags$div(id = "tow_graphs"),
+      tags$div(id = "tow_place"), tags$div(id = "tow_graphs", class = "graphs"),
       tags$label("Another graph", tags$select(id = "tow_more",
         class = "form-select form-select-sm")),
       tags$ul(

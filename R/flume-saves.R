@@ -33,6 +33,7 @@ flume_saves <- function(output, tank, clerk) {
       of_state(format$name)
     )
   })
+  output$save_vary <- save("-varied", "csv", table(function() varied_table(tank$varied)))
   output$save_drag <- save("-drag", "csv", table(function() {
     as.data.frame(tank$state, what = "drag")
   }))

@@ -209,6 +209,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     flume_draws(input, tank, ask_clerk, said)
     flume_slopes(input, output, session, tank, ask_clerk, said)
     flume_intervals(input, tank, ask_clerk)
+    flume_varies(input, tank, clerk, said, session)
     flume_tows(input, output, tank, clerk, ask_clerk, said)
     flume_saves(output, tank, clerk)
   }

@@ -57,7 +57,7 @@ look_share <- 0.15
 # Requests of one of these a later one takes the place of while they wait.
 replaced_requests <- list(
   c("design", "plan_text", "plan_file", "shipped", "new", "words"), "drawing", "slopes",
-  "uncertainty", "tow"
+  "uncertainty", "tow", "vary"
 )
 
 # Kinds of requests that one of a kind takes the place of. Of a shape that a slider has passed
@@ -83,7 +83,7 @@ direct_worker <- function(...) {
   worker
 }
 
-# late: whether its process starts with the first request.
+# late: whether its process starts with the first request, and gives way to those of other workers.
 process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late = FALSE) {
   worker <- new.env(parent = emptyenv())
   id <- basename(tempfile("worker-"))
@@ -95,7 +95,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   end_pause <- function() NULL  # forgets that go_on() is to come once a pause is over
 
   start <- function() {
-    process <<- answering_process(bytes)
+    process <<- answering_process(bytes, gives_way = late)
     tank_workers[[id]] <- worker
     worker$holds <- 0
     idle <<- FALSE
@@ -223,12 +223,13 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
 # A process that says a line when it is ready, then reads names of files, each a request, and says
 # the line again once its answer stands in the file's place. (A call of callr's sessions takes as
 # long as a design takes to settle.)
-answering_process <- function(bytes) {
-  serve <- function(bytes) asNamespace("codend")$answer_requests(bytes)
+answering_process <- function(bytes, gives_way) {
+  serve <- function(...) asNamespace("codend")$answer_requests(...)
   # without this frame, which would be sent along
   environment(serve) <- baseenv()
   callr::r_process$new(callr::r_process_options(
-    func = serve, args = list(bytes = bytes), stdout = "|", stderr = NULL, extra = list(stdin = "|")
+    func = serve, args = list(bytes = bytes, gives_way = gives_way), stdout = "|", stderr = NULL,
+    extra = list(stdin = "|")
   ))
 }
 
@@ -249,8 +250,9 @@ prepare_worker <- function(bytes) {
 }
 
 # Until nobody asks any more.
-answer_requests <- function(bytes) {
+answer_requests <- function(bytes, gives_way) {
   prepare_worker(bytes)
+  if (gives_way) tools::psnice(value = 10L)
   memory <- new.env(parent = emptyenv())
   asks <- file("stdin", "r")
   on.exit(close(asks))

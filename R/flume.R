@@ -24,6 +24,8 @@
 #'   opened; *Keep this design* keeps others, and a table has all next to each other. Each can be
 #'   put on screen again. Any number of them is drawn under the present one, each in its colour, or
 #'   side by side, aligned at the bosom (level, where there is a bed) or at the towing point;
+#' - each measure against any field as a graph, settled in the background at values of the field as
+#'   [vary()] would, to save as pictures and as a table;
 #' - what a little more of any field would do to the measures ([sensitivities()]), kinks marked;
 #' - a tow from the design on screen ([tow()]): a change of speed, a turn, warps that are paid out,
 #'   or what the plan's section `tow` says, to play with its graphs;

@@ -744,30 +744,41 @@ window.codendForm = (function () {
       });
       if (!found) return null;
       var like = found.kind === 'number' && liked(found);
-      return { label: found.label, kind: found.kind, choices: found.choices, suggest: found.suggest,
-        unit: like ? like.unit : found.unit || '', value: found.typed || (typeof found.value === 'number' &&
-        like ? tidy(found.value * found.factor / like.factor) : found.value) };
-    },
-    // Every control of a number, those that people change first before the others:
-    // [{label, paths, usual}].
-    numbers: function () {
-      var found = [], seen = {};
-      function take(field, label, usual) {
-        var key = field.paths.join(' ');
-        if (field.kind !== 'number' || !field.value || seen[key]) return;
-        seen[key] = true;
-        found.push({ label: label, paths: field.paths, usual: usual });
+      function shown(value) {
+        return typeof value === 'number' && like ? tidy(value * found.factor / like.factor) : value;
       }
-      if (!form) return found;
-      (form.quick || []).forEach(function (field) { take(field, field.label, true); });
-      form.groups.forEach(function (one) {
-        (one.parts || []).forEach(function (part) {
-          (part.fields || []).forEach(function (field) {
-            take(field, (part.path ? part.title + ': ' : '') + field.label.toLowerCase(), false);
+      return { label: found.label, kind: found.kind, choices: found.choices, suggest: found.suggest,
+        unit: like ? like.unit : found.unit || '', value: found.typed || shown(found.value),
+        low: shown(found.low), high: shown(found.high) };
+    },
+    // Fills a list with every control of a number, those that people change first before the others; the
+    // one that was chosen stays so, else the one whose path is like `first`.
+    offer: function (select, first) {
+      var groups = [element('optgroup', '', undefined, { label: 'Changed first' }),
+        element('optgroup', '', undefined, { label: 'All others' })];
+      var names = [], before = select.value;
+      function take(field, label, group) {
+        var key = field.paths.join(' ');
+        if (field.kind !== 'number' || !field.value || names.indexOf(key) >= 0) return;
+        names.push(key);
+        groups[group].appendChild(element('option', '', label, { value: key }));
+      }
+      if (form) {
+        (form.quick || []).forEach(function (field) { take(field, field.label, 0); });
+        form.groups.forEach(function (one) {
+          (one.parts || []).forEach(function (part) {
+            (part.fields || []).forEach(function (field) {
+              take(field, (part.path ? part.title + ': ' : '') + field.label.toLowerCase(), 1);
+            });
           });
         });
-      });
-      return found;
+      }
+      if (select.dataset.names === names.join('|')) return;
+      select.dataset.names = names.join('|');
+      select.textContent = '';
+      groups.forEach(function (group) { if (group.childNodes.length) select.appendChild(group); });
+      var liked = first && names.filter(function (name) { return first.test(name); })[0];
+      select.value = names.indexOf(before) >= 0 ? before : liked || names[0];
     },
     offers: offers,
     answered: answered,

@@ -103,6 +103,7 @@ window.codendPage = (function () {
       answer(message.answers);
       window.codendDesigns.moved();
       window.codendSlopes.stale();
+      window.codendVary.stale();
       window.codendTow.design(message.towed);
       want_texts();
     });
@@ -124,7 +125,7 @@ window.codendPage = (function () {
         shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
       };
       var own = {
-        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error'
+        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error'
       }[message.where];
       var stays = opened ? ' The gear on screen stays.' : '';
       if (own) {
@@ -154,6 +155,7 @@ window.codendPage = (function () {
         if (window.codendForm.turn() !== message.form.turn) window.codendDrawing.opened();
         window.codendForm.show(message.form);
         window.codendSlopes.form();
+        window.codendVary.form();
       }
       window.codendForm.draft(message);
       if (message.settling || message.form) window.codendDrawing.want(true);
@@ -162,6 +164,7 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_slopes', function (message) {
       window.codendSlopes.show(message.fields);
     });
+    Shiny.addCustomMessageHandler('flume_varied', window.codendVary.show);
     Shiny.addCustomMessageHandler('flume_tow', function (message) {
       window.codendTow.show(message.scene);
     });

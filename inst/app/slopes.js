@@ -16,28 +16,11 @@ window.codendSlopes = (function () {
     window.codendTalk.tell('slopes_wanted', { paths: paths, number: Date.now() });
   }
 
-  // The fields of the form, with the one that was chosen.
-  function fill() {
-    var select = find('more_field'), before = select.value, all = window.codendForm.numbers();
-    var names = all.map(function (one) { return one.paths.join(' '); });
-    if (select.dataset.names === names.join('|')) return;
-    select.dataset.names = names.join('|');
-    select.textContent = '';
-    var groups = [element('optgroup', '', undefined, { label: 'Changed first' }),
-      element('optgroup', '', undefined, { label: 'All others' })];
-    all.forEach(function (one, k) {
-      groups[one.usual ? 0 : 1].appendChild(element('option', '', one.label, { value: names[k] }));
-    });
-    groups.forEach(function (group) { if (group.childNodes.length) select.appendChild(group); });
-    var floats = names.filter(function (name) { return /^floats\.number/.test(name); })[0];
-    select.value = names.indexOf(before) >= 0 ? before : floats || names[0];
-  }
-
   // Asks for the chosen field, where it is looked at and not known, once nothing moves.
   function want() {
     window.clearTimeout(timer);
     if (!find('more_of').open) return;
-    fill();
+    window.codendForm.offer(find('more_field'), /^floats\.number/);
     var one = found[key()];
     write();
     if (one || !key()) return;

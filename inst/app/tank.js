@@ -24,19 +24,6 @@ window.codendTank = (function () {
     context.fillText(words, x, y);
   }
 
-  // Round numbers between two, about `wanted` of them.
-  function ticks(low, high, wanted) {
-    var rough = (high - low) / Math.max(wanted, 1);
-    var power = Math.pow(10, Math.floor(Math.log10(rough)));
-    var step = [1, 2, 5, 10].map(function (m) { return m * power; })
-      .filter(function (s) { return s >= rough * 0.999; })[0];
-    var out = [];
-    for (var t = Math.ceil(low / step); t * step <= high * (1 + 1e-9); t++) {
-      out.push(Number((t * step).toPrecision(12)));
-    }
-    return out;
-  }
-
   function open(canvas) {
     var ratio = window.devicePixelRatio || 1;
     var width = canvas.clientWidth, height = canvas.clientHeight;
@@ -97,11 +84,11 @@ window.codendTank = (function () {
     context.strokeStyle = '#78838C';
     context.lineWidth = 1;
     context.strokeRect(box.left, box.top, box.width, box.height);
-    ticks(left, right, box.width / 70).forEach(function (t) {
+    window.codendView.ticks(left, right, box.width / 70).forEach(function (t) {
       text(context, String(t), x_of(t), box.top + box.height + 12, 'center', soft);
       context.fillRect(x_of(t), box.top + box.height, 1, 4);
     });
-    ticks(foot, top, box.height / 40).forEach(function (t) {
+    window.codendView.ticks(foot, top, box.height / 40).forEach(function (t) {
       text(context, String(up === 2 ? (-t || 0) : t), box.left - 6, y_of(t), 'right', soft);
       context.fillRect(box.left - 4, y_of(t), 4, 1);
     });

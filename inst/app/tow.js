@@ -6,7 +6,7 @@ window.codendTow = (function () {
   'use strict';
 
   var element = window.codendView.element;
-  var viewer = null, curves = [], told = null, chosen = [];
+  var viewer = null, graphs = null, told = null;
   function find(id) { return document.getElementById(id); }
   function text(id) { return find(id).value.trim(); }
 
@@ -29,51 +29,21 @@ window.codendTow = (function () {
     window.codendTalk.tell('tow_wanted', said);
   }
 
-  // What is looked at first: at most two of a kind.
+  // What is looked at first: at most one of a kind.
   var first = [/door spread|spread/, /mouth height|height/, /tension/, /depth/, /energy imbalance/];
-  function choose(graph) {
-    var all = graph.map(function (one) { return one.words; });
-    var kept = chosen.filter(function (words) { return all.indexOf(words) >= 0; });
-    if (kept.length) return kept;
+  function choose(all) {
     return first.map(function (kind) {
       return all.filter(function (words) { return kind.test(words); })[0];
     }).filter(function (words, k, found) { return words && found.indexOf(words) === k; });
   }
 
-  function draw_graphs() {
-    var place = find('tow_graphs'), select = find('tow_more');
-    place.textContent = '';
-    select.textContent = '';
-    select.appendChild(element('option', '', 'Which measure?', { value: '' }));
-    curves = [];
-    told.graph.forEach(function (one) {
-      if (chosen.indexOf(one.words) < 0) {
-        select.appendChild(element('option', '', one.words, { value: one.words }));
-        return;
-      }
-      var figure = element('figure', 'tow-graph'), head = element('figcaption', '', one.words);
-      head.appendChild(element('span', 'now'));
-      head.appendChild(element('button', 'take-out', '\u00d7',
-        { type: 'button', 'aria-label': 'Take out the graph of ' + one.words, 'data-graph': one.words }));
-      figure.appendChild(head);
-      place.appendChild(figure);
-      var curve = window.codendView.graph(figure, {
-        times: told.graph_times, ends: told.ends,
-        range: [told.times[0], told.times[told.times.length - 1]],
-        seek: function (time) { viewer.seek(time); }
-      });
-      curve.draw(one);
-      curves.push({ curve: curve, values: one.values, now: head.querySelector('.now') });
-    });
-  }
-
   function moved(time) {
-    curves.forEach(function (one) {
-      one.curve.mark(time);
+    graphs.each(function (graph, one, now) {
       var k = 0, at = told.graph_times;
+      graph.mark(time);
       while (k < at.length - 1 && at[k + 1] <= time + 1e-9) k++;
       var value = one.values[k];
-      one.now.textContent = typeof value === 'number' ? Number(value.toPrecision(4)) : '';
+      now.textContent = typeof value === 'number' ? Number(value.toPrecision(4)) : '';
     });
   }
 
@@ -88,10 +58,14 @@ window.codendTow = (function () {
       viewer = window.codendView.viewer(host, { title: true, graph: false, moved: moved, still: false });
       if (!viewer) return;
     }
-    chosen = choose(scene.graph);
-    draw_graphs();
+    graphs = graphs || window.codendGraphs(find('tow_graphs'), find('tow_more'), choose);
+    var time = scene.times[0];
+    graphs.show(scene.graph, {
+      times: scene.graph_times, ends: scene.ends, range: [time, scene.times[scene.times.length - 1]],
+      seek: function (at) { viewer.seek(at); }, drawn: function () { moved(time); }
+    });
     viewer.show(scene);
-    moved(scene.times[0]);
+    moved(time);
     find('tow_place').scrollIntoView({ block: 'nearest' });
   }
 
@@ -99,15 +73,6 @@ window.codendTow = (function () {
     var target = event.target;
     if (target.id === 'tow_start') ask(false);
     else if (target.id === 'tow_planned') ask(true);
-    else if (target.dataset && target.dataset.graph) {
-      chosen = chosen.filter(function (words) { return words !== target.dataset.graph; });
-      draw_graphs();
-    }
-  });
-  document.addEventListener('change', function (event) {
-    if (event.target.id !== 'tow_more' || !event.target.value) return;
-    chosen.push(event.target.value);
-    draw_graphs();
   });
 
   return {

@@ -475,6 +475,33 @@ test('beside the measures stands what more of a field would do', async () => {
   await page.close();
 });
 
+test('measures are drawn against a field, with the value under the pointer, and saved', async () => {
+  const page = await open(browser, tank.url);
+  await tab(page, 'Vary');
+  assert.equal(await page.inputValue('#vary_from'), '2 knot');
+  await page.fill('#vary_from', '3,5');
+  await page.fill('#vary_to', '4.5');
+  await page.fill('#vary_number', '3');
+  await page.click('#vary_start');
+  await page.waitForFunction(() => /^3 of 3 values$/.test(document.getElementById('vary_said').textContent),
+    null, patience);
+  const graph = page.locator('#varied svg').first();
+  assert.equal(await graph.locator('circle').count(), 3);
+  await graph.scrollIntoViewIfNeeded();
+  const place = await graph.boundingBox();
+  await page.mouse.move(place.x + place.width - 12, place.y + place.height / 2);
+  const tip = await graph.locator('text').last().textContent();
+  assert.match(tip, /^4\.5 knot: \d/);
+  const save = async (what) => {
+    const [download] = await Promise.all([page.waitForEvent('download', patience), page.click(what)]);
+    return fs.readFileSync(await download.path());
+  };
+  assert.deepEqual([...(await save('#vary_graphs .save-graph')).subarray(1, 4)], [...Buffer.from('PNG')]);
+  assert.match(String(await save('#save_vary')), /^"towing.speed_knot","settled","problem","door_spread_m"/);
+  clean(page);
+  await page.close();
+});
+
 test('the design on screen is towed, played and saved, and a wrong tow is told', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Tow');
@@ -484,18 +511,18 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   assert.match(await page.textContent('#tow_error'), /speed.*is "fast"/);
   await page.fill('#tow_speed', '5 knot');
   await page.click('#tow_start');
-  await page.waitForSelector('.tow-graph svg', patience);
-  const graphs = await page.locator('.tow-graph figcaption').allTextContents();
+  await page.waitForSelector('.graph svg', patience);
+  const graphs = await page.locator('.graph figcaption').allTextContents();
   for (const kind of [/spread/, /height/, /tension/, /depth/, /energy/]) {
     assert.ok(graphs.some((words) => kind.test(words)), `${kind} of ${graphs}`);
   }
   const shown = () => page.evaluate(() => window.codendTow.viewer().picture());
   const start = await shown();
   // the slider of time plays it, and the graphs follow
-  const spread = await page.textContent('.tow-graph .now');
+  const spread = await page.textContent('.graph .now');
   await page.locator('.tow-view [aria-label="Time"]').focus();
   await page.keyboard.press('End');
-  await page.waitForFunction((before) => document.querySelector('.tow-graph .now').textContent !==
+  await page.waitForFunction((before) => document.querySelector('.graph .now').textContent !==
     before, spread, patience);
   assert.notEqual(await shown(), start);
   await page.waitForSelector('#save_tow_measures[href*="download"]', { state: 'visible' });

@@ -1,0 +1,146 @@
+# How the measures of the design on screen go with one of its fields: the clerk settles it at one
+# value after the other, each from the state on screen as vary() does, and answers other questions in
+# between.
+
+# Values at most.
+most_varied <- 41L
+
+# What a page asks for: said = list(paths (fields that change together), unit, from, to (as typed; a
+# bare number is in `unit`), number (of values)). Returns list(paths, words, unit, values, now (what
+# the first field has), in that unit).
+varied_field <- function(plan, said) {
+  paths <- unlist(said$paths)
+  if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
+    abort_argument("A field is asked for by its path.")
+  }
+  path <- paths[1L]
+  field <- plan_field(plan, path)
+  if (is.null(field$node) || !is_number_node(field$node)) {
+    abort_argument("The plan has no number {.val {path}} to vary.")
+  }
+  dimension <- field$node[["x-dimension"]]
+  unit <- if (is.null(dimension)) "" else first_of(said$unit, "")
+  units <- plan_units[[first_of(dimension, "number")]]
+  if (nzchar(unit) && !(is_text(unit) && plain_unit(unit) %in% names(units))) {
+    abort_argument("{.val {path}} has no such unit.")
+  }
+  per_unit <- if (nzchar(unit)) units[[plain_unit(unit)]] else 1
+  end <- function(given) {
+    value <- quantity_si(edit_value(plan, path, list(value = given, unit = unit)), dimension)
+    if (!is.finite(value)) abort_field(path, given, "a number")
+    value / per_unit
+  }
+  ends <- c(end(said$from), end(said$to))
+  if (ends[1L] == ends[2L]) abort_field(path, said$to, "another value than the first")
+  number <- as.list(said)$number
+  if (!is.numeric(number) || length(number) != 1L || !number %in% 2:most_varied) {
+    abort_argument("The number of values must be from 2 to {most_varied}.")
+  }
+  values <- seq(ends[1L], ends[2L], length.out = number)
+  if (field$node$shape == "integer") values <- unique(round(values))
+  list(
+    paths = paths, words = path_words(path), unit = unit, values = signif(values, 10L),
+    now = quantity_si(field$value, dimension) / per_unit
+  )
+}
+
+# said: list(design, paths, unit, value, nodes). Returns measures().
+varied_measures <- function(state, said) {
+  edits <- rep(list(list(value = said$value, unit = said$unit)), length(said$paths))
+  design <- said$design
+  design$plan <- edited_plan(design$plan, stats::setNames(edits, said$paths))$plan
+  gear <- gear_of_design(design, state$gear)
+  measures(settle_noted(gear, said$nodes, state)$state)
+}
+
+# What was found so far: varied = that of varied_field() with `found`, of each value its measures or
+# what is wrong with it. Columns as those of vary().
+varied_table <- function(varied) {
+  settled <- vapply(varied$found, is.numeric, NA)
+  names <- unique(unlist(lapply(varied$found[settled], names)))
+  column <- paste0(varied$paths[1L], if (nzchar(varied$unit)) "_", varied$unit)
+  values <- vapply(names, function(name) {
+    vapply(varied$found, function(one) {
+      if (is.numeric(one) && name %in% names(one)) one[[name]] else NA_real_
+    }, 0)
+  }, numeric(length(varied$found)))
+  problem <- vapply(varied$found, function(one) if (is.numeric(one)) "" else one, "")
+  data.frame(
+    stats::setNames(list(varied$values[seq_along(varied$found)]), column), settled = settled,
+    problem = problem, matrix(values, length(varied$found), dimnames = list(NULL, names)),
+    check.names = FALSE
+  )
+}
+
+# ... as a page takes it, in preferred units: first the measures that are looked at first.
+varied_message <- function(varied, preferred) {
+  table <- varied_table(varied)
+  settled <- varied$found[table$settled]
+  units <- unlist(lapply(settled, attr, "unit"))
+  names <- setdiff(names(table)[-1L], c("settled", "problem"))
+  names <- union(key_names(names), names)
+  list(
+    words = varied$words, unit = varied$unit, now = varied$now, of = length(varied$values),
+    range = I(range(varied$values)),
+    values = I(varied$values[seq_along(varied$found)]), problems = I(table$problem),
+    measures = lapply(names, function(name) {
+      told <- preferred_number(1, units[[name]], preferred)
+      error <- vapply(varied$found, function(one) {
+        if (is.numeric(one)) first_of(attr(one, "error")[name], NA_real_) else NA_real_
+      }, 0)
+      list(
+        words = paste0(words_of(name, units[[name]]), " (", told$unit, ")"),
+        values = I(table[[name]] * told$value), errors = I(unname(error) * told$value)
+      )
+    })
+  )
+}
+
+# Answers a page that varies a field: input$vary_wanted as varied_field() takes it, input$vary_stop.
+flume_varies <- function(input, tank, clerk, said, session) {
+  turn <- 0L  # of the last question
+  show <- function(running) {
+    said("flume_varied", running = running,
+      varied = varied_message(tank$varied, tank$preferred))
+  }
+  stop_varying <- function() {
+    turn <<- turn + 1L
+    if (!is.null(tank$varied)) show(FALSE)
+  }
+  shiny::observeEvent(input$vary_wanted, {
+    if (is.null(tank$gear)) return()
+    asked <- as.list(input$vary_wanted)
+    varied <- NULL
+    problem <- flume_problem(varied <- varied_field(tank$gear$plan, asked))
+    if (!is.null(problem)) {
+      return(said("flume_refused", answers = 0, where = "vary", message = problem$message))
+    }
+    turn <<- turn + 1L
+    mine <- turn
+    opened <- tank$turn
+    tank$varied <- c(varied, list(name = tank$gear$plan$name, found = list()))
+    request <- tank$request("vary", c(
+      varied[c("paths", "unit")], list(design = design_of(tank$gear))
+    ))
+    request$said$nodes <- request$nodes
+    go_on <- function() {
+      if (tank$turn != opened) return(stop_varying())
+      k <- length(tank$varied$found) + 1L
+      show(k <= length(varied$values))
+      if (k > length(varied$values)) return()
+      request$said$value <- varied$values[k]
+      clerk$ask("vary", function() if (mine == turn) request, function(answer) {
+        if (session$isClosed() || mine != turn || is.null(answer)) return()
+        if (isTRUE(answer$problem$cancelled)) return(stop_varying())
+        tank$varied$found[[k]] <- first_of(answer$found, answer$problem$message)
+        go_on()
+      })
+    }
+    go_on()
+  })
+  shiny::observeEvent(input$vary_stop, stop_varying())
+  shiny::observeEvent(input$preferred, {
+    running <- length(tank$varied$found) < length(tank$varied$values)
+    if (!is.null(tank$varied)) show(running)
+  })
+}

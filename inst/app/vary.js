@@ -1,0 +1,74 @@
+// Measures against a field of the design: what is varied is chosen here, R settles it.
+//
+// codendVary.show(message) draws what was found so far; .stale() tells that another design is on screen;
+// .form() that the form has been laid out.
+window.codendVary = (function () {
+  'use strict';
+
+  var graphs = null, field = '', running = false;
+  function find(id) { return document.getElementById(id); }
+
+  // The chosen field's range, as its slider has it.
+  function ends() {
+    var select = find('vary_field');
+    if (select.value === field) return;
+    field = select.value;
+    var one = window.codendForm.field(field.split(' ')[0]);
+    ['low', 'high'].forEach(function (name, k) {
+      find(k ? 'vary_to' : 'vary_from').value = one && one[name] !== undefined ?
+        (one[name] + ' ' + one.unit).trim() : '';
+    });
+  }
+
+  function fill() {
+    window.codendForm.offer(find('vary_field'));
+    ends();
+  }
+
+  function show(message) {
+    var varied = message.varied, done = varied.values.length;
+    graphs = graphs || window.codendGraphs(find('vary_graphs'), find('vary_more'), function (words) {
+      return words.slice(0, 4);
+    });
+    running = message.running;
+    find('varied').hidden = false;
+    $(find('varied')).trigger('shown');
+    find('vary_stop').hidden = !running;
+    var wrong = varied.values.map(function (value, k) {
+      return varied.problems[k] && value + ' ' + varied.unit + ': ' + varied.problems[k];
+    }).filter(Boolean);
+    find('vary_said').textContent = done + ' of ' + varied.of + ' values' + (running ? ' \u2026' : '') +
+      (wrong.length ? '. ' + wrong.join(' ') : '');
+    if (!varied.measures.length) return;
+    graphs.show(varied.measures, {
+      times: varied.values, range: varied.range, unit: varied.unit,
+      axis: varied.words + (varied.unit ? ' (' + varied.unit + ')' : ''),
+      drawn: function () { graphs.each(function (graph) { if (varied.now !== null) graph.mark(varied.now); }); }
+    });
+  }
+
+  document.addEventListener('change', function (event) {
+    if (event.target.id === 'vary_field') ends();
+  });
+  document.addEventListener('click', function (event) {
+    if (event.target.id === 'vary_stop') window.codendTalk.tell('vary_stop', Date.now());
+    if (event.target.id !== 'vary_start') return;
+    window.codendPage.tell('vary_error', '');
+    window.codendPage.tell('vary_stale', '');
+    var one = window.codendForm.field(field.split(' ')[0]);
+    window.codendTalk.tell('vary_wanted', {
+      paths: field.split(' '), unit: one ? one.unit : '', from: find('vary_from').value,
+      to: find('vary_to').value, number: find('vary_number').valueAsNumber, asked: Date.now()
+    });
+  });
+
+  return {
+    show: show,
+    stale: function () {
+      if (!find('varied').hidden) {
+        window.codendPage.tell('vary_stale', 'The design on screen has changed since these graphs began.');
+      }
+    },
+    form: fill
+  };
+}());

@@ -1,0 +1,85 @@
+skip_if_not_installed("shiny")
+skip_if_not_installed("bslib")
+
+speeds <- function(..., paths = list("towing.speed"), unit = "knot", from = "3", to = "5 knot",
+                   number = 3) {
+  list(paths = paths, unit = unit, from = from, to = to, number = number, ...)
+}
+
+test_that("measures against a field are those of vary()", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(vary_wanted = speeds())
+    told <- sent("flume_varied")
+    expect_identical(vapply(told, `[[`, NA, "running"), c(TRUE, TRUE, TRUE, FALSE))
+    varied <- told[[4]]$varied
+    expect_identical(varied[c("words", "unit", "now", "of")],
+      list(words = "Towing speed", unit = "knot", now = 4, of = 3L))
+    found <- vary("towed_cable", towing.speed = paste(3:5, "knot"), nodes = 300)
+    # settled from the same state
+    words <- vapply(varied$measures, `[[`, "", "words")
+    depth <- varied$measures[[match("body depth (m)", words)]]
+    expect_equal(unclass(depth$values), found$body_depth_m, tolerance = 1e-6)
+    table <- utils::read.csv(session$output$save_vary, check.names = FALSE)
+    expect_equal(table$towing.speed_knot, 3:5)
+    expect_equal(table$total_drag_kN, found$total_drag_kN, tolerance = 1e-6)
+    session$setInputs(preferred = list(length = "fathom"))
+    varied <- sent("flume_varied")[[1]]$varied
+    depth <- varied$measures[[match("body depth (fathom)", vapply(varied$measures, `[[`, "",
+      "words"))]]
+    expect_equal(unclass(depth$values), found$body_depth_m / 1.8288, tolerance = 1e-6)
+    # a value that is none of a gear is said to be so
+    session$setInputs(vary_wanted = speeds(from = "-1", to = "4", number = 2))
+    varied <- utils::tail(sent("flume_varied"), 1L)[[1]]$varied
+    expect_match(varied$problems[1], "towing.speed", fixed = TRUE)
+    expect_identical(unclass(varied$problems)[2], "")
+    # the design on screen has not moved
+    expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
+  })
+})
+
+test_that("one value is settled at a time, until somebody stops it or opens another gear", {
+  jobs <- list()
+  held <- function(late = FALSE, ...) {
+    worker <- direct_worker()
+    if (late) worker$ask <- function(kind, make, then, ...) jobs <<- c(jobs, list(list(make, then)))
+    worker
+  }
+  answer <- function() {
+    job <- utils::tail(jobs, 1L)[[1]]
+    request <- job[[1]]()
+    job[[2]](if (!is.null(request)) flume_answer(request, new.env()))
+  }
+  in_flume("towed_cable", new_worker = held, function(session, sent, tank) {
+    session$setInputs(vary_wanted = speeds())
+    expect_length(jobs, 1L)
+    answer()
+    expect_length(jobs, 2L)
+    session$setInputs(vary_stop = 1)
+    expect_false(utils::tail(sent("flume_varied"), 1L)[[1]]$running)
+    answer()
+    expect_length(jobs, 2L)
+    session$setInputs(vary_wanted = speeds(again = 1))
+    session$setInputs(shipped = list(number = 2, asked = "flat_panel"))
+    answer()
+    expect_length(jobs, 3L)
+    expect_false(utils::tail(sent("flume_varied"), 1L)[[1]]$running)
+  })
+})
+
+test_that("what is no field, unit, number or count of values is refused", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    wrong <- list(
+      speeds(paths = list("towing.sped")), speeds(paths = list("name")), speeds(paths = 3),
+      speeds(unit = "m"), speeds(from = "fast"), speeds(from = list(1)), speeds(to = "3"),
+      speeds(number = 1e6), speeds(number = "three"), speeds(unit = list("knot"))
+    )
+    for (asked in wrong) {
+      sent("flume_refused")
+      session$setInputs(vary_wanted = c(asked, again = stats::runif(1)))
+      refused <- sent("flume_refused")
+      expect_length(refused, 1L)
+      expect_identical(refused[[1]]$where, "vary")
+      expect_no_match(refused[[1]]$message, "codend failed", fixed = TRUE)
+    }
+  })
+})
