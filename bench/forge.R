@@ -10,9 +10,9 @@ forge_kinds <- c(
 # Laws of netting's drag that go with any netting.
 forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
 
-# Gear number `number`. kind, law: that kind or law of netting's drag alone; NULL: any kind, and
-# the kind's own law. changed: whether the plan is varied besides. What the plan's checks refuse is
-# drawn again.
+# Gear number `number`. kind, law: that kind or law of netting's drag alone (a longline has none);
+# NULL: any kind, and the kind's own law. changed: whether the plan is varied besides. What the plan's
+# checks refuse is drawn again.
 forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   any_kind <- sample(names(forge_kinds), 1L, prob = forge_kinds)
@@ -22,7 +22,7 @@ forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
       suppressWarnings({
         gear <- do.call(codend::new_plan, c(list(kind), forge_sizes(kind)))
         if (changed) gear <- do.call(update, c(list(gear), forge_changes(kind, gear$plan)))
-        if (!is.null(law)) gear <- update(gear, netting_drag = law)
+        if (!is.null(law) && kind != "longline") gear <- update(gear, netting_drag = law)
         gear
       }),
       codend_error = function(e) NULL
