@@ -29,3 +29,13 @@ check_inches <- function(name, value) {
     abort_argument("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.")
   }
 }
+
+# A picture on the current device, or in a file where one is given.
+# draw: a function(page) of the page's size, inches; height: of the file's page, NULL for `fitting`.
+show_picture <- function(draw, file, width, height, title, fitting = NULL) {
+  check_inches("width", width)
+  if (!is.null(height)) check_inches("height", height)
+  if (is.null(file)) return(invisible(draw(grDevices::dev.size())))
+  check_file_path(file, picture_types)
+  write_picture(file, c(width, if (is.null(height)) fitting else height), title, draw)
+}

@@ -74,13 +74,6 @@ nearest_cycle <- function(ratio, letter) {
 
 greatest_divisor <- function(a, b) if (b == 0) a else greatest_divisor(b, a %% b)
 
-# Cutting rates of a panel's left and right edges, and whether they are alike.
-panel_rates <- function(panel) {
-  loss <- panel$upper - panel$lower
-  rate <- function(share) cutting_rate(loss * share, panel$deep, panel$orientation)
-  c(left = rate(panel$taper_left), right = rate(panel$taper_right))
-}
-
 # The rate that an edge is cut by in whole simple steps: the shortest cycle of a dozen cuts at most
 # that ends within half a mesh of the counts; otherwise a cycle that ends within a mesh of them,
 # where that is less than a twentieth of what the edge loses, as net makers round. All bars but for

@@ -11,16 +11,13 @@ view_symbols <- data.frame(
   symbol = c(22L, 24L, 25L, 21L, 24L, 23L, 21L, 4L, 13L, 7L),
   fill = c(
     "#202428", "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A",
-    "#2C6E9B",
-    "#2C6E9B"
+    "#2C6E9B", "#2C6E9B"
   ),
   solid = c(
     "#2A343C", "#2A343C", "#474F56", "#9A6200", "#7A6400", "#8A5A2B", "#474F56", "#5B636A",
     "#2C6E9B", "#2C6E9B"
   ),
-  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1),
-  # what is drawn as a plate in space; all else is round
-  plate = c(TRUE, TRUE, FALSE, FALSE, TRUE, FALSE, FALSE, FALSE, FALSE, FALSE)
+  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1)
 )
 
 # The rows of the table that a drawing's marks use, in its order.

@@ -25,26 +25,15 @@
 #'   uses no network. It is written whole or not at all.
 #' @param colour What the colours show at first: `"tension"`, `"slack"`, `"mesh_opening"`,
 #'   `"mesh_angle"` or `"drag"`.
-#' @param device `"html"`, or `"rgl"` to draw a state on a new device of package rgl, as lines, for
-#'   those who go on with rgl's own functions; colours are then `"tension"`, `"mesh_opening"` or
-#'   `"mesh_angle"`.
-#' @return An HTML widget, which prints in the viewer or browser, invisibly where `file` is given;
-#'   of
-#'   rgl the number of its device, invisibly. A wrong argument is an error of class
-#'   `codend_error_argument`.
+#' @return An HTML widget, which prints in the viewer or browser, invisibly where `file` is given.
+#'   A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' page <- view_3d(settle("towed_cable"))
 #' class(page)
 #' @export
-view_3d <- function(state, file = NULL, colour = "tension", device = "html") {
+view_3d <- function(state, file = NULL, colour = "tension") {
   check_given("state")
-  moves <- inherits(state, "codend_trajectory")
-  if (!moves) check_is_state(state)
-  check_device(device, file, moves)
-  if (device == "rgl") {
-    check_colour(colour)
-    return(invisible(with_plain_numbers(rgl_view(state, colour))))
-  }
+  if (!inherits(state, "codend_trajectory")) check_is_state(state)
   check_colour(colour, viewer_colours)
   if (!is.null(file)) check_file_path(file, ".html")
   # In a file a fixed name, so that every new session writes the same page of the same state.
@@ -60,16 +49,6 @@ view_3d <- function(state, file = NULL, colour = "tension", device = "html") {
 }
 
 viewer_colours <- c("tension", "slack", "mesh_opening", "mesh_angle", "drag")
-
-check_device <- function(device, file, moves) {
-  if (!is_text(device) || !device %in% c("html", "rgl")) {
-    abort_argument("{.arg device} is {.val {device}}; it must be {.val html} or {.val rgl}.")
-  }
-  if (device == "html") return(invisible())
-  if (moves) abort_argument("A trajectory is viewed on {.arg device} {.val html} alone.")
-  if (!is.null(file)) abort_argument("{.arg file} goes with {.arg device} {.val html} alone.")
-  check_package("rgl", "{.arg device} {.val rgl}")
-}
 
 # The scene of a state or a trajectory.
 viewed_scene <- function(of, colour = "tension") {

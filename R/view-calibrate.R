@@ -6,7 +6,7 @@
 #' @param x A calibration, from [calibrate()].
 #' @param by A column of the data to draw residuals by; the first that sets a field when `NULL`, or
 #'   the rows' numbers where there is none.
-#' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples
@@ -20,19 +20,11 @@ plot.codend_calibration <- function(x, by = NULL, file = NULL, width = 8, height
   if (!(is_text(by) && by %in% known)) {
     abort_argument("{.arg by} is {.val {by}}; it must be any of {.val {known}}.")
   }
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   along <- if (by == "row") seq_len(nrow(data)) else data[[by]]
   if (!is.numeric(along)) along <- factor(along, unique(along))
   title <- paste0("Calibration of ", x$gear$plan$name)
-  draw <- function(page) draw_calibration(x, along, by, title, page)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- min(100, series_title + key_row + 2.8 * nrow(x$match))
-    write_picture(file, c(width, height), title, draw)
-  }
+  show_picture(function(page) draw_calibration(x, along, by, title, page), file, width, height,
+    title, min(100, series_title + key_row + 2.8 * nrow(x$match)))
   invisible(x)
 }
 

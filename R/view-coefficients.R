@@ -6,18 +6,12 @@
 #' @param x Coefficients, from [force_coefficients()].
 #' @param force Which forces: any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"`
 #'   and `"wake"`; all when `NULL`.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' plot(force_coefficients(), force = "wake")
 #' @export
 plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, height = NULL, ...) {
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   known <- unique(x$force)
   if (!is.null(force) && !(is.character(force) && length(force) && all(force %in% known))) {
     abort_argument("{.arg force} is {.val {force}}; it must be any of {.val {known}}.")
@@ -25,13 +19,8 @@ plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, he
   table <- as.data.frame(x)
   class(table) <- "data.frame"
   rows <- coefficient_figures(table[table$force %in% first_of(force, known), ])
-  draw <- function(page) draw_coefficients(rows)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- coefficient_row_height * length(rows)
-    write_picture(file, c(width, height), "Coefficients", draw)
-  }
+  show_picture(function(page) draw_coefficients(rows), file, width, height, "Coefficients",
+    coefficient_row_height * length(rows))
   invisible(x)
 }
 

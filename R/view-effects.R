@@ -5,10 +5,7 @@
 #' scale, so that a field that matters little is flat. Depths grow downwards.
 #'
 #' @param x Effects, from [main_effects()].
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples
@@ -48,10 +45,7 @@ effects_figure <- function(x, rows) {
 #' @param x Effects, from [pair_effects()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
 #' @param most How many pairs of each measure are drawn at most.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples
@@ -120,10 +114,7 @@ group_labels <- function(values) {
 #'
 #' @param x Indices, from [sobol_indices()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examplesIf requireNamespace("spacefillr", quietly = TRUE)
@@ -133,21 +124,12 @@ group_labels <- function(values) {
 plot.codend_sobol_indices <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                       ...) {
   measures <- chosen_measures(measures, unique(x$measure))
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   x$field <- plain_field(x$field)
   said <- sprintf("Share of the variance: alone (filled) and in all (open), intervals of %s %%.",
     format(100 * first_of(attr(x, "confidence"), 0.9)))
-  draw <- function(page) {
-    draw_tornados(x, measures, effects_title(x, "Sobol' indices"), said, page, draw_indices)
-  }
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- tornado_height(x, measures, width)
-    write_picture(file, c(width, height), effects_title(x, "Sobol' indices"), draw)
-  }
+  title <- effects_title(x, "Sobol' indices")
+  show_picture(function(page) draw_tornados(x, measures, title, said, page, draw_indices), file,
+    width, height, title, tornado_height(x, measures, width))
   invisible(x)
 }
 

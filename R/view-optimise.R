@@ -5,7 +5,7 @@
 #' is from its limit.
 #'
 #' @param x An optimum, from [optimise_gear()].
-#' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
@@ -13,19 +13,9 @@
 #'   list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot"))
 #' ))
 plot.codend_optimum <- function(x, file = NULL, width = 10, height = NULL, ...) {
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   title <- paste0("Optimum of ", x$gear$plan$name)
-  draw <- function(page) draw_optimum(x, title, page)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) {
-      height <- min(100, max(4, series_title + 1.6 + 0.3 * (nrow(x$fields) + nrow(x$keep))))
-    }
-    write_picture(file, c(width, height), title, draw)
-  }
+  fitting <- min(100, max(4, series_title + 1.6 + 0.3 * (nrow(x$fields) + nrow(x$keep))))
+  show_picture(function(page) draw_optimum(x, title, page), file, width, height, title, fitting)
   invisible(x)
 }
 

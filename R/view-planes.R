@@ -29,17 +29,10 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   if (!is.character(planes) || !length(planes) || !all(planes %in% known)) {
     abort_argument("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.")
   }
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   check_colour(colour)
   figure <- plane_figure(x, intersect(known, planes), colour)
-  if (is.null(file)) {
-    draw_figure(figure, grDevices::dev.size())
-    return(invisible(x))
-  }
-  page <- c(width, if (is.null(height)) fitting_height(figure, width) else height)
-  write_picture(file, page, figure$title, function(page) draw_figure(figure, page))
+  show_picture(function(page) draw_figure(figure, page), file, width, height, figure$title,
+    fitting_height(figure, width))
   invisible(x)
 }
 

@@ -5,10 +5,7 @@
 #' to port and to starboard, show both.
 #'
 #' @param x Tensions, from [tensions_along()].
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples

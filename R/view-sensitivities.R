@@ -20,21 +20,13 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
                                       ...) {
   known <- unique(x$measure[is.finite(x$elasticity) & x$elasticity != 0])
   measures <- chosen_measures(measures, known)
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   title <- paste0("What changes ", attr(x, "gear_name"), ", ", attr(x, "conditions"))
   # parts that change together stand for one another
   x$field <- sub(" [+] .*", " ...", x$field)
   said <- paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
     "secants to 1 % less and 1 % more.")
-  draw <- function(page) draw_tornados(x, measures, title, said, page, draw_tornado)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- tornado_height(x, measures, width)
-    write_picture(file, c(width, height), title, draw)
-  }
+  show_picture(function(page) draw_tornados(x, measures, title, said, page, draw_tornado), file,
+    width, height, title, tornado_height(x, measures, width))
   invisible(x)
 }
 

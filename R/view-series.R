@@ -31,13 +31,8 @@ fitting_rows <- function(figures, width, key) {
 # A page of figures on the current device or in a file; see plot.codend_trajectory() for both.
 # key: list(title, labels (of groups), missing (what a cross stands for, or NULL)), or NULL.
 plot_series <- function(figures, title, key, file, width, height) {
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
-  draw <- function(page) draw_series(figures, title, key, page)
-  if (is.null(file)) return(draw(grDevices::dev.size()))
-  if (is.null(height)) height <- fitting_rows(figures, width, key)
-  write_picture(file, c(width, height), title, draw)
+  show_picture(function(page) draw_series(figures, title, key, page), file, width, height, title,
+    fitting_rows(figures, width, key))
 }
 
 # How much smaller than at their full size figures may be drawn on a page that is too small for

@@ -4,7 +4,7 @@
 #' changes by.
 #'
 #' @param x A trade-off, from [trade_off()].
-#' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
@@ -12,17 +12,10 @@
 #'   minimise = list(drag = ~ total_drag_kN, depth = ~ -body_depth_m),
 #'   change = list(ropes.cable.length = c("600 m", "1200 m")), points = 4
 #' ))
-plot.codend_trade_off <- function(x, file = NULL, width = 9, height = 4.5, ...) {
-  check_inches("width", width)
-  check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
+plot.codend_trade_off <- function(x, file = NULL, width = 9, height = NULL, ...) {
   title <- paste0("Trade-off of ", attr(x, "gear_name"))
-  draw <- function(page) draw_trade_off(x, title, page)
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    write_picture(file, c(width, height), title, draw)
-  }
+  show_picture(function(page) draw_trade_off(x, title, page), file, width, height, title,
+    4.5)
   invisible(x)
 }
 

@@ -8,10 +8,7 @@
 #' @param x A trajectory, from [tow()].
 #' @param measures Names of measures, as [measures()] has them; all, and what the schedule changes,
 #'   when `NULL`.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @examples
 #' plot(tow("towed_cable", until = 30, every = 1, speed = data.frame(

@@ -7,7 +7,7 @@
 #' @param x Uncertainties, from [uncertainty()].
 #' @param measures Names of measures; all with a value when `NULL`.
 #' @param sources The name of a measure whose ten largest sources are drawn, or `NULL`.
-#' @param file,width,height,... As [plot.codend_sensitivities()] takes them.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples
@@ -22,9 +22,6 @@ plot.codend_uncertainty <- function(x, measures = NULL, sources = NULL, file = N
   if (!is.null(sources) && !(is_text(sources) && sources %in% known)) {
     abort_argument("{.arg sources} is {.val {sources}}; it must be one of {.val {known}}.")
   }
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
-  if (!is.null(file)) check_file_path(file, picture_types)
   title <- paste0("Uncertainty of ", x$gear_name, ", ", x$conditions)
   table <- table[match(measures, known), ]
   rows <- if (is.null(sources)) nrow(table) else 10L
@@ -34,12 +31,8 @@ plot.codend_uncertainty <- function(x, measures = NULL, sources = NULL, file = N
     if (is.null(sources)) draw_budget(table, page) else draw_sources(x, sources, page)
     draw_head(title, list(missing = NULL), page)
   }
-  if (is.null(file)) {
-    draw(grDevices::dev.size())
-  } else {
-    if (is.null(height)) height <- min(100, series_title + key_row + 1 + 1.6 * bar_height * rows)
-    write_picture(file, c(width, height), title, draw)
-  }
+  show_picture(draw, file, width, height, title,
+    min(100, series_title + key_row + 1 + 1.6 * bar_height * rows))
   invisible(x)
 }
 

@@ -12,10 +12,7 @@
 #'
 #' @param x Variations, from [vary()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the figures.
-#' @param ... Not used.
+#' @inheritParams plot.codend_sensitivities
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
 #' @export
 #' @examples

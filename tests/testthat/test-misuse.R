@@ -37,7 +37,7 @@ wrong_calls <- expression(
   findings(1), findings("a"), as.data.frame(s, what = 1),
   # pictures and files
   view_3d(), view_3d(g), view_3d(s, file = "a.png"), view_3d(s, file = 1),
-  view_3d(s, colour = "red"), view_3d(s, device = "x11"), plot(s, planes = "ab"),
+  view_3d(s, colour = "red"), view_3d(s, colour = 1), plot(s, planes = "ab"),
   plot(s, file = "a.doc"), report(), report(s), report(g, "a.html"), report(s, "a.pdf"),
   report(s, "no/such/a.html"), write_gltf(), write_gltf(s), write_gltf(g, "a.glb"),
   write_gltf(s, "a.obj"), write_gltf(s, "a.glb", colours = "rainbow"), write_vtk(s),

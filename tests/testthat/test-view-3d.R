@@ -118,21 +118,6 @@ test_that("vessels stand where warps leave the water", {
   expect_length(state_scene(unsettled("gillnet"))$vessels, 0)
 })
 
-test_that("a state is drawn on a device of rgl where that is asked for", {
-  kept <- options(rgl.useNULL = TRUE)
-  on.exit(options(kept))
-  skip_if_not_installed("rgl")
-  state <- unsettled(sheets_plan)
-  device <- view_3d(state, device = "rgl")
-  expect_true(device %in% rgl::rgl.dev.list())
-  objects <- rgl::scene3d()$objects
-  rgl::close3d(device)
-  drawing <- state_drawing(state)
-  ends <- vapply(objects, function(o) if (o$type == "lines") NROW(o$vertices) else 0L, 0L)
-  expect_true((2 * length(drawing$netting$tension)) %in% ends)
-  expect_true((2 * length(drawing$ropes$tension)) %in% ends)
-})
-
 test_that("wrong arguments are clear errors that leave nothing", {
   state <- unsettled("crossing_cables")
   folder <- test_folder()
@@ -141,9 +126,7 @@ test_that("wrong arguments are clear errors that leave nothing", {
   wrong_file(state, file = file.path(folder, "a.htm"))
   wrong_file(state, file = file.path(folder, "no", "a.html"))
   wrong(list())
-  wrong(state, device = "png")
   wrong(state, colour = "red")
-  wrong(state, device = "rgl", file = file.path(folder, "a.html"))
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
 })
 
