@@ -3,7 +3,7 @@
 
 flume_gallery <- function() {
   tags <- shiny::tags
-  tags$section(
+  tags$main(
     id = "gallery", `aria-labelledby` = "gallery_heading", hidden = NA,
     tags$h2(id = "gallery_heading", "Begin with a gear"),
     tags$div(id = "gallery_refused", class = "alert alert-danger", role = "alert", hidden = NA),

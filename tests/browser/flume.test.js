@@ -155,7 +155,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
     data.items.add(new File([text], 'cable.yaml'));
     return data;
   }, plan);
-  await page.dispatchEvent('main', 'drop', { dataTransfer: data });
+  await page.dispatchEvent('#design', 'drop', { dataTransfer: data });
   await page.waitForFunction(() => /Towed cable/.test(document.querySelector('h1').textContent),
     null, patience);
   await page.waitForFunction(() => document.querySelectorAll('#quick [data-control]').length === 1, null,
@@ -572,6 +572,37 @@ test('at phone width nothing is wider than the screen, and every field has a nam
   assert.ok((await page.locator('#tank').boundingBox()).y > -1);
   clean(page);
   await page.close();
+});
+
+test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished drawing, a phone', async () => {
+  const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+  const finds = async (page, state) => {
+    await page.evaluate(axe);
+    const found = await page.evaluate(() => window.axe.run());
+    assert.deepEqual(found.violations.map((one) => `${state}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
+  };
+  for (const size of [{ width: 1440, height: 900 }, { width: 390, height: 844 }]) {
+    const page = await open(browser, tank.url, size);
+    await finds(page, `tank at ${size.width}`);
+    await page.click('#keep');
+    for (const name of ['Designs', 'Vary', 'Save']) {
+      await tab(page, name);
+      await page.waitForTimeout(300);
+      await finds(page, `${name} at ${size.width}`);
+    }
+    await page.click('#gears');
+    await finds(page, `gallery at ${size.width}`);
+    await page.click('#gears');
+    // what may be picked from the catalogue, and what does not fit
+    await page.evaluate(() => window.codendForm.open('otter_boards'));
+    await page.locator('.pick').first().click();
+    await control(page, 'towing.speed').locator('.number').fill('-3');
+    await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
+    await page.click('#see_drawing');
+    await page.waitForSelector('#drawing svg', patience);
+    await finds(page, `unfinished drawing at ${size.width}`);
+    await page.close();
+  }
 });
 
 test('two browsers have a gear each, and one that leaves in mid-solve harms nobody', async () => {

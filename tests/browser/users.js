@@ -1,4 +1,5 @@
-// Many users at once: node --experimental-websocket users.js [users] [seconds]. One has a page in
+// Many users at once: node --experimental-websocket users.js [users] [seconds] [messages a second of one
+// more, who floods: in bursts of 600 from a new page each where it is cut]. One has a page in
 // Chromium, the others speak to the tank without a browser, as soak.js does: two cores that paint ten
 // browsers in software would tell of nothing else. Each draws one slider along for a quarter of a
 // second, about once a second, and has one question under way at a time, as the page has. Prints how
@@ -12,6 +13,7 @@ const { page: scripted } = require('./socket');
 
 const users = Number(process.argv[2] || 10);
 const seconds = Number(process.argv[3] || 60);
+const flood = Number(process.argv[4] || 0);
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const wrong = [];
 
@@ -113,6 +115,29 @@ async function speak(tank, name, seconds) {
   return times;
 }
 
+// Sends so many designs a second, at once where they are more than a page may send, until the time is
+// over.
+async function pour(url, rate, seconds) {
+  const end = Date.now() + 1000 * seconds;
+  let sent = 0;
+  while (Date.now() < end) {
+    const tank = scripted(url, ['measures']);
+    await tank.open();
+    await tank.wait(['flume_picture']);
+    const leaves = Date.now() + (rate > 40 ? 0 : 1000 * seconds);
+    do {
+      for (let k = 0; k < (rate > 40 ? 600 : 1); k++) {
+        sent += 1;
+        const edits = { 'towing.speed': { value: 3.5 + sent % 10 / 10, unit: 'knot' } };
+        tank.set({ design: { number: sent, gesture: sent, edits } });
+      }
+      await sleep(rate > 40 ? 600000 / rate : 1000 / rate);
+    } while (Date.now() < Math.min(end, leaves));
+    tank.close();
+  }
+  return sent;
+}
+
 function say(name, all) {
   all.sort((a, b) => a - b);
   const at = (share) => Math.round(all[Math.min(all.length - 1, Math.floor(share * all.length))]);
@@ -128,9 +153,11 @@ function say(name, all) {
   for (let k = 1; k < users; k++) pages.push(await come(tank.url));
   const before = cpu(tank.pid);
   const others = pages.map((one, k) => speak(one, `user ${k + 2}`, seconds));
+  const poured = flood ? pour(tank.url, flood, seconds) : 0;
   const found = await page.evaluate(draw, seconds);
   const spoken = (await Promise.all(others)).flat();
   const spent = cpu(tank.pid) - before;
+  if (flood) console.log(`one more sent ${await poured} messages`);
   say('slider to message, in Chromium', found.times.map((t) => t[0]));
   say('slider to picture', found.times.map((t) => t[1]));
   if (spoken.length) say('slider to message, the others', spoken);
