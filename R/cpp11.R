@@ -72,8 +72,12 @@ engine_near_gear <- function(numbers, counts, position, wake) {
   .Call(`_codend_engine_near_gear`, numbers, counts, position, wake)
 }
 
-engine_near_change <- function(near, first, second, share, tolerance, steps, renewals, closes_in, reach) {
-  .Call(`_codend_engine_near_change`, near, first, second, share, tolerance, steps, renewals, closes_in, reach)
+engine_near_changes <- function(near, numbers, share, tolerance, steps, renewals, closes_in, reach) {
+  .Call(`_codend_engine_near_changes`, near, numbers, share, tolerance, steps, renewals, closes_in, reach)
+}
+
+engine_near_settled <- function(near, numbers, tolerance, iterations) {
+  .Call(`_codend_engine_near_settled`, near, numbers, tolerance, iterations)
 }
 
 engine_evaluate <- function(lattice, position, velocity) {

@@ -235,7 +235,7 @@ tangent_work <- function(state) {
     work$cost$factorisations <- 1L
     if (!is.null(found)) {
       work$near <- found$near
-      work$values <- near_shown(work, found$measures)
+      work$values <- near_shown(found$measures, work)
     }
   }
   work
@@ -261,35 +261,39 @@ near_questions <- function(work, si) {
 }
 
 # Measures as they are shown, from the engine's.
-near_shown <- function(work, values) setNames(values[work$place] / work$unit, work$measures)
+near_shown <- function(values, work) setNames(values[work$place] / work$unit, work$measures)
 
-# Numbers at a field's value a little larger, list(numbers, share = by which), or NULL where the
-# plan does not allow it.
-field_numbers <- function(work, field) {
-  si <- work$state$si
+# Numbers with a field changed by a share, or NULL where the plan does not allow it.
+field_numbers <- function(work, field, share) {
   if (!is.null(field$multiplier)) {
-    # numbers are linear in these
-    by <- unlist(si$multipliers)
-    by[field$multiplier] <- 2 * by[field$multiplier]
-    return(list(numbers = near_numbers(work, si, by), share = 1))
+    by <- unlist(work$own$si$multipliers)
+    by[field$multiplier] <- (1 + share) * by[field$multiplier]
+    return(near_numbers(work, work$own$si, by))
   }
   gear <- work$state$gear
-  plan <- scaled_plan(gear$plan, field, number_share)
   si <- tryCatch(
-    check_whole(plan, gear_checked(gear), joined = FALSE)$si, codend_error_plan = function(e) NULL
+    check_whole(
+      scaled_plan(gear$plan, field, share), gear_checked(gear), joined = share != number_share
+    )$si,
+    codend_error_plan = function(e) NULL
   )
-  if (!is.null(si)) list(numbers = near_numbers(work, si), share = number_share)
+  if (!is.null(si)) near_numbers(work, si)
 }
 
-# Change of measures, without jumps, to the gear in balance with a field changed by a share, or
-# NULL. to: see field_numbers(); reach: the share over which what counts elements changes.
-near_change <- function(work, to, share, reach = secant_share, tolerance = chord_tolerance,
-                        steps = chord_steps, renewals = most_renewals, closes_in = TRUE) {
-  found <- engine_near_change(work$near, work$numbers, to$numbers, share / to$share, tolerance,
-    steps, renewals, closes_in, reach / abs(share))
-  if (is.null(found)) return(NULL)
+# The same a little changed, by which the engine finds how they change: multipliers, in which
+# numbers are linear, by their own value.
+little_share <- function(field) if (is.null(field$multiplier)) number_share else 1
+
+# Changes of measures, without jumps, to the gears in balance with a field changed by a share and by
+# as much the other way, list(up, down), or NULL. numbers: with its little_share(), `little`; reach:
+# the share over which what counts elements changes.
+near_changes <- function(work, numbers, little, share, reach = secant_share,
+                         tolerance = chord_tolerance, steps = chord_steps,
+                         renewals = most_renewals, closes_in = TRUE) {
+  found <- engine_near_changes(work$near, numbers, share / little, tolerance, steps, renewals,
+    closes_in, reach / share)
   work$cost$factorisations <- work$cost$factorisations + found$factorisations
-  if (length(found$change)) near_shown(work, found$change)
+  if (length(found$down)) lapply(found[c("up", "down")], near_shown, work = work)
 }
 
 values_at <- function(work, gear, si, lattice, position) {
@@ -325,32 +329,46 @@ slope_scale <- function(work, slope) {
 # By the tangent, over the largest share at which steps of the factors lead to balance on both
 # sides; NULL where there is none.
 tangent_slopes <- function(work, field) {
-  to <- field_numbers(work, field)
-  if (is.null(to)) return(NULL)
+  little <- little_share(field)
+  numbers <- field_numbers(work, field, little)
+  if (is.null(numbers)) return(NULL)
   for (share in tangent_shares) {
-    up <- near_change(work, to, share)
-    down <- if (!is.null(up)) near_change(work, to, -share)
-    if (!is.null(down)) break
+    sides <- near_changes(work, numbers, little, share)
+    if (!is.null(sides)) break
   }
-  if (is.null(down)) return(NULL)
-  slope <- (up - down) / (2 * share)
+  if (is.null(sides)) return(NULL)
+  slope <- (sides$up - sides$down) / (2 * share)
   # where a kink lies at the state itself, slopes on both sides differ
-  turn <- abs(up + down) / share
+  turn <- abs(sides$up + sides$down) / share
   list(
     slope = slope, below = NA * slope, above = NA * slope,
     smooth = turn <= kink_share * slope_scale(work, slope)
   )
 }
 
-# By gears settled at both sides: list(below, above).
-secant_slopes <- function(work, field, step) {
+# By gears settled at both sides: list(below, above). both: whether one is of no use alone.
+secant_slopes <- function(work, field, step, both = FALSE) {
   side <- function(way) {
-    gear <- scaled_gear(work$state$gear, field, way * step)
-    values <- if (!is.null(gear)) settled_values(work, gear)
-    if (is.null(values)) return(NA * work$values)
-    way * (values - work$values) / step
+    change <- settled_change(work, field, way * step)
+    if (is.null(change)) NA * work$values else way * change / step
   }
-  list(below = side(-1), above = side(1))
+  below <- side(-1)
+  list(below = below, above = if (both && anyNA(below)) NA * below else side(1))
+}
+
+# Change of measures to the gear with a field changed by a share, settled from the state on its
+# lattice, or NULL.
+settled_change <- function(work, field, share) {
+  if (is.null(work$near)) {
+    gear <- scaled_gear(work$state$gear, field, share)
+    values <- if (!is.null(gear)) settled_values(work, gear)
+    return(if (!is.null(values)) values - work$values)
+  }
+  numbers <- field_numbers(work, field, share)
+  if (is.null(numbers)) return(NULL)
+  found <- engine_near_settled(work$near, numbers, settle_tolerance, settle_iterations)
+  work$cost$factorisations <- work$cost$factorisations + found$factorisations
+  if (length(found$change)) near_shown(found$change, work)
 }
 
 # Measures of a gear settled from the state on its lattice, or NULL.

@@ -163,18 +163,15 @@ quick_tolerance <- 1e-8
 # A source's slopes by its share, list(slope); NULL where steps of the factors lead to no balance,
 # or where the gear goes otherwise on both sides.
 quick_slopes <- function(work, field, share) {
-  to <- if (!is.null(work$near)) field_numbers(work, field)
-  if (is.null(to)) return(NULL)
-  if (identical(to$numbers, work$numbers)) return(list(slope = 0 * work$values))
-  side <- function(way) {
-    near_change(work, to, way * quick_share, share, quick_tolerance, quick_steps, 0L,
-      closes_in = FALSE)
-  }
-  up <- side(1)
-  down <- if (!is.null(up)) side(-1)
-  if (is.null(down)) return(NULL)
-  slope <- (up - down) / (2 * quick_share)
-  turn <- abs(up + down) / quick_share * share
+  little <- little_share(field)
+  numbers <- if (!is.null(work$near)) field_numbers(work, field, little)
+  if (is.null(numbers)) return(NULL)
+  if (identical(numbers, work$numbers)) return(list(slope = 0 * work$values))
+  sides <- near_changes(work, numbers, little, quick_share, share, quick_tolerance, quick_steps, 0L,
+    closes_in = FALSE)
+  if (is.null(sides)) return(NULL)
+  slope <- (sides$up - sides$down) / (2 * quick_share)
+  turn <- abs(sides$up + sides$down) / quick_share * share
   if (all(turn <= most_turn * contribution_scale(work, slope * share), na.rm = TRUE)) {
     list(slope = slope)
   }
@@ -183,9 +180,11 @@ quick_slopes <- function(work, field, share) {
 # The same by gears settled so far to both sides as the source is uncertain, or a quarter of that
 # where one of them does not settle: list(slope, smooth).
 followed_slopes <- function(work, field, share) {
-  for (step in min(share, most_followed) * c(1, 0.25)) {
+  step <- min(share, most_followed)
+  sides <- secant_slopes(work, field, step, both = TRUE)
+  if (anyNA(sides$below) || anyNA(sides$above)) {
+    step <- step / 4
     sides <- secant_slopes(work, field, step)
-    if (!anyNA(sides$below) && !anyNA(sides$above)) break
   }
   found <- slopes_of_secants(work, sides, 0)
   uneven <- abs(sides$above - sides$below) * step

@@ -38,10 +38,14 @@ class ScheduleReader {
     read(list(from_[name]), to);
   }
   template <class Struct>
-  bool optional(const char* name, Struct& to) {
-    if (Rf_isNull(from_[name])) return false;
-    group(name, to);
-    return true;
+  void optional(const char* name, Struct& to, bool& given) {
+    given = !Rf_isNull(from_[name]);
+    if (given) group(name, to);
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& to) {
+    bool given;
+    optional(name, to, given);
   }
   template <class Struct>
   void items(const char* name, std::vector<Struct>& to) {

@@ -132,10 +132,17 @@ extern "C" SEXP _codend_engine_near_gear(SEXP numbers, SEXP counts, SEXP positio
   END_CPP11
 }
 // binding_tangent.cpp
-SEXP engine_near_change(SEXP near, list first, list second, double share, double tolerance, int steps, int renewals, bool closes_in, double reach);
-extern "C" SEXP _codend_engine_near_change(SEXP near, SEXP first, SEXP second, SEXP share, SEXP tolerance, SEXP steps, SEXP renewals, SEXP closes_in, SEXP reach) {
+list engine_near_changes(SEXP near, list numbers, double share, double tolerance, int steps, int renewals, bool closes_in, double reach);
+extern "C" SEXP _codend_engine_near_changes(SEXP near, SEXP numbers, SEXP share, SEXP tolerance, SEXP steps, SEXP renewals, SEXP closes_in, SEXP reach) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_near_change(cpp11::as_cpp<cpp11::decay_t<SEXP>>(near), cpp11::as_cpp<cpp11::decay_t<list>>(first), cpp11::as_cpp<cpp11::decay_t<list>>(second), cpp11::as_cpp<cpp11::decay_t<double>>(share), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<int>>(renewals), cpp11::as_cpp<cpp11::decay_t<bool>>(closes_in), cpp11::as_cpp<cpp11::decay_t<double>>(reach)));
+    return cpp11::as_sexp(engine_near_changes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(near), cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(share), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<int>>(renewals), cpp11::as_cpp<cpp11::decay_t<bool>>(closes_in), cpp11::as_cpp<cpp11::decay_t<double>>(reach)));
+  END_CPP11
+}
+// binding_tangent.cpp
+list engine_near_settled(SEXP near, list numbers, double tolerance, int iterations);
+extern "C" SEXP _codend_engine_near_settled(SEXP near, SEXP numbers, SEXP tolerance, SEXP iterations) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_near_settled(cpp11::as_cpp<cpp11::decay_t<SEXP>>(near), cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations)));
   END_CPP11
 }
 // binding.cpp
@@ -232,8 +239,9 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
     {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,        5},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,     2},
-    {"_codend_engine_near_change",     (DL_FUNC) &_codend_engine_near_change,     9},
+    {"_codend_engine_near_changes",    (DL_FUNC) &_codend_engine_near_changes,    8},
     {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,       4},
+    {"_codend_engine_near_settled",    (DL_FUNC) &_codend_engine_near_settled,    4},
     {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,     2},
     {"_codend_engine_part_forces",     (DL_FUNC) &_codend_engine_part_forces,     2},
     {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},

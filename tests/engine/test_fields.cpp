@@ -3,8 +3,10 @@
 
 #include <map>
 
+#include "base/between.hpp"
 #include "base/field_table.hpp"
 #include "base/read_fields.hpp"
+#include "gear/gear.hpp"
 #include "model/evaluate.hpp"
 
 namespace {
@@ -201,4 +203,25 @@ TEST_CASE("every reported force is of a kind of the model, with three numbers pe
   CHECK(found.forces.size() == reported_forces().size());
   CHECK(found.reported("bar_drag").size() == 3);
   CHECK(found.reported("sphere_drag").empty());
+}
+
+TEST_CASE("numbers between two gears lie on their line, and all else must be the same") {
+  Gear first, second;
+  first.density = 1000.0;
+  second.density = 1020.0;
+  first.ropes.resize(1);
+  first.ropes[0].shares = {0.25, 0.5};
+  first.ropes[0].length = 8.0;
+  second.ropes = first.ropes;
+  second.ropes[0].shares[1] = 0.75;
+  const std::optional<Gear> found = between(first, second, -0.5);
+  REQUIRE(found.has_value());
+  CHECK(found->density == 990.0);
+  CHECK(found->ropes[0].shares == std::vector<double>{0.25, 0.375});
+  CHECK(found->ropes[0].length == 8.0);
+  second.ropes[0].segments = 3;
+  CHECK_FALSE(between(first, second, -0.5).has_value());
+  second.ropes = first.ropes;
+  second.has_bag = true;
+  CHECK_FALSE(between(first, second, -0.5).has_value());
 }

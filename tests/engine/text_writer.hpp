@@ -56,10 +56,14 @@ class TextWriter {
     prefix_ = outer;
   }
   template <class Struct>
-  bool optional(const char* name, Struct& of) {
-    const bool written = given_.count(name) > 0;
-    if (written) group(name, of);
-    return written;
+  void optional(const char* name, Struct& of, bool& given) {
+    given = given_.count(name) > 0;
+    if (given) group(name, of);
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of) {
+    bool given;
+    optional(name, of, given);
   }
   void component(const char* name, const std::vector<Vector>& of, int k) {
     std::vector<double> numbers;

@@ -47,9 +47,12 @@ class FieldTable {
     kind_ = outer;
   }
   template <class Struct>
-  bool optional(const char* name, Struct& of) {
+  void optional(const char* name, Struct& of) {
     group(name, of);
-    return false;
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of, bool&) {
+    group(name, of);
   }
   void component(const char* name, std::vector<Vector>&, int) {
     add<double>(name, {}, name_of(Per::element));

@@ -10,7 +10,8 @@
 // fill a model (field_table.hpp). Visit offers, with `shape` left out for one number per element:
 //   visit(name, array or number, shape)   numbers, places, marks (char), enumerations, Vectors
 //   visit.group(name, struct)             the fields of a struct under its name
-//   visit.optional(name, struct)          the same where it is given; returns whether it is
+//   visit.optional(name, struct, given)   the same where it is given: given (bool) says so, and may be
+//                                         left out
 //   visit.component(name, vectors, k)     component k of an array of Vectors
 //   visit.columns(name, vector<struct>)   one array per field
 //   visit.items(name, vector<struct>)     one group per element

@@ -113,10 +113,14 @@ class FieldReader {
   }
 
   template <class Struct>
-  bool optional(const char* name, Struct& to) {
-    if (std::find(names_.begin(), names_.end(), name) == names_.end()) return false;
-    group(name, to);
-    return true;
+  void optional(const char* name, Struct& to, bool& given) {
+    given = std::find(names_.begin(), names_.end(), name) != names_.end();
+    if (given) group(name, to);
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& to) {
+    bool given;
+    optional(name, to, given);
   }
 
   template <class Value>

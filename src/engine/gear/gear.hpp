@@ -314,8 +314,8 @@ struct Gear {
     visit.items("pieces", pieces);
     visit.items("plates", plates);
     visit.columns("share_places", share_places);
-    has_bag = visit.optional("bag", bag);
-    has_ground = visit.optional("ground", ground);
+    visit.optional("bag", bag, has_bag);
+    visit.optional("ground", ground, has_ground);
     visit("density", density);
     visit("speed", speed);
     visit("free_surface", free_surface);

@@ -23,7 +23,7 @@ struct GearModel {
   template <class Visit>
   void fields(Visit& visit) {
     visit.group("water", water);
-    ground.present = visit.optional("ground", ground);
+    visit.optional("ground", ground, ground.present);
     visit("slack_twine", slack);
     visit.columns("materials", materials);
     visit.count(Among::materials, materials.size());

@@ -12,7 +12,7 @@
 //   visit(name, value)             numbers, marks, vectors
 //   visit.place(name, place)       places among nodes, points or elements of the model, -1 for none
 //   visit.group(name, struct)      the fields of a struct under its name
-//   visit.optional(name, struct)   the same where it is given; returns whether it is
+//   visit.optional(name, struct, given)   the same where it is given, and whether it is
 //   visit.items(name, vector)      one group per element
 #pragma once
 
@@ -82,7 +82,7 @@ struct GrowingGroup {
   template <class Visit>
   void fields(Visit& visit) {
     visit.group("factor", factor);
-    controlled = visit.optional("control", control);
+    visit.optional("control", control, controlled);
     visit.place("bars", bars);
     visit("rest", rest);
     visit.place("points", points);

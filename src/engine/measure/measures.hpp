@@ -184,7 +184,7 @@ struct Questions {
     visit("speed", speed);
     visit.list("mouth", mouth, {1, Among::ropes});
     visit.list("wings", wings, {1, Among::places});
-    has_propulsion = visit.optional("propulsion", propulsion);
+    visit.optional("propulsion", propulsion, has_propulsion);
     visit.items("measures", measures);
   }
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "../base/between.hpp"
 
 namespace codend {
 namespace {
@@ -108,66 +111,112 @@ NearGear::NearGear(const GearNumbers& numbers, const Counts& counts,
   {
     Assembly assembly(own_.model);
     tangent_ = std::make_unique<Tangent>(assembly, own_.lattice.start.data());
+    assembly.strain(strain_);
   }
   if (!tangent_->regular()) return;
   NearControl control;
   control.renewals = 0;
   int factorisations = 0;
   std::vector<double> place = own_.lattice.start;
-  if (!balanced(own_, control, place, shape_, factorisations)) return;
+  if (!balanced(own_, control, false, place, shape_, factorisations)) return;
   std::copy(place.begin(), place.end(), position_.begin());
   measures_ = measured(numbers_, numbers_.questions, frame_, own_, shape_);
   regular_ = true;
 }
 
-NearMeasures NearGear::measure(const GearNumbers& numbers, const NearControl& control) const {
-  NearMeasures out;
+bool NearGear::divided_alike(const GearNumbers& numbers, MeasuredGear& out) const {
   Fineness fineness;
   fineness.counts = &counts_;
-  MeasuredGear other = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
-  if (other.lattice.bars.node != own_.lattice.bars.node ||
-      other.lattice.cells.node != own_.lattice.cells.node) {
-    return out;
+  out = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
+  if (out.model.points() == static_cast<int>(wake_.size())) out.model.wake = wake_;
+  return out.lattice.bars.node == own_.lattice.bars.node &&
+         out.lattice.cells.node == own_.lattice.cells.node;
+}
+
+NearMeasures NearGear::settled(const GearNumbers& numbers, SettleControl control) const {
+  NearMeasures out;
+  MeasuredGear other;
+  if (!divided_alike(numbers, other)) return out;
+  control.start = Start::settled;
+  control.part = line_parts(other.lattice);
+  // Most lines pull against drag.
+  const double speed = numbers.questions.speed, own = numbers_.questions.speed;
+  control.strain = strain_;
+  if (speed > 0 && own > 0) {
+    for (double& strain : control.strain) strain *= speed / own * (speed / own);
   }
-  if (other.model.points() == static_cast<int>(wake_.size())) other.model.wake = wake_;
-  MeasuredShape<double> shape;
-  if (!balanced(other, control, other.lattice.start, shape, out.factorisations)) return out;
+  Assembly assembly(other.model);
+  std::vector<double> x = other.lattice.start;
+  const std::vector<double> still(x.size(), 0.0);
+  const SettleReport report = settle(assembly, control, still.data(), x.data());
+  out.factorisations = report.factorisations;
+  if (!report.converged) return out;
+  out.change = measures_at(numbers, numbers.gear, other, assembly, x);
+  for (std::size_t k = 0; k < measures_.size(); ++k) out.change[k] -= measures_[k];
+  return out;
+}
+
+std::array<NearMeasures, 2> NearGear::towards(const GearNumbers& to, double share,
+                                              const NearControl& control) const {
+  std::array<NearMeasures, 2> out;
+  std::vector<double> first;
+  for (int side = 0; side < 2; ++side) {
+    const std::optional<GearNumbers> numbers = between(numbers_, to, side == 0 ? share : -share);
+    MeasuredGear other;
+    if (!numbers || !divided_alike(*numbers, other)) break;
+    std::vector<double>& x = other.lattice.start;
+    // Where nothing jumps, nodes go as far the other way. What is to end by itself takes no start that
+    // would hide a jump.
+    if (control.closes_in) first.clear();
+    for (std::size_t k = 0; k < first.size(); ++k) {
+      if (!other.lattice.held[k / 3]) x[k] = 2 * x[k] - first[k];
+    }
+    MeasuredShape<double> shape;
+    if (!balanced(other, control, side == 1, x, shape, out[side].factorisations)) break;
+    out[side].change = change(*numbers, other, shape, control.reach);
+    first = x;
+  }
+  return out;
+}
+
+std::vector<double> NearGear::change(const GearNumbers& numbers, const MeasuredGear& other,
+                                     const MeasuredShape<double>& shape, double reach) const {
+  std::vector<double> out(measures_.size());
   const MeasureFrame frame = measure_frame(numbers.gear, other.lattice);
-  out.change.resize(measures_.size());
   const SomeQuestions plain(numbers.questions, Jumps::none);
   const auto there = measured(numbers, plain.asked, frame, other, shape);
   for (std::size_t k = 0; k < there.size(); ++k) {
-    out.change[plain.place[k]] = there[k] - measures_[plain.place[k]];
+    out[plain.place[k]] = there[k] - measures_[plain.place[k]];
   }
   const SomeQuestions seen(numbers.questions, Jumps::by_cells);
-  const auto changing =
-      joined<Dual>(shape_, shape, [](double a, double b) { return Dual(a, b - a); });
-  const auto moved = measured(numbers, seen.asked, frame, other, changing);
-  for (std::size_t k = 0; k < moved.size(); ++k) {
-    out.change[seen.place[k]] = moved[k].value - measures_[seen.place[k]] + moved[k].change;
+  if (!seen.place.empty()) {
+    const auto changing =
+        joined<Dual>(shape_, shape, [](double a, double b) { return Dual(a, b - a); });
+    const auto moved = measured(numbers, seen.asked, frame, other, changing);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      out[seen.place[k]] = moved[k].value - measures_[seen.place[k]] + moved[k].change;
+    }
   }
   const SomeQuestions counted(numbers.questions, Jumps::by_elements);
   const auto count = [&](double by) {
     return measured(numbers, counted.asked, frame, other, beyond(shape_, shape, by));
   };
-  const auto ahead = count(control.reach), here = count(0.0), behind = count(-control.reach);
+  const auto ahead = count(reach), here = count(0.0), behind = count(-reach);
   for (std::size_t k = 0; k < ahead.size(); ++k) {
-    out.change[counted.place[k]] =
-        here[k] - measures_[counted.place[k]] + (ahead[k] - behind[k]) / control.reach;
+    out[counted.place[k]] = here[k] - measures_[counted.place[k]] + (ahead[k] - behind[k]) / reach;
   }
   return out;
 }
 
-bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control,
+bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control, bool stepped,
                         std::vector<double>& x, MeasuredShape<double>& shape,
                         int& factorisations) const {
   Assembly assembly(gear.model);
-  ChordReport report = tangent_->balance(assembly, control.tolerance, control.steps, x.data());
-  const auto enough = [&] {
-    return report.converged || (!control.closes_in && report.residual <= control.tolerance);
-  };
+  const int enough = control.closes_in ? std::numeric_limits<int>::max() : stepped ? 0 : 1;
+  ChordReport report =
+      tangent_->balance(assembly, control.tolerance, control.steps, x.data(), enough);
   // Lines that are all but slack turn the matrix with every step: it is made again.
-  for (int again = 0; again < control.renewals && !enough() && all_finite(x); ++again) {
+  for (int again = 0; again < control.renewals && !report.converged && all_finite(x); ++again) {
     if (renewed_) {
       renewed_->renew(assembly, x.data());
     } else {
@@ -175,11 +224,10 @@ bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control,
     }
     ++factorisations;
     if (!renewed_->regular()) return false;
-    report = renewed_->balance(assembly, control.tolerance, control.steps, x.data());
+    report = renewed_->balance(assembly, control.tolerance, control.steps, x.data(), enough);
   }
-  if (!enough()) return false;
-  const std::vector<double> still(x.size(), 0.0);
-  shape = measured_shape(evaluate(assembly, x.data(), still.data()), x, still);
+  if (!report.converged) return false;
+  shape = measured_shape(evaluate_here(assembly), x, std::vector<double>(x.size(), 0.0));
   return true;
 }
 

@@ -1,9 +1,11 @@
-// Measures of gears that differ a little from one that is settled: on its lattice, with the factors of
-// its matrix (solve/tangent.hpp).
+// Measures of gears that differ from one that is settled, on its lattice: of those that differ a little
+// with the factors of its matrix (solve/tangent.hpp), of others settled from it.
 #pragma once
 
+#include <array>
 #include <memory>
 
+#include "../solve/settle.hpp"
 #include "../solve/tangent.hpp"
 #include "measured_gear.hpp"
 
@@ -13,16 +15,14 @@ namespace codend {
 struct NearControl {
   double tolerance = 1e-10;  // net force over the largest tension
   int steps = 20, renewals = 3;
-  bool closes_in = true;  // whether steps must end by themselves; else the tolerance is enough
+  bool closes_in = true;  // whether steps must end by themselves; else the tolerance ends them
   double reach = 1.0;     // of counts, see NearMeasures
 };
 
+// How much measures of another gear (SI, of its questions) are more than those of the gear itself; empty
+// where no balance is found, or where its lattice has other nodes.
 struct NearMeasures {
   int factorisations = 0;
-  // Of the questions, SI, from the gear itself, without jumps; empty where steps lead to no balance.
-  // What is seen in cells of a picture changes by its exact derivative. What counts elements (slack
-  // twines, rope on the ground) changes by those that `reach` times the change takes to zero, less
-  // those that as much the other way does: as many are taken for just beyond zero as before it.
   std::vector<double> change;
 };
 
@@ -40,18 +40,34 @@ class NearGear {
   // Of the gear itself, in balance to rounding.
   const std::vector<double>& measures() const { return measures_; }
 
-  // Of a gear with other numbers; empty too where its lattice has other nodes.
-  NearMeasures measure(const GearNumbers& numbers, const NearControl& control) const;
+  // Of the gears with numbers `share` of the way to others', a little, and as much the other way, without
+  // jumps; the second where there is the first. Nothing where these differ in more than numbers.
+  //
+  // What is seen in cells of a picture changes by its exact derivative. What counts elements (slack
+  // twines, rope on the ground) changes by those that `reach` times the change takes to zero, less
+  // those that as much the other way does: as many are taken for just beyond zero as before it.
+  std::array<NearMeasures, 2> towards(const GearNumbers& numbers, double share,
+                                      const NearControl& control) const;
+
+  // Of a gear with other numbers, settled from the gear itself. control: its tolerances and bounds.
+  NearMeasures settled(const GearNumbers& numbers, SettleControl control) const;
 
  private:
-  // Brings nodes at x (m, 3 each) to balance; false where steps do not.
-  bool balanced(const MeasuredGear& gear, const NearControl& control, std::vector<double>& x,
-                MeasuredShape<double>& shape, int& factorisations) const;
+  // The gear with other numbers on the same lattice; false where that has other nodes.
+  bool divided_alike(const GearNumbers& numbers, MeasuredGear& out) const;
+  // Takes nodes at x (m, 3 each) to balance; false where steps do not. stepped: whether x is more than
+  // where the gear itself is, which small forces alone do not tell from balance.
+  bool balanced(const MeasuredGear& gear, const NearControl& control, bool stepped,
+                std::vector<double>& x, MeasuredShape<double>& shape, int& factorisations) const;
+  // Measures without jumps of such a gear in balance, less the gear's own.
+  std::vector<double> change(const GearNumbers& numbers, const MeasuredGear& other,
+                             const MeasuredShape<double>& shape, double reach) const;
 
   const GearNumbers numbers_;
   const Counts counts_;
   const std::vector<double> wake_;
   std::vector<double> position_;  // of points; nodes in balance
+  std::vector<double> strain_;    // of every line
   MeasuredGear own_;
   std::unique_ptr<Tangent> tangent_;
   mutable std::unique_ptr<Tangent> renewed_;  // where steps of the first do not close in

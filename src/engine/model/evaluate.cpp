@@ -130,12 +130,16 @@ const std::vector<double>& Evaluation::reported(const std::string& name) const {
 }
 
 Evaluation evaluate(Assembly& assembly, const double* x, const double* v) {
+  assembly.renew_still();
+  assembly.move_to(x, v);
+  return evaluate_here(assembly);
+}
+
+Evaluation evaluate_here(Assembly& assembly) {
   const Model& model = assembly.model();
   Evaluation out;
   out.force.resize(3 * static_cast<std::size_t>(model.nodes));
   out.mass.resize(9 * static_cast<std::size_t>(model.nodes));
-  assembly.renew_still();
-  assembly.move_to(x, v);
   assembly.residual(out.force.data());
   assembly.mass(out.mass.data());
   read_lines(assembly.lines(), 0, model.bars.count(), out.bar_tension, out.bar_length);

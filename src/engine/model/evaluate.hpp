@@ -40,5 +40,7 @@ struct Evaluation {
 
 // x (m), v (m/s): 3 per node.
 Evaluation evaluate(Assembly& assembly, const double* x, const double* v);
+// Where the assembly was last moved to, while it holds no nodes back.
+Evaluation evaluate_here(Assembly& assembly);
 
 }  // namespace codend

@@ -91,7 +91,7 @@ struct Model {
     visit("mass", mass, {1, Among::numbers, Per::point});
     visit("wake", wake, {1, Among::numbers, Per::point, true});
     visit.group("water", water);
-    ground.present = visit.optional("ground", ground);
+    visit.optional("ground", ground, ground.present);
     visit("slack_twine", slack);
     visit.columns("materials", materials);
     visit.count(Among::materials, materials.size());

@@ -61,7 +61,8 @@ void Tangent::solve_transposed(const double* per_displacement, double* per_force
   }
 }
 
-ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, double* x) const {
+ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, double* x,
+                             int enough) const {
   if (3 * static_cast<std::size_t>(other.model().nodes) != size_ || other.free_nodes() != free_) {
     throw std::invalid_argument("tangent: the assembly has other free nodes");
   }
@@ -85,6 +86,8 @@ ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, doubl
     }
     report.residual = worst == 0.0 ? 0.0 : worst / other.largest_tension();
     if (!std::isfinite(report.residual)) return report;
+    report.converged = report.steps >= enough && report.residual <= tolerance;
+    if (report.converged) return report;
     solve(force.data(), step.data());
     for (const int node : free_) largest = std::max(largest, at(step.data(), node).norm());
     const bool smallest = largest <= rounding_share * far;

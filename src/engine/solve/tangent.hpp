@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "../model/assembly.hpp"
@@ -49,8 +50,10 @@ class Tangent {
   // Takes chord steps of an assembly of the same nodes and pattern, whose numbers may be others,
   // from x, 3 per node, at rest. They end when they no longer close in: converged where net forces
   // are then within `tolerance` of the largest tension, or a hundred times that where steps are down
-  // to the rounding of positions, and not after `steps`, or where steps grow.
-  ChordReport balance(Assembly& other, double tolerance, int steps, double* x) const;
+  // to the rounding of positions, and not after `steps`, or where steps grow. From `enough` steps on
+  // the tolerance alone ends them. The assembly is then at x.
+  ChordReport balance(Assembly& other, double tolerance, int steps, double* x,
+                      int enough = std::numeric_limits<int>::max()) const;
 
  private:
   const std::size_t size_;
