@@ -1,0 +1,12 @@
+# Names of fields that codend's own `$` reads, which R's checks would take for variables.
+
+names_after_dollar <- function(e) {
+  if (is.function(e)) e <- call("{", formals(e), body(e))
+  if (!is.call(e) && !is.pairlist(e)) return(NULL)
+  own <- if (identical(e[[1L]], as.name("$"))) as.character(e[[3L]])
+  c(own, unlist(lapply(e, names_after_dollar)))
+}
+
+utils::globalVariables(unique(unlist(
+  lapply(mget(ls(topenv(), all.names = TRUE), topenv()), names_after_dollar)
+)))
