@@ -14,6 +14,8 @@
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
+# make gallery the tank's pictures, for its page and gallery/tank/; takes Node.js with npm, and Chromium
+#
 # make soak    ten users of the flume tank for an hour, or MINUTES=..., USERS=...; takes Node.js 20
 #
 # make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
@@ -38,8 +40,8 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test soak bench \
-  bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
+.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test gallery \
+  soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -90,6 +92,10 @@ check:
 browser-test:
 	@tools/setup --tests
 	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node --test
+
+gallery:
+	@tools/setup --tests
+	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node gallery.js && node pictures.js
 
 MINUTES ?= 60
 USERS ?= 10
