@@ -154,13 +154,11 @@ window.codendView.viewer = function (host, options) {
     return found.length ? found : corners;
   }
 
-  // The part of the picture that words and buttons leave free: half its width and height over those
-  // of the picture, and how far its middle is from the picture's middle, in halves of that. Each part
-  // takes the strip along one side that costs least; half of the picture stays free whatever they take.
-  function free_part() {
+  // What words and buttons take of the picture along some of its sides, pixels. Each of them takes the
+  // strip that costs least; half of the picture stays free whatever they take.
+  function taken_along(sides) {
     var width = host.clientWidth || 1, height = host.clientHeight || 1;
     var taken = { left: 0, right: 0, top: 0, bottom: 0 }, frame = host.getBoundingClientRect();
-    if (choice.compare === 'beside') return { wide: 0.9, tall: 0.7, across: 0, up: 0 };
     [title, bar, legend, scaleBar].concat(Array.from(host.querySelectorAll('.view-time, .view-graph')))
       .forEach(function (part) {
         var box = part.getBoundingClientRect(), best = null;
@@ -169,7 +167,7 @@ window.codendView.viewer = function (host, options) {
           left: box.right - frame.left, right: frame.right - box.left,
           top: box.bottom - frame.top, bottom: frame.bottom - box.top
         };
-        Object.keys(strips).forEach(function (side) {
+        sides.forEach(function (side) {
           var across = side === 'left' || side === 'right';
           var cost = Math.max(0, strips[side] - taken[side]) * (across ? height : width);
           if (!best || cost < best[0]) best = [cost, side];
@@ -180,6 +178,15 @@ window.codendView.viewer = function (host, options) {
       var much = (taken[pair[0]] + taken[pair[1]]) / (0.5 * pair[2]);
       if (much > 1) { taken[pair[0]] /= much; taken[pair[1]] /= much; }
     });
+    return taken;
+  }
+
+  // The part of the picture that words and buttons leave free: half its width and height over those
+  // of the picture, and how far its middle is from the picture's middle, in halves of that.
+  function free_part() {
+    if (choice.compare === 'beside') return { wide: 0.9, tall: 0.75, across: 0, up: 0 };
+    var width = host.clientWidth || 1, height = host.clientHeight || 1;
+    var taken = taken_along(['left', 'right', 'top', 'bottom']);
     return {
       wide: 0.94 * (1 - (taken.left + taken.right) / width),
       tall: 0.94 * (1 - (taken.top + taken.bottom) / height),
@@ -370,11 +377,12 @@ window.codendView.viewer = function (host, options) {
     }
     var all = kept.concat({ name: 'Now', gear: gears.now }), n = all.length;
     var columns = Math.min(n, Math.max(1, Math.round(Math.sqrt(n * width / height))));
-    var w = width / columns, h = height / Math.ceil(n / columns);
+    var taken = taken_along(['top', 'bottom']);
+    var w = width / columns, h = (height - taken.top - taken.bottom) / Math.ceil(n / columns);
     return all.map(function (one, k) {
       return {
-        left: k % columns * w, top: Math.floor(k / columns) * h, width: w, height: h, gear: one.gear,
-        name: one.name
+        left: k % columns * w, top: taken.top + Math.floor(k / columns) * h, width: w, height: h,
+        gear: one.gear, name: one.name
       };
     });
   }
@@ -623,7 +631,7 @@ window.codendView.viewer = function (host, options) {
     names = boxes(width, height).filter(function (one) { return one.name; }).map(function (one) {
       var label = element('div', 'view-label view-label-name', one.name);
       label.style.left = one.left + one.width / 2 + 'px';
-      label.style.top = one.top + (one.top ? 16 : bar.offsetTop + bar.offsetHeight + 22) + 'px';
+      label.style.top = one.top + 18 + 'px';
       return host.appendChild(label);
     });
     return box;

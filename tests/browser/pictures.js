@@ -44,6 +44,7 @@ const scenes = {
     await page.keyboard.press('Enter');
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
     await page.waitForSelector('#drawing .wrong', { state: 'attached', ...patience });
+    await page.click('#drawing_all');
     await page.waitForTimeout(1000);
   },
   async designs(page) {
