@@ -1,5 +1,5 @@
-// The linear equations of one Newton step. Factors are in single precision where refinement makes up for
-// it; where it does not they are double for a few steps, and for twice as many each time.
+// The linear equations of one Newton step. Factors are in single precision; where refinement does not make
+// up for that they are double from then on.
 #pragma once
 
 #include <functional>
