@@ -1,6 +1,6 @@
 # How the measures of the design on screen go with one of its fields: the clerk settles it at one
-# value after the other, each from the state on screen as vary() does, and answers other questions in
-# between.
+# value after the other, each from the state on screen as vary() does, and answers other questions
+# in between.
 
 # Values at most.
 most_varied <- 41L

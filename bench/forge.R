@@ -11,8 +11,8 @@ forge_kinds <- c(
 forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
 
 # Gear number `number`. kind, law: that kind or law of netting's drag alone (a longline has none);
-# NULL: any kind, and the kind's own law. changed: whether the plan is varied besides. What the plan's
-# checks refuse is drawn again.
+# NULL: any kind, and the kind's own law. changed: whether the plan is varied besides. What the
+# plan's checks refuse is drawn again.
 forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   any_kind <- sample(names(forge_kinds), 1L, prob = forge_kinds)

@@ -26,8 +26,13 @@ for (name in arguments[-(1:2)]) {
     field <- fields[[at]]
     to <- values[at] + sample(c(-1, 1), 1L) * 0.08 * (field$upper - field$lower)
     to <- min(max(to, field$lower), field$upper)
+    before <- values[at]
     values[at] <<- if (field$whole) round(to) else signif(to, 6)
-    state <<- suppressWarnings(settle(ns$set_free(gear, fields, values), from = state))
+    after <- tryCatch(
+      suppressWarnings(settle(ns$set_free(gear, fields, values), from = state)),
+      codend_error_plan = function(e) NULL # anchors farther apart than lines reach
+    )
+    if (is.null(after)) values[at] <<- before else state <<- after
     list(values = I(values), measures = as.list(ns$plain_measures(measures(state)) |>
       setNames(names(measures(state)))))
   })
