@@ -85,6 +85,12 @@ window.codendDrawing = (function () {
     svg().setAttribute('viewBox', box.map(function (v) { return v.toFixed(3); }).join(' '));
   }
 
+  function see_all() {
+    var place = find('drawing'), wide = Math.max(whole[2], whole[3] * place.clientWidth / place.clientHeight);
+    box = [whole[0] - (wide - whole[2]) / 2, whole[1], wide, 0];
+    look();
+  }
+
   // share < 1 zooms in; x, y: what stays, as shares of the picture.
   function zoom(share, x, y) {
     if (!box) return;
@@ -166,7 +172,7 @@ window.codendDrawing = (function () {
       if (steps[event.key]) pan.apply(null, steps[event.key]);
       else if (event.key === '+' || event.key === '=') zoom(0.8, 0.5, 0.5);
       else if (event.key === '-') zoom(1.25, 0.5, 0.5);
-      else if (event.key === '0') { box = whole.slice(); look(); }
+      else if (event.key === '0') see_all();
       else if ((event.key === 'Enter' || event.key === ' ') && thing) change(thing);
       else return;
       event.preventDefault();
@@ -324,7 +330,7 @@ window.codendDrawing = (function () {
     if (id === 'see_tank' || id === 'see_drawing') see(id === 'see_drawing');
     else if (id === 'drawing_in') zoom(0.8, 0.5, 0.5);
     else if (id === 'drawing_out') zoom(1.25, 0.5, 0.5);
-    else if (id === 'drawing_all' && whole) { box = whole.slice(); look(); }
+    else if (id === 'drawing_all' && whole) see_all();
   });
   document.addEventListener('DOMContentLoaded', listen);
   return {

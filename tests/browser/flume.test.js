@@ -385,6 +385,14 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await page.focus('#drawing');
   await page.keyboard.press('+');
   assert.notEqual(await page.getAttribute('#drawing svg', 'viewBox'), view);
+  // and the whole sheet, of which nothing is cut off
+  await page.click('#drawing_all');
+  const sheet = await page.evaluate(() => {
+    const paper = document.querySelector('#drawing svg'), all = paper.getBBox();
+    const [left, top, wide, tall] = paper.getAttribute('viewBox').split(' ').map(Number);
+    return [left - all.x, top - all.y, all.x + all.width - left - wide, all.y + all.height - top - tall];
+  });
+  assert.ok(Math.max(...sheet) < 0.5, `${sheet} mm beyond the picture`);
   clean(page);
   await page.close();
 });
