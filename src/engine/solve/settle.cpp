@@ -54,22 +54,16 @@ class Settling {
 
   void take_start() {
     if (control_.start == Start::near) iteration_.begin_near();
-    if (from_settled_) iteration_.begin_settled(true);
+    if (from_settled_) iteration_.begin_settled();
   }
 
   // To the last settled shape, from which steps did not close in; false where that is the start.
   bool go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
     iteration_.measure();
-    if (report_.wake_renewals > 0) {
-      iteration_.begin();
-      closing_in_ = false;
-      return true;
-    }
-    if (!corrected_ || !iteration_.has_corrected()) return false;
-    corrected_ = false;
-    iteration_.begin_settled(false);
-    steps_ = 0;
+    if (report_.wake_renewals == 0) return false;
+    iteration_.begin();
+    closing_in_ = false;
     return true;
   }
 
@@ -146,7 +140,6 @@ class Settling {
   int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
   int wake_rounds_ = 0;                       // renewals of wakes in balance
   const bool from_settled_;
-  bool corrected_ = true;  // whether the steps from a settled start are
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;

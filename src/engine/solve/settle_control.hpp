@@ -62,9 +62,6 @@ struct PathControl {
   double least_by_turn = 1e-8, most_rise = 10.0;
   // From a settled state's tensions mu falls at once to this share, where the shape is found.
   double settled_factor = 1e-3;
-  // Steps there that turn lines by less are corrected with their own factors: what a correction leaves out
-  // is of second order in the turn.
-  double corrected_turn = 0.2;
 };
 
 // Of trials of the constitutive law itself. A trial fails where the shape is no longer found, or where

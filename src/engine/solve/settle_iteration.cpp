@@ -71,9 +71,8 @@ void SettleIteration::begin_near() {
   if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
-void SettleIteration::begin_settled(bool correcting) {
+void SettleIteration::begin_settled() {
   from_settled_ = closing_in_ = true;
-  correcting_ = correcting;
   on_law_ = begun_ = false;
   settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
@@ -178,7 +177,6 @@ void SettleIteration::step() {
   take_right_side();
   if (linear_.solve(values_, right_, step_)) {
     move();
-    if (correcting_ && closing_in_ && !on_law_ && turned_ < control_.path.corrected_turn) correct();
   } else {
     pseudo_time_.shorten();
   }
@@ -257,7 +255,6 @@ void SettleIteration::move() {
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const double share = pseudo_time_.share(rotation);
-  turned_ = share * rotation;
   from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(assembly_, change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
@@ -305,22 +302,6 @@ double SettleIteration::correction_over_step(double share) {
     went += damping_[i] * share * share * dx.squaredNorm();
   }
   return went > 0.0 ? std::sqrt(off / went) : 0.0;
-}
-
-// Where the last step has left the path, brought nearer by another one with its factors: what a step of its
-// own costs is mostly these. Tensions and places are both unknowns of it. It is not taken where it turns
-// lines by more than the step did.
-void SettleIteration::correct() {
-  take_rest();
-  take_right_side();
-  linear_.solve_again(right_, step_);
-  take_step();
-  const LineChange& change = assembly_.line_change(dx_.data());
-  if (!(change.rotation < turned_)) return;
-  has_corrected_ = true;
-  path_.advance(assembly_, change.strain, 1.0);
-  for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += dx_[k];
-  pseudo_time_.assume_rotation(change.rotation);
 }
 
 void SettleIteration::take_step() {

@@ -28,9 +28,7 @@ class SettleIteration {
   // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
   void begin_near();
   // Takes the present positions, measured, as settled under other loads, likewise.
-  // correcting: whether steps are followed by others with their factors, which take fewer steps, but
-  // close in from less far.
-  void begin_settled(bool correcting);
+  void begin_settled();
   // From a settled shape, measured, under loads that have changed: the law itself, and where that does
   // not close in the path from that shape's tensions.
   void resume();
@@ -45,8 +43,6 @@ class SettleIteration {
   void judge_parts();
   // Whether steps from a settled shape do not close in.
   bool lost() const;
-  // Whether any of them was corrected.
-  bool has_corrected() const { return has_corrected_; }
   // One Newton step; where its matrix is singular none, and the next one is held back more.
   void step();
 
@@ -70,7 +66,6 @@ class SettleIteration {
   void move();
   void take_rest();
   double correction_over_step(double share);
-  void correct();
   void take_step();
   void take_right_side();
   bool at_rounding() const;
@@ -93,12 +88,9 @@ class SettleIteration {
   TensionPath path_;
   LinearStep linear_;
   PartBalance parts_;
-  bool begun_ = false;       // a step has been taken
-  bool closing_in_ = false;  // from a settled state, by its tensions
-  // How much the last step turned lines, and where it began.
-  double turned_ = 1.0;
-  bool correcting_ = false, has_corrected_ = false;
-  std::vector<double> from_x_;
+  bool begun_ = false;               // a step has been taken
+  bool closing_in_ = false;          // from a settled state, by its tensions
+  std::vector<double> from_x_;       // where the last step began
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
   int settled_steps_ = 0;            // of that state's tensions
