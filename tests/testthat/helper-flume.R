@@ -34,5 +34,17 @@ ask <- function(session, ..., number = 1, gesture = number) {
   session$setInputs(design = list(number = number, gesture = gesture, edits = list(...)))
 }
 
+# Each of what a page may send as an input is refused once, in words, where it was asked.
+expect_asks_refused <- function(session, sent, input, wrong, where) {
+  for (asked in wrong) {
+    sent("flume_refused")
+    do.call(session$setInputs, setNames(list(c(asked, said = stats::runif(1))), input))
+    refused <- sent("flume_refused")
+    expect_length(refused, 1L)
+    expect_identical(refused[[1]]$where, where)
+    expect_no_match(refused[[1]]$message, "failed", fixed = TRUE)
+  }
+}
+
 # The gear with what a page changes of its plan.
 edited_gear <- function(gear, edits) as_gear(edited_plan(gear$plan, edits)$plan, like = gear)

@@ -72,13 +72,8 @@ test_that("slopes of what is no field are refused", {
   in_flume("towed_cable", function(session, sent, tank) {
     wrong <- list(list("ropes.cable.lenght"), list(3), list(list("a")), list(strrep("a", 5000)),
       list("towing.speed", "ropes.cable.length"))
-    for (paths in wrong) {
-      sent("flume_refused")
-      session$setInputs(slopes_wanted = list(paths = paths, number = stats::runif(1)))
-      refused <- sent("flume_refused")
-      expect_length(refused, 1L)
-      expect_identical(refused[[1]]$where, "slopes")
-    }
+    wrong <- lapply(wrong, function(paths) list(paths = paths))
+    expect_asks_refused(session, sent, "slopes_wanted", wrong, "slopes")
     expect_null(tank$slopes)
   })
 })

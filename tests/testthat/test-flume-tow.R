@@ -58,14 +58,7 @@ test_that("a tow that cannot be is refused in words, and the last one stays", {
       list(until = "10 s", changes = list(speed = "5 knot")),
       list(until = "10 s", changes = list(speed = list(to = "5 m", from = "0 s", over = "5 s")))
     )
-    for (asked in wrong) {
-      sent("flume_refused")
-      session$setInputs(tow_wanted = c(asked, number = stats::runif(1)))
-      refused <- sent("flume_refused")
-      expect_length(refused, 1L)
-      expect_identical(refused[[1]]$where, "tow")
-      expect_no_match(refused[[1]]$message, "failed", fixed = TRUE)
-    }
+    expect_asks_refused(session, sent, "tow_wanted", wrong, "tow")
     expect_null(tank$trajectory)
   })
 })

@@ -29,6 +29,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
       parts_(assembly, control.part),
+      from_x_(force_.size()),
       path_steps_(control.law.steps),
       left_path_(path_) {}
 
@@ -250,17 +251,18 @@ const DualTension& SettleIteration::matrix_tension() {
 }
 
 void SettleIteration::move() {
-  take_step();
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
+  }
   const LineChange& change = assembly_.line_change(dx_.data());
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const double share = pseudo_time_.share(rotation);
-  from_x_.assign(x_, x_ + dx_.size());
+  const bool judged = !closing_in_ && pseudo_time_.judged();
+  if (judged) from_x_.assign(x_, x_ + dx_.size());
   if (!on_law_) path_.advance(assembly_, change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  if (!closing_in_ && pseudo_time_.judged()) {
-    pseudo_time_.judge(rotation, correction_over_step(share));
-  }
+  if (judged) pseudo_time_.judge(rotation, correction_over_step(share));
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
 }
@@ -302,12 +304,6 @@ double SettleIteration::correction_over_step(double share) {
     went += damping_[i] * share * share * dx.squaredNorm();
   }
   return went > 0.0 ? std::sqrt(off / went) : 0.0;
-}
-
-void SettleIteration::take_step() {
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
-  }
 }
 
 void SettleIteration::take_right_side() {

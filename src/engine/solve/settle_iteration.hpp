@@ -66,7 +66,6 @@ class SettleIteration {
   void move();
   void take_rest();
   double correction_over_step(double share);
-  void take_step();
   void take_right_side();
   bool at_rounding() const;
   double rounding_force() const;
@@ -90,7 +89,7 @@ class SettleIteration {
   PartBalance parts_;
   bool begun_ = false;               // a step has been taken
   bool closing_in_ = false;          // from a settled state, by its tensions
-  std::vector<double> from_x_;       // where the last step began
+  std::vector<double> from_x_;       // where the last judged step began
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
   int settled_steps_ = 0;            // of that state's tensions
