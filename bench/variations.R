@@ -7,9 +7,9 @@
 # one of four a rope is 5 % shorter, in one of eight a board is lost.
 vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
-  between <- function(low, high) exp(stats::runif(1, log(low), log(high)))
+  factor_between <- function(low, high) exp(stats::runif(1, log(low), log(high)))
   plan <- trawl$plan
-  changes <- list(towing.speed = times(plan$towing$speed, value_range(0.3, 2)))
+  changes <- list(towing.speed = times(plan$towing$speed, factor_between(0.3, 2)))
   scale <- function(group, names, field, factor) {
     for (name in names) {
       path <- paste(c(group, name, field), collapse = ".")
@@ -19,16 +19,16 @@ vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
   }
   roles <- function(group) vapply(plan[[group]], function(part) c(part$role, "")[1L], "")
   of_role <- function(group, role) names(plan[[group]])[roles(group) %in% role]
-  scale("ropes", of_role("ropes", "warp"), "length", value_range(0.5, 2))
+  scale("ropes", of_role("ropes", "warp"), "length", factor_between(0.5, 2))
   boards <- of_role("pieces", "otter_board")
-  scale("pieces", boards, "area", value_range(0.5, 2))
-  scale("pieces", boards, "mass", value_range(0.5, 2))
-  scale("pieces", of_role("pieces", "hammer"), "mass", value_range(0.5, 2))
-  scale("panels", names(plan$panels), c("twine", "diameter"), value_range(0.7, 1.5))
+  scale("pieces", boards, "area", factor_between(0.5, 2))
+  scale("pieces", boards, "mass", factor_between(0.5, 2))
+  scale("pieces", of_role("pieces", "hammer"), "mass", factor_between(0.5, 2))
+  scale("panels", names(plan$panels), c("twine", "diameter"), factor_between(0.7, 1.5))
   for (name in names(plan$ropes)) {
     if (!is.null(plan$ropes[[name]]$along)) {
       field <- if (is.null(plan$ropes[[name]]$length)) "hanging_ratio" else "length"
-      scale("ropes", name, field, value_range(0.9, 1.1))
+      scale("ropes", name, field, factor_between(0.9, 1.1))
     }
   }
   netting <- sample(c("bars", "cells"), 1)
