@@ -37,7 +37,8 @@ shared_model <- function(state, fields) {
   boards <- state$si$otter_boards
   list(
     head = packed$head, body = packed$body, nodes = state$lattice$nodes,
-    tolerance = settle_tolerance, fields = lapply(series$fields, told_field), terms = terms,
+    tolerance = settle_tolerance, steps = settle_iterations,
+    fields = lapply(series$fields, told_field), terms = terms,
     programs = measured$programs, order = I(names(measured$programs)), scene = scene,
     bag = if (!is.null(state$si$catch)) if (is.na(state$si$catch$volume)) "front" else "volume",
     names = I(vapply(gsub("_", " ", state$lattice$parts$name), capital, "", USE.NAMES = FALSE)),

@@ -126,20 +126,18 @@ function codendModel(engine, page, bytes) {
 
   // ---- settling ---------------------------------------------------------------------------------
 
-  var starts = { near: 1, settled: 2 }, tolerance = page.tolerance, parts_at = 0, good = null;
+  var tolerance = page.tolerance, parts_at = 0, good = null;
 
-  function settle(start, steps) {
-    return checked(engine._codend_settle(start, parts_at, tolerance, steps)) === 1;
-  }
+  function settle() { return checked(engine._codend_settle(parts_at, tolerance, page.steps)) === 1; }
   // With a catch that is given by its volume the front moves until it is met: a secant, as R's.
-  function settle_catch(start) {
-    if (page.bag !== 'volume') return settle(start, 300);
+  function settle_catch() {
+    if (page.bag !== 'volume') return settle();
     var wanted = Math.log(of.array('page/catch.volume')[0]), end = Math.log(of.array('page/catch.deep')[0]);
     var front = Math.log(engine._codend_blocked()), before = null, low = null, high = null;
     for (var turn = 0; turn < 40; turn++) {
       engine._codend_front(Math.exp(front));
       read();
-      if (!settle(turn ? starts.settled : start, 300)) return false;
+      if (!settle()) return false;
       var volume = engine._codend_volume();
       var off = volume > 0 ? Math.log(volume) - wanted : -Infinity;
       if (Math.abs(off) < 1e-9) return true;
@@ -164,14 +162,7 @@ function codendModel(engine, page, bytes) {
     var grow = good && speed > 0 && now > 0 ? now * now / (speed * speed) : 1;
     read();
     if (good && grow !== 1) put_strain(good.strain.map(function (v) { return v * grow; }));
-    var ok = settle_catch(starts.settled);
-    if (!ok && good) {
-      restore(false);
-      fill(values);
-      read();
-      ok = settle_catch(starts.near);
-    }
-    if (!ok) return false;
+    if (!settle_catch()) return false;
     wake = found('wake');
     good = {
       values: values.slice(), x: position(), strain: found('strain'), wake: wake,
@@ -180,12 +171,13 @@ function codendModel(engine, page, bytes) {
     };
     return true;
   }
-  function restore(whole) {
+  function restore() {
     put(good.x);
     put_strain(good.strain);
     wake = good.wake;
     if (page.bag) engine._codend_front(good.blocked);
-    if (whole) { fill(good.values); read(); }
+    fill(good.values);
+    read();
   }
 
   // The largest part of a range that is settled at once, and how often a part that fails is halved.
@@ -206,7 +198,7 @@ function codendModel(engine, page, bytes) {
         part = next;
         return part === 1 ? 'done' : 'more';
       }
-      restore(true);
+      restore();
       if (halved++ >= most_halved) return 'stuck';
       size /= 2;
       return 'more';

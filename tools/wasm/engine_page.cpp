@@ -200,20 +200,19 @@ int codend_read() {
   });
 }
 
-// start: a number of codend::Start; part: of every line, counted from 0. Returns whether it settled, or
-// -1. Position and strain are left as they came where it did not.
-int codend_settle(int start, const int* part, double tolerance, int iterations) {
+// From a settled state; part: of every line, counted from 0. Returns whether it settled, or -1. Position and strain are left as they came where it did not.
+int codend_settle(const int* part, double tolerance, int iterations) {
   return guarded([&] {
     const std::size_t lines = static_cast<std::size_t>(model->lines());
     codend::SettleControl control;
-    control.start = static_cast<codend::Start>(start);
+    control.start = codend::Start::settled;
     if (strain.size() == lines) control.strain = strain;
     control.part.assign(part, part + lines);
     control.tolerance = tolerance;
     control.iterations = iterations;
     const std::vector<double> still(position.size(), 0.0);
     std::vector<double> x = position;
-    report = codend::settle(*assembly, control, still.data(), x.data());
+    report = codend::settle_from(*assembly, control, still.data(), x.data());
     if (!report.converged) return 0;
     position = x;
     assembly->strain(strain);

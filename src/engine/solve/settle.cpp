@@ -159,4 +159,22 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
   return report;
 }
 
+SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
+                         double* x) {
+  const std::vector<double> start(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes));
+  const SettleReport first = settle(assembly, control, v, x);
+  if (first.converged || control.start != Start::settled || first.wake_renewals > 0) return first;
+  std::copy(start.begin(), start.end(), x);
+  SettleControl near = control;
+  near.start = Start::near;
+  SettleReport report = settle(assembly, near, v, x);
+  report.iterations += first.iterations;
+  report.factorisations += first.factorisations;
+  report.seconds_analysis += first.seconds_analysis;
+  report.seconds_forces += first.seconds_forces;
+  report.seconds_jacobian += first.seconds_jacobian;
+  report.seconds_linear += first.seconds_linear;
+  return report;
+}
+
 }  // namespace codend

@@ -36,4 +36,9 @@ struct SettleReport {
 // (m/s), how the held nodes move in the frame of the gear; usually zero.
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
+// The same; a settled start that is given up begins again as one that is near. Steps and seconds are
+// those of both.
+SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
+                         double* x);
+
 }  // namespace codend
