@@ -41,8 +41,7 @@ using namespace binding;
       return true;
     };
     control.pause = [] { check_user_interrupt(); };
-    const codend::SettleReport report =
-        codend::settle_from(assembly, control, v.data(), x.data());
+    const codend::SettleReport report = codend::settle_from(assembly, control, v.data(), x.data());
     std::vector<double> line_strain;
     assembly.strain(line_strain);
     line_strain.resize(static_cast<std::size_t>(model.lines()));
