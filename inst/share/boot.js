@@ -36,7 +36,7 @@
     return Promise.all([text('scene'), bytes('shapes'), text('model')]);
   }).then(function (told) {
     window.codendPage(JSON.parse(told[0]), new Uint8Array(told[1]), JSON.parse(told[2]), {
-      bytes: bytes, text: text, has: function (name) { return name in packed; }, failed: failed
+      bytes: bytes, text: text, failed: failed
     });
   }).catch(failed);
 })();

@@ -44,10 +44,17 @@ window.codendPage = function (given, shapes, page, packed) {
     var low = Math.round(value / field.step) * field.step;
     return Math.min(Math.max(Number(low.toPrecision(12)), field.lower), field.upper);
   }
+  function in_words(k, value) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
   function tell_slider(k) {
-    var words = (Number(values[k].toPrecision(6)) + ' ' + fields[k].unit).trim();
+    var words = in_words(k, values[k]);
     by_id('slider-' + (k + 1) + '-value').textContent = words;
     inputs[k].setAttribute('aria-valuetext', words);
+  }
+  // Where sliders came to that were to go on, each with where to.
+  function met(at) {
+    return fields.map(function (field, k) {
+      return at[k] === values[k] ? '' : field.label + ' ' + in_words(k, at[k]) + ' (of ' + in_words(k, values[k]) + ')';
+    }).filter(Boolean).join(', ');
   }
   var number = 0, shown = 0;
   function move() {
@@ -140,7 +147,8 @@ window.codendPage = function (given, shapes, page, packed) {
     if (said.number < number) return;
     if (said.kind === 'stuck') {
       times.stuck += 1;
-      told.textContent = 'No balance was found beyond this: the gear is shown where it came to.';
+      told.textContent = 'No balance was found beyond ' + met(said.shape.values) +
+        ': the gear is shown there.';
       set(said.shape.values);
       busy(false);
     } else if (said.done) {

@@ -1,11 +1,14 @@
 # Pages that share() writes, and what R has after the same moves, for share.test.js:
 #   Rscript share.R FOLDER MOVES GEAR...
-# Writes FOLDER/GEAR.html and FOLDER/GEAR.json: of every move the sliders' values and R's measures.
+# Writes FOLDER/GEAR.html and FOLDER/GEAR.json: of every move the sliders' values, R's measures and
+# the share of the largest tension that R's balance leaves.
 library(codend)
 ns <- asNamespace("codend")
 arguments <- commandArgs(TRUE)
 folder <- arguments[1]
 moves <- as.integer(arguments[2])
+# balances closer than the comparison; stiff gears come as close as rounding lets them
+assignInNamespace("settle_tolerance", 1e-11, "codend")
 set.seed(38)
 for (name in arguments[-(1:2)]) {
   gear <- read_gear(name)
@@ -34,7 +37,7 @@ for (name in arguments[-(1:2)]) {
     )
     if (is.null(after)) values[at] <<- before else state <<- after
     list(values = I(values), measures = as.list(ns$plain_measures(measures(state)) |>
-      setNames(names(measures(state)))))
+      setNames(names(measures(state)))), residual = state$report$residual)
   })
   text <- jsonlite::toJSON(log, auto_unbox = TRUE, digits = NA)
   writeLines(text, file.path(folder, paste0(name, ".json")))

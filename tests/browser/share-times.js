@@ -1,0 +1,76 @@
+// How long a shared page takes in headless Chromium: its first picture and first answer, moves of 5 % of
+// a slider's range, jumps from end to end, and the longest time in which the page answers nothing.
+//   node share-times.js RATE PAGE.html...
+// The page's own thread is slowed RATE times by the browser; its worker is not, so that times of the
+// worker (all but the picture and the stall) are told as measured and times RATE.
+'use strict';
+const path = require('path');
+const { chromium } = require('playwright-core');
+
+const rate = Number(process.argv[2]), files = process.argv.slice(3);
+const sorted = (list) => list.slice().sort((a, b) => a - b);
+const middle = (list) => sorted(list)[list.length >> 1];
+
+async function timed(browser, file) {
+  const page = await browser.newPage({ viewport: { width: 1200, height: 800 } });
+  const session = await page.context().newCDPSession(page);
+  await session.send('Emulation.setCPUThrottlingRate', { rate });
+  await page.goto('file://' + path.resolve(file), { waitUntil: 'commit' });
+  await page.waitForFunction(() => window.codendReady || window.codendFailed, null, { timeout: 120000 });
+  const found = await page.evaluate(async () => {
+    const fields = Array.from(document.querySelectorAll('#sliders input'))
+      .map((input) => ({ lower: Number(input.min), upper: Number(input.max), value: Number(input.value) }));
+    let seed = 38;
+    const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    let stall = 0, before = performance.now();
+    const beat = setInterval(() => {
+      stall = Math.max(stall, performance.now() - before);
+      before = performance.now();
+    }, 4);
+    async function move(values) {
+      const began = performance.now();
+      window.codendMove(values);
+      while (!window.codendSettled) await new Promise((go) => setTimeout(go, 2));
+      return performance.now() - began;
+    }
+    const own = fields.map((field) => field.value), moves = [], jumps = [];
+    for (let k = 0; k < 40; k++) {
+      const at = Math.floor(random() * fields.length), field = fields[at], values = own.slice();
+      values[at] += (values[at] + 0.05 * (field.upper - field.lower) > field.upper ? -0.05 : 0.05) *
+        (field.upper - field.lower);
+      moves.push(await move(values));
+      moves.push(await move(own));
+    }
+    for (let at = 0; at < fields.length; at++) {
+      for (const end of ['lower', 'upper']) {
+        const values = own.slice();
+        values[at] = fields[at][end];
+        jumps.push(await move(values));
+      }
+    }
+    for (let k = 0; k < 6; k++) {
+      jumps.push(await move(fields.map((field) => random() < 0.5 ? field.lower : field.upper)));
+    }
+    clearInterval(beat);
+    return { moves, jumps, stall, picture: window.codendTimes.picture, first: window.codendTimes.first,
+      stuck: window.codendTimes.stuck };
+  });
+  await page.close();
+  return found;
+}
+
+(async () => {
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+  });
+  await timed(browser, files[0]); // the browser itself begins
+  console.log('ms: page | picture | first answer | move median, worst | jump median, worst | stall | stuck');
+  for (const file of files) {
+    const of = await timed(browser, file);
+    const ms = (list) => `${middle(list).toFixed(0)}, ${Math.max(...list).toFixed(0)}`;
+    console.log(`${path.basename(file, '.html')} | ${of.picture.toFixed(0)} | ${of.first.toFixed(0)} | ` +
+      `${ms(of.moves)} | ${ms(of.jumps)} | ${of.stall.toFixed(0)} | ${of.stuck}`);
+  }
+  await browser.close();
+})();
