@@ -106,7 +106,8 @@ for (const gear of gears) {
   });
 }
 
-test('a name that is a script runs nothing', { skip }, async () => {
+const hostile = skip || (gears.includes('towed_cable') ? false : 'the cable has that name');
+test('a name that is a script runs nothing', { skip: hostile }, async () => {
   const page = await opened('towed_cable');
   assert.match(await page.textContent('h1'), /<\/script><script>/);
   assert.strictEqual(await page.evaluate(() => window.hurt), undefined);
@@ -121,7 +122,7 @@ test('a name that is a script runs nothing', { skip }, async () => {
 });
 
 test('moves that are overtaken are dropped, and what is told last holds', { skip }, async () => {
-  const page = await opened('stow_net');
+  const page = await opened(gears[0]);
   const found = await page.evaluate(async () => {
     const inputs = Array.from(document.querySelectorAll('#sliders input'));
     for (let k = 0; k < 40; k++) {
@@ -139,14 +140,16 @@ test('moves that are overtaken are dropped, and what is told last holds', { skip
   await page.close();
 });
 
-for (const size of [{ width: 1400, height: 900 }, { width: 390, height: 844 }]) {
-  test(`axe-core finds nothing at ${size.width} pixels`, { skip }, async () => {
-    const page = await opened('stow_net', size);
-    await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
-    await page.evaluate(fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8'));
-    const found = await page.evaluate(() => window.axe.run());
-    assert.deepStrictEqual(found.violations.map((v) => v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')), []);
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= size.width);
-    await page.close();
-  });
+for (const gear of gears) {
+  for (const size of [{ width: 1400, height: 900 }, { width: 390, height: 844 }]) {
+    test(`${gear}: axe-core finds nothing at ${size.width} pixels`, { skip }, async () => {
+      const page = await opened(gear, size);
+      await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
+      await page.evaluate(fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8'));
+      const found = await page.evaluate(() => window.axe.run());
+      assert.deepStrictEqual(found.violations.map((v) => v.id + ': ' + v.nodes.map((n) => n.html.slice(0, 120)).join(' | ')), []);
+      assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= size.width);
+      await page.close();
+    });
+  }
 }
