@@ -17,3 +17,13 @@ if (nav && headings.length > 1) {
     item.append(link);
   }
 } else if (nav) nav.remove();
+
+// The living gear in the place of its picture.
+for (const picture of document.querySelectorAll("img[data-live]")) {
+  const live = document.createElement("iframe");
+  live.className = "live";
+  live.loading = "lazy";
+  live.src = `../live/${picture.dataset.live}.html`;
+  live.title = `${picture.alt}: sliders change it`;
+  picture.replaceWith(live);
+}

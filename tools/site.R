@@ -8,19 +8,27 @@ site <- pkgdown::as_pkgdown(".", list(destination = normalizePath(folder, mustWo
 pkgdown::init_site(site)
 # pkgdown warns of pictures that it does not copy itself: the gallery's are copied here
 invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
-# every shipped gear as a page that settles it
+# every shipped gear as a page that settles it, and its picture with a link to that page
 live <- file.path(site$dst_path, "live")
 dir.create(live, showWarnings = FALSE)
-for (gear in codend::gears()$name) {
+figures <- Map(function(gear, title) {
   state <- suppressWarnings(codend::settle(gear, nodes = 1500))
-  codend::share(state, file.path(live, paste0(gear, ".html")))
-}
+  page <- paste0("live/", gear, ".html")
+  codend::share(state, file.path(site$dst_path, page))
+  file.copy(system.file("app", "gears", paste0(gear, ".jpg"), package = "codend"), live)
+  sprintf('<figure><a href="%s"><img src="live/%s.jpg" alt=""/><br/>%s: try it now</a></figure>',
+    page, gear, title)
+}, codend::gears()$name, codend::gears()$title)
 withCallingHandlers(
   pkgdown::build_home(site, quiet = TRUE),
   warning = function(said) {
     if (grepl("Missing images", conditionMessage(said))) tryInvokeRestart("muffleWarning")
   }
 )
+index <- file.path(site$dst_path, "index.html")
+text <- paste(readLines(index, encoding = "UTF-8", warn = FALSE), collapse = "\n")
+writeLines(sub('(<div class="gallery">)', paste0("\\1", paste(figures, collapse = "\n")), text),
+  index, useBytes = TRUE)
 pkgdown::build_reference(site, devel = FALSE)
 pkgdown::build_articles(site, quiet = TRUE)
 pkgdown::build_news(site)
