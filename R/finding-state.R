@@ -52,16 +52,15 @@ define_finding("opening", "state",
     if (!is.null(state$time)) return(list())
     opening <- Filter(function(one) one$kind %in% c("height", "area", "volume"), state$si$measures)
     opening <- opening[grepl("height|opening|area|volume", names(opening))]
-    found <- lapply(names(opening), function(name) {
-      value <- measure_values(state, opening[name])
+    found <- Map(function(name, value) {
       if (!is.finite(value) || value > 0) return(NULL)
       unit <- c(height = "m", area = "m2", volume = "m3")[[opening[[name]]$kind]]
       shown <- paste(figures(value), unit)
       finding(gsub("_", " ", name), value, shown, sprintf("it is %s: it must be positive.", shown),
         "Give more floats above, more weight below, or other lengths of bridles.",
         field = "floats")
-    })
-    Filter(Negate(is.null), found)
+    }, names(opening), measure_values(state, opening))
+    Filter(Negate(is.null), unname(found))
   },
   rank = 1L
 )

@@ -68,14 +68,15 @@ made_of_state <- list(
 # design that has the fields of the one before only what moves, list(moved, anew), as
 # moved_message() gives it: rest_of_design() is asked for next.
 shown_design <- function(request, memory) {
-  before <- given_paths(memory$state$gear$plan)
   found <- settled_design(request, memory, complete = FALSE)
   memory$state <- found$state
-  passing <- request$kind == "design" && !is.null(memory$fixed) &&
-    identical(given_paths(found$gear$plan), before)
+  before <- memory$paths
+  memory$paths <- given_paths(found$gear$plan)
+  passing <- request$kind == "design" && !is.null(memory$fixed) && identical(memory$paths, before)
   if (passing) {
-    memory$passing <- found
-    message <- moved_message(found$state, memory$fixed, request$number)
+    shape <- flume_shape(found$state)
+    memory$passing <- list(found = found, shape = shape)
+    message <- moved_message(found$state, shape, memory$fixed, request$number)
     memory$fixed <- message$fixed
     return(message[c("moved", "anew")])
   }
@@ -85,10 +86,10 @@ shown_design <- function(request, memory) {
 }
 
 rest_of_design <- function(memory) {
-  found <- memory$passing
+  passing <- memory$passing
   memory$passing <- NULL
-  if (is.null(found)) abort_argument("The process that settled this design has ended.")
-  complete_design(found)
+  if (is.null(passing)) abort_argument("The process that settled this design has ended.")
+  complete_design(passing$found, passing$shape)
 }
 
 # list(gear, state, notes = warnings), and with `complete` what complete_design() adds.
@@ -108,12 +109,12 @@ settled_design <- function(request, memory, complete = TRUE) {
 }
 
 # ... with what is worth a look among the notes, the drawing and the measures.
-complete_design <- function(found) {
+complete_design <- function(found, shape = flume_shape(found$state)) {
   # a page does not wait for swings of boards
   checks <- sorted_checks()
   worth <- findings_by(found$state, checks[names(checks) != "flutter"])
   found$notes <- c(found$notes, finding_sentences(worth))
-  c(found, list(drawing = flume_drawing(found$state), measures = measures(found$state)))
+  c(found, list(drawing = flume_drawing(found$state, shape), measures = measures(found$state)))
 }
 
 settled_start <- function(gear, nodes) {

@@ -4,10 +4,13 @@
 # Lines and cells that a tank's picture has at most.
 flume_lines <- 6000L
 
+# The lines, netting and marks of a state without what colours of meshes take.
+flume_shape <- function(state) scene_shape(state, flume_lines, meshes = FALSE)
+
 # What of a state the tank keeps to draw it: what joins its points (fixed), what moves, and the
-# values that colours are scaled by.
-flume_drawing <- function(state) {
-  shape <- scene_shape(state, flume_lines)
+# values that colours are scaled by. shape: as flume_shape() gives it.
+flume_drawing <- function(state, shape = flume_shape(state)) {
+  shape <- with_meshes(shape)
   c(
     list(fixed = scene_fixed(shape), moved = scene_moved(list(shape))),
     shape[c("ropes", "u", "v", "opening", "angle", "drag", "kind")]
@@ -38,11 +41,10 @@ picture_message <- function(state, now, seen, known, passed = FALSE) {
 moved_arrays <- c("points", "rope_tension", "u", "v", "drag", "places", "boards")
 
 # A design that a slider passes through, for the page to draw before anything else of it is known.
-# fixed: what the page has of what joins points. Returns list(moved (raw): the bytes of a header of
-# JSON (4), the header, then single floats, little-endian; fixed: that of this state; anew: whether
-# it is another).
-moved_message <- function(state, fixed, number) {
-  shape <- scene_shape(state, flume_lines, meshes = FALSE)
+# shape: as flume_shape() gives it; fixed: what the page has of what joins points. Returns
+# list(moved (raw): the bytes of a header of JSON (4), the header, then single floats,
+# little-endian; fixed: that of this state; anew: whether it is another).
+moved_message <- function(state, shape, fixed, number) {
   shape$rope_tension <- shape$ropes
   arrays <- lapply(shape[moved_arrays], as.double)
   now_fixed <- scene_fixed(shape)

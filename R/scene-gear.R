@@ -15,17 +15,23 @@ scene_shape <- function(state, limit = scene_limit, meshes = TRUE) {
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
-  found <- if (meshes && length(netting$u)) mesh_places(state)
-  mean_of <- function(colour) {
-    if (!is.null(found)) mesh_means(state, netting$panel, netting$at, colour, found)
-  }
-  list(
+  shape <- list(
     fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
     points = points[, drawn, drop = FALSE], ropes = ropes$tension, u = netting$u, v = netting$v,
-    opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle"),
     drag = part_drag_over_size(state), kind = state$lattice$parts$kind,
     places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
   )
+  if (meshes) with_meshes(shape) else shape
+}
+
+# ... with the opening and the angle of its meshes.
+with_meshes <- function(shape) {
+  state <- shape$fixed$state
+  netting <- shape$fixed$netting
+  if (!length(netting$u)) return(shape)
+  found <- mesh_places(state)
+  mean_of <- function(colour) mesh_means(state, netting$panel, netting$at, colour, found)
+  c(shape, list(opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle")))
 }
 
 # Hydrodynamic force along the flow over length (of ropes, N/m) or over the area of taut netting at

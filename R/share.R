@@ -9,7 +9,7 @@
 #' What a slider does to the numbers of the model is found before the page is written, by filling
 #' the model at several values of the field, and is checked against models at values between, to
 #' one part in 10^10. A field that divides the gear otherwise, such as a count of meshes, cannot be
-#' a slider. The page settles from the shape that it shows, in parts of a tenth of a slider's range;
+#' a slider. The page settles from the shape that it shows, in parts where sliders go far at once;
 #' errors are those of the state, as shares of the measures, and findings those of the gear as it
 #' was shared.
 #'

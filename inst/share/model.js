@@ -180,17 +180,17 @@ function codendModel(engine, page, bytes) {
     read();
   }
 
-  // The largest part of a range that is settled at once, and how often a part that fails is halved.
-  var most_part = 0.1, most_halved = 4;
+  // How far sliders together go at once, in ranges, and how often a part that fails is halved.
+  var most_way = 0.5, most_halved = 4;
 
   // From where the gear is to other values in parts: calls of the function that it gives settle the
   // next part each and say 'done', 'more' or 'stuck' (the gear stays where it came).
   function walk(values) {
     var from = good.values.slice(), way = 0, part = 0;
     fields.forEach(function (field, k) {
-      way = Math.max(way, Math.abs(values[k] - from[k]) / (field.upper - field.lower));
+      way += Math.abs(values[k] - from[k]) / (field.upper - field.lower);
     });
-    var size = 1 / Math.max(1, Math.ceil(way / most_part - 1e-9)), halved = 0;
+    var size = 1 / Math.max(1, Math.ceil(way / most_way - 1e-9)), halved = 0;
     return function () {
       var next = part + size > 1 - 1e-9 ? 1 : part + size;
       var at = next === 1 ? values.slice() : from.map(function (v, k) { return v + next * (values[k] - v); });

@@ -1,5 +1,5 @@
 // The worker of a shared page: settles the gear at the sliders' values, the last that it was told,
-// in parts; what is overtaken is dropped after the part at hand.
+// in parts where they are far; what is overtaken is dropped after the part at hand.
 //
 // It is told {kind: 'start', page, bytes, wasm}, then {kind: 'move', number, values}, and tells
 // {kind: 'shape', number, done, shape}, {kind: 'stuck', number, shape} or {kind: 'failed', words}.

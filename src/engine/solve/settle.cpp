@@ -33,6 +33,7 @@ class Settling {
     for (;; ++report_.iterations, ++steps_) {
       iteration_.measure();
       if (report_.iterations == 0) {
+        report_.first_residual = report_.residual;
         take_start();
       } else if (closing_in_ && (steps_ == control_.settled.steps || iteration_.lost() ||
                                  !std::isfinite(report_.residual))) {
@@ -165,9 +166,9 @@ SettleReport settle_from(Assembly& assembly, const SettleControl& control, const
   const SettleReport first = settle(assembly, control, v, x);
   if (first.converged || control.start != Start::settled || first.wake_renewals > 0) return first;
   std::copy(start.begin(), start.end(), x);
-  SettleControl near = control;
-  near.start = Start::near;
-  SettleReport report = settle(assembly, near, v, x);
+  SettleControl anew = control;
+  anew.start = first.first_residual < control.law.residual ? Start::near : Start::crude;
+  SettleReport report = settle(assembly, anew, v, x);
   report.iterations += first.iterations;
   report.factorisations += first.factorisations;
   report.seconds_analysis += first.seconds_analysis;

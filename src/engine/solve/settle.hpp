@@ -19,6 +19,7 @@ struct SettleReport {
   int iterations = 0;
   int factorisations = 0;
   double residual = 0.0;
+  double first_residual = 0.0;   // of the start
   double largest_tension = 0.0;  // N
   int wake_renewals = 0;         // times that wakes were renewed
   int perturbations = 0;         // times that an unstable equilibrium was perturbed
@@ -36,8 +37,8 @@ struct SettleReport {
 // (m/s), how the held nodes move in the frame of the gear; usually zero.
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
-// The same; a settled start that is given up begins again as one that is near. Steps and seconds are
-// those of both.
+// The same; a settled start that is given up begins again, as one that is near where its residual was
+// small enough for a trial of the law, else as any. Steps and seconds are those of both.
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
                          double* x);
 
