@@ -12,7 +12,7 @@ invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
 live <- file.path(site$dst_path, "live")
 dir.create(live, showWarnings = FALSE)
 figures <- Map(function(gear, title) {
-  state <- suppressWarnings(codend::settle(gear, nodes = 1500))
+  state <- suppressWarnings(codend::settle(gear, nodes = 600))
   page <- paste0("live/", gear, ".html")
   codend::share(state, file.path(site$dst_path, page))
   file.copy(system.file("app", "gears", paste0(gear, ".jpg"), package = "codend"), live)
