@@ -18,8 +18,8 @@
 #' installed from one, `share()` stops and says so. Browsers since 2023 run it (Chrome 91, Firefox
 #' 113, Safari 16.4).
 #'
-#' @param state A state, from [settle()]. A page with 600 nodes answers a slider in about a tenth of a
-#'   second, one with 1,500 in a third; pages of up to 2,000 nodes or so settle while one waits.
+#' @param state A state, from [settle()]. A page with 600 nodes answers a slider in about a tenth
+#'   of a second, one with 1,500 in a third; pages of up to 2,000 nodes or so settle while one waits.
 #' @param file The HTML file to write. It is written whole or not at all.
 #' @param sliders Paths of the fields that the page may change, such as `"towing.speed"`, or a list
 #'   of such paths that change together, as [sensitivities()] takes them. `NULL` takes a dozen that
