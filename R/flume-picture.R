@@ -5,7 +5,7 @@
 flume_lines <- 6000L
 
 # The lines, netting and marks of a state without what colours of meshes take.
-flume_shape <- function(state) scene_shape(state, flume_lines, meshes = FALSE)
+flume_shape <- function(state) scene_shape(state, flume_lines)
 
 # What of a state the tank keeps to draw it: what joins its points (fixed), what moves, and the
 # values that colours are scaled by. shape: as flume_shape() gives it.

@@ -5,32 +5,32 @@
 # Lines and cells that one scene shows at most.
 scene_limit <- 12000L
 
-# What of a state a scene shows: list(fixed, points (3 x n, m), ropes, u, v = tensions (N), opening,
-# angle = of the netting's places (% and deg) or NULL, drag = of every part over its size (N/m of
-# ropes, N/m2 of netting), places (3 x marks, m), boards (3 x 4 per board, m)).
-scene_shape <- function(state, limit = scene_limit, meshes = TRUE) {
+# What of a state a scene shows: list(fixed, points (3 x n, m), ropes, u, v = tensions (N), drag =
+# of every part over its size (N/m of ropes, N/m2 of netting), places (3 x marks, m), boards (3 x 4
+# per board, m)).
+scene_shape <- function(state, limit = scene_limit) {
   points <- state_points(state)
   ropes <- rope_lines(state, points, limit)
   netting <- netting_surfaces(state, limit)
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
-  shape <- list(
+  list(
     fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
     points = points[, drawn, drop = FALSE], ropes = ropes$tension, u = netting$u, v = netting$v,
     drag = part_drag_over_size(state), kind = state$lattice$parts$kind,
     places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
   )
-  if (meshes) with_meshes(shape) else shape
 }
 
-# ... with the opening and the angle of its meshes.
+# ... with opening, angle = of the netting's places (% and deg), NULL where there is none.
 with_meshes <- function(shape) {
   state <- shape$fixed$state
   netting <- shape$fixed$netting
-  if (!length(netting$u)) return(shape)
-  found <- mesh_places(state)
-  mean_of <- function(colour) mesh_means(state, netting$panel, netting$at, colour, found)
+  found <- if (length(netting$u)) mesh_places(state)
+  mean_of <- function(colour) {
+    if (!is.null(found)) mesh_means(state, netting$panel, netting$at, colour, found)
+  }
   c(shape, list(opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle")))
 }
 
@@ -214,7 +214,7 @@ scene_colours <- function() {
 
 # The scene of a state.
 state_scene <- function(state, colour = "tension") {
-  shape <- scene_shape(state)
+  shape <- with_meshes(scene_shape(state))
   c(
     list(times = I(0), labels = I(""), colour = colour), scene_about(state, list(shape)),
     scene_fixed(shape), scene_moved(list(shape))

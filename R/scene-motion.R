@@ -9,7 +9,7 @@ motion_scene <- function(trajectory, colour = "tension", bytes = scene_bytes) {
   kept <- length(trajectory$time)
   shown <- evenly(kept, scene_times)
   shapes <- lapply(trajectory$time[shown], function(t) {
-    scene_shape(state_at(trajectory, t), meshes = FALSE)
+    scene_shape(state_at(trajectory, t))
   })
   moved <- scene_moved(shapes)
   while ((size <- scene_size(moved)) > bytes && length(shown) > 2L) {

@@ -7,7 +7,7 @@
 shared_model <- function(state, fields) {
   measured <- shared_measures(state)
   series <- slider_series(state, fields, measured$standard)
-  shape <- scene_shape(state)
+  shape <- with_meshes(scene_shape(state))
   arrays <- series$base
   keep <- function(x) {
     name <- paste0("series/", length(arrays))

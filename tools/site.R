@@ -11,6 +11,7 @@ invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
 # every shipped gear as a page that settles it, and its picture with a link to that page
 live <- file.path(site$dst_path, "live")
 dir.create(live, showWarnings = FALSE)
+shipped <- codend::gears()
 figures <- Map(function(gear, title) {
   state <- suppressWarnings(codend::settle(gear, nodes = 600))
   page <- paste0("live/", gear, ".html")
@@ -18,7 +19,7 @@ figures <- Map(function(gear, title) {
   file.copy(system.file("app", "gears", paste0(gear, ".jpg"), package = "codend"), live)
   sprintf('<figure><a href="%s"><img src="live/%s.jpg" alt=""/><br/>%s: try it now</a></figure>',
     page, gear, title)
-}, codend::gears()$name, codend::gears()$title)
+}, shipped$name, shipped$title)
 withCallingHandlers(
   pkgdown::build_home(site, quiet = TRUE),
   warning = function(said) {

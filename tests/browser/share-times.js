@@ -5,7 +5,7 @@
 // worker (all but the picture and the stall) are told as measured and times RATE.
 'use strict';
 const path = require('path');
-const { chromium } = require('playwright-core');
+const { launch } = require('./tank');
 
 const rate = Number(process.argv[2]), files = process.argv.slice(3);
 const sorted = (list) => list.slice().sort((a, b) => a - b);
@@ -60,10 +60,7 @@ async function timed(browser, file) {
 }
 
 (async () => {
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
-  });
+  const browser = await launch();
   await timed(browser, files[0]); // the browser itself begins
   console.log('ms: page | picture | first answer | move median, worst | jump median, worst | stall | stuck');
   for (const file of files) {

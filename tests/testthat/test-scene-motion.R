@@ -79,7 +79,7 @@ test_that("places keep half a step, or a part in 65535 of their own way", {
 test_that("a long tow makes a page of less than 2 MB", {
   trajectory <- turning_trawl()
   moved <- scene_moved(lapply(trajectory$time, function(t) {
-    scene_shape(state_at(trajectory, t), meshes = FALSE)
+    scene_shape(state_at(trajectory, t))
   }))
   rest <- sum(file.size(system.file("view", c(viewer_scripts, "viewer.css"), package = "codend")))
   # what joins the points of the largest lattice that is drawn takes some 100 kB
