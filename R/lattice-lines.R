@@ -64,6 +64,21 @@ rope_bar <- function(lattice, rope, place) {
   )
 }
 
+# The nodes that hold the ends of some bars: list(bar, node, share of the end that it holds).
+bar_shares <- function(lattice, bars) {
+  ties <- lattice$engine$ties
+  nodes <- lattice$engine$nodes
+  node <- matrix(lattice$engine$bars$node, 2L)[, bars]
+  bar <- rep(bars, each = 2L)
+  tied <- node > nodes
+  tie <- node[tied] - nodes
+  list(
+    bar = c(bar[!tied], bar[tied], bar[tied]),
+    node = c(node[!tied], ties$first[tie], ties$second[tie]),
+    share = c(rep(1, sum(!tied)), 1 - ties$share[tie], ties$share[tie])
+  )
+}
+
 # Bars of a rope in order from its start.
 rope_bars <- function(lattice, rope) {
   which(lattice$bar_part == which(lattice$parts$kind == "rope" & lattice$parts$name == rope))

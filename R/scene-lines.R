@@ -63,24 +63,66 @@ rope_lines <- function(state, points, limit) {
   }))
 }
 
-# Netting: of bars, the bars themselves; of cells, the two twine directions through each cell of
-# the panel's grid.
+# Netting: of bars, the bars themselves and the seams that their twines end on; of cells, the two
+# twine directions through each cell of the panel's grid.
 netting_lines <- function(state, points, limit) {
   panels <- state$lattice$panels
   part <- netting_parts(state)
   of_bars <- vapply(panels, function(p) p$netting == "bars", NA)
   bars <- sum(state$lattice$bar_part %in% part[of_bars])
   grids <- lapply(panels[!of_bars], `[[`, "grid")
-  total <- bars + 2 * blocks_of(grids, 1)
+  seams <- seams_of_bars(state, of_bars)
+  joined <- sum(lengths(seams$nodes))
+  total <- bars + joined + 2 * blocks_of(grids, 1)
   block <- block_to_draw(grids, limit / total * blocks_of(grids, 1))
   shortest <- shortest_line(state, names(panels)[of_bars], part[of_bars], limit * (bars / total))
-  join_lines(lapply(seq_along(panels), function(p) {
+  lines <- lapply(seq_along(panels), function(p) {
     if (of_bars[p]) {
       panel_bar_lines(state, points, names(panels)[p], part[p], shortest)
     } else {
       panel_cell_lines(state, points, names(panels)[p], part[p], block)
     }
-  }))
+  })
+  if (joined) lines <- c(lines, list(seam_lines(state, points, part, seams, ceiling(total / limit))))
+  join_lines(lines)
+}
+
+# The nodes of the seams of panels of bars in order, a vector for each edge: list(nodes, panel).
+seams_of_bars <- function(state, of_bars) {
+  edges <- unlist(lapply(unname(state$si$seams), `[[`, "edges"), recursive = FALSE)
+  edges <- unlist(edges, recursive = FALSE)
+  panel <- match(vapply(edges, `[[`, "", "panel"), names(state$lattice$panels))
+  edges <- edges[of_bars[panel]]
+  panel <- panel[of_bars[panel]]
+  division <- state$lattice$division
+  nodes <- lapply(seq_along(edges), function(k) {
+    edge <- edges[[k]]
+    side <- 4L * (panel[k] - 1L) + match(edge$edge, c("upper", "lower", "left", "right"))
+    at <- division$before[side] + seq_len(division$count[side])
+    on <- division$fraction[at] > edge$from - 1e-9 & division$fraction[at] < edge$to + 1e-9
+    division$edge_node[at[on]]
+  })
+  list(nodes = nodes, panel = panel)
+}
+
+# Seams through every k-th of their nodes, once each. Where meshes of two sizes meet, twines of one
+# panel end between those of the other: the seam is what joins them. Its tension is the mean of the
+# twines that end on it.
+seam_lines <- function(state, points, part, seams, k) {
+  lattice <- state$lattice
+  nodes <- lapply(seams$nodes, function(node) node[block_ends(length(node), k)])
+  first <- unlist(lapply(nodes, function(node) node[-length(node)]))
+  second <- unlist(lapply(nodes, `[`, -1L))
+  once <- first != second & !duplicated(cbind(pmin(first, second), pmax(first, second)))
+  on <- rep.int(part[seams$panel], lengths(nodes) - 1L)[once]
+  first <- first[once]
+  second <- second[once]
+  held <- bar_shares(lattice, which(lattice$bar_part %in% on))
+  to_nodes <- function(x) sum_by(x, held$node, lattice$engine$nodes)
+  number <- to_nodes(held$share)
+  tension <- to_nodes(held$share * state$bar_tension[held$bar])
+  mean <- (tension[first] + tension[second]) / pmax(number[first] + number[second], 1e-9)
+  new_lines(points, first, second, mean, on)
 }
 
 # Rows of the lattice's table of parts of its panels, in the order of `lattice$panels`.

@@ -8,6 +8,7 @@
 #' Netting of cells is drawn as the two twine directions through its cells, which are larger
 #' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about
 #' as far apart everywhere, and several bars or cells in a row are one line with their mean tension.
+#' Between panels of bars their seam is drawn, with the mean tension of the twines that end on it.
 #'
 #' @param x A state, from [settle()].
 #' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.

@@ -20,10 +20,30 @@ test_that("ropes and netting of bars are drawn bar by bar", {
   drawing <- state_drawing(state)
   ropes <- parts_of(state)$kind[part_of(state, "bar")] == "rope"
   expect_equal(drawing$ropes$tension, state$bar_tension[ropes])
-  expect_equal(sort(drawing$netting$tension), sort(state$bar_tension[!ropes]))
+  # after its bars come the seams between the panels
+  expect_equal(
+    sort(utils::head(drawing$netting$tension, sum(!ropes))), sort(state$bar_tension[!ropes])
+  )
   length <- sqrt(colSums((drawing$ropes$to - drawing$ropes$from)^2))
   # Both are lengths from the same coordinates, but for rounding.
   expect_equal(length, state$bar_length[ropes], tolerance = 1e-12)
+})
+
+test_that("no twine of bars ends in the open: where mesh sizes change it ends on the seam", {
+  state <- unsettled("midwater_trawl", nodes = 1500, netting = "bars")
+  drawing <- state_drawing(state)
+  from <- cbind(drawing$netting$from, drawing$ropes$from)
+  to <- cbind(drawing$netting$to, drawing$ropes$to)
+  along <- to - from
+  # Points that are tied between nodes are the ends of twines on seams and ropes.
+  tied <- state_points(state)[, -seq_len(engine_array(state, "nodes"))]
+  inside <- apply(tied, 2, function(place) {
+    share <- colSums((place - from) * along) / colSums(along^2)
+    beside <- colSums((place - from - rep(share, each = 3) * along)^2)
+    any(share > 1e-3 & share < 1 - 1e-3 & beside < 1e-12)
+  })
+  expect_gt(length(inside), 500)
+  expect_true(all(inside))
 })
 
 test_that("cells lie in the panel's grid where their nodes bound them", {
