@@ -1,24 +1,34 @@
 # Checks of a settled shape and its forces.
 
-# Height (m) above the bed at which a footrope no longer fishes for what lies on it.
+# Height (m) above the bed, and share of the head line's height, at which a footrope no longer
+# fishes for what lies on it.
 greatest_footrope_height <- 0.5
+greatest_footrope_share <- 0.25
 
 define_finding("net off the bed", "state",
-  "The footrope or ground gear of a gear that is towed over a sea bed hangs more than 0.5 m above it
-  everywhere. Not of midwater trawls.",
+  "Half of the footrope or ground gear of a gear that is towed over a sea bed hangs more than 0.5 m,
+  or a quarter of the head line's height, above it. Not of midwater trawls.",
   function(gear, state) {
     si <- state$si
     if (is.null(si$ground) || identical(gear$plan$kind, "midwater_trawl")) return(list())
-    low <- ropes_of_role(si, c("ground_gear", "footrope"))
+    # heights that half of each rope is above
+    height_of <- function(roles) {
+      vapply(ropes_of_role(si, roles), function(name) {
+        node <- state$lattice$ropes[[name]]$node
+        stats::median(height_above_ground(si$ground, state$position[, node]))
+      }, 0)
+    }
+    low <- height_of(c("ground_gear", "footrope"))
     if (!length(low)) return(list())
-    height <- vapply(low, function(name) {
-      min(height_above_ground(si$ground, state$position[, state$lattice$ropes[[name]]$node]))
-    }, 0)
-    least <- min(height)
-    if (least <= greatest_footrope_height) return(list())
+    least <- min(low)
+    above <- max(height_of("head_line"), -Inf)
+    allowed <- greatest_footrope_height
+    if (above > 0) allowed <- min(allowed, greatest_footrope_share * above)
+    if (least <= allowed) return(list())
     shown <- paste(figures(least), "m")
-    list(finding(paste("rope", low[which.min(height)]), least, shown,
-      sprintf("it hangs %s above the sea bed.", shown),
+    list(finding(paste("rope", names(low)[which.min(low)]), least, shown,
+      sprintf("half of it hangs %s or more above the sea bed%s.", shown,
+        if (above > 0) sprintf(", under a head line at %s m", figures(above)) else ""),
       "Pay out more warp, tow more slowly, or weigh the footrope or the boards more.",
       field = "warps.length"))
   },

@@ -83,8 +83,8 @@ netting_lines <- function(state, points, limit) {
       panel_cell_lines(state, points, names(panels)[p], part[p], block)
     }
   })
-  if (joined) lines <- c(lines, list(seam_lines(state, points, part, seams, ceiling(total / limit))))
-  join_lines(lines)
+  drawn <- if (joined) seam_lines(state, points, part, seams, ceiling(total / limit))
+  join_lines(c(lines, list(drawn)))
 }
 
 # The nodes of the seams of panels of bars in order, a vector for each edge: list(nodes, panel).
