@@ -138,6 +138,7 @@ robust:
 
 validate:
 	@tools/setup --tests
+	@Rscript validation/openings.R
 	@Rscript validation/book.R
 
 condition:

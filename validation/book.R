@@ -30,7 +30,11 @@ chosen <- if (length(wanted)) manifest[wanted] else manifest
 rows <- if (again) {
   utils::read.csv("validation/misfits.csv")
 } else {
-  do.call(rbind, unname(parallel::mclapply(chosen, run_case, mc.cores = workers)))
+  found <- suppressWarnings(parallel::mclapply(chosen, run_case, mc.cores = workers,
+    mc.preschedule = FALSE))
+  failed <- vapply(found, inherits, NA, "try-error")
+  if (any(failed)) stop(names(found)[failed][1], ": ", found[failed][[1]])
+  do.call(rbind, unname(found))
 }
 judged <- room$judge(rows, chosen)
 

@@ -76,6 +76,7 @@ page_lines <- function(judged, manifest) {
       "Alaska and a small midwater trawl: means of hauls (points) and codend (lines)."), "",
     "![Hauls by warp](figures/hauls-by-warp.png)", "",
     "## The flume of 2025", "",
+    paste("How far any model can be right, and what moves an opening: [openings.md](openings.md)."), "",
     "![Flume tests](figures/flume.png)", "",
     unlist(lapply(names(case_groups), function(group) {
       of <- quantities[quantities$group == group, ]
@@ -185,9 +186,9 @@ draw_hauls <- function(rows, manifest) {
     of <- rows[rows$case == id, ]
     of$warp <- as.numeric(sub(" m.*", "", of$at))
     of <- of[order(of$warp), ]
-    plot(NULL, xlim = range(of$warp), ylim = c(2.5, 170), log = "y", xlab = "warp, m", ylab = "m",
+    plot(NULL, xlim = range(of$warp), ylim = c(2, 170), log = "y", xlab = "warp, m", ylab = "m",
       main = abbreviate_title(manifest[[id]]$title), cex.main = 0.9, yaxt = "n")
-    graphics::axis(2, c(3, 5, 10, 20, 50, 100, 150))
+    graphics::axis(2, c(2, 3, 5, 10, 20, 50, 100, 150))
     graphics::grid(ny = NA)
     for (name in names(colours)) {
       own <- of[of$quantity == name, ]
@@ -205,19 +206,23 @@ draw_flume <- function(rows) {
   on.exit(graphics::par(old))
   of <- rows[grepl("^flume", rows$case) & rows$kind == "quantity", ]
   labels <- c(bridle_tension = "bridle tension, both sides, t", opening = "head line height, m",
-    middle_wing_spread = "spread of the middle wing ends, m")
-  colours <- c(flume_speed = "#000000", flume_spread = "#0072B2", flume_split_bridles = "#D55E00",
-    flume_pulling_height = "#009E73")
+    lower_wing_spread = "spread of the lower wing ends, m")
+  colours <- c(speed = "#000000", spread = "#0072B2", `split bridles` = "#D55E00",
+    `pulling height` = "#009E73")
+  varied <- c(flume_speed = 1, flume_spread = 2, flume_split_bridles = 3, flume_pulling_height = 4,
+    flume_eastern_speed = 1, flume_eastern_narrow = 2, flume_eastern_split = 3,
+    flume_eastern_pulling = 4)
   for (name in names(labels)) {
     own <- of[of$quantity == name, ]
     both <- range(own$measured, own$computed)
     plot(own$measured, own$computed, xlim = both, ylim = both, xlab = "flume", ylab = "codend",
-      main = labels[[name]], col = colours[own$case], pch = ifelse(own$tuned, 1, 16))
+      main = labels[[name]], col = colours[varied[own$case]],
+      pch = ifelse(own$tuned, 1, ifelse(grepl("eastern", own$case), 17, 16)))
     graphics::abline(0, 1, col = "grey40")
     graphics::abline(0, 1.1, col = "grey75", lty = 2)
     graphics::abline(0, 0.9, col = "grey75", lty = 2)
   }
   graphics::legend("bottomright",
-    c("speed", "spread", "split bridles", "pulling height", "tuned on"),
-    col = c(colours, "black"), pch = c(16, 16, 16, 16, 1), bty = "n")
+    c(names(colours), "tuned on", "83-112"), col = c(colours, "black", "black"),
+    pch = c(16, 16, 16, 16, 1, 17), bty = "n")
 }

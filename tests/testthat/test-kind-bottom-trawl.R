@@ -211,7 +211,8 @@ test_that("the survey trawl closes and pulls with speed as its flume model does"
   tests <- tests[tests$bridles == "standard" & tests$spread_treatment_m == 16 &
     tests$pulling_point_mm == 200 & tests$catch == "empty", ]
   rig <- update(read_gear("poly_noreastern_trawl"), warps = NULL, otter_boards = NULL,
-    towing_points = list(spread = "54.2 m", height = "1.6 m"), water.viscosity = 1.15e-6 * 8^1.5)
+    towing_points = list(spread = "54.2 m", height = "1.6 m"), water.viscosity = 1.15e-6 * 8^1.5,
+    bridles.upper.setback = "0 m", bridles.middle.setback = "0 m")
   state <- NULL
   found <- vapply(tests$speed_knot, function(v) {
     state <<- settle(update(rig, towing.speed = paste(v, "knot")), nodes = 1500, from = state)

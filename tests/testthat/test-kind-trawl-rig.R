@@ -1,4 +1,9 @@
-changed_trawl <- function(...) gear_si(update(read_gear("poly_noreastern_trawl"), ...))
+# The shipped survey trawl with bridles of one length, changed.
+even_bridles <- function() {
+  update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 m",
+    bridles.middle.setback = "0 m")
+}
+changed_trawl <- function(...) gear_si(update(even_bridles(), ...))
 
 test_that("floats stand at their spacing, in groups", {
   # 27.2 m of head line; 11 floats of 1 m spacing take 10 m about the middle of it
@@ -64,7 +69,7 @@ test_that("a setback is more of its bridle, on both sides", {
   expect_equal(set$bridle_upper_port$length, 56 + 0.457)
   expect_equal(set$bridle_lower_port$length, 54.9)
   # an upper wing end that is set back is the same gear as one with a longer bridle, and higher
-  gear <- read_gear("poly_noreastern_trawl")
+  gear <- even_bridles()
   shape <- function(...) measures(settle(update(gear, ...), nodes = 300))
   back <- shape(bridles.upper.setback = "0.5 m")
   expect_equal(back, shape(bridles.upper.length = "55.4 m"), tolerance = 1e-9)

@@ -11,25 +11,38 @@ settled_along <- function(gear, at, measures) {
   }, stats::setNames(numeric(length(measures)), measures)))
 }
 
-case_poly_noreastern_hauls <- function() {
+# Hauls of one of NOAA's survey trawls by wire, classes with enough of them.
+survey_hauls <- function(trawl) {
   hauls <- utils::read.csv(system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"),
     comment.char = "#")
-  hauls <- hauls[hauls$trawl == "PNE" & hauls$wire_m > 150 & hauls$wire_m < 1000, ]
-  found <- settled_along(
-    read_gear("poly_noreastern_trawl"),
+  hauls[hauls$trawl == trawl & hauls$hauls > 100, ]
+}
+
+# tuned: metres of wire of the hauls that the net was tuned on; tuned_width: those of the boards.
+survey_case <- function(gear, hauls, tuned, tuned_width) {
+  found <- settled_along(gear,
     list(warps.length = hauls$wire_m, seabed.depth = hauls$depth_m,
       towing.speed = paste(hauls$speed_knot, "knot")),
     c("upper_wing_spread_m", "headline_height_m")
   )
   at <- sprintf("%.0f m of wire", hauls$wire_m)
-  # the net is tuned on two of them, the boards' lift at 340 m
-  tuned <- round(hauls$wire_m) %in% c(183, 689)
+  wire <- round(hauls$wire_m)
   rbind(
-    compared("wing_spread", at, hauls$width_m, found[, 1], tuned | round(hauls$wire_m) == 340),
-    compared("opening", at, hauls$height_m, found[, 2], tuned),
+    compared("wing_spread", at, hauls$width_m, found[, 1], wire %in% c(tuned, tuned_width)),
+    compared("opening", at, hauls$height_m, found[, 2], wire %in% tuned),
     trend("wing_spread", "wire", hauls$wire_m, hauls$width_m, found[, 1]),
     trend("opening", "wire", hauls$wire_m, hauls$height_m, found[, 2])
   )
+}
+
+case_poly_noreastern_hauls <- function() {
+  hauls <- survey_hauls("PNE")
+  survey_case(read_gear("poly_noreastern_trawl"), hauls[hauls$wire_m < 1000, ], c(183, 689), 340)
+}
+
+case_eastern_hauls <- function() {
+  survey_case(read_gear(system.file("extdata", "eastern_trawl.yaml", package = "codend")),
+    survey_hauls("83-112"), 229, 229)
 }
 
 # Means of a ship's hauls with one sweep length by what warp was out, of classes with three hauls or
@@ -87,15 +100,16 @@ gov_hauls <- function(ship, sweep) {
     c("door_spread_m", "upper_wing_spread_m", "headline_height_m")
   )
   at <- sprintf("%.0f m of warp", hauls$Warplngt)
-  wings <- is.finite(hauls$WingSpread)
-  rbind(
-    compared("door_spread", at, hauls$DoorSpread, found[, 1]),
-    if (any(wings)) compared("wing_spread", at[wings], hauls$WingSpread[wings], found[wings, 2]),
-    compared("opening", at, hauls$Netopening, found[, 3]),
-    trend("door_spread", "warp", hauls$Warplngt, hauls$DoorSpread, found[, 1]),
-    if (any(wings)) trend("wing_spread", "warp", hauls$Warplngt, hauls$WingSpread, found[, 2]),
-    trend("opening", "warp", hauls$Warplngt, hauls$Netopening, found[, 3])
-  )
+  columns <- c(door_spread = "DoorSpread", wing_spread = "WingSpread", opening = "Netopening")
+  do.call(rbind, lapply(seq_along(columns), function(k) {
+    measured <- hauls[[columns[k]]]
+    told <- which(is.finite(measured))
+    if (!length(told)) return(NULL)
+    rbind(
+      compared(names(columns)[k], at[told], measured[told], found[told, k]),
+      trend(names(columns)[k], "warp", hauls$Warplngt[told], measured[told], found[told, k])
+    )
+  }))
 }
 
 case_gov_scotia_3 <- function() gov_hauls("SCO3", 60)
@@ -103,6 +117,7 @@ case_gov_scotia_2 <- function() gov_hauls("SCO2", 60)
 case_gov_argos <- function() gov_hauls("ARG", 60)
 case_gov_argos_long <- function() gov_hauls("ARG", 110)
 case_gov_dana <- function() gov_hauls("DAN2", 60)
+case_gov_dana_long <- function() gov_hauls("DAN2", 120)
 case_gov_thalassa <- function() gov_hauls("THA2", 50)
 case_gov_tridens <- function() gov_hauls("TRI2", 50)
 

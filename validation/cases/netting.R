@@ -1,5 +1,6 @@
 # Codends beside another program, and netting and bodies beside published coefficients.
 
+use_tests("helper-measures")
 use_tests("test-validation-codend")
 use_tests("test-validation-panels")
 use_tests("test-coefficient-table")
