@@ -1,4 +1,4 @@
-# What an opening at sea depends on, and how far any model can be right: writes openings.md.
+# What an opening at sea depends on, and how near any model can come: writes openings.md.
 # A part of make validate.
 suppressPackageStartupMessages(library(codend))
 room <- new.env(parent = asNamespace("codend"))
@@ -89,7 +89,7 @@ rigs <- survey_rigs()
 kite <- kite_shares()
 number <- function(x, digits = 2) formatC(x, digits, format = "f")
 room$write_lines("validation/openings.md", c(
-  "# Openings: how far any model can be right", "",
+  "# Openings: how near any model can come", "",
   paste("The height of a head line is the softest measure of a trawl. This page, which",
     "`make validate` computes, sets measurements of it beside each other, and says what moves",
     "codend's."), "",

@@ -76,7 +76,7 @@ page_lines <- function(judged, manifest) {
       "Alaska and a small midwater trawl: means of hauls (points) and codend (lines)."), "",
     "![Hauls by warp](figures/hauls-by-warp.png)", "",
     "## The flume of 2025", "",
-    paste("How far any model can be right, and what moves an opening: [openings.md](openings.md)."), "",
+    "How near any model can come, and what moves an opening: [openings.md](openings.md).", "",
     "![Flume tests](figures/flume.png)", "",
     unlist(lapply(names(case_groups), function(group) {
       of <- quantities[quantities$group == group, ]

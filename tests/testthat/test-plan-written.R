@@ -15,7 +15,7 @@ test_that("what is wrong in a part is told of the field that became the part", {
   expect_written("material: steel_chain", "material: chain", "footrope.material",
     "Did you mean `steel_chain`?")
   expect_written("{length: 54.9 m, diameter: 16 mm, material: steel_wire}",
-    "{length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.upper.material",
+    "{length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.lower.material",
     "steel_wire")
   expect_written("{value: 1.4 mm, uncertainty: 15 %}", "14 cm",
     "sections.codend.twine.diameter", "less than half the mesh size")
