@@ -40,7 +40,7 @@ flume_and_sea <- function() {
 
 # ---- what moves an opening -----------------------------------------------------------------------
 
-# Opening, width between the upper wing ends (m) and the middle bridle's part of the bridles' tension.
+# Opening, width between the upper wing ends (m), the middle bridle's part of the bridles' tension.
 shape_of <- function(gear, ...) {
   m <- codend:::plain_measures(measures(settle(update(gear, ...), nodes = 1500)))
   pull <- m[c("bridle_upper_tension_kN", "bridle_middle_tension_kN", "bridle_lower_tension_kN")]
@@ -112,8 +112,8 @@ room$write_lines("validation/openings.md", c(
   "## What moves the opening of the survey trawl", "",
   paste("The Poly Nor'Eastern with 340 m of warp at 3 knot. The middle bridle carries little as",
     "long as it is not shorter than the others: upper and lower bridle pull at lines, the head",
-    "line and the fishing line, and the middle one at the jib between the wings, which gives. Half a",
-    "metre less doubles its load, and leaves the opening nearly as it was."), "",
+    "line and the fishing line, and the middle one at the jib between the wings, which gives.",
+    "Half a metre less doubles its load, and leaves the opening nearly as it was."), "",
   table_lines(c("rig", "opening, m", "width, m", "middle bridle, % of tension"), cbind(
     rownames(rigs), number(rigs[, 1]), number(rigs[, 2], 1), number(rigs[, 3], 0))),
   "## The kite of the GOV", "",

@@ -24,8 +24,8 @@ case_myctophid <- function() {
   )
 }
 
-# A body of a prawn trawl cut short (112 rows for 160) spreads the wing ends 4.7 to 5.6 % wider, with
-# 0 to 4.3 % less drag.
+# A body of a prawn trawl cut short (112 rows for 160) spreads the wing ends 4.7 to 5.6 % wider,
+# with 0 to 4.3 % less drag.
 case_penaeid_body <- function() {
   found <- settled_along(particular_net("penaeid"),
     list(sections.body.meshes.deep = c(160, 112)), c("wing_end_spread_m", "total_drag_kN"))
