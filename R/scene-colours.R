@@ -5,6 +5,9 @@
 # Far from both palettes: slack lines are what a designer must not overlook.
 slack_colour <- "#D6006E"
 
+# ... but where the viewer shows them among taut ones, dashed.
+muted_slack_colour <- "#7E5E78"
+
 # What the colour of slack stands for among lines of these tensions; NULL where it is not used.
 slack_words <- function(tension) {
   if (any(tension < 0)) "slack or pushing" else if (any(tension == 0)) "slack"
@@ -14,8 +17,8 @@ tension_palette <- function(kind) tension_palettes[[if (kind == "rope") "rope" e
 
 # Made once: Lab takes longer than the rest of a scale.
 tension_palettes <- lapply(list(
-  rope = c("#C65300", "#A32A00", "#6E0F12", "#2B0508"),
-  netting = c("#0B8578", "#1B6CA8", "#3A3C93", "#2A0F4F")
+  rope = c("#B84A00", "#982500", "#6A0E12", "#2B0508"),
+  netting = c("#0A766C", "#17629E", "#3A3C93", "#2A0F4F")
 ), function(stops) grDevices::colorRampPalette(stops, space = "Lab")(216L))
 
 # How tension (N) becomes colour, or NULL where nothing carries any.

@@ -75,8 +75,8 @@ new_scene_joints <- function(ropes, panels, drawn) {
     ropes = list(ends = point(ropes$ends), part = packed_integers(ropes$part - 1L)),
     netting = lapply(panels, function(panel) {
       list(
-        part = panel$part - 1L, columns = panel$columns, rows = panel$rows,
-        point = point(panel$point), mesh = packed_floats(panel$mesh)
+        part = panel$part - 1L, columns = panel$columns, rows = panel$rows, down = I(panel$down),
+        full = panel$full, point = point(panel$point), mesh = packed_floats(panel$mesh)
       )
     })
   )
@@ -99,8 +99,16 @@ scene_parts <- function(state) {
   bar[net] <- vapply(si$panels, function(panel) panel$mesh_size / 2, 0)
   list(
     name = I(parts$name), kind = I(parts$kind), role = I(ifelse(is.na(parts$role), "", parts$role)),
-    thickness = I(thickness), strength = I(strength), mesh = I(mesh), bar = I(bar)
+    thickness = I(thickness), strength = I(strength), mesh = I(mesh), bar = I(bar),
+    form = I(c(unname(vapply(si$ropes, rope_form, 0L)), integer(n - length(rope))))
   )
+}
+
+# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe.
+rope_form <- function(rope) {
+  if (identical(rope$role, "ground_gear")) return(2L)
+  if (rope$strut) return(3L)
+  if (grepl("chain", first_of(rope$material, ""), fixed = TRUE)) 1L else 0L
 }
 
 scene_marks <- function(marks) {
@@ -203,13 +211,16 @@ scene_about <- function(state, shapes) {
   )
 }
 
-# Stops of the two palettes, and the colour of slack.
+# Stops of the two palettes, and the colours of slack: alone, and among tensions.
 scene_colours <- function() {
   stops <- function(kind) {
     colours <- tension_palette(kind)
     I(colours[round(seq(1, length(colours), length.out = 32L))])
   }
-  list(rope = stops("rope"), netting = stops("netting"), slack = slack_colour)
+  list(
+    rope = stops("rope"), netting = stops("netting"), slack = slack_colour,
+    slack_muted = muted_slack_colour
+  )
 }
 
 # The scene of a state.

@@ -294,9 +294,17 @@ piece_marks <- function(state, points) {
   data.frame(
     x = points[1L, node], y = points[2L, node], z = points[3L, node],
     role = each(ifelse(is.na(role), "other", role)), part = each(lattice$parts$name[parts]),
-    size = each(sqrt(vapply(pieces, function(piece) as.double(piece$area), 0))),
+    size = each(vapply(pieces, piece_size, 0)),
     direction = each(vapply(pieces, function(piece) as.character(piece$lift_direction), ""))
   )
+}
+
+# Root of the area (m) in which a piece is seen: its own, of a sphere of its volume, or where it has
+# neither (a catch), the area that its drag counts.
+piece_size <- function(piece) {
+  area <- as.double(piece$area)
+  if (!is.na(area)) return(sqrt(area))
+  if (piece$volume > 0) sqrt(pi) * (3 * piece$volume / (4 * pi))^(1 / 3) else sqrt(piece$drag_area)
 }
 
 # Free otter boards, in the middle of their points.

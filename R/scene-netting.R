@@ -18,7 +18,8 @@ netting_to_draw <- function(state, limit) {
 
 # limit: of cells and points of clouds together.
 # Returns list(panels = a list of list(part, columns, rows (0 of a cloud), point = numbers of the
-# state's points, mesh = twine coordinates u and v of each (see netting.hpp)), u, v = mean
+# state's points, mesh = twine coordinates u and v of each (see netting.hpp), down, full = as
+# caught_netting() has them), u, v = mean
 # tension (N) of the twines along u and v, of every cell of grids (across first) and every point of
 # clouds (NA where no twine of the family ends), panel after panel, at = the corners of those places
 # (4 x places; of a point four times itself), panel = their panel's number).
@@ -33,9 +34,22 @@ netting_surfaces <- function(state, limit = drawn_lines) {
   })
   join <- function(field) unlist(lapply(made, `[[`, field), use.names = FALSE)
   list(
-    panels = lapply(made, `[`, c("part", "columns", "rows", "point", "mesh")),
+    panels = lapply(seq_along(made), function(p) {
+      c(made[[p]][c("part", "columns", "rows", "point", "mesh")],
+        caught_netting(state, names(state$lattice$panels)[p]))
+    }),
     u = as.double(join("u")), v = as.double(join("v")), at = matrix(as.integer(join("at")), 4L),
     panel = rep.int(seq_along(made), vapply(made, function(m) length(m$u), 0L))
+  )
+}
+
+# Where a catch fills a panel: list(down = what u and v count for depth in meshes, full = the depth
+# from which on it is full, NULL where nothing fills it).
+caught_netting <- function(state, name) {
+  panel <- state$si$panels[[name]]
+  list(
+    down = if (panel$orientation == "square") c(0, 1) else c(0.5, 0.5),
+    full = if (name %in% state$si$catch$panels) panel$deep - state$lattice$catch$blocked
   )
 }
 

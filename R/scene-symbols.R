@@ -2,22 +2,23 @@
 # edge around it; `solid` stands alone in the viewer and is dark enough for that.
 view_symbols <- data.frame(
   role = c(
-    "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "other", "moved", "fixed"
+    "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "sinker", "ring", "hook",
+    "shoe_end", "other", "moved", "fixed"
   ),
   label = c(
-    "otter board", "kite", "hammer", "float", "canvas", "catch", "weight", "other piece",
-    "towing point", "fixed point"
+    "otter board", "kite", "hammer", "float", "canvas", "catch", "weight", "sinker", "ring", "hook",
+    "shoe", "other piece", "towing point", "fixed point"
   ),
-  symbol = c(22L, 24L, 25L, 21L, 24L, 23L, 21L, 4L, 13L, 7L),
+  symbol = c(22L, 24L, 25L, 21L, 24L, 23L, 21L, 21L, 1L, 6L, 15L, 4L, 13L, 7L),
   fill = c(
     "#202428", "#202428", "#202428", "#FFFFFF", "#FFE14D", "#8A5A2B", "#5B636A", "#5B636A",
-    "#2C6E9B", "#2C6E9B"
+    "#5B636A", "#5B636A", "#5B636A", "#5B636A", "#2C6E9B", "#2C6E9B"
   ),
   solid = c(
-    "#2A343C", "#2A343C", "#474F56", "#9A6200", "#7A6400", "#8A5A2B", "#474F56", "#5B636A",
-    "#2C6E9B", "#2C6E9B"
+    "#3D4A54", "#3D4A54", "#474F56", "#C2410C", "#7A6400", "#5E6B70", "#474F56", "#474F56",
+    "#6B5A2E", "#474F56", "#474F56", "#5B636A", "#2C6E9B", "#2C6E9B"
   ),
-  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 1, 1.2, 1.1)
+  size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 0.7, 0.7, 0.5, 0.8, 1, 1.2, 1.1)
 )
 
 # The rows of the table that a drawing's marks use, in its order.

@@ -1,15 +1,16 @@
 #' Look at a state or a trajectory in three dimensions
 #'
 #' Makes a page with the gear as it is in the water: netting with the twines of its meshes,
-#' ropes as tubes of their thickness, boards, floats and weights in their shapes, the vessel, the
-#' sea bed and the water's surface. In an interactive session it opens in the viewer or the browser.
+#' ropes as tubes of their thickness, chains with their links, boards, floats and weights in their
+#' shapes, a catch in its codend, the vessel, the sea bed with the gear's shadow, and water that
+#' darkens with depth. In an interactive session it opens in the viewer or the browser.
 #'
 #' Turn the gear with the left mouse button, one finger or the arrow keys; zoom with the wheel, two
 #' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a
 #' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
 #' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
-#' opening or angle of meshes, or drag. What is slack is striped in a colour of its own. The key `h`
-#' lists all keys. Where meshes are too small to be seen, every second, fourth or eighth twine is
+#' opening or angle of meshes, or drag. What is slack is dashed in a quiet colour, and in a bright
+#' one where the colours show slack alone. The key `h` lists all keys. Where meshes are too small to be seen, every second, fourth or eighth twine is
 #' drawn, and so on; pieces are drawn large enough to be seen. The page prints on white.
 #'
 #' The page of a trajectory plays it, as seen from the vessel, with a button, a slider of time and a

@@ -76,7 +76,19 @@ window.codendView.gear = function (materials) {
   // Triangles of all panels: the points at their corners, the mesh coordinates there, the values that
   // hold for each (three places among those of cells and of points of clouds) and their part.
   function surfaces(panels) {
-    var points = [], mesh = [], at = [], part = [], base = 0;
+    var points = [], mesh = [], at = [], part = [], full = [], base = 0, front = [];
+    // 1 where a catch lies behind a triangle, else 0; keeps the edges that lie at the catch's front.
+    function filled(panel, point, uv, corners) {
+      if (typeof panel.full !== 'number') return 0;
+      var beyond = corners.map(function (corner) {
+        return panel.down[0] * uv[2 * corner] + panel.down[1] * uv[2 * corner + 1] - panel.full;
+      });
+      var low = Math.min.apply(null, beyond), half = (Math.max.apply(null, beyond) - low) / 2;
+      if (low + half < 0) return 0;
+      var edge = corners.filter(function (_, k) { return low < half && beyond[k] < low + half / 2; });
+      if (edge.length === 2) front.push({ ends: edge.map(function (k) { return point[k]; }), like: at.length / 3 - 1 });
+      return 1;
+    }
     panels.forEach(function (panel) {
       var point = integers(panel.point), uv = floats(panel.mesh);
       function add(a, b, c, va, vb, vc) {
@@ -89,6 +101,7 @@ window.codendView.gear = function (materials) {
         });
         at.push(base + va, base + vb, base + vc);
         part.push(panel.part);
+        full.push(filled(panel, point, uv, [a, b, c]));
       }
       var columns = panel.columns, rows = panel.rows;
       if (!columns) {
@@ -115,9 +128,17 @@ window.codendView.gear = function (materials) {
       }
       base += (columns - 1) * (rows - 1);
     });
+    // the fish at the front, one fan of them
+    front.forEach(function (edge) {
+      points.push(front[0].ends[0], edge.ends[0], edge.ends[1]);
+      mesh.push(0.2, 0.2, 0.4, 0.3, 0.3, 0.4);
+      for (var c = 0; c < 3; c++) at.push(at[3 * edge.like + c]);
+      part.push(part[edge.like]);
+      full.push(1);
+    });
     return {
       point: Int32Array.from(points), mesh: Float32Array.from(mesh), at: Int32Array.from(at),
-      part: Int32Array.from(part)
+      part: Int32Array.from(part), full: full
     };
   }
 
@@ -195,7 +216,7 @@ window.codendView.gear = function (materials) {
     made.about = attribute(geometry, 'about', 3, 3 * n);
     for (var t = 0; t < n; t++) {
       var thick = parts.thickness[made.part[t]] / Math.max(parts.bar[made.part[t]], 1e-9);
-      for (var c = 0; c < 3; c++) made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5);
+      for (var c = 0; c < 3; c++) made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5) + made.full[t];
     }
     made.geometry = geometry;
     made.u = new Float32Array(n);
@@ -251,25 +272,99 @@ window.codendView.gear = function (materials) {
     return made;
   }
 
+  // Several geometries as one.
+  function joined(all) {
+    var corners = [], normals = [], index = [];
+    all.forEach(function (one) {
+      var from = corners.length / 3, count = one.getAttribute('position').count;
+      corners.push.apply(corners, one.getAttribute('position').array);
+      normals.push.apply(normals, one.getAttribute('normal').array);
+      for (var i = 0; i < (one.index ? one.index.count : count); i++) {
+        index.push(from + (one.index ? one.index.array[i] : i));
+      }
+    });
+    var made = new T.BufferGeometry();
+    made.setAttribute('position', new T.BufferAttribute(Float32Array.from(corners), 3));
+    made.setAttribute('normal', new T.BufferAttribute(Float32Array.from(normals), 3));
+    made.setIndex(index);
+    return made;
+  }
+  function box(x, y, z, wide, tall, deep) {
+    return new T.BoxGeometry(wide, tall, deep).translate(x, y, z);
+  }
+  function ring(radius, thick, arc) { return new T.TorusGeometry(radius, thick, 6, 18, arc || 2 * Math.PI); }
+
+  // A board: a foil in two parts with a slot between them, ribs behind, a shoe below.
+  function board() {
+    function foil(x, wide, bend) { return plate(bend, 0.035).scale(wide, 0.94, 1).translate(x, 0.02, 0); }
+    return joined([
+      foil(-0.33, 0.3, 0.035).rotateY(0.10), foil(0.16, 0.66, 0.075),
+      box(0, 0.49, 0.03, 0.98, 0.03, 0.12), box(0, 0.02, 0.015, 0.92, 0.03, 0.09),
+      box(0, -0.475, 0.03, 1, 0.06, 0.16)
+    ]);
+  }
+  // A float with its seam and the ears that it is tied by.
+  function float() {
+    return joined([
+      new T.SphereGeometry(1, 18, 12), ring(1, 0.06).rotateX(Math.PI / 2),
+      ring(0.2, 0.07).translate(1.12, 0, 0), ring(0.2, 0.07).translate(-1.12, 0, 0)
+    ]);
+  }
+  // A sinker: a drum with rounded ends and an eye.
+  function sinker() {
+    return joined([
+      new T.CylinderGeometry(0.72, 0.72, 0.9, 16), new T.CylinderGeometry(0.45, 0.72, 0.28, 16).translate(0, 0.59, 0),
+      new T.CylinderGeometry(0.72, 0.45, 0.28, 16).translate(0, -0.59, 0), ring(0.26, 0.09).translate(0, 0.95, 0)
+    ]).rotateX(Math.PI / 2);
+  }
+  // A clump of chain: links, heaped.
+  function clump() {
+    return joined([0, 1, 2, 3, 4, 5, 6].map(function (k) {
+      return ring(0.5, 0.19).scale(1, 1.5, 1).rotateZ(k * 1.1).rotateX(k * 0.9)
+        .translate(0.35 * Math.cos(2.4 * k), 0.35 * Math.sin(2.4 * k), 0.2 * k - 0.6);
+    }));
+  }
+  // A hook below the end of its line.
+  function hook() {
+    return joined([
+      new T.CylinderGeometry(0.09, 0.09, 1.5, 6).rotateX(Math.PI / 2).translate(0.5, 0, -0.6),
+      ring(0.5, 0.09, Math.PI).rotateX(-Math.PI / 2).translate(0, 0, -1.35),
+      new T.CylinderGeometry(0.09, 0.02, 0.5, 6).rotateX(Math.PI / 2).translate(-0.5, 0, -1.15)
+    ]);
+  }
+  // The end of a beam trawl's shoe: a runner, turned up ahead.
+  function runner() {
+    return joined([box(0, 0, -0.5, 1.6, 0.9, 0.2), box(-1.1, 0, -0.25, 0.8, 0.9, 0.2).rotateY(0.25)]);
+  }
+  // A full bag: longer than wide, in lobes between the lines that hold it.
+  function bag() {
+    var made = new T.SphereGeometry(1, 32, 18), at = made.getAttribute('position');
+    for (var i = 0; i < at.count; i++) {
+      var swell = 1 + 0.035 * Math.cos(8 * Math.atan2(at.getZ(i), at.getX(i))), y = at.getY(i);
+      at.setXYZ(i, at.getX(i) * swell, 1.5 * y + 0.25 * y * y, at.getZ(i) * swell);
+    }
+    made.computeVertexNormals();
+    return made.rotateZ(-Math.PI / 2);
+  }
+
   var shapes = null;
   function shapesOnce() {
     if (shapes) return shapes;
     shapes = {
-      plate: plate(0.09, 0.05), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 16, 10),
-      clump: new T.IcosahedronGeometry(1, 0), drum: new T.CylinderGeometry(0.75, 0.95, 1.7, 14),
-      ring: new T.TorusGeometry(0.8, 0.24, 8, 20), anchor: new T.CylinderGeometry(0, 1, 1.6, 4),
-      hull: hull(), box: new T.BoxGeometry(1, 1, 1)
+      plate: board(), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 18, 12), float: float(),
+      sinker: sinker(), clump: clump(), runner: runner(), bag: bag(), ring: ring(0.85, 0.16), hook: hook(),
+      anchor: new T.CylinderGeometry(0, 1, 1.6, 4).rotateX(Math.PI / 2), hull: hull(),
+      box: new T.BoxGeometry(1, 1, 1)
     };
-    shapes.drum.rotateX(Math.PI / 2);
-    shapes.anchor.rotateX(Math.PI / 2);
     return shapes;
   }
 
   // Shape of a role, and the fewest pixels of its half.
   var roles = {
-    otter_board: ['plate', 7], kite: ['cloth', 6], canvas: ['cloth', 6], float: ['ball', 2.6],
-    hammer: ['drum', 5], weight: ['clump', 4.5], catch: ['ball', 4], ring: ['ring', 4],
-    hook: ['ring', 1.6], fixed: ['anchor', 4.5], moved: ['ball', 2.6]
+    otter_board: ['plate', 7], kite: ['cloth', 6], canvas: ['cloth', 6], float: ['float', 2.6],
+    hammer: ['clump', 5], weight: ['sinker', 4.5], sinker: ['sinker', 1.6], catch: ['bag', 4],
+    ring: ['ring', 2.6], hook: ['hook', 1.8], fixed: ['anchor', 4.5], moved: ['ball', 2.6],
+    shoe_end: ['runner', 2.6]
   };
 
   // All pieces and vessels in one buffer, so that many small things are drawn at once.
@@ -378,7 +473,7 @@ window.codendView.gear = function (materials) {
         z.set(0, 0, half);
       }
       mark.body.matrix.makeBasis(x, y, z).setPosition(m);
-      mark.half = Math.max(x.length(), y.length()) / (mark.shape === 'ball' ? 1 : 2);
+      mark.half = Math.max(x.length(), y.length()) / (mark.shape === 'plate' || mark.shape === 'cloth' ? 2 : 1);
     });
     gear.vessels.forEach(function (vessel) {
       var low = new T.Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
@@ -419,7 +514,6 @@ window.codendView.gear = function (materials) {
       gear.values[name] = values(told[name]);
     });
     gear.stops = { rope: told.colours.rope.map(rgb), netting: told.colours.netting.map(rgb) };
-    gear.slack = rgb(told.colours.slack);
     if (part.ropes || part.netting || part.parts || !gear.netting) lay_out();
     gear.move(0, 0);
   };
@@ -500,17 +594,22 @@ window.codendView.gear = function (materials) {
   }
   function put(colour, out, at) { for (var c = 0; c < 3; c++) out[at + c] = colour[c]; }
 
+  // Slack twine shouts only where colours show nothing else.
+  gear.slack_colour = function (mode) {
+    return mode === 'slack' ? told.colours.slack : told.colours.slack_muted;
+  };
+
   // Colours at the present moment. mode: tension, slack, mesh_opening, mesh_angle or drag.
   gear.colour = function (mode) {
     var k = gear.moment, scales = told.scales[mode] || {}, ropes = gear.ropes, net = gear.netting;
-    var shows = mode === 'tension' || mode === 'slack';
+    var shows = mode === 'tension' || mode === 'slack', loose = rgb(gear.slack_colour(mode));
     var tension = gear.rope_tension = gear.values.rope_tension.of(k);
     var drag = gear.drag = gear.values.drag.of(k);
     for (var l = 0; l < ropes.part.length; l++) {
       var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.values.colour;
       var slack = shows && tension[l] === 0;
-      ropes.values.about[3 * l + 1] = slack ? 1 : 0;
-      if (slack) put(gear.slack, out, 3 * l);
+      ropes.values.about[3 * l + 1] = (slack ? 1 : 0) + 2 * told.parts.form[ropes.part[l]];
+      if (slack) put(loose, out, 3 * l);
       // a beam or a strut
       else if (shows && tension[l] < 0) put(quiet, out, 3 * l);
       else if (mode === 'slack') put(taut, out, 3 * l);
@@ -539,7 +638,7 @@ window.codendView.gear = function (materials) {
       var tu = net.u[t] = mean(u, t), tv = net.v[t] = mean(v, t);
       [[tu, net.colourU.array, 1], [tv, net.colourV.array, 2]].forEach(function (family) {
         var at = 9 * t, to = family[1], lost = shows && family[0] <= 0;
-        if (lost) put(gear.slack, to, at);
+        if (lost) put(loose, to, at);
         else if (mode === 'slack') put(taut, to, at);
         else if (!scales.netting) put(quiet, to, at);
         else {

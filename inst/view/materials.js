@@ -1,4 +1,4 @@
-// Materials of the viewer: shaders for ropes, netting, solids, the sea bed and the water's surface, and
+// Materials of the viewer: shaders for ropes, netting, solids, the sea bed, the water and its surface, and
 // what they share (codendView.materials()).
 window.codendView = window.codendView || {};
 window.codendView.rgb = function (hex) {
@@ -13,129 +13,244 @@ window.codendView.materials = function () {
   'use strict';
   var T = window.THREE, rgb = window.codendView.rgb;
 
+  // Colours of the water from the surface down, and of the bed and the squares on it.
+  var waters = ['#F1F9FB', '#CCE6EF', '#A9CDDE'], sands = ['#E6DAC0', '#CBB98F'];
+  function glsl(hex) { return 'vec3(' + rgb(hex).map(function (v) { return v.toFixed(4); }).join(', ') + ')'; }
+
   var shared = {
-    pixel: { value: 1 }, flat: { value: 0 }, ahead: { value: new T.Vector3() },
+    pixel: { value: 1 }, flat_: { value: 0 }, ahead: { value: new T.Vector3() },
     light: { value: new T.Vector3(0, 0, 1) }, ratio: { value: 1 },
-    fogColour: { value: new T.Color() }, fogNear: { value: 1 }, fogFar: { value: 2 },
-    fogMost: { value: 0.6 }, ghost: { value: 0 }, ghostColour: { value: new T.Color() }
+    fogNear: { value: 1 }, fogFar: { value: 2 }, fogMost: { value: 0.6 },
+    paper: { value: 0 }, waterTop: { value: 0 }, waterSpan: { value: 1 },
+    ghost: { value: 0 }, ghostColour: { value: new T.Color() }
   };
   var head = [
-    'uniform float pixel, flat_, ratio, fogNear, fogFar, fogMost, ghost;',
-    'uniform vec3 ahead, light, fogColour, ghostColour;'
-  ].join('\n');
-  var fog = [
-    'vec3 inFog(vec3 colour, float away) {',
-    '  return mix(colour, fogColour, fogMost * smoothstep(fogNear, fogFar, away));',
+    'uniform float pixel, flat_, ratio, fogNear, fogFar, fogMost, paper, waterTop, waterSpan, ghost;',
+    'uniform vec3 ahead, light, ghostColour;',
+    // the water's colour at a height: it darkens with depth
+    'float depthShare(float z) { return clamp((waterTop - z) / waterSpan, 0.0, 1.0); }',
+    'vec3 waterAt(float z) {',
+    '  float deep = depthShare(z);',
+    '  vec3 water = mix(' + glsl(waters[0]) + ', ' + glsl(waters[1]) + ', min(2.0 * deep, 1.0));',
+    '  water = mix(water, ' + glsl(waters[2]) + ', max(2.0 * deep - 1.0, 0.0));',
+    '  return mix(water, vec3(1.0), paper);',
+    '}',
+    // what is further away, and deeper, has more of the water's colour; where: away, height
+    'vec3 inWater(vec3 colour, vec2 where) {',
+    '  vec3 seen = colour * (1.0 - 0.10 * (1.0 - paper) * depthShare(where.y));',
+    '  return mix(seen, waterAt(where.y), fogMost * smoothstep(fogNear, fogFar, where.x));',
     '}'
   ].join('\n');
 
   function material(vertex, fragment, more) {
-    var uniforms = {
-      pixel: shared.pixel, flat_: shared.flat, ahead: shared.ahead, light: shared.light,
-      ratio: shared.ratio, fogColour: shared.fogColour, fogNear: shared.fogNear,
-      fogFar: shared.fogFar, fogMost: shared.fogMost, ghost: shared.ghost,
-      ghostColour: shared.ghostColour
-    };
     var set = more || {};
-    Object.keys(set.uniforms || {}).forEach(function (name) { uniforms[name] = set.uniforms[name]; });
     return new T.ShaderMaterial({
-      vertexShader: head + '\n' + vertex, fragmentShader: head + '\n' + fog + '\n' + fragment,
-      uniforms: uniforms, side: set.side === undefined ? T.FrontSide : set.side,
+      vertexShader: head + '\n' + vertex, fragmentShader: head + '\n' + fragment,
+      uniforms: Object.assign({}, shared, set.uniforms), side: set.side === undefined ? T.FrontSide : set.side,
       transparent: !!set.transparent, depthWrite: set.depthWrite !== false,
-      polygonOffset: !!set.behind, polygonOffsetFactor: set.behind || 0,
-      polygonOffsetUnits: set.behind || 0
+      depthTest: set.depthTest !== false, polygonOffset: !!set.behind,
+      polygonOffsetFactor: set.behind || 0, polygonOffsetUnits: set.behind || 0
     });
   }
 
-  // Ropes: a tube along each line, at least some pixels thick; stripes where slack.
+  // Relief of sand, its patches and a net of light, as a texture that repeats: noise of fixed seed.
+  var made = null;
+  function sand() {
+    if (made) return made;
+    var n = 128, seed = 20260101;
+    function chance() {
+      seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+      return seed / 4294967296;
+    }
+    // smooth noise that repeats: octaves of lattices of chance
+    function noise(first, octaves) {
+      var sum = new Float32Array(n * n), high = 1;
+      for (var o = 0, cells = first; o < octaves; o++, cells *= 2, high *= 0.55) {
+        var at = Float32Array.from({ length: cells * cells }, chance), size = n / cells;
+        for (var y = 0; y < n; y++) {
+          for (var x = 0; x < n; x++) {
+            var i = Math.floor(x / size), j = Math.floor(y / size), u = x / size - i, v = y / size - j;
+            u *= u * (3 - 2 * u);
+            v *= v * (3 - 2 * v);
+            var right = (i + 1) % cells, below = (j + 1) % cells;
+            sum[y * n + x] += high * (
+              (at[j * cells + i] * (1 - u) + at[j * cells + right] * u) * (1 - v) +
+              (at[below * cells + i] * (1 - u) + at[below * cells + right] * u) * v);
+          }
+        }
+      }
+      return sum;
+    }
+    var hills = noise(4, 5), bends = noise(4, 3), glints = noise(8, 2), bytes = new Uint8Array(4 * n * n);
+    function height(x, y) {
+      var at = (y % n) * n + x % n;
+      return hills[at] * 1.3 + 0.22 * Math.sin(2 * Math.PI * (10 * x / n + 1.3 * bends[at]));
+    }
+    for (var y = 0; y < n; y++) {
+      for (var x = 0; x < n; x++) {
+        var at = y * n + x, to = 4 * at;
+        bytes[to] = 128 + 330 * (height(x + 1, y) - height(x, y) + 0.4 * (height(x, y + 1) - height(x, y)));
+        bytes[to + 1] = 255 * Math.min(hills[at] / 2.1, 1);
+        bytes[to + 2] = 255 * Math.pow(1 - Math.min(Math.abs(glints[at] - 0.78) * 2.6, 1), 5);
+        bytes[to + 3] = 255;
+      }
+    }
+    made = new T.DataTexture(new Uint8Array(bytes), n, n);
+    made.wrapS = made.wrapT = T.RepeatWrapping;
+    made.minFilter = T.LinearMipmapLinearFilter;
+    made.magFilter = T.LinearFilter;
+    made.generateMipmaps = true;
+    made.needsUpdate = true;
+    return made;
+  }
+
+  // The water behind everything.
+  var around = material([
+    'varying vec3 vRay;',
+    'void main() {',
+    '  vec4 far_ = inverse(projectionMatrix * viewMatrix) * vec4(position.xy, 1.0, 1.0);',
+    '  vRay = far_.xyz / far_.w - cameraPosition;',
+    '  gl_Position = vec4(position.xy, 1.0, 1.0);',
+    '}'
+  ].join('\n'), [
+    'uniform float away; uniform sampler2D grain; varying vec3 vRay;',
+    'void main() {',
+    '  vec3 ray = normalize(vRay);',
+    '  float z = cameraPosition.z + away * ray.z;',
+    // shafts of light, which lean and fade with depth
+    '  float turn = atan(ray.y, ray.x) * 1.9 + 0.6 * ray.z;',
+    '  float shafts = texture2D(grain, vec2(turn, 0.31)).g - texture2D(grain, vec2(0.37 * turn, 0.77)).g;',
+    '  float high = 1.0 - depthShare(z);',
+    '  gl_FragColor = vec4(waterAt(z) + 0.16 * shafts * high * step(z, waterTop), 1.0);',
+    '}'
+  ].join('\n'), {
+    depthWrite: false, depthTest: false, uniforms: { away: { value: 1 }, grain: { value: sand() } }
+  });
+
+  // Ropes: a tube along each line, at least some pixels thick; dashes where slack. Near by a rope
+  // shows its lay, a chain its links, ground gear its discs.
   var ropeMaterial = material([
-    'attribute vec3 from, to, wayFrom, wayTo, colour, about;',  // about: radius, slack, metres along
-    'varying vec3 vColour, vNormal; varying float vAlong, vSlack, vAway;',
+    // about: radius, whether slack and twice its form, metres along
+    'attribute vec3 from, to, wayFrom, wayTo, colour, about;',
+    'varying vec3 vColour, vNormal, vAlong; varying vec2 vWhere; varying float vSlack, vForm;',
     'void main() {',
     '  vec3 p = mix(from, to, position.z), way = mix(wayFrom, wayTo, position.z);',
     '  vec4 seen = viewMatrix * vec4(p, 1.0);',
-    '  vAway = -seen.z;',
-    '  float size = pixel * (flat_ > 0.5 ? 1.0 : max(vAway, 0.0));',
-    '  float radius = max(about.x, (about.y > 0.5 ? 2.0 : 1.35) * ratio * size);',
+    '  vWhere = vec2(-seen.z, p.z);',
+    '  float size = pixel * (flat_ > 0.5 ? 1.0 : max(vWhere.x, 0.0));',
+    '  vSlack = mod(about.y, 2.0); vForm = floor(about.y / 2.0);',
+    '  float own = about.x * (vForm == 1.0 ? 1.7 : 1.0);',
+    '  float radius = max(own, (vSlack > 0.5 ? 0.8 : 1.35) * ratio * size);',
     '  vec3 eye = flat_ > 0.5 ? -ahead : cameraPosition - p;',
     '  vec3 side = cross(way, eye);',
     '  if (dot(side, side) < 1e-10 * dot(eye, eye)) side = cross(way, vec3(0.31, 0.72, 0.62));',
     '  side = normalize(side);',
     '  vec3 out_ = normalize(cross(side, way));',
     '  vNormal = side * position.x + out_ * position.y;',
-    '  vColour = colour; vSlack = about.y;',
-    '  vAlong = (about.z + position.z * length(to - from)) / (9.0 * ratio * size);',
+    '  vColour = colour;',
+    '  float along = about.z + position.z * length(to - from);',
+    // in dashes, in diameters, across
+    '  vAlong = vec3(along / (9.0 * ratio * size), along / max(2.0 * about.x, 1e-4), position.x);',
     '  gl_Position = projectionMatrix * viewMatrix * vec4(p + radius * vNormal, 1.0);',
     '}'
   ].join('\n'), [
-    'varying vec3 vColour, vNormal; varying float vAlong, vSlack, vAway;',
+    'varying vec3 vColour, vNormal, vAlong; varying vec2 vWhere; varying float vSlack, vForm;',
     'void main() {',
+    '  if (vSlack > 0.5 && fract(vAlong.x) > 0.6) discard;',
     '  vec3 n = normalize(vNormal);',
-    '  float lit = dot(n, light);',
-    '  vec3 colour = vSlack > 0.5 && fract(vAlong) > 0.6 ? vec3(1.0) : vColour;',
-    '  colour *= 0.72 + 0.34 * max(lit, 0.0);',
-    '  colour += 0.16 * pow(max(lit, 0.0), 18.0);',
+    '  float lit = dot(n, light), grain = 1.0, w = fwidth(vAlong.y), seen = 1.0 - smoothstep(0.2, 0.6, w);',
+    '  if (vForm == 1.0) {',
+    // links of five diameters, in turns flat and on edge
+    '    float at = fract(vAlong.y / 4.0), turned = step(0.5, fract(vAlong.y / 8.0));',
+    '    float off = abs(vAlong.z), ends = abs(at - 0.5);',
+    '    if (seen > 0.5) {',
+    '      if (turned < 0.5 && off < 0.42 && ends < 0.32) discard;',
+    '      if (turned > 0.5 && off > 0.34) discard;',
+    '    }',
+    '    grain = 1.0 - 0.25 * seen * turned;',
+    '  } else if (vForm == 2.0) {',
+    '    grain = 1.0 - 0.55 * seen * smoothstep(0.28, 0.5, abs(fract(vAlong.y / 0.55) - 0.5));',
+    '  } else if (vForm == 0.0) {',
+    '    grain = 1.0 - 0.22 * seen * smoothstep(0.25, 0.5, abs(fract(vAlong.y / 0.8 + 0.45 * vAlong.z) - 0.5));',
+    '  }',
+    '  vec3 colour = vColour * grain * (0.66 + 0.36 * max(lit, 0.0) + 0.06 * n.z);',
+    '  colour += 0.20 * pow(max(lit, 0.0), 22.0);',
     '  colour = mix(colour, ghostColour, ghost);',
-    '  gl_FragColor = vec4(inFog(colour, vAway), 1.0);',
+    '  gl_FragColor = vec4(inWater(colour, vWhere), 1.0);',
     '}'
   ].join('\n'));
 
   // Netting: a surface with the twines of its meshes, at whole mesh coordinates. Where meshes are
   // smaller than some pixels only every second, fourth... twine is drawn, over a film as dense as the
-  // twine that is left out. `core`: what covers, first; then the soft edges.
+  // twine that is left out. Behind the front of a catch fish fill the meshes. `core`: what covers,
+  // first; then the soft edges.
   function netting(core) {
     return material([
+      // about: thickness of a twine in meshes, and 1 where filled; whether slack, of both families
       'attribute vec3 colourU, colourV; attribute vec2 mesh; attribute vec3 about;',
-      'varying vec3 vU, vV, vNormal; varying vec2 vMesh; varying vec3 vAbout; varying float vAway;',
+      'varying vec3 vU, vV, vNormal; varying vec2 vMesh, vWhere; varying vec3 vAbout;',
       'void main() {',
       '  vU = colourU; vV = colourV; vMesh = mesh; vAbout = about; vNormal = normal;',
       '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-      '  vAway = -seen.z;',
+      '  vWhere = vec2(-seen.z, position.z);',
       '  gl_Position = projectionMatrix * seen;',
       '}'
     ].join('\n'), [
       '#define CORE ' + (core ? 1 : 0),
-      'varying vec3 vU, vV, vNormal; varying vec2 vMesh; varying vec3 vAbout; varying float vAway;',
-      // how much of a pixel a twine covers: x across the twines, one apart; w: of a pixel
-      'float cover(float x, float w, float thick, float along, float slack, float gone) {',
+      'varying vec3 vU, vV, vNormal; varying vec2 vMesh, vWhere; varying vec3 vAbout;',
+      // how much of a pixel a twine covers, and how round it is there: x across the twines, one
+      // apart; w: of a pixel
+      'vec2 cover(float x, float w, float thick, float along, float slack) {',
       '  float level = max(0.0, log2(7.0 * ratio * w));',
       '  float k = floor(level), f = level - k, step_ = exp2(k);',
       '  float fine = abs(fract(x / step_ + 0.5) - 0.5) * step_ / w;',
       '  float coarse = abs(fract(x / step_ * 0.5 + 0.5) - 0.5) * step_ * 2.0 / w;',
-      '  float half_ = max(0.5 * thick / w, (slack > 0.5 ? 0.85 : 0.6) * ratio);',
+      '  float half_ = max(0.5 * thick / w, (slack > 0.5 ? 0.42 : 0.6) * ratio);',
       '  float c = max(clamp(half_ + 0.5 - coarse, 0.0, 1.0),',
       '    clamp(half_ + 0.5 - fine, 0.0, 1.0) * (1.0 - smoothstep(0.3, 1.0, f)));',
       // dashes of half a drawn mesh
       '  if (slack > 0.5 && fract(along / step_ * 0.5) > 0.62) c = 0.0;',
-      '  return c;',
+      '  float off = min(min(fine, coarse) / half_, 1.0);',
+      '  return vec2(c, 1.0 - smoothstep(1.2, 3.0, half_) * 0.45 * off * off);',
       '}',
       'void main() {',
       '  vec2 w = max(fwidth(vMesh), vec2(1e-6));',
+      '  float full = step(0.75, vAbout.x), thick = vAbout.x - full;',
       '  float slackU = vAbout.y, slackV = vAbout.z;',
-      '  float u = cover(vMesh.y, w.y, vAbout.x, vMesh.x, slackU, 0.0);',
-      '  float v = cover(vMesh.x, w.x, vAbout.x, vMesh.y, slackV, 0.0);',
+      '  vec2 u = cover(vMesh.y, w.y, thick, vMesh.x, slackU);',
+      '  vec2 v = cover(vMesh.x, w.x, thick, vMesh.y, slackV);',
       '  float fineness = smoothstep(0.08, 0.6, max(w.x, w.y) * ratio);',
-      '  float film = fineness * clamp(1.6 * vAbout.x + 0.06, 0.08, 0.3);',
       '  float slack = 0.5 * (slackU + slackV);',
-      '  film = max(film, slack * 0.3 * fineness);',
-      '  vec3 twine = v > u ? vV : vU;',
-      '  float alpha = max(u, v);',
-      '  float knot = 0.5 * vAbout.x * 1.9;',
+      '  float film = fineness * clamp(1.6 * thick + 0.06, 0.08, 0.3) * (1.0 - 0.4 * slack);',
+      '  vec3 twine = v.x > u.x ? vV * v.y : vU * u.y;',
+      '  float alpha = max(u.x, v.x);',
+      '  float knot = 0.5 * thick * 1.9;',
       '  float far_ = max(w.x, w.y);',
       '  if (knot / far_ > 1.5) {',
       '    vec2 off = abs(fract(vMesh + 0.5) - 0.5);',
       '    alpha = max(alpha, clamp((knot - length(off)) / far_ + 0.5, 0.0, 1.0));',
       '  }',
       '  vec3 n = normalize(vNormal);',
-      '  float lit = 0.78 + 0.24 * abs(dot(n, light));',
-      '  vec3 colour = mix(mix(0.5 * (vU + vV), twine, alpha > 0.02 ? 1.0 : 0.0) * lit, ghostColour, ghost);',
+      '  float facing = abs(dot(n, light));',
+      '  float lit = 0.70 + 0.34 * facing;',
+      '  vec3 colour = mix(0.5 * (vU + vV), twine, alpha > 0.02 ? 1.0 : 0.0) * lit;',
       '  float whole = alpha + (1.0 - alpha) * film;',
+      '  if (full > 0.5) {',
+      // flanks of fish, silver with darker backs, two meshes long
+      '    vec2 at = vMesh * vec2(0.5, 0.5) + vec2(0.25 * floor(vMesh.y), 0.0);',
+      '    vec2 fish = fract(at) - 0.5;',
+      '    float back = smoothstep(-0.5, 0.5, fish.x + fish.y);',
+      '    vec3 silver = mix(vec3(0.60, 0.66, 0.70), vec3(0.28, 0.34, 0.38), back) * (0.55 + 0.6 * facing);',
+      '    colour = mix(silver, colour, alpha);',
+      '    whole = 1.0;',
+      '  }',
+      '  colour = mix(colour, ghostColour, ghost);',
       '#if CORE == 1',
       '  if (whole < 0.5) discard;',
-      '  gl_FragColor = vec4(inFog(colour, vAway), 1.0);',
+      '  gl_FragColor = vec4(inWater(colour, vWhere), 1.0);',
       '#else',
       '  if (whole >= 0.5 || whole < 0.01) discard;',
-      '  gl_FragColor = vec4(inFog(colour, vAway), whole);',
+      '  gl_FragColor = vec4(inWater(colour, vWhere), whole);',
       '#endif',
       '}'
     ].join('\n'), { side: T.DoubleSide, transparent: !core, depthWrite: core });
@@ -143,56 +258,83 @@ window.codendView.materials = function () {
   var nettingCore = netting(true), nettingEdge = netting(false);
 
   var solid = material([
-    'attribute vec3 colour; varying vec3 vNormal, vColour; varying float vAway;',
+    'attribute vec3 colour; varying vec3 vNormal, vColour, vEye; varying vec2 vWhere;',
     'void main() {',
     '  vNormal = normal; vColour = colour;',
     '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-    '  vAway = -seen.z;',
+    '  vWhere = vec2(-seen.z, position.z);',
+    '  vEye = flat_ > 0.5 ? -ahead : cameraPosition - position;',
     '  gl_Position = projectionMatrix * seen;',
     '}'
   ].join('\n'), [
-    'varying vec3 vNormal, vColour; varying float vAway;',
+    'varying vec3 vNormal, vColour, vEye; varying vec2 vWhere;',
     'void main() {',
     '  vec3 n = normalize(vNormal);',
-    '  float lit = dot(gl_FrontFacing ? n : -n, light);',
-    '  vec3 c = vColour * (0.68 + 0.36 * max(lit, 0.0)) + 0.10 * pow(max(lit, 0.0), 12.0);',
-    '  gl_FragColor = vec4(inFog(mix(c, ghostColour, ghost), vAway), 1.0);',
+    '  if (!gl_FrontFacing) n = -n;',
+    '  float lit = max(dot(n, light), 0.0);',
+    '  float shine = pow(max(dot(n, normalize(light + normalize(vEye))), 0.0), 28.0);',
+    '  vec3 c = vColour * (0.58 + 0.44 * lit + 0.10 * n.z) + 0.28 * shine;',
+    '  gl_FragColor = vec4(inWater(mix(c, ghostColour, ghost), vWhere), 1.0);',
     '}'
   ].join('\n'), { side: T.DoubleSide });
 
-  // The sea bed and the water's surface, with squares of a round size that fade away from the gear.
-  function sheet(colour, line, strength) {
+  // The sea bed (ground), sand with the shadow of the gear, or the water's surface with its waves, both
+  // with squares of a round size that fade away from the gear.
+  function sheet(ground, strength) {
+    var colour = ground ? sands[0] : '#9CC6E0', line = ground ? sands[1] : '#6FA3C6';
     return material([
-      'varying vec2 vAt; varying float vAway;',
+      'varying vec2 vAt, vWhere;',
       'void main() {',
       '  vAt = position.xy;',
       '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-      '  vAway = -seen.z;',
+      '  vWhere = vec2(-seen.z, position.z);',
       '  gl_Position = projectionMatrix * seen;',
       '}'
     ].join('\n'), [
-      'uniform vec3 colour, line; uniform float square, strength, reach; uniform vec2 middle;',
-      'varying vec2 vAt; varying float vAway;',
+      '#define GROUND ' + (ground ? 1 : 0),
+      'uniform sampler2D grain, shadow; uniform vec3 colour, line, shadowAt;',
+      'uniform float square, strength, reach; uniform vec2 middle;',
+      'varying vec2 vAt, vWhere;',
       'void main() {',
       '  vec2 w = max(fwidth(vAt / square), vec2(1e-6));',
       '  vec2 d = abs(fract(vAt / square + 0.5) - 0.5) / w;',
       '  float on = max(clamp(0.5 * ratio + 0.5 - d.x, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.x)),',
       '    clamp(0.5 * ratio + 0.5 - d.y, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.y)));',
       '  float fade = 1.0 - smoothstep(0.35, 1.0, length(vAt - middle) / reach);',
-      '  gl_FragColor = vec4(inFog(mix(colour, line, on), vAway), strength * fade + on * 0.35 * fade);',
+      '  vec2 at = vAt / square;',
+      '  vec3 wide = texture2D(grain, mat2(0.8, -0.6, 0.6, 0.8) * at * 0.23).rgb;',
+      '  vec3 near = texture2D(grain, at * 0.71).rgb;',
+      '  vec3 ground_ = colour;',
+      '#if GROUND == 1',
+      '  vec3 fine = texture2D(grain, at * 5.3).rgb;',
+      '  float relief = 0.20 * (wide.r - 0.5) + 0.27 * (near.r - 0.5) + 0.20 * (fine.r - 0.5);',
+      '  ground_ = colour * (1.0 + (1.0 - paper) * (relief + 0.16 * (wide.g - 0.5)));',
+      '  ground_ += (1.0 - paper) * 0.05 * near.b * (0.4 + wide.g);',
+      '  vec2 under = (vAt - shadowAt.xy) / shadowAt.z * 0.5 + 0.5;',
+      '  vec2 inside = step(abs(under - 0.5), vec2(0.5));',
+      '  float dark = 0.55 * textureLod(shadow, under, 1.0).a + 0.65 * textureLod(shadow, under, 3.5).a;',
+      '  ground_ *= 1.0 - min(0.42 * dark, 0.34) * inside.x * inside.y;',
+      '  ground_ = mix(ground_, line, 0.55 * on);',
+      '  gl_FragColor = vec4(inWater(ground_, vWhere), strength * fade);',
+      '#else',
+      '  float wave = (1.0 - paper) * (0.6 * (near.r - 0.5) + 0.5 * (wide.r - 0.5));',
+      '  ground_ = mix(mix(ground_, vec3(1.0), clamp(3.0 * wave, 0.0, 1.0)), line, on);',
+      '  gl_FragColor = vec4(inWater(ground_, vWhere), (strength + 0.5 * abs(wave) + on * 0.2) * fade);',
+      '#endif',
       '}'
     ].join('\n'), {
       side: T.DoubleSide, transparent: true, depthWrite: false, behind: 1,
       uniforms: {
         colour: { value: new T.Vector3().fromArray(rgb(colour)) },
         line: { value: new T.Vector3().fromArray(rgb(line)) }, square: { value: 1 },
-        strength: { value: strength }, reach: { value: 1 }, middle: { value: { x: 0, y: 0 } }
+        strength: { value: strength }, reach: { value: 1 }, middle: { value: { x: 0, y: 0 } },
+        grain: { value: sand() }, shadow: { value: null }, shadowAt: { value: new T.Vector3(0, 0, 1) }
       }
     });
   }
 
   return {
-    shared: shared, rope: ropeMaterial, nettingCore: nettingCore, nettingEdge: nettingEdge,
-    solid: solid, sheet: sheet
+    shared: shared, around: around, rope: ropeMaterial, nettingCore: nettingCore,
+    nettingEdge: nettingEdge, solid: solid, sheet: sheet
   };
 };

@@ -10,6 +10,7 @@
 //   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
 //                         over, beside), align (bosom, towing)
 //   seek(s)               shows a moment of what moves
+//   look({turn, rise, away, at})  moves the eye: angles (radians), distance and place looked at (m)
 //   picture()             the picture as the address of its own PNG, on white
 //   flat(...)             draws the gear flat on a part of another canvas
 // options.changed is called after a choice; options.passing says whether another shape is on its way;
@@ -58,7 +59,6 @@ window.codendView.viewer = function (host, options) {
   };
   var perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
   var flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
-  var sky = '#DFEBF2', paper = '#FFFFFF';
   var modes = {
     tension: 'Tension', slack: 'Slack', mesh_opening: 'Mesh opening', mesh_angle: 'Mesh angle',
     drag: 'Drag'
@@ -266,8 +266,8 @@ window.codendView.viewer = function (host, options) {
 
   // ---- drawing ----------------------------------------------------------------------------------
 
-  var water = materials.sheet('#9CC6E0', '#6FA3C6', 0.2);
-  var bed = materials.sheet('#E3D9C3', '#CDBE9C', 0.9);
+  var water = materials.sheet(false, 0.22);
+  var bed = materials.sheet(true, 1);
   function sheetMesh(material) {
     var geometry = new T.BufferGeometry();
     geometry.setAttribute('position', new T.BufferAttribute(new Float32Array(12), 3));
@@ -279,6 +279,12 @@ window.codendView.viewer = function (host, options) {
   var around = new T.Scene(), waterMesh = sheetMesh(water), bedMesh = sheetMesh(bed);
   bedMesh.renderOrder = -1;
   waterMesh.renderOrder = 5;
+  var waters = new T.Mesh(new T.BufferGeometry(), materials.around);
+  waters.geometry.setAttribute('position', new T.BufferAttribute(
+    new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  waters.frustumCulled = false;
+  waters.renderOrder = -2;
+  around.add(waters);
   around.add(bedMesh);
   var above = new T.Scene();
   above.add(waterMesh);
@@ -289,15 +295,64 @@ window.codendView.viewer = function (host, options) {
     return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
   }
 
+  // Height of the bed.
+  function bed_at(x, y) {
+    var n = told.bed.normal;
+    return (told.bed.height - n[0] * x - n[1] * y) / n[2];
+  }
+
+  // The gear's shadow on the bed: how much of the sun it takes, as seen from the sun, once for every
+  // shape. Sun: where it stands.
+  var cast = null, shaded = null, sun = [-0.34, 0.30, 0.89], sunCamera = new T.OrthographicCamera();
+  sunCamera.matrixAutoUpdate = sunCamera.matrixWorldAutoUpdate = false;
+  function cast_shadow(gear) {
+    if (!told.bed || shaded === gear || too_slow()) return;
+    shaded = gear;
+    if (!cast) {
+      cast = new T.WebGLRenderTarget(1024, 1024, {
+        depthBuffer: true, generateMipmaps: true, minFilter: T.LinearMipmapLinearFilter
+      });
+    }
+    var range = gear.range[choice.focus] || gear.range.whole, at = middle(range), n = told.bed.normal;
+    // down the sun's way to the bed
+    var along = n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2];
+    function fall(p) { return (dot(n, p) - told.bed.height) / along; }
+    var reach = 0.62 * longest(range) + 0.35 * Math.abs(fall(range.high));
+    var x = at[0] - sun[0] * fall(at), y = at[1] - sun[1] * fall(at), deep = 4 * (longest(range) + reach);
+    var m = sunCamera.matrixWorldInverse.elements;
+    [[1, 0, sun[0]], [0, 1, sun[1]]].forEach(function (row, k) {
+      for (var c = 0; c < 3; c++) m[4 * c + k] = ((c < 2 ? row[c] : 0) - row[2] * n[c] / along) / reach;
+      m[12 + k] = (row[2] * told.bed.height / along - (k ? y : x)) / reach;
+    });
+    for (var c = 0; c < 3; c++) m[4 * c + 2] = c === 2 ? -1 / deep : 0;
+    m[14] = at[2] / deep;
+    m[3] = m[7] = m[11] = 0;
+    m[15] = 1;
+    sunCamera.projectionMatrix.identity();
+    shared.flat_.value = 1;
+    shared.ahead.value.set(-sun[0], -sun[1], -sun[2]);
+    shared.pixel.value = reach / 512;
+    shared.fogMost.value = 0;
+    shared.ghost.value = 1;
+    shared.ghostColour.value.set(0);
+    shared.ratio.value = 1;
+    gear.place_marks(function () { return 0; });
+    renderer.setRenderTarget(cast);
+    renderer.clear();
+    renderer.render(gear.scene, sunCamera);
+    renderer.setRenderTarget(null);
+    shared.ghost.value = 0;
+    shared.fogMost.value = 0.6;
+    bed.uniforms.shadow.value = cast.texture;
+    bed.uniforms.shadowAt.value.set(x, y, reach);
+  }
+
   var square = 1;
   function lay_sheets() {
     var range = focus(), size = longest(range), at = middle(range);
     square = round(size / 8);
     var reach = Math.max(2.6 * size, 1.1 * camera.away);
-    [[waterMesh, water, function () { return 0; }], [bedMesh, bed, function (x, y) {
-      var n = told.bed.normal;
-      return (told.bed.height - n[0] * x - n[1] * y) / n[2];
-    }]].forEach(function (one) {
+    [[waterMesh, water, function () { return 0; }], [bedMesh, bed, bed_at]].forEach(function (one) {
       if (one[0] === bedMesh && !told.bed) return;
       var place = one[0].geometry.getAttribute('position');
       [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach(function (sign, k) {
@@ -332,10 +387,14 @@ window.codendView.viewer = function (host, options) {
     perspective.projectionMatrixInverse.copy(perspective.projectionMatrix).invert();
     perspective.updateMatrixWorld();
     shared.pixel.value = 2 * Math.tan(perspective.fov * Math.PI / 360) / height;
-    shared.flat.value = 0;
-    var reach = longest(focus());
-    shared.fogNear.value = camera.away - 0.2 * reach;
-    shared.fogFar.value = camera.away + 3 * reach;
+    shared.flat_.value = 0;
+    var reach = longest(focus()), shown = focus();
+    shared.fogNear.value = camera.away - 0.1 * reach;
+    shared.fogFar.value = camera.away + 3.5 * reach;
+    // the water is lightest at the surface, or above what hangs far below it
+    shared.waterTop.value = told.water && shown.high[2] > -0.5 * reach ? 0 : shown.high[2] + 0.3 * reach;
+    shared.waterSpan.value = 1.1 * Math.max(shared.waterTop.value - shown.low[2], 0.5 * reach);
+    materials.around.uniforms.away.value = camera.away;
     light(way);
   }
 
@@ -387,8 +446,6 @@ window.codendView.viewer = function (host, options) {
     });
   }
 
-  function fog_colour(hex) { shared.fogColour.value.set(hex); }
-
   // While a gear passes through shapes a slow renderer draws them in fewer pixels; how slow it is the
   // first of them tell.
   var hasty = null, coarse = 0.5, slow = 30, times = [], quickest = Infinity;
@@ -408,13 +465,16 @@ window.codendView.viewer = function (host, options) {
     if (times.length > 1) quickest = Math.min(quickest, times[times.length - 1]);
   }
 
+  // Whether the gear passes through shapes and the renderer is slow.
+  function too_slow() { return hasty && quickest > slow && quickest < Infinity; }
+
   // Pixels of the canvas for one of the page.
   var ratio = 1;
   function draw() {
     var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height || !gears.now) return false;
     ratio = window.devicePixelRatio || 1;
-    if (hasty && quickest > slow && quickest < Infinity) ratio *= coarse;
+    if (too_slow()) ratio *= coarse;
     // a canvas of another size waits for all that was drawn before
     if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
       renderer.setDrawingBufferSize(width, height, ratio);
@@ -429,9 +489,12 @@ window.codendView.viewer = function (host, options) {
       renderer.setScissorTest(true);
       renderer.setScissor(box.left, foot, box.width, box.height);
       renderer.setViewport(box.left, foot, box.width, box.height);
+      if (!shared.paper.value) cast_shadow(box.gear);
+      shared.ratio.value = ratio;
       set_eye(box.width, box.height);
       shared.pixel.value /= ratio;
       shared.ghost.value = 0;
+      waters.visible = !shared.paper.value;
       renderer.render(around, perspective);
       if (choice.compare === 'over') draw_kept(perspective, size_at);
       draw_gear(box.gear, perspective, null, size_at);
@@ -453,7 +516,6 @@ window.codendView.viewer = function (host, options) {
   }
   function paint_now() {
     var began = performance.now();
-    fog_colour(sky);
     if (!draw()) return;
     if (hasty && times.length < 4) take_time(began);
     drawn += 1;
@@ -572,7 +634,7 @@ window.codendView.viewer = function (host, options) {
     }
     if (choice.colour === 'tension' || choice.colour === 'slack') {
       if (told.times.length > 1 || any(function (x) { return x === 0; })) {
-        entry('slack', told.colours.slack, 'slack');
+        entry('slack', gears.now.slack_colour(choice.colour), 'slack');
       } else {
         key.appendChild(element('span', 'entry', 'nothing is slack'));
       }
@@ -839,6 +901,7 @@ window.codendView.viewer = function (host, options) {
     } else {
       press(what, value);
       held = {};
+      shaded = null;
       if (gears.now) {
         offer_align();
         recolour();
@@ -954,11 +1017,12 @@ window.codendView.viewer = function (host, options) {
   // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
   function picture() {
     hasty = null;
-    fog_colour(paper);
+    shared.paper.value = 1;
     bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
     var address = draw() ? canvas.toDataURL('image/png') : '';
-    bed.uniforms.strength.value = 0.9;
-    water.uniforms.strength.value = 0.2;
+    shared.paper.value = 0;
+    bed.uniforms.strength.value = 1;
+    water.uniforms.strength.value = 0.22;
     if (!address) return '';
     repaint();
     return address;
@@ -996,7 +1060,7 @@ window.codendView.viewer = function (host, options) {
     flatCamera.lookAt(at[0], at[1], at[2]);
     flatCamera.updateProjectionMatrix();
     flatCamera.updateMatrixWorld();
-    shared.flat.value = 1;
+    shared.flat_.value = 1;
     shared.ahead.value.fromArray(way.eye).negate();
     shared.pixel.value = 1 / scale / ratio;
     shared.fogNear.value = 10 * size;
@@ -1020,6 +1084,7 @@ window.codendView.viewer = function (host, options) {
 
   function take(gear, part) {
     gear.take(part);
+    shaded = null;
     gear.range = gear.ranges();
     gear.colour(choice.colour);
   }
@@ -1107,10 +1172,12 @@ window.codendView.viewer = function (host, options) {
     choose: choose,
     time: function (k, share) {
       gears.now.move(k, share);
+      shaded = null;
       gears.now.colour(choice.colour);
       repaint();
     },
     seek: function (time) { if (moment) moment.seek(time); },
+    look: function (place) { press('from', null); Object.assign(camera, place); repaint(); },
     picture: picture,
     redraw: paint_now,
     flat: flat,

@@ -69,15 +69,19 @@ test_that("what a page shows stands out by 3 to 1", {
     drop(c(0.2126, 0.7152, 0.0722) %*% linear)
   }
   contrast <- function(a, b) (pmax(light(a), light(b)) + 0.05) / (pmin(light(a), light(b)) + 0.05)
-  css <- view_file("viewer.css")
-  water <- regmatches(css, regexpr("linear-gradient\\([^)]*\\)", css))
-  behind <- unique(c(regmatches(water, gregexpr("#[0-9a-f]{6}", water))[[1]], "#E3D9C3", "#FFFFFF"))
-  expect_gte(length(behind), 4)
-  shown <- c(slack_colour, view_symbols$solid, tension_palette("rope"), tension_palette("netting"))
+  # the water from the surface down, the bed, and paper
+  water <- regmatches(view_file("materials.js"),
+    regexpr("waters = \\[[^]]*\\], sands = \\['#[0-9A-F]{6}'", view_file("materials.js")))
+  behind <- unique(c(regmatches(water, gregexpr("#[0-9A-F]{6}", water))[[1]], "#FFFFFF"))
+  expect_length(behind, 5)
+  shown <- c(
+    slack_colour, muted_slack_colour, view_symbols$solid, tension_palette("rope"),
+    tension_palette("netting")
+  )
   for (back in behind) expect_gt(min(contrast(shown, back)), 3)
-  # words of the page
-  words <- c("#202428", "#1c5279", "#5b4a26", "#2a3238", "#4d555c", "#b3005c")
-  for (back in behind) expect_gt(min(contrast(words, back)), 4.5)
+  # words in the picture, and those on white of their own
+  for (back in behind) expect_gt(min(contrast(c("#202428", "#1c5279", "#5b4a26"), back)), 4.5)
+  expect_gt(min(contrast(c("#2a3238", "#4d555c", "#b3005c"), "#FFFFFF")), 4.5)
 })
 
 test_that("the file is one small page that asks nothing of the network, the same each time", {
@@ -143,4 +147,25 @@ test_that("no name of a plan can end or hide what follows it in a page", {
   expect_no_match(inner, "<", fixed = TRUE)
   expect_identical(jsonlite::fromJSON(inner)$x$scene$name,
     plan$name)
+})
+
+test_that("a catch, chains, ground gear and pieces are drawn as what they are", {
+  codend <- settled("t90_codend", nodes = 200)
+  panel <- netting_surfaces(codend)$panels[[1L]]
+  # 15 of 50 meshes are full, from the last ones on
+  depth <- drop(panel$down %*% panel$mesh)
+  expect_equal(range(depth), c(0, 50))
+  expect_equal(panel$full, 35)
+  trawl <- unsettled("beam_trawl")
+  expect_null(netting_surfaces(trawl)$panels[[1L]]$full)
+  form <- with(scene_parts(trawl), setNames(form, role))
+  expect_setequal(form[names(form) == "tickler"], 1L)
+  expect_setequal(form[names(form) == "ground_gear"], 2L)
+  expect_setequal(form[names(form) == "beam"], 3L)
+  expect_setequal(form[names(form) == "head_line"], 0L)
+  marks <- scene_marks(scene_shape(unsettled("cage"))$fixed$marks)
+  # 100 kg of steel, as a ball: the root of the area in which it is seen
+  ball <- (3 * 100 / 7850 / (4 * pi))^(1 / 3)
+  expect_equal(as.double(marks$size[marks$role == "weight"]), sqrt(pi) * ball, tolerance = 1e-6)
+  expect_false("other piece" %in% scene_marks(scene_shape(unsettled("longline"))$fixed$marks)$label)
 })
