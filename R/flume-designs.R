@@ -35,10 +35,10 @@ design_table <- function(designs) {
 }
 
 # As HTML: columns by id, each of designs_table().
-designs_html <- function(designs, preferred) {
+designs_html <- function(designs, preferred, say = new_say()) {
   table <- in_preferred(design_table(designs), preferred)
   figures <- decimals_of(do.call(pmax, c(lapply(table$values, abs), list(na.rm = TRUE))))
-  head <- c("Measure", vapply(designs, `[[`, "", "name"))
+  head <- c(say("measure"), vapply(designs, `[[`, "", "name"))
   cells <- Map(function(value, change, k) {
     shown <- fixed_decimals(value, figures)
     if (k == 1L) return(shown)
@@ -46,11 +46,9 @@ designs_html <- function(designs, preferred) {
     paste0(shown, ifelse(nzchar(moved) & moved != "0", paste0("\n", moved), ""))
   }, table$values, table$changes, seq_along(designs))
   rows <- do.call(data.frame, c(
-    list(paste0(table$measure, " (", table$unit, ")")), unname(cells), stringsAsFactors = FALSE
+    list(said_measure_unit(say, table$measure, table$unit)), unname(cells), stringsAsFactors = FALSE
   ))
-  html_table(
-    "Designs beside each other, with the difference to the first", head, text_rows(rows)
-  )
+  html_table(say("designs_caption"), head, text_rows(rows))
 }
 
 # As a table for a file.

@@ -13,10 +13,13 @@
 # The controls that a page begins with.
 #
 # marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
-# out.
-plan_controls <- function(plan, marked = list()) {
-  usual <- usual_of_plan(plan)
-  asked <- Map(list, label = marked_labels(marked), paths = marked)
+# out. say: as of new_say().
+plan_controls <- function(plan, marked = list(), say = new_say()) {
+  usual <- lapply(usual_of_plan(plan), function(ask) {
+    ask$label <- said_label(say, ask$label, ask$paths[1])
+    ask
+  })
+  asked <- Map(list, label = marked_labels(marked, say), paths = marked)
   seen <- vapply(asked, function(ask) ask$paths[1], "")
   usual <- Filter(function(ask) !ask$paths[1] %in% seen, usual)
   controls <- lapply(unname(c(usual, asked)), function(ask) {
@@ -28,20 +31,12 @@ plan_controls <- function(plan, marked = list()) {
 }
 
 # "otter_boards.lift_coefficient" becomes "Otter boards: lift coefficient", unless it has a name.
-marked_labels <- function(marked) {
+marked_labels <- function(marked, say) {
   given <- names(marked)
   if (is.null(given)) given <- character(length(marked))
   vapply(seq_along(marked), function(k) {
-    if (nzchar(given[k])) given[k] else path_words(marked[[k]][1])
+    if (nzchar(given[k])) given[k] else said_path(say, marked[[k]][1])
   }, "")
-}
-
-path_words <- function(path) {
-  if (path %in% names(usual_fields)) return(usual_fields[[path]])
-  words <- gsub("_", " ", strsplit(path, ".", fixed = TRUE)[[1]])
-  last <- length(words)
-  text <- if (last == 1L) words else paste0(paste(words[-last], collapse = " "), ": ", words[last])
-  capital(text)
 }
 
 # A control of a field that is a number, a choice or a truth value, or NULL.

@@ -37,22 +37,25 @@ form_rooms <- list(
 # Fields of a plan that the form leaves to the plan's text.
 form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
-# The form of a plan: a list of groups of list(title, parts, open, absent), a part list(path, title,
-# help, fields (controls), picks, open (whether the schema allows fields that it lacks), absent
-# (their paths), named (whether it is one of several that are told by their names), required).
-plan_form <- function(plan) {
+# The form of a plan: a list of groups of list(title, words (the title as the page says it), parts,
+# open, absent), a part list(path, title, help, fields (controls), picks, open (whether the schema
+# allows fields that it lacks), absent (their paths), named (whether it is one of several that are
+# told by their names), required).
+plan_form <- function(plan, say = new_say()) {
   node <- plan_node(plan)
   lapply(names(form_rooms), function(title) {
     names <- intersect(names(plan), form_rooms[[title]])
     single <- Filter(function(name) !is_part(plan[[name]]), names)
-    fields <- form_fields(plan[single], node, "", "")
+    fields <- form_fields(plan[single], node, "", "", say)
     own <- if (length(fields)) list(list(path = "", title = title, fields = fields))
     parts <- lapply(setdiff(names, single), function(name) {
-      form_parts(plan[[name]], child_node(node, name), name, name %in% node$required)
+      form_parts(plan[[name]], child_node(node, name), name, name %in% node$required, say = say)
     })
     absent <- setdiff(intersect(form_rooms[[title]], names(node$properties)), names(plan))
-    list(title = title, parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L,
-      absent = I(absent))
+    list(
+      title = title, words = say(paste0("room.", title)),
+      parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L, absent = I(absent)
+    )
   })
 }
 
@@ -62,16 +65,17 @@ is_part <- function(value) {
 }
 
 # A map's part, and those of the maps in it that have parts or fields of their own.
-form_parts <- function(value, node, path, required, is_named = FALSE) {
+form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   node <- meant_node(value, node)
   if (is.null(node)) return(list())
   named <- !is.null(node$additionalProperties)
   steps <- length(path_steps(path))
   inner <- Filter(is_part, value)
   apart <- if (steps == 1L) names(inner) else character()
-  fields <- form_fields(value[setdiff(names(value), apart)], node, path, "")
+  fields <- form_fields(value[setdiff(names(value), apart)], node, path, "", say)
   part <- list(list(
-    path = path, title = path_words(path), help = first_of(node$description, ""), fields = fields,
+    path = path, title = said_path(say, path), help = first_of(node$description, ""),
+    fields = fields,
     picks = part_picks(value, node, path),
     absent = I(as.character(absent_fields(value, node, path))),
     open = length(setdiff(names(node$properties), names(value))) > 0L,
@@ -79,7 +83,7 @@ form_parts <- function(value, node, path, required, is_named = FALSE) {
   ))
   others <- lapply(apart, function(name) {
     form_parts(value[[name]], child_node(node, name), join(path, name), name %in% node$required,
-      named && is.null(node$properties[[name]]))
+      named && is.null(node$properties[[name]]), say)
   })
   c(part, do.call(c, others))
 }
@@ -107,14 +111,14 @@ part_picks <- function(value, node, path) {
 }
 
 # The controls of a map's fields; those of maps in it by both their names.
-form_fields <- function(value, node, path, ahead) {
+form_fields <- function(value, node, path, ahead, say) {
   found <- lapply(names(value), function(name) {
     at <- join(path, name)
     inner <- meant_node(value[[name]], child_node(node, name))
-    label <- paste0(ahead, gsub("_", " ", name))
+    label <- paste0(ahead, said_field(say, name))
     if (is.null(inner)) return(NULL)
     if (is_part(value[[name]])) {
-      return(form_fields(value[[name]], inner, at, paste0(label, ": ")))
+      return(form_fields(value[[name]], inner, at, paste0(label, ": "), say))
     }
     field <- list(node = inner, value = value[[name]])
     list(new_control(capital(label), at, field, name %in% node$required))
@@ -124,7 +128,7 @@ form_fields <- function(value, node, path, ahead) {
 
 # Controls of the fields that a part of a plan (of a group, where `path` is empty) could have and
 # has not; their values are what holds without them, where the schema says so.
-form_offers <- function(plan, path, title) {
+form_offers <- function(plan, path, title, say = new_say()) {
   node <- plan_node(plan)
   given <- plan
   if (nzchar(path)) {
@@ -144,16 +148,17 @@ form_offers <- function(plan, path, title) {
     }
     plain <- is.atomic(inner$default) && length(inner$default) == 1L
     new_control(
-      capital(gsub("_", " ", name)), join(path, name),
+      capital(said_field(say, name)), join(path, name),
       list(node = inner, value = if (plain) inner$default), FALSE
     )
   })
 }
 
 # What a page is sent to lay out its controls. turn: of the gear that was opened last.
-form_message <- function(plan, marked, turn) {
+form_message <- function(plan, marked, turn, say = new_say()) {
   list(
-    turn = turn, kind = first_of(plan$kind, "assembly"), quick = plan_controls(plan, marked),
-    groups = plan_form(plan), units = offered_units()
+    turn = turn, kind = first_of(plan$kind, "assembly"),
+    quick = plan_controls(plan, marked, say),
+    groups = plan_form(plan, say), units = offered_units()
   )
 }

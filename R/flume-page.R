@@ -1,12 +1,13 @@
 # The flume tank's page.
 
-# opens: whether a gear is on screen at once, not the gallery.
-flume_page <- function(opens = TRUE) {
+# opens: whether a gear is on screen at once, not the gallery; say: as of new_say(), here and below.
+flume_page <- function(opens = TRUE, say = new_say()) {
   tags <- shiny::tags
   asset <- function(name) paste0("codend-app/", name)
   of_viewer <- function(name) paste0("codend-view/", name)
   bslib::page_fluid(
-    theme = bslib::bs_theme(version = 5), title = "codend flume tank", lang = "en",
+    theme = bslib::bs_theme(version = 5), title = say("page_title"),
+    lang = attr(say, "language"),
     tags$head(
       tags$meta(name = "viewport", content = "width=device-width, initial-scale=1"),
       tags$link(rel = "icon", href = "data:,"),
@@ -15,17 +16,18 @@ flume_page <- function(opens = TRUE) {
       lapply(viewer_scripts, function(name) tags$script(src = of_viewer(name))),
       lapply(flume_scripts, function(name) tags$script(src = asset(name)))
     ),
-    tags$a(class = "skip-link", href = "#controls", "Skip to the controls"),
+    tags$a(class = "skip-link", href = "#controls", say("skip")),
     tags$div(
       id = "flume", class = if (opens) "opens",
-      flume_header(), flume_waiting(), flume_gallery(),
+      flume_header(say), flume_waiting(say), flume_gallery(say),
       tags$main(
         id = "design", class = "flume-grid", hidden = if (!opens) NA,
-        flume_tank(), flume_controls(), flume_measures(), flume_tabs()
+        flume_tank(say), flume_controls(say), flume_measures(say), flume_tabs(say)
       ),
       tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite"),
       tags$script(type = "application/json", id = "catalogue",
-        shiny::HTML(catalogue_json()))
+        shiny::HTML(catalogue_json())),
+      tags$script(type = "application/json", id = "words", shiny::HTML(words_json(say)))
     )
   )
 }
@@ -36,11 +38,11 @@ viewer_scripts <- c(
   "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "viewer.js"
 )
 flume_scripts <- c(
-  "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
+  "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
   "slopes.js", "graphs.js", "vary.js", "tow.js", "page.js"
 )
 
-flume_header <- function() {
+flume_header <- function(say) {
   tags <- shiny::tags
   button <- function(id, words, about) {
     tags$button(type = "button", id = id, class = "btn btn-outline-secondary btn-sm",
@@ -50,146 +52,169 @@ flume_header <- function() {
     tags$select(
       class = "form-select form-select-sm preferred", `data-dimension` = dimension,
       `aria-label` = label, lapply(preferred_units[[dimension]], function(unit) {
-        tags$option(value = unit, unit)
+        tags$option(value = unit, said_unit(say, unit))
       })
     )
   }
   tags$header(
-    tags$div(tags$h1(id = "gear_name", "Flume tank"), tags$p(id = "gear_conditions",
-      class = "note")),
+    tags$div(tags$h1(id = "gear_name", say("tank_name")), tags$p(id = "gear_conditions",
+      class = "note", lang = "en")),
     tags$div(
-      class = "header-tools", role = "group", `aria-label` = "Design",
-      button("gears", "Gears", "All gears, a new one, or a plan of your own"),
-      button("undo", "Undo", "The design before (Ctrl+Z)"),
-      button("redo", "Redo", "The design after (Ctrl+Y)"),
-      tags$span(class = "preferred-units", units("length", "Lengths in"),
-        units("force", "Forces in"), units("speed", "Speeds in"))
+      class = "header-tools", role = "group", `aria-label` = say("design"),
+      button("gears", say("gears"), say("gears_tip")),
+      button("undo", say("undo"), say("undo_tip")),
+      button("redo", say("redo"), say("redo_tip")),
+      tags$span(class = "preferred-units", units("length", say("lengths_in")),
+        units("force", say("forces_in")), units("speed", say("speeds_in"))),
+      flume_languages(say)
     )
   )
 }
 
-# What is waited for, with a way out.
-flume_waiting <- function() {
+# The languages to choose from, each by its own name, and whether anybody has checked this one's
+# words.
+flume_languages <- function(say) {
   tags <- shiny::tags
-  tags$div(
-    id = "working", class = "working", role = "status", hidden = NA,
-    tags$span(id = "working_words", "settling"), tags$span(id = "working_time"),
-    tags$button(type = "button", id = "cancel", class = "btn btn-sm btn-outline-secondary",
-      "Cancel")
+  language <- attr(say, "language")
+  table <- word_table()
+  tags$span(
+    class = "languages",
+    tags$select(
+      id = "language", class = "form-select form-select-sm preferred-language",
+      `aria-label` = say("language"), lapply(word_languages(), function(one) {
+        tags$option(value = one, lang = one, selected = if (one == language) NA,
+          new_say(one)("language.name"))
+      })
+    ),
+    if (!nzchar(table[[language]][table$key == "language.checked_by"])) {
+      tags$span(id = "machine_made", class = "note", title = say("machine_made"),
+        say("machine_short"))
+    }
   )
 }
 
-flume_tank <- function() {
+# What is waited for, with a way out.
+flume_waiting <- function(say) {
+  tags <- shiny::tags
+  tags$div(
+    id = "working", class = "working", role = "status", hidden = NA,
+    tags$span(id = "working_words", say("settling")), tags$span(id = "working_time"),
+    tags$button(type = "button", id = "cancel", class = "btn btn-sm btn-outline-secondary",
+      say("cancel"))
+  )
+}
+
+flume_tank <- function(say) {
   tags <- shiny::tags
   tags$section(
-    class = "tank", `aria-label` = "The gear in three dimensions",
+    class = "tank", `aria-label` = say("tank_region"),
     tags$div(
-      class = "see", role = "group", `aria-label` = "What is seen",
+      class = "see", role = "group", `aria-label` = say("seen_region"),
       tags$button(type = "button", id = "see_tank", class = "btn btn-outline-secondary btn-sm",
-        `aria-pressed` = "true", "In the tank"),
+        `aria-pressed` = "true", say("in_tank")),
       tags$button(type = "button", id = "see_drawing", class = "btn btn-outline-secondary btn-sm",
-        `aria-pressed` = "false", "Drawing"),
+        `aria-pressed` = "false", say("drawing")),
       tags$span(
         class = "drawing-tools",
         tags$button(type = "button", id = "drawing_in", class = "btn btn-outline-secondary btn-sm",
-          `aria-label` = "Zoom in", "+"),
+          `aria-label` = say("zoom_in"), "+"),
         tags$button(type = "button", id = "drawing_out", class = "btn btn-outline-secondary btn-sm",
-          `aria-label` = "Zoom out", "\u2212"),
+          `aria-label` = say("zoom_out"), "\u2212"),
         tags$button(type = "button", id = "drawing_all", class = "btn btn-outline-secondary btn-sm",
-          "Whole sheet"),
+          say("whole_sheet")),
         tags$span(id = "drawing_said", class = "note", role = "status",
-          "Click a number and type. Tab goes to the next.")
+          say("drawing_hint"))
       )
     ),
     tags$div(id = "tank"),
-    tags$div(id = "drawing", role = "group", `aria-label` = "The net drawing", tabindex = "0")
+    tags$div(id = "drawing", role = "group", `aria-label` = say("net_drawing"), tabindex = "0")
   )
 }
 
 # The controls themselves are laid out by form.js, from what R/flume-form.R makes of the schema.
-flume_controls <- function() {
+flume_controls <- function(say) {
   tags <- shiny::tags
   tags$section(
     id = "controls", class = "panel controls", `aria-labelledby` = "controls_heading",
-    tags$h2(id = "controls_heading", "Design"),
+    tags$h2(id = "controls_heading", say("design")),
     tags$div(id = "refused", class = "alert alert-danger", role = "alert", hidden = NA),
     tags$div(
       id = "unfinished", class = "alert alert-danger", role = "status", hidden = NA,
-      tags$strong("This design does not fit yet. The tank shows the last one that did."),
+      tags$strong(say("unfinished")),
       tags$ul(id = "draft_problems")
     ),
     tags$div(id = "quick"),
     tags$div(
       class = "button-row",
       tags$button(type = "button", id = "keep", class = "btn btn-primary btn-sm",
-        "Keep this design"),
+        say("keep")),
       tags$button(type = "button", id = "back", class = "btn btn-outline-secondary btn-sm",
-        "Back to the kept one")
+        say("back"))
     ),
-    tags$h2("Every field of the plan"),
+    tags$h2(say("every_field")),
     tags$div(
       class = "find-row",
       tags$input(id = "find_field", type = "search", class = "form-control form-control-sm",
-        placeholder = "Find a field, such as twine", `aria-label` = "Find a field",
+        placeholder = say("find_hint"), `aria-label` = say("find_field"),
         autocomplete = "off")
     ),
     tags$div(id = "form")
   )
 }
 
-flume_measures <- function() {
+flume_measures <- function(say) {
   shiny::tags$section(
-    class = "panel measures", `aria-label` = "Measures",
+    class = "panel measures", `aria-label` = say("measures"),
     shiny::tags$div(
-      id = "worth", hidden = NA, shiny::tags$h2("Warnings"), shiny::tags$ul(id = "noted")
+      id = "worth", hidden = NA, shiny::tags$h2(say("warnings")), shiny::tags$ul(id = "noted")
     ),
     shiny::uiOutput("measures"),
     shiny::tags$details(
-      id = "measures_more", shiny::tags$summary("All other measures"),
+      id = "measures_more", shiny::tags$summary(say("all_other_measures")),
       shiny::uiOutput("other_measures")
     ),
-    shiny::checkboxInput("with_intervals", "How sure: intervals of 90 %"),
+    shiny::checkboxInput("with_intervals", say("how_sure")),
     shiny::tags$p(id = "uncertainty_error", class = "field-error", role = "alert", hidden = NA),
-    measures_guide(),
-    flume_more_of()
+    measures_guide(say),
+    flume_more_of(say)
   )
 }
 
 # Whether codend was installed with its guides.
 has_measures_guide <- function() nzchar(system.file("doc", "measures.html", package = "codend"))
 
-measures_guide <- function() {
+measures_guide <- function(say) {
   tags <- shiny::tags
   tags$p(class = "note", if (has_measures_guide()) {
-    tags$a(href = "codend-doc/measures.html", target = "_blank", "What the measures mean")
+    tags$a(href = "codend-doc/measures.html", target = "_blank", say("what_measures_mean"))
   } else {
-    tags$span("What the measures mean: ", tags$code("vignette(\"measures\", \"codend\")"))
+    tags$span(say("what_measures_mean"), tags$code("vignette(\"measures\", \"codend\")"))
   })
 }
 
 # What a little more of a field would do, beside the measures.
-flume_more_of <- function() {
+flume_more_of <- function(say) {
   tags <- shiny::tags
   tags$details(
-    id = "more_of", tags$summary("What a little more would do"),
+    id = "more_of", tags$summary(say("little_more")),
     tags$div(
       class = "control-row",
       tags$input(id = "more_amount", type = "number", step = "any",
-        class = "form-control form-control-sm", `aria-label` = "How much more"),
-      tags$span(id = "more_unit"), tags$span("more of"),
+        class = "form-control form-control-sm", `aria-label` = say("how_much_more")),
+      tags$span(id = "more_unit"), tags$span(say("more_of")),
       tags$select(id = "more_field", class = "form-select form-select-sm",
-        `aria-label` = "Of which field")
+        `aria-label` = say("of_which_field"))
     ),
     tags$p(id = "slopes_error", class = "field-error", role = "alert", hidden = NA),
     tags$div(id = "more_does", `aria-live` = "polite"),
     tags$button(type = "button", id = "slopes_all", class = "btn btn-outline-secondary btn-sm",
-      "All fields that people change first")
+      say("all_first_fields"))
   )
 }
 
-flume_tabs <- function() {
+flume_tabs <- function(say) {
   tags <- shiny::tags
-  tab <- function(title, ...) shiny::tabPanel(title, value = title, ...)
+  tab <- function(value, title, ...) shiny::tabPanel(title, value = value, ...)
   plane <- function(name, words) {
     tags$figure(
       tags$figcaption(words),
@@ -197,61 +222,60 @@ flume_tabs <- function() {
     )
   }
   tags$section(
-    class = "panel more", `aria-label` = "More of the gear",
+    class = "panel more", `aria-label` = say("more_region"),
     shiny::tabsetPanel(
       id = "shown",
-      tab("Planes", tags$div(class = "planes", plane("xy", "From above (XY)"),
-        plane("xz", "From the port side (XZ)"), plane("yz", "From astern (YZ)"))),
-      tab("Tensions", shiny::uiOutput("tensions")),
-      tab("Drag", shiny::uiOutput("drag")),
-      tab("Slopes", flume_slopes_tab()),
-      tab("Vary", flume_vary_tab()),
-      tab("Tow", flume_tow_tab()),
-      tab("Designs", tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
-      tab("Changes", shiny::uiOutput("differences")),
-      tab("Plan", flume_plan_editor()),
-      tab("R code", shiny::tags$p("This settles the same gear again:"),
-        tags$div(tabindex = "0", role = "region", `aria-label` = "R code",
+      tab("Planes", say("tab_planes"), tags$div(class = "planes", plane("xy", say("from_above")),
+        plane("xz", say("from_port")), plane("yz", say("from_astern")))),
+      tab("Tensions", say("tab_tensions"), shiny::uiOutput("tensions")),
+      tab("Drag", say("tab_drag"), shiny::uiOutput("drag")),
+      tab("Slopes", say("tab_slopes"), flume_slopes_tab(say)),
+      tab("Vary", say("tab_vary"), flume_vary_tab(say)),
+      tab("Tow", say("tab_tow"), flume_tow_tab(say)),
+      tab("Designs", say("tab_designs"), tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
+      tab("Changes", say("tab_changes"), shiny::uiOutput("differences")),
+      tab("Plan", say("tab_plan"), flume_plan_editor(say)),
+      tab("R code", say("tab_code"), shiny::tags$p(say("code_settles")),
+        tags$div(tabindex = "0", role = "region", `aria-label` = say("tab_code"),
           shiny::verbatimTextOutput("code")),
-        shiny::downloadButton("save_code", "Save as R file", class = "btn-sm")),
-      tab("Save", flume_downloads())
+        shiny::downloadButton("save_code", say("save_code"), class = "btn-sm")),
+      tab("Save", say("tab_save"), flume_downloads(say))
     )
   )
 }
 
-flume_slopes_tab <- function() {
+flume_slopes_tab <- function(say) {
   tags <- shiny::tags
   tags$div(
-    tags$p(class = "note", "How every measure changes with the fields that people change first, and
-      those that were asked for beside the measures, at the design on screen."),
+    tags$p(class = "note", say("slopes_note")),
     tags$button(type = "button", id = "slopes_table", class = "btn btn-primary btn-sm",
-      "Find the slopes"),
+      say("find_slopes")),
     shiny::uiOutput("slopes")
   )
 }
 
 # Measures against a field, as graphs.
-flume_vary_tab <- function() {
+flume_vary_tab <- function(say) {
   tags <- shiny::tags
   text <- function(id, label, ...) {
     tags$label(label, tags$input(id = id, class = "form-control form-control-sm",
       autocomplete = "off", ...))
   }
   tags$div(
-    tags$p(class = "note", "Settles the design on screen with other values of one field, in the
-      background, and draws each measure against it."),
+    tags$p(class = "note", say("vary_note")),
     tags$div(
       id = "vary_asks",
-      tags$label("Field", tags$select(id = "vary_field", class = "form-select form-select-sm")),
-      text("vary_from", "From", type = "text"), text("vary_to", "To", type = "text"),
-      text("vary_number", "Values", type = "number", value = 11, min = 2, max = most_varied)
+      tags$label(say("field"), tags$select(id = "vary_field",
+        class = "form-select form-select-sm")),
+      text("vary_from", say("from"), type = "text"), text("vary_to", say("to"), type = "text"),
+      text("vary_number", say("values"), type = "number", value = 11, min = 2, max = most_varied)
     ),
     tags$div(
       class = "button-row",
       tags$button(type = "button", id = "vary_start", class = "btn btn-primary btn-sm",
-        "Draw the graphs"),
+        say("draw_graphs")),
       tags$button(type = "button", id = "vary_stop", class = "btn btn-outline-secondary btn-sm",
-        hidden = NA, "Stop")
+        hidden = NA, say("stop"))
     ),
     tags$p(id = "vary_error", class = "field-error", role = "alert", hidden = NA),
     tags$div(
@@ -259,16 +283,16 @@ flume_vary_tab <- function() {
       tags$p(id = "vary_said", class = "note", role = "status"),
       tags$p(id = "vary_stale", class = "note", hidden = NA),
       tags$div(id = "vary_graphs", class = "graphs"),
-      tags$label("Another graph", tags$select(id = "vary_more",
+      tags$label(say("another_graph"), tags$select(id = "vary_more",
         class = "form-select form-select-sm")),
-      tags$ul(class = "downloads", save_line("save_vary", "Graphs (CSV)",
-        "all measures at every value, as vary() gives them"))
+      tags$ul(class = "downloads", save_line("save_vary", say("save_vary"),
+        say("save_vary_about")))
     )
   )
 }
 
 # A tow from the design on screen, its picture and its graphs.
-flume_tow_tab <- function() {
+flume_tow_tab <- function(say) {
   tags <- shiny::tags
   text <- function(id, label, value, about = NULL) {
     tags$label(label, tags$input(type = "text", id = id, class = "form-control form-control-sm",
@@ -277,37 +301,37 @@ flume_tow_tab <- function() {
   change <- function(name, label, about, from, over) {
     tags$div(
       class = "tow-change", text(paste0("tow_", name), label, "", about),
-      text(paste0("tow_", name, "_from"), "from", from),
-      text(paste0("tow_", name, "_over"), "over", over)
+      text(paste0("tow_", name, "_from"), say("change_from"), from),
+      text(paste0("tow_", name, "_over"), say("change_over"), over)
     )
   }
   tags$div(
-    tags$p(class = "note", "From the design on screen, at rest in its tow. What is left empty stays
-      as it is."),
+    tags$p(class = "note", say("tow_note")),
     tags$div(
-      id = "tow_asks", text("tow_until", "Tow for", "60 s"),
-      change("speed", "Speed becomes", "such as 5 knot", "10 s", "20 s"),
-      change("course", "Turn to starboard by", "such as 90 deg", "10 s", "60 s"),
-      change("warp_out", "Warp paid out", "such as 50 m, or -50 m", "10 s", "60 s")
+      id = "tow_asks", text("tow_until", say("tow_for"), "60 s"),
+      change("speed", say("speed_becomes"), say("such_as", example = "5 knot"), "10 s", "20 s"),
+      change("course", say("turn_by"), say("such_as", example = "90 deg"), "10 s", "60 s"),
+      change("warp_out", say("warp_paid"), say("such_as_two", example = "50 m", other = "-50 m"),
+        "10 s", "60 s")
     ),
     tags$div(
       class = "button-row",
-      tags$button(type = "button", id = "tow_start", class = "btn btn-primary btn-sm", "Tow"),
+      tags$button(type = "button", id = "tow_start", class = "btn btn-primary btn-sm", say("tow")),
       tags$button(type = "button", id = "tow_planned", class = "btn btn-outline-secondary btn-sm",
-        hidden = NA, "Tow as the plan's section tow says")
+        hidden = NA, say("tow_planned"))
     ),
     tags$p(id = "tow_error", class = "field-error", role = "alert", hidden = NA),
     tags$div(
       id = "towed", hidden = NA, tags$p(id = "tow_stale", class = "note", hidden = NA),
       tags$div(id = "tow_place"), tags$div(id = "tow_graphs", class = "graphs"),
-      tags$label("Another graph", tags$select(id = "tow_more",
+      tags$label(say("another_graph"), tags$select(id = "tow_more",
         class = "form-select form-select-sm")),
       tags$ul(
         class = "downloads",
-        unname(Map(function(name, one) {
-          save_line(paste0("save_tow_", name), sprintf("%s (.%s)", one$title, one$extension),
-            one$about)
-        }, names(tow_saves_here()), tow_saves_here()))
+        lapply(names(tow_saves_here()), function(name) {
+          key <- paste0("tow_saves.", name)
+          save_line(paste0("save_tow_", name), say(key), say(paste0(key, ".about")))
+        })
       )
     )
   )
@@ -320,47 +344,43 @@ save_line <- function(id, text, about) {
   )
 }
 
-flume_plan_editor <- function() {
+flume_plan_editor <- function(say) {
   tags <- shiny::tags
   tags$div(
-    tags$label(`for` = "plan_area", "The plan of the gear on screen, to change and settle"),
+    tags$label(`for` = "plan_area", say("plan_on_screen")),
     tags$textarea(id = "plan_area", class = "form-control plan-text", rows = "24",
       spellcheck = "false", wrap = "off", `aria-describedby` = "plan_text_error"),
     tags$p(id = "plan_text_error", class = "field-error", role = "alert", hidden = NA),
     tags$button(type = "button", id = "plan_text_settle", class = "btn btn-primary btn-sm",
-      "Settle this plan")
+      say("settle_plan"))
   )
 }
 
-flume_downloads <- function() {
+flume_downloads <- function(say) {
   tags <- shiny::tags
-  save <- save_line
   tags$ul(
     class = "downloads",
-    save("save_report", "Report (HTML)", "one page with everything, to send on or to print"),
-    if (can_share()) {
-      save("save_share", "Living page (HTML)",
-        "settles by itself as its sliders move, for anyone with a browser")
-    },
-    save("save_plan", "Plan (YAML)", "opens here again, and in codend on any machine"),
+    save_line("save_report", say("save_report"), say("save_report_about")),
+    if (can_share()) save_line("save_share", say("save_share"), say("save_share_about")),
+    save_line("save_plan", say("save_plan"), say("save_plan_about")),
     tags$li(
       tags$button(type = "button", id = "save_picture", class = "btn btn-outline-secondary btn-sm",
-        "Picture (PNG)"),
-      tags$span(class = "note", "the gear in three dimensions, as it is looked at now")
+        say("save_picture")),
+      tags$span(class = "note", say("save_picture_about"))
     ),
-    save("save_drawing_svg", "Drawing (SVG)", "the net drawing, to print or to send on"),
-    save("save_drawing_pdf", "Drawing (PDF)", "to print"),
-    save("save_drawing_dxf", "Drawing (DXF)", "for CAD and cutting"),
-    save("save_slopes", "Slopes (CSV)", "what more of each field does to each measure"),
-    save("save_all", "All designs (JSON)", "that on screen and those kept; opens here again"),
-    save("save_designs", "Designs (CSV)", "measures of all designs beside each other"),
-    save("save_measures", "Measures (CSV)", "with the kept design's and the change"),
-    save("save_drag", "Drag (CSV)", "by rope, panel and piece"),
+    save_line("save_drawing_svg", say("save_drawing_svg"), say("save_drawing_svg_about")),
+    save_line("save_drawing_pdf", say("save_drawing_pdf"), say("save_drawing_pdf_about")),
+    save_line("save_drawing_dxf", say("save_drawing_dxf"), say("save_drawing_dxf_about")),
+    save_line("save_slopes", say("save_slopes"), say("save_slopes_about")),
+    save_line("save_all", say("save_all"), say("save_all_about")),
+    save_line("save_designs", say("save_designs"), say("save_designs_about")),
+    save_line("save_measures", say("save_measures"), say("save_measures_about")),
+    save_line("save_drag", say("save_drag"), say("save_drag_about")),
     lapply(formats_of("state"), function(format) {
       package <- format$package
       if (!is.null(package) && !requireNamespace(package, quietly = TRUE)) return(NULL)
-      save(paste0("save_", format$name), sprintf("%s (%s)", format$title, format$extension),
-        paste("for", format$opens))
+      save_line(paste0("save_", format$name), sprintf("%s (%s)", format$title, format$extension),
+        say("for_program", program = format$opens))
     })
   )
 }

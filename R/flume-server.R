@@ -14,14 +14,19 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
   pages <- 0L
   function(input, output, session) {
     said <- function(what, ...) session$sendCustomMessage(what, list(...))
-    if (!same_origin(session$request)) return(session$close())
+    request <- session$request
+    if (!same_origin(request)) return(session$close())
     if (pages >= flume_sessions) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL,
         message = "The tank has as many visitors as it can serve; try again later.")
       return(session$close())
     }
     bound_messages(session)
-    tank <- new_tank(start, marked, nodes)
+    # its page has the same address and headers
+    say <- new_say(page_language(
+      shiny::isolate(session$clientData$url_search), request$HTTP_ACCEPT_LANGUAGE
+    ))
+    tank <- new_tank(start, marked, nodes, say)
     worker <- new_worker()
     # what is asked for and waited for: the net moves on meanwhile
     clerk <- new_worker(seconds = clerk_seconds, late = TRUE)
@@ -37,7 +42,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
       message <- tank$picture(passed)
       session$sendCustomMessage("flume_picture", c(list(
-        answers = answers, said = spoken(tank$measures), notes = I(as.character(tank$notes)),
+        answers = answers, said = spoken(tank$measures, say), notes = I(as.character(tank$notes)),
         towed = !is.null(tank$gear$plan$tow)
       ), message))
       tank$count_picture()
@@ -140,9 +145,9 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
 
     # Asks the clerk for something of the state on screen; then(what it found). A later question of
     # the kind takes the place of one that waits.
-    ask_clerk <- function(kind, words, asked, then) {
+    ask_clerk <- function(kind, asked, then) {
       force(asked)
-      said("flume_clerk", busy = TRUE, what = kind, words = words)
+      said("flume_clerk", busy = TRUE, what = kind)
       clerk$ask(
         kind, function() tank$request(kind, asked),
         function(answer) {
@@ -205,11 +210,11 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     })
 
     flume_keeping(input, tank, clerk, show, show_draft, trying, ask_worker, session)
-    flume_shown(input, output, tank, said)
+    flume_shown(input, output, tank, said, say)
     flume_draws(input, tank, ask_clerk, said)
-    flume_slopes(input, output, session, tank, ask_clerk, said)
+    flume_slopes(input, output, session, tank, ask_clerk, said, say)
     flume_intervals(input, tank, ask_clerk)
-    flume_varies(input, tank, clerk, said, session)
+    flume_varies(input, tank, clerk, said, session, say)
     flume_tows(input, output, tank, clerk, ask_clerk, said)
     flume_saves(output, tank, clerk)
   }
@@ -293,7 +298,7 @@ flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_work
 }
 
 # Tables and texts of what is on screen.
-flume_shown <- function(input, output, tank, said) {
+flume_shown <- function(input, output, tank, said, say) {
   of_state <- function(make) {
     shiny::renderUI({
       tank$changed()
@@ -304,20 +309,22 @@ flume_shown <- function(input, output, tank, said) {
     of_state(function() {
       tank$uncertainty_changed()
       measures_html(tank$measures, tank$kept[[1L]]$measures, tank$preferred,
-        if (isTRUE(input$with_intervals)) tank$uncertainty, key)
+        if (isTRUE(input$with_intervals)) tank$uncertainty, key, say)
     })
   }
   output$measures <- measured(key = TRUE)
   output$other_measures <- measured(key = FALSE)
   # they are there as soon as the page opens them
   shiny::outputOptions(output, "other_measures", suspendWhenHidden = FALSE)
-  output$tensions <- of_state(function() tensions_html(tank$state))
-  output$drag <- of_state(function() drag_html(tank$state))
-  output$differences <- of_state(function() differences_html(tank$kept[[1L]]$gear, tank$gear))
+  output$tensions <- of_state(function() tensions_html(tank$state, say))
+  output$drag <- of_state(function() drag_html(tank$state, say))
+  output$differences <- of_state(function() {
+    differences_html(tank$kept[[1L]]$gear, tank$gear, say)
+  })
   output$designs <- of_state(function() {
     tank$kept_changed()
-    on_screen <- list(list(name = "On screen", measures = tank$measures))
-    designs_html(c(tank$kept, on_screen), tank$preferred)
+    on_screen <- list(list(name = say("on_screen"), measures = tank$measures))
+    designs_html(c(tank$kept, on_screen), tank$preferred, say)
   })
   output$code <- shiny::renderText({
     tank$changed()
@@ -338,7 +345,7 @@ flume_shown <- function(input, output, tank, said) {
     asked <- as.list(input$offers)
     if (is.null(tank$gear) || !is_text(asked$path) || !is_text(asked$title)) return()
     offers <- NULL
-    problem <- flume_problem(offers <- form_offers(tank$draft$plan, asked$path, asked$title))
+    problem <- flume_problem(offers <- form_offers(tank$draft$plan, asked$path, asked$title, say))
     if (is.null(problem)) {
       said("flume_offers", path = asked$path, title = asked$title, offers = offers)
     }

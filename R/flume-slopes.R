@@ -19,8 +19,8 @@ with_slopes <- function(known, found) {
 }
 
 # The words of a field of sensitivities().
-slope_words <- function(field) {
-  vapply(strsplit(field, " + ", fixed = TRUE), function(paths) path_words(paths[1L]), "",
+slope_words <- function(field, say) {
+  vapply(strsplit(field, " + ", fixed = TRUE), function(paths) said_path(say, paths[1L]), "",
     USE.NAMES = FALSE)
 }
 
@@ -31,7 +31,7 @@ flume_intervals <- function(input, tank, ask_clerk) {
     tank$changed()
     if (!isTRUE(input$with_intervals) || is.null(tank$gear) || !is.null(tank$uncertainty)) return()
     serial <- tank$serial
-    ask_clerk("uncertainty", "finding the uncertainty", NULL, function(found) {
+    ask_clerk("uncertainty", NULL, function(found) {
       if (tank$serial != serial) return()
       tank$uncertainty <- found
       tank$count_uncertainty()
@@ -41,7 +41,7 @@ flume_intervals <- function(input, tank, ask_clerk) {
 
 # What the page is told: of every field its paths, value, unit, how much more of it to begin with,
 # and of every measure how much one unit more of the field adds to it, in preferred units.
-slopes_message <- function(slopes, preferred) {
+slopes_message <- function(slopes, preferred, say = new_say()) {
   lapply(unique(slopes$field), function(field) {
     rows <- slopes[slopes$field == field & is.finite(slopes$slope), ]
     unit <- slope_measure_units(rows)
@@ -50,10 +50,11 @@ slopes_message <- function(slopes, preferred) {
     value <- rows$value[1L]
     whole <- grepl("[.]number$", field)
     list(
-      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), words = slope_words(field),
+      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), words = slope_words(field, say),
       value = value, unit = rows$unit[1L],
       more = if (whole) max(1, round_step(abs(value) / 4)) else round_step(abs(value) / 20),
-      measures = I(words_of(rows$measure, unit)), units = I(vapply(told, `[[`, "", "unit")),
+      measures = I(said_measure(say, words_of(rows$measure, unit))),
+      units = I(said_unit(say, vapply(told, `[[`, "", "unit"))),
       slope = I(rows$slope * factor), below = I(rows$secant_below * factor),
       above = I(rows$secant_above * factor), smooth = I(rows$smooth)
     )
@@ -64,7 +65,7 @@ slopes_message <- function(slopes, preferred) {
 slope_measure_units <- function(rows) sub(" per [^ ]*$", "", rows$slope_unit)
 
 # All slopes beside each other: percent of a measure for a tenth more of a field.
-slopes_html <- function(slopes) {
+slopes_html <- function(slopes, say = new_say()) {
   if (is.null(slopes)) return(NULL)
   fields <- unique(slopes$field)
   measures <- unique(slopes$measure)
@@ -79,29 +80,29 @@ slopes_html <- function(slopes) {
     paste0(text, ifelse(nzchar(text) & text != "0" & !rows$smooth, " *", ""))
   })
   unit <- slope_measure_units(by_field[[1L]])
-  table <- do.call(data.frame, c(list(words_of(measures, unit)), columns, stringsAsFactors = FALSE))
+  words <- said_measure(say, words_of(measures, unit))
+  table <- do.call(data.frame, c(list(words), columns, stringsAsFactors = FALSE))
   # what no field moves is left out
   told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))
   shiny::tagList(
-    html_table("Change of each measure (%) for a tenth more of each field",
-      c("Measure", slope_words(fields)), text_rows(table[told, ])),
-    shiny::tags$p(class = "note", "By the slope at the design on screen. A star: the slope does not
-      hold for 1 % to both sides, as where netting goes slack or a rope comes to lie on the bed.")
+    html_table(say("slopes_caption"), c(say("measure"), slope_words(fields, say)),
+      text_rows(table[told, ])),
+    shiny::tags$p(class = "note", say("slopes_star"))
   )
 }
 
 # Answers a page that asks for slopes: input$slopes_wanted = list(paths) of one control, or without
 # any for those that people change first.
-flume_slopes <- function(input, output, session, tank, ask_clerk, said) {
+flume_slopes <- function(input, output, session, tank, ask_clerk, said, say) {
   show <- function() {
-    said("flume_slopes", fields = slopes_message(tank$slopes, tank$preferred))
+    said("flume_slopes", fields = slopes_message(tank$slopes, tank$preferred, say))
     tank$count_slopes()
   }
   shiny::observeEvent(input$slopes_wanted, {
     if (is.null(tank$gear)) return()
     serial <- tank$serial
     paths <- as.list(input$slopes_wanted)$paths
-    ask_clerk("slopes", "finding slopes", paths, function(found) {
+    ask_clerk("slopes", paths, function(found) {
       if (tank$serial != serial) return()
       tank$slopes <- with_slopes(tank$slopes, found)
       show()
@@ -111,6 +112,6 @@ flume_slopes <- function(input, output, session, tank, ask_clerk, said) {
   output$slopes <- shiny::renderUI({
     tank$slopes_changed()
     tank$changed()
-    slopes_html(tank$slopes)
+    slopes_html(tank$slopes, say)
   })
 }

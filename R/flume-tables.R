@@ -80,8 +80,9 @@ decimals_of <- function(largest) {
 }
 
 # preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL; key: those
-# that come first, or the others.
-measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key = TRUE) {
+# that come first, or the others; say: as of new_say(), here and below.
+measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key = TRUE,
+                          say = new_say()) {
   table <- measure_changes(now, kept)
   names <- union(names(now), names(kept))
   shown_here <- (names %in% key_names(names)) == key
@@ -98,21 +99,19 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
   percent[change == "0"] <- "0"
   shown <- trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error)))
   if (!is.null(uncertainty)) {
-    interval <- interval_cells(uncertainty, names, factor)
+    interval <- interval_cells(uncertainty, names, factor, say)
     shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
   }
   rows <- data.frame(
-    paste0(table$measure, " (", vapply(units, `[[`, "", "unit"), ")"), shown,
+    said_measure_unit(say, table$measure, vapply(units, `[[`, "", "unit")), shown,
     fixed_decimals(table$kept, decimals), change, percent
   )
   shiny::tagList(
-    html_table(if (key) "Key measures" else "Other measures",
-      c("Measure", "Now", "Kept", "Change", "%"), text_rows(rows), titles = table$definition),
-    if (key) shiny::tags$p(class = "note",
-      paste0(plus_minus(), ": the estimated discretisation error."),
-      if (!is.null(uncertainty)) sprintf("%g %%: the interval that holds the truth with that
-        probability, by the combined uncertainty of coefficients, plan, conditions, discretisation
-        and model.", 100 * uncertainty$level))
+    html_table(if (key) say("key_measures") else say("other_measures"),
+      c(say("measure"), say("now"), say("kept"), say("change"), "%"), text_rows(rows),
+      titles = table$definition),
+    if (key) shiny::tags$p(class = "note", say("error_note", sign = plus_minus()),
+      if (!is.null(uncertainty)) say("interval_note", level = 100 * uncertainty$level))
   )
 }
 
@@ -129,14 +128,16 @@ key_names <- function(names) {
 }
 
 # "90 %: 4.5 to 6.6" of measures by name, "" of those without; factor: to preferred units.
-interval_cells <- function(uncertainty, names, factor) {
+interval_cells <- function(uncertainty, names, factor, say) {
   table <- uncertainty$measures[match(names, uncertainty$measures$measure), ]
   known <- which(table$uncertainty > 0)
   text <- rep("", length(names))
   ends <- lapply(table[known, c("low", "high")], function(end) {
     interval_ends(end * factor[known], table$uncertainty[known] * factor[known])
   })
-  text[known] <- sprintf("%g %%: %s to %s", 100 * uncertainty$level, ends$low, ends$high)
+  text[known] <- mapply(function(low, high) {
+    say("interval", level = 100 * uncertainty$level, low = low, high = high)
+  }, ends$low, ends$high)
   text
 }
 
@@ -160,7 +161,7 @@ ranked_tensions <- function(state) {
   rows
 }
 
-tensions_html <- function(state) {
+tensions_html <- function(state, say = new_say()) {
   ranked <- ranked_tensions(state)
   margin <- ifelse(
     is.finite(ranked$margin),
@@ -171,24 +172,22 @@ tensions_html <- function(state) {
     rows <- ranked[ranked$kind == kind, ]
     if (!nrow(rows)) return(NULL)
     cells <- data.frame(rows$part, shown(rows$highest_kN), shown(rows$mean_kN))
-    head <- c("Part", highest)
+    head <- c(say("part"), highest)
     if (with_strength) {
-      cells <- cbind(cells, ifelse(is.na(rows$strength_kN), "not known",
+      cells <- cbind(cells, ifelse(is.na(rows$strength_kN), say("not_known"),
         trimws(column_figures(rows$strength_kN))), margin[ranked$kind == kind])
-      head <- c(head, "Breaking load (kN)", "Margin")
+      head <- c(head, say("breaking_load_kn"), say("margin"))
     }
     html_table(caption, head, text_rows(cells))
   }
   shiny::tagList(
-    table("rope", "Ropes, by their largest tension", "kN", c("Largest (kN)", "Mean (kN)"), TRUE),
-    shiny::tags$p(class = "note", "Margin: breaking load over the largest tension, for new rope
-      without knots or splices."),
-    table("netting", "Netting, by the tension of one twine", "N",
-      c("Tenth loaded most (N)", "Mean (N)"), FALSE)
+    table("rope", say("ropes_by_tension"), "kN", c(say("largest_kn"), say("mean_kn")), TRUE),
+    shiny::tags$p(class = "note", say("margin_note")),
+    table("netting", say("netting_by_tension"), "N", c(say("tenth_n"), say("mean_n")), FALSE)
   )
 }
 
-drag_html <- function(state) {
+drag_html <- function(state, say = new_say()) {
   drag <- drag_table(state)
   totals <- drag_totals(drag)
   total <- totals$drag_kN[nrow(totals)]
@@ -204,10 +203,11 @@ drag_html <- function(state) {
   order <- order(-sums("drag_kN"))
   of_parts <- text_rows(cells(names(groups), sums("drag_kN"), sums("side_kN"),
     sums("lift_kN"))[order, ])
-  head <- c("Drag (kN)", "Share (%)", "To starboard (kN)", "Lift (kN)")
+  head <- c(say("drag_kn"), say("share"), say("to_starboard_kn"), say("lift_kn"))
   shiny::tagList(
-    html_table("Drag by group", c("Group", head), of_groups[-last], foot = of_groups[[last]]),
-    html_table("Drag by part", c("Part", head), of_parts)
+    html_table(say("drag_by_group"), c(say("group"), head), of_groups[-last],
+      foot = of_groups[[last]]),
+    html_table(say("drag_by_part"), c(say("part"), head), of_parts)
   )
 }
 
@@ -227,20 +227,20 @@ plan_differences <- function(one, other) {
   found
 }
 
-differences_html <- function(kept, now) {
+differences_html <- function(kept, now, say = new_say()) {
   found <- plan_differences(kept$plan, now$plan)
   if (!length(found)) {
-    return(shiny::tags$p("The design on screen is the kept one that it is compared with."))
+    return(shiny::tags$p(say("no_difference")))
   }
-  shown <- function(value) if (is.null(value)) "none" else show_value(value)
+  shown <- function(value) if (is.null(value)) say("none") else show_value(value)
   listed <- utils::head(found, 60L)
   shiny::tagList(
     html_table(
-      "Fields of the plan that differ", c("Field", "Kept", "Now"),
+      say("fields_differ"), c(say("field"), say("kept"), say("now")),
       lapply(listed, function(d) list(d$path, shown(d$one), shown(d$other))), numbers = integer()
     ),
     if (length(found) > length(listed)) {
-      shiny::tags$p(sprintf("And %d more.", length(found) - length(listed)))
+      shiny::tags$p(say("and_more", n = length(found) - length(listed)))
     }
   )
 }

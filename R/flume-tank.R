@@ -7,8 +7,9 @@
 # `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
 # The first of the designs that are kept is the one that others are compared with.
 
-# start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery.
-new_tank <- function(start, marked, nodes) {
+# start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery; say:
+# as of new_say().
+new_tank <- function(start, marked, nodes, say = new_say()) {
   tank <- new.env(parent = emptyenv())
   tank$known <- list()
   tank$turn <- 0L
@@ -33,7 +34,7 @@ new_tank <- function(start, marked, nodes) {
   tank$form <- function() {
     plan <- tank$draft$plan
     tank$laid_out <- given_paths(plan)
-    form_message(plan, marked_of(marked, plan), tank$turn)
+    form_message(plan, marked_of(marked, plan), tank$turn, say)
   }
   # The form is made anew, whether its fields are others or not.
   tank$lay_out <- function() tank$laid_out <- NULL
@@ -189,7 +190,12 @@ with_picture <- function(start) {
 }
 
 # The first measures of a gear as a sentence, for those who listen.
-spoken <- function(measures) {
+spoken <- function(measures, say = new_say()) {
   shown <- intersect(unique(c(utils::head(names(measures), 3L), "total_drag_kN")), names(measures))
-  paste0("Settled. ", paste(measure_text(measures[shown]), collapse = ", "), ".")
+  said <- measure_words(measures[shown])
+  text <- trimws(paste(
+    said_measure(say, said$words), figures(plain_measures(measures[shown])),
+    said_unit(say, said$unit), said$error
+  ))
+  say("settled_said", measures = paste(text, collapse = ", "))
 }

@@ -83,31 +83,31 @@ said_number <- function(said, name, dimension) {
   number
 }
 
-# What of a tow can be saved: by name its file's extension, title, what for, and writer of a
+# What of a tow can be saved: by name its file's extension and writer of a
 # trajectory.
 tow_saves <- list(
   measures = list(
-    extension = "csv", title = "Measures by time", about = "for spreadsheets",
+    extension = "csv",
     write = function(x, file) write_csv(as.data.frame(x, what = "measures"), file)
   ),
   conditions = list(
-    extension = "csv", title = "Conditions by time", about = "speed, course, warps and energy",
+    extension = "csv",
     write = function(x, file) write_csv(as.data.frame(x, what = "conditions"), file)
   ),
   tensions = list(
-    extension = "csv", title = "Tensions by time", about = "of every part",
+    extension = "csv",
     write = function(x, file) write_csv(as.data.frame(x, what = "tensions"), file)
   ),
   motion = list(
-    extension = "html", title = "Page that plays", about = "one file, to send on",
+    extension = "html",
     write = function(x, file) view_3d(x, file)
   ),
   trajectory = list(
-    extension = "nc", title = "Trajectory", about = "for codend and readers of NetCDF",
+    extension = "nc",
     package = "RNetCDF", write = function(x, file) write_trajectory(x, file)
   ),
   grids = list(
-    extension = "tar.gz", title = "Grids by time", about = "for ParaView",
+    extension = "tar.gz",
     write = function(x, file) write_grids(x, file)
   )
 )
@@ -141,7 +141,7 @@ tow_saves_here <- function() {
 flume_tows <- function(input, output, tank, clerk, ask_clerk, said) {
   shiny::observeEvent(input$tow_wanted, {
     if (is.null(tank$gear)) return()
-    ask_clerk("tow", "towing", as.list(input$tow_wanted), function(found) {
+    ask_clerk("tow", as.list(input$tow_wanted), function(found) {
       tank$trajectory <- found$trajectory
       said("flume_tow", scene = found$scene)
     })

@@ -8,7 +8,7 @@ most_varied <- 41L
 # What a page asks for: said = list(paths (fields that change together), unit, from, to (as typed; a
 # bare number is in `unit`), number (of values)). Returns list(paths, words, unit, values, now (what
 # the first field has), in that unit).
-varied_field <- function(plan, said) {
+varied_field <- function(plan, said, say = new_say()) {
   paths <- unlist(said$paths)
   if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
     abort_argument("A field is asked for by its path.")
@@ -39,7 +39,7 @@ varied_field <- function(plan, said) {
   values <- seq(ends[1L], ends[2L], length.out = number)
   if (field$node$shape == "integer") values <- unique(round(values))
   list(
-    paths = paths, words = path_words(path), unit = unit, values = signif(values, 10L),
+    paths = paths, words = said_path(say, path), unit = unit, values = signif(values, 10L),
     now = quantity_si(field$value, dimension) / per_unit
   )
 }
@@ -73,7 +73,7 @@ varied_table <- function(varied) {
 }
 
 # ... as a page takes it, in preferred units: first the measures that are looked at first.
-varied_message <- function(varied, preferred) {
+varied_message <- function(varied, preferred, say = new_say()) {
   table <- varied_table(varied)
   settled <- varied$found[table$settled]
   units <- unlist(lapply(settled, attr, "unit"))
@@ -89,7 +89,7 @@ varied_message <- function(varied, preferred) {
         if (is.numeric(one)) first_of(attr(one, "error")[name], NA_real_) else NA_real_
       }, 0)
       list(
-        words = paste0(words_of(name, units[[name]]), " (", told$unit, ")"),
+        words = said_measure_unit(say, words_of(name, units[[name]]), told$unit),
         values = I(table[[name]] * told$value), errors = I(unname(error) * told$value)
       )
     })
@@ -97,11 +97,11 @@ varied_message <- function(varied, preferred) {
 }
 
 # Answers a page that varies a field: input$vary_wanted as varied_field() takes it, input$vary_stop.
-flume_varies <- function(input, tank, clerk, said, session) {
+flume_varies <- function(input, tank, clerk, said, session, say) {
   turn <- 0L  # of the last question
   show <- function(running) {
     said("flume_varied", running = running,
-      varied = varied_message(tank$varied, tank$preferred))
+      varied = varied_message(tank$varied, tank$preferred, say))
   }
   stop_varying <- function() {
     turn <<- turn + 1L
@@ -111,7 +111,7 @@ flume_varies <- function(input, tank, clerk, said, session) {
     if (is.null(tank$gear)) return()
     asked <- as.list(input$vary_wanted)
     varied <- NULL
-    problem <- flume_problem(varied <- varied_field(tank$gear$plan, asked))
+    problem <- flume_problem(varied <- varied_field(tank$gear$plan, asked, say))
     if (!is.null(problem)) {
       return(said("flume_refused", answers = 0, where = "vary", message = problem$message))
     }

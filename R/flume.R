@@ -39,6 +39,11 @@
 #' those kept, so that a reload loses neither and a link shows them to others. Lengths, forces and
 #' speeds are shown in the units that the user likes.
 #'
+#' The page is in English, French, Spanish or Norwegian: as its browser likes best, as `?lang=` in
+#' its address says, or as chosen at its top. Names of gears, what a field means and may be,
+#' findings and refusals are in English. Fields are found by the words of any of these languages. A
+#' language whose words a machine made is marked as unchecked.
+#'
 #' A design may be unfinished: every change is kept, in any order. What does not fit is marked in
 #' the form and the drawing, with a sentence, and the tank shows the last design that fits. A number
 #' alone has the unit shown at its field; `20,5`, `20.5 m` and `11 fm` are read too.
@@ -101,7 +106,11 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
     shiny::addResourcePath("codend-doc", system.file("doc", package = "codend"))
   }
   shiny::shinyApp(
-    ui = flume_page(!is.null(start)), server = flume_server(start, marked, nodes),
+    ui = function(request) {
+      language <- page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE)
+      flume_page(!is.null(start), new_say(language))
+    },
+    server = flume_server(start, marked, nodes),
     onStart = function() {
       kept <- options(shiny.maxRequestSize = plan_bytes_limit)
       shiny::onStop(function() options(kept))

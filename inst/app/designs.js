@@ -6,7 +6,7 @@
 window.codendDesigns = (function () {
   'use strict';
 
-  var element = window.codendView.element;
+  var element = window.codendView.element, say = window.codendSay;
   var timer = null, mine = null, largest = 2 * 1024 * 1024;
   function find(id) { return document.getElementById(id); }
 
@@ -52,7 +52,7 @@ window.codendDesigns = (function () {
     mine = found[1];
     unpack(found[1]).then(function (words) { open(words, 'words'); }).catch(function () {
       window.codendPage.gallery(true);
-      window.codendPage.tell('gallery_refused', 'This address carries no design that can be read.');
+      window.codendPage.tell('gallery_refused', say('no_design_here'));
     });
     return true;
   }
@@ -126,7 +126,7 @@ window.codendDesigns = (function () {
     var seen = 0;
     kept.forEach(function (one, k) {
       var row = element('div', 'kept-row'), tick = element('input', 'form-check-input', undefined,
-        { type: 'checkbox', 'aria-label': 'In the picture: ' + one.name, title: 'In the picture' });
+        { type: 'checkbox', 'aria-label': say('in_picture_of', { name: one.name }), title: say('in_picture') });
       tick.checked = one.seen;
       tick.addEventListener('change', function () { act(one.id, tick.checked ? 'show' : 'hide'); });
       row.appendChild(tick);
@@ -134,14 +134,14 @@ window.codendDesigns = (function () {
       if (one.seen) colour.style.background = window.codendView.kept_colour(seen++);
       row.appendChild(colour);
       var name = element('input', 'form-control form-control-sm', undefined,
-        { type: 'text', 'aria-label': 'Name of a kept design', maxlength: 60 });
+        { type: 'text', 'aria-label': say('kept_name'), maxlength: 60 });
       name.value = one.name;
       name.addEventListener('change', function () { act(one.id, 'rename', name.value); });
       row.appendChild(name);
-      [['open', 'Put on screen'], ['compare', k ? 'Compare with it' : 'Compared with'],
-        ['remove', 'Remove']].forEach(function (each) {
+      [['open', say('put_on_screen')], ['compare', k ? say('compare_with') : say('compared_with')],
+        ['remove', say('remove')]].forEach(function (each) {
         var button = element('button', 'btn btn-outline-secondary btn-sm', each[1],
-          { type: 'button', 'aria-label': each[1] + ': ' + one.name });
+          { type: 'button', 'aria-label': say('of_design', { act: each[1], name: one.name }) });
         button.disabled = each[0] === 'compare' && k === 0 || each[0] === 'remove' && kept.length === 1;
         button.addEventListener('click', function () { act(one.id, each[0]); });
         row.appendChild(button);

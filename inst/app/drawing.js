@@ -6,7 +6,7 @@
 window.codendDrawing = (function () {
   'use strict';
 
-  var element = window.codendView.element;
+  var element = window.codendView.element, say = window.codendSay;
   var timer = null, stale = true, wrong_paths = [], box = null, whole = null, handle = null, sought = null;
   var legible = 11;  // px, the smallest letters when the drawing opens
   function find(id) { return document.getElementById(id); }
@@ -50,7 +50,7 @@ window.codendDrawing = (function () {
       one.setAttribute('tabindex', '0');
       one.setAttribute('role', 'button');
       var shown = one.querySelector('text');
-      one.setAttribute('aria-label', 'Change ' + one.dataset.path.replace(/[._]/g, ' ') +
+      one.setAttribute('aria-label', say('change_field', { field: say.path(one.dataset.path) }) +
         (shown ? ': ' + shown.textContent : ''));
       if (one.dataset.path === at) one.focus({ preventScroll: true });
     });
@@ -197,7 +197,7 @@ window.codendDrawing = (function () {
     choose(thing);
     if (text && field) type_in(thing, path, field);
     else if (!window.codendForm.open(path, true)) {
-      window.codendPage.tell('refused', 'The form has no field of ' + path + '.');
+      window.codendPage.tell('refused', say('no_form_field', { path: path }));
     }
     if (!text) grip(thing, path);
   }
@@ -232,7 +232,7 @@ window.codendDrawing = (function () {
     if (old) old.remove();
     var r = thing.getBoundingClientRect(), home = place.getBoundingClientRect();
     var row = element('form', 'typed control-row'), input = element(field.kind === 'choice' ? 'select' : 'input',
-      'form-control form-control-sm', undefined, { 'aria-label': path.replace(/[._]/g, ' '), autocomplete: 'off' });
+      'form-control form-control-sm', undefined, { 'aria-label': say.path(path), autocomplete: 'off' });
     if (field.kind === 'choice') {
       field.choices.forEach(function (one) { input.appendChild(element('option', '', one, { value: one })); });
     }
@@ -298,7 +298,7 @@ window.codendDrawing = (function () {
     var about = dragged.about, mm = box[3] / find('drawing').clientHeight * (event.clientY - dragged.from);
     dragged.deep = Math.max(1, Math.round(about.deep * (1 + mm / about.box.height)));
     handle.setAttribute('y', about.box.y + about.box.height * dragged.deep / about.deep - 1);
-    find('drawing_said').textContent = dragged.deep + ' meshes deep';
+    find('drawing_said').textContent = say('meshes_deep', { n: dragged.deep });
   }
   function end_drag() {
     var one = dragged;

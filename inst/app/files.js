@@ -4,19 +4,19 @@
 window.codendFiles = (function () {
   'use strict';
 
-  var largest = 2 * 1024 * 1024;
+  var say = window.codendSay, largest = 2 * 1024 * 1024;
   function find(id) { return document.getElementById(id); }
 
-  function refuse(file, why) {
+  function refuse(why) {
     window.codendPage.gallery(true);
-    window.codendPage.tell('plan_file_error', '"' + file.name + '" ' + why + ' The gear on screen stays.');
+    window.codendPage.tell('plan_file_error', why + ' ' + say('gear_stays'));
   }
 
   // Sends what is in a file; its answer comes as any plan's.
   function open(file) {
     window.codendPage.tell('plan_file_error', '');
     if (file.size > largest) {
-      refuse(file, 'has ' + (file.size / largest * 2).toFixed(1) + ' MB; a plan has at most 2 MB.');
+      refuse(say('file_large', { file: file.name, n: (file.size / largest * 2).toFixed(1) }));
       return;
     }
     file.arrayBuffer().then(function (bytes) {
@@ -28,7 +28,8 @@ window.codendFiles = (function () {
       }
       window.codendTalk.ask('plan_file', { name: file.name, text: text });
     }).catch(function (error) {
-      refuse(file, error instanceof SyntaxError ? 'is no file of designs.' : 'is not UTF-8 text.');
+      refuse(error instanceof SyntaxError ? say('file_no_designs', { file: file.name }) :
+        say('file_no_text', { file: file.name }));
     });
   }
 

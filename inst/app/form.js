@@ -6,7 +6,7 @@
 window.codendForm = (function () {
   'use strict';
 
-  var element = window.codendView.element;
+  var element = window.codendView.element, say = window.codendSay;
   var form = null;       // R's message
   var moved = {};        // changes by path that are not sent yet
   var sent = null;       // the number of the question that waits for its answer
@@ -65,9 +65,9 @@ window.codendForm = (function () {
     row.appendChild(input);
     if (field.dimension) {
       var select = element('select', 'form-select form-select-sm unit', undefined,
-        { 'aria-label': 'Unit of ' + field.label });
+        { 'aria-label': say('unit_of', { label: field.label }) });
       units_of(field).forEach(function (one) {
-        select.appendChild(element('option', '', one[0], { value: one[0], 'data-factor': one[1] }));
+        select.appendChild(element('option', '', say.unit(one[0]), { value: one[0], 'data-factor': one[1] }));
       });
       select.value = like ? like.unit : field.unit;
       select.dataset.factor = like ? like.factor : field.factor;
@@ -89,7 +89,7 @@ window.codendForm = (function () {
     input.setAttribute('autocomplete', 'off');
     input.setAttribute('aria-describedby', id + '_help ' + id + '_error');
     input.value = field.value;
-    if (field.kind === 'yaml') input.placeholder = 'as a plan writes it';
+    if (field.kind === 'yaml') input.placeholder = say('as_plan_writes');
     row.appendChild(input);
     if (field.suggest && field.suggest.length) {
       var list = element('datalist', '', undefined, { id: id + '_list' });
@@ -138,11 +138,11 @@ window.codendForm = (function () {
     }
     if (removable) {
       row.appendChild(element('button', 'take-out', '\u00d7', {
-        type: 'button', 'aria-label': 'Take out ' + field.label, title: 'Take it out of the plan'
+        type: 'button', 'aria-label': say('take_out', { label: field.label }), title: say('take_out_tip')
       }));
     }
-    var help = [field.help, field.must && 'Must be ' + field.must + '.'].filter(Boolean).join(' ');
-    box.appendChild(element('p', 'help note', help, { id: id + '_help' }));
+    var help = [field.help, field.must && say('must_be', { must: field.must })].filter(Boolean).join(' ');
+    box.appendChild(element('p', 'help note', help, { id: id + '_help', lang: 'en' }));
     box.appendChild(element('p', 'echo note', '', { id: id + '_echo', hidden: '' }));
     box.appendChild(element('p', 'field-error', '', { id: id + '_error', hidden: '' }));
     return box;
@@ -173,23 +173,24 @@ window.codendForm = (function () {
   function part_tools(part, title, box) {
     var tools = element('div', 'part-tools');
     if (part.open) {
-      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', 'Add a field',
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', say('add_field'),
         { type: 'button', 'data-path': part.path, 'data-title': title }));
     }
     if (part.named) {
-      [['copy', 'Copy', 'Copy '], ['rename', 'Rename', 'Rename '], ['ahead', '\u2191', 'Move ahead: '],
-        ['behind', '\u2193', 'Move behind: ']].forEach(function (one) {
+      var its = { part: part.title };
+      [['copy', say('copy'), say('copy_part', its)], ['rename', say('rename'), say('rename_part', its)],
+        ['ahead', '\u2191', say('move_ahead', its)], ['behind', '\u2193', say('move_behind', its)]].forEach(function (one) {
         tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm part-act', one[1],
-          { type: 'button', 'data-path': part.path, 'data-act': one[0], 'aria-label': one[2] + part.title }));
+          { type: 'button', 'data-path': part.path, 'data-act': one[0], 'aria-label': one[2] }));
       });
     }
     if (part.path && !part.required) {
-      tools.appendChild(element('button', 'btn btn-outline-danger btn-sm take-part', 'Take it out',
-        { type: 'button', 'data-path': part.path, 'aria-label': 'Take out ' + part.title }));
+      tools.appendChild(element('button', 'btn btn-outline-danger btn-sm take-part', say('take_part'),
+        { type: 'button', 'data-path': part.path, 'aria-label': say('take_out', { label: part.title }) }));
     }
     (part.picks || []).forEach(function (pick) {
-      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm pick', 'From the catalogue' +
-        (pick.path === part.path ? '' : ': ' + pick.path.split('.').pop()), { type: 'button',
+      tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm pick', say('from_catalogue') +
+        (pick.path === part.path ? '' : ': ' + say.field(pick.path.split('.').pop())), { type: 'button',
         'data-path': pick.path, 'data-classes': pick.classes.join(' ') }));
     });
     if (tools.childNodes.length) box.appendChild(tools);
@@ -204,17 +205,17 @@ window.codendForm = (function () {
     things = things || JSON.parse(find('catalogue').textContent);
     var fits = things.filter(function (thing) { return classes.indexOf(thing['class']) >= 0; });
     var box = element('div', 'picks'), input = element('input', 'form-control form-control-sm', undefined,
-      { type: 'search', 'aria-label': 'Find in the catalogue', placeholder: 'Find, such as ' +
-        (fits[0] ? fits[0].title.split(' ')[0] : '') + ' or 16 mm', autocomplete: 'off' });
+      { type: 'search', 'aria-label': say('find_in_catalogue'), placeholder: say('find_such_as',
+        { word: fits[0] ? fits[0].title.split(' ')[0] : '' }), autocomplete: 'off' });
     var list = element('ul', 'pick-list');
     function row(thing) {
       var facts = Object.keys(thing.values).map(function (name) {
-        return name.replace(/_/g, ' ') + ' ' + thing.values[name].replace(/_/g, ' ');
+        return say.field(name) + ' ' + thing.values[name].replace(/_/g, ' ');
       });
       var item = element('li'), one = element('button', 'btn btn-link btn-sm', thing.title, { type: 'button' });
       item.appendChild(one);
       item.appendChild(element('span', 'note', facts.join(', ') + (thing.says ? '. ' + thing.says : '') +
-        '. Source: ' + thing.source));
+        '. ' + say('source', { source: thing.source })));
       one.addEventListener('click', function () {
         var all = {};
         Object.keys(thing.values).forEach(function (name) {
@@ -232,7 +233,7 @@ window.codendForm = (function () {
       rows.filter(function (one) {
         return words.every(function (word) { return one[1].indexOf(word) >= 0; });
       }).slice(0, found).forEach(function (one) { list.appendChild(one[0]); });
-      if (!list.childNodes.length) list.appendChild(element('li', 'note', 'Nothing here has these words.'));
+      if (!list.childNodes.length) list.appendChild(element('li', 'note', say('nothing_here')));
     }
     input.addEventListener('input', narrow);
     box.addEventListener('keydown', function (event) {
@@ -246,7 +247,7 @@ window.codendForm = (function () {
   }
 
   function fill_part(part, title, box) {
-    if (part.help) box.appendChild(element('p', 'note', part.help));
+    if (part.help) box.appendChild(element('p', 'note', part.help, { lang: 'en' }));
     if (part.named) part_tools(part, title, box);
     (part.fields || []).forEach(function (field) { box.appendChild(control(field, !field.required)); });
     if (!part.named) part_tools(part, title, box);
@@ -254,8 +255,8 @@ window.codendForm = (function () {
 
   function group(one) {
     var parts = one.parts || [];
-    var count = parts.length > 1 ? parts.length + ' parts' : '';
-    return fold('group', one.title, one.title, count, function (box) {
+    var count = parts.length > 1 ? say('parts_many', { n: parts.length }) : '';
+    return fold('group', one.title, one.words, count, function (box) {
       parts.forEach(function (part) {
         if (!part.path) { fill_part(part, one.title, box); return; }
         box.appendChild(fold('part', part.path, part.title, '', function (inner) {
@@ -266,7 +267,7 @@ window.codendForm = (function () {
       if (one.open) {
         var tools = element('div', 'part-tools');
         tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field',
-          'Add to ' + one.title.toLowerCase(), { type: 'button', 'data-path': '', 'data-title': one.title }));
+          say('add_to', { group: one.words.toLowerCase() }), { type: 'button', 'data-path': '', 'data-title': one.title }));
         box.appendChild(tools);
       }
     });
@@ -342,18 +343,8 @@ window.codendForm = (function () {
 
   // ---- finding ------------------------------------------------------------------------------------
 
-  // What the trade also calls what a plan names.
-  var trade = {
-    door: 'board', doors: 'board', headline: 'head line', headrope: 'head line', groundrope: 'footrope',
-    'fishing line': 'footrope', leg: 'bridle', legs: 'bridle', dandyline: 'bridle', bobbin: 'ground gear',
-    bobbins: 'ground gear', rockhopper: 'ground gear', clump: 'centre weight', wire: 'warp', wires: 'warp',
-    cable: 'warp', buoy: 'float', buoys: 'float', trawlboard: 'board', bag: 'codend', cod: 'codend',
-    kite: 'kites', belly: 'sections', lacing: 'side lines', tex: 'rtex', speed: 'towing speed'
-  };
-
   function search() {
-    var typed = find('find_field').value.trim().toLowerCase();
-    var words = typed.split(/\s+/).filter(Boolean);
+    var words = say.bare(find('find_field').value).split(/\s+/).filter(Boolean);
     var all = find('form'), place = find('found_fields');
     if (!place) {
       place = element('div', '', undefined, { id: 'found_fields' });
@@ -362,9 +353,7 @@ window.codendForm = (function () {
     place.textContent = '';
     all.hidden = words.length > 0;
     if (!words.length || !form) return;
-    var found = matches(words), meant = words.map(function (word) { return trade[word] || word; });
-    if (trade[typed]) meant = [trade[typed]];
-    if (!found.fields.length && meant.join() !== words.join()) found = matches(meant.join(' ').split(' '));
+    var found = matches(words);
     found.fields.slice(0, 30).forEach(function (one) {
       var field = Object.assign({}, one[1], {
         label: (one[0].path ? one[0].title + ': ' : '') + one[1].label.toLowerCase()
@@ -373,11 +362,11 @@ window.codendForm = (function () {
     });
     var n = found.fields.length;
     if (n !== 1) {
-      place.appendChild(element('p', 'note', n > 30 ? 'And ' + (n - 30) + ' more; another word finds fewer.' :
-        n ? n + ' fields' : 'No field of this plan has these words.'));
+      place.appendChild(element('p', 'note', n > 30 ? say('and_more_fields', { n: n - 30 }) :
+        n ? say('fields_many', { n: n }) : say('no_field')));
     }
     if (n || !found.absent.length) return;
-    place.appendChild(element('p', 'note', 'It could have:'));
+    place.appendChild(element('p', 'note', say('could_have')));
     found.absent.slice(0, 8).forEach(function (one) {
       var tools = element('div', 'part-tools');
       tools.appendChild(element('button', 'btn btn-outline-secondary btn-sm add-field', one.label,
@@ -386,27 +375,29 @@ window.codendForm = (function () {
     });
   }
 
-  // Fields of the plan with all these words, and those that it could have.
+  // Fields of the plan with all these words, and those that it could have: in their names and labels, or
+  // at the beginning of what any language or the trade calls them.
   function matches(words) {
     var found = { fields: [], absent: [] };
-    function has(text) {
-      text = text.replace(/[._]/g, ' ').toLowerCase();
-      return words.every(function (word) { return text.indexOf(word) >= 0; });
+    function has(text, paths) {
+      text = say.bare(text + ' ' + paths.replace(/[._]/g, ' '));
+      var called = ' ' + say.sought(paths);
+      return words.every(function (word) { return text.indexOf(word) >= 0 || called.indexOf(' ' + word) >= 0; });
     }
     form.groups.forEach(function (one) {
       (one.absent || []).forEach(function (name) {
-        if (has(name)) found.absent.push({ label: name.replace(/_/g, ' '), path: '', title: one.title, wanted: name });
+        if (has('', name)) found.absent.push({ label: say.field(name), path: '', title: one.title, wanted: name });
       });
       (one.parts || []).forEach(function (part) {
         (part.fields || []).forEach(function (field) {
-          if (has([one.title, part.title, field.label, field.paths.join(' ')].join(' '))) {
+          if (has([one.title, one.words, part.title, field.label].join(' '), field.paths.join(' '))) {
             found.fields.push([part, field]);
           }
         });
         (part.absent || []).forEach(function (path) {
           var steps = path.split('.'), name = steps.pop();
-          if (has(name)) {
-            found.absent.push({ label: path.replace(/[._]/g, ' '), path: steps.join('.'), title: one.title, wanted: path });
+          if (has('', name)) {
+            found.absent.push({ label: say.path(path), path: steps.join('.'), title: one.title, wanted: path });
           }
         });
       });
@@ -567,11 +558,11 @@ window.codendForm = (function () {
     var number = name.match(/^(.*?)(\d+)$/);
     var row = element('form', 'control-row name-row');
     var input = element('input', 'form-control form-control-sm', undefined,
-      { type: 'text', 'aria-label': act === 'copy' ? 'Name of the copy' : 'New name of ' + name,
+      { type: 'text', 'aria-label': act === 'copy' ? say('copy_name') : say('new_name', { name: name }),
         autocomplete: 'off' });
     input.value = act === 'rename' ? name : number ? number[1] + (Number(number[2]) + 1) : name + '_2';
     row.appendChild(input);
-    row.appendChild(element('button', 'btn btn-primary btn-sm', act === 'copy' ? 'Copy' : 'Rename',
+    row.appendChild(element('button', 'btn btn-primary btn-sm', act === 'copy' ? say('copy') : say('rename'),
       { type: 'submit' }));
     row.addEventListener('submit', function (event) {
       event.preventDefault();
@@ -595,8 +586,8 @@ window.codendForm = (function () {
     if (!button || !button.isConnected) return;
     var all = message.offers || [];
     var select = element('select', 'form-select form-select-sm offered', undefined,
-      { 'aria-label': 'Field to add' });
-    select.appendChild(element('option', '', 'Which field?', { value: '' }));
+      { 'aria-label': say('field_to_add') });
+    select.appendChild(element('option', '', say('which_field'), { value: '' }));
     all.forEach(function (field, k) {
       select.appendChild(element('option', '', field.label, { value: k, title: field.help }));
     });
@@ -668,7 +659,7 @@ window.codendForm = (function () {
         place.hidden = false;
         if (one.doubt && one.doubt.instead) {
           place.appendChild(element('button', 'btn btn-outline-secondary btn-sm doubt',
-            'No, ' + one.doubt.instead,
+            say('no_instead', { instead: one.doubt.instead }),
             { type: 'button', 'data-path': path, 'data-instead': one.doubt.instead }));
         }
       });
@@ -754,8 +745,8 @@ window.codendForm = (function () {
     // Fills a list with every control of a number, those that people change first before the others; the
     // one that was chosen stays so, else the one whose path is like `first`.
     offer: function (select, first) {
-      var groups = [element('optgroup', '', undefined, { label: 'Changed first' }),
-        element('optgroup', '', undefined, { label: 'All others' })];
+      var groups = [element('optgroup', '', undefined, { label: say('changed_first') }),
+        element('optgroup', '', undefined, { label: say('all_others') })];
       var names = [], before = select.value;
       function take(field, label, group) {
         var key = field.paths.join(' ');

@@ -7,8 +7,8 @@
     var card = event.target.closest && event.target.closest('.gear-card');
     if (card) {
       window.codendPage.tell('gallery_refused', '');
-      window.codendTalk.ask('shipped', card.dataset.gear, 'settling ' +
-        card.querySelector('.card-title').textContent);
+      window.codendTalk.ask('shipped', card.dataset.gear, window.codendSay('settling_gear',
+        { gear: card.querySelector('.card-title').textContent }));
     }
     if (event.target.id === 'gears') {
       window.codendPage.gallery(find('gallery').hidden);

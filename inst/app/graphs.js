@@ -1,11 +1,13 @@
 // Graphs of some of many measures: codendGraphs(place, select, first) lays those out that are chosen, in
 // `place`; `select` offers the others. first(words) gives the words of those that are looked at first.
-// .show(all, about) takes [{words, values, errors}] and what codendView.graph() takes, with drawn(), which
+// .show(all, about) takes [{words, shown (the words in the page's language), values, errors}] and what codendView.graph() takes, with drawn(), which
 // is called after; .each(act) calls act(graph, measure, place of its value in words).
 window.codendGraphs = function (place, select, first) {
   'use strict';
-  var element = window.codendView.element;
+  var element = window.codendView.element, say = window.codendSay;
   var all = [], about = {}, chosen = [], drawn = [];
+
+  function said(one) { return one.shown || one.words; }
 
   function save(graph, words) {
     graph.png().then(function (address) {
@@ -17,11 +19,11 @@ window.codendGraphs = function (place, select, first) {
   }
 
   function figure(one) {
-    var box = element('figure', 'graph'), head = element('figcaption', '', one.words);
+    var box = element('figure', 'graph'), head = element('figcaption', '', said(one));
     var now = element('span', 'now'), png = element('button', 'btn btn-link btn-sm save-graph', 'PNG',
-      { type: 'button', 'aria-label': 'Save the graph of ' + one.words + ' as PNG' });
+      { type: 'button', 'aria-label': say('save_graph', { words: said(one) }) });
     var out = element('button', 'take-out', '\u00d7',
-      { type: 'button', 'aria-label': 'Take out the graph of ' + one.words });
+      { type: 'button', 'aria-label': say('take_graph', { words: said(one) }) });
     [now, png, out].forEach(function (part) { head.appendChild(part); });
     box.appendChild(head);
     place.appendChild(box);
@@ -38,11 +40,11 @@ window.codendGraphs = function (place, select, first) {
   function lay_out() {
     place.textContent = '';
     select.textContent = '';
-    select.appendChild(element('option', '', 'Which measure?', { value: '' }));
+    select.appendChild(element('option', '', say('which_measure'), { value: '' }));
     drawn = [];
     all.forEach(function (one) {
       if (chosen.indexOf(one.words) >= 0) figure(one);
-      else select.appendChild(element('option', '', one.words, { value: one.words }));
+      else select.appendChild(element('option', '', said(one), { value: one.words }));
     });
     if (about.drawn) about.drawn();
   }

@@ -5,7 +5,7 @@
 window.codendPage = (function () {
   'use strict';
 
-  var units = {}, speaking = null, wanted = null, opened = false;
+  var say = window.codendSay, units = {}, speaking = null, wanted = null, opened = false;
   function find(id) { return document.getElementById(id); }
 
   function tell(id, words) {
@@ -28,7 +28,7 @@ window.codendPage = (function () {
   }
 
   // Only what stands still is said aloud.
-  function say(words) {
+  function read_out(words) {
     window.clearTimeout(speaking);
     speaking = window.setTimeout(function () { find('said').textContent = words; }, 700);
   }
@@ -50,6 +50,14 @@ window.codendPage = (function () {
     units[event.target.dataset.dimension] = event.target.value;
     prefer(units);
     window.codendDesigns.moved();
+  });
+
+  // Another language is another page, of the same design.
+  document.addEventListener('change', function (event) {
+    if (event.target.id !== 'language') return;
+    var address = new URL(window.location.href);
+    address.searchParams.set('lang', event.target.value);
+    window.location.assign(address.href);
   });
 
   // ---- texts that R makes once nothing moves ------------------------------------------------------
@@ -99,7 +107,7 @@ window.codendPage = (function () {
       find('gear_name').textContent = message.name;
       find('gear_conditions').textContent = message.conditions;
       notes(message.notes);
-      say(message.said);
+      read_out(message.said);
       answer(message.answers);
       window.codendDesigns.moved();
       window.codendSlopes.stale();
@@ -127,7 +135,7 @@ window.codendPage = (function () {
       var own = {
         tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error'
       }[message.where];
-      var stays = opened ? ' The gear on screen stays.' : '';
+      var stays = opened ? ' ' + say('gear_stays') : '';
       if (own) {
         tell(own, message.message);
       } else if (message.where === 'plan_text') {
@@ -138,9 +146,8 @@ window.codendPage = (function () {
         tell(places[message.where], message.message + stays);
       } else {
         var beside = message.where === 'design' && window.codendForm.refused(message);
-        tell('refused', message.cancelled ? 'Cancelled. The last shape that settled stays on screen.' :
-          (beside ? 'A field is refused: see below.' : message.message) +
-          ' The last shape that settled stays on screen.');
+        tell('refused', (message.cancelled ? say('cancelled') : beside ? say('field_refused') :
+          message.message) + ' ' + say('last_shape_stays'));
       }
       answer(message.answers);
     });
@@ -176,7 +183,7 @@ window.codendPage = (function () {
       window.codendDesigns.words(message.words);
     });
     Shiny.addCustomMessageHandler('flume_clerk', function (message) {
-      if (message.busy) window.codendTalk.busy('clerk ' + message.what, message.words);
+      if (message.busy) window.codendTalk.busy('clerk ' + message.what, say('busy.' + message.what));
       else window.codendTalk.free('clerk ' + message.what);
       if (message.what === 'uncertainty') tell('uncertainty_error', '');
     });
@@ -208,13 +215,12 @@ window.codendPage = (function () {
   });
   $(document).on('shiny:connected', function () {
     listen();
-    if (window.codendDesigns.read()) find('gear_name').textContent = 'Opening the design of this address';
+    if (window.codendDesigns.read()) find('gear_name').textContent = say('opening_address');
   });
   $(document).on('shiny:disconnected', function () {
     window.codendTalk.stop();
-    tell('refused', 'The R process that settles the gear has ended or cannot be reached. ' +
-      'This page\'s address carries the design: load it again to go on.');
-    tell('gallery_refused', 'The R process has ended or cannot be reached.');
+    tell('refused', say('process_ended'));
+    tell('gallery_refused', say('process_gone'));
   });
 
   return {

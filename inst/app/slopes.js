@@ -6,7 +6,7 @@
 window.codendSlopes = (function () {
   'use strict';
 
-  var element = window.codendView.element;
+  var element = window.codendView.element, say = window.codendSay;
   var found = {}, timer = null, amounts = {};
   function find(id) { return document.getElementById(id); }
   function key() { return find('more_field').value; }
@@ -57,7 +57,7 @@ window.codendSlopes = (function () {
     var more = input.valueAsNumber;
     if (!isFinite(more)) return;
     var scroll = element('div', 'table-scroll', undefined, { tabindex: 0, role: 'region',
-      'aria-label': 'What it would do' });
+      'aria-label': say('would_do') });
     var table = element('table', 'table table-sm flume-table'), body = element('tbody'), kinks = false;
     one.measures.forEach(function (words, k) {
       var change = one.slope[k] * more;
@@ -68,9 +68,8 @@ window.codendSlopes = (function () {
       var cell = element('td', 'number', figures(change, change));
       if (!one.smooth[k]) {
         kinks = true;
-        cell.appendChild(element('abbr', 'kink', ' kink', { title: 'The slope does not hold for 1 % ' +
-          'to both sides: ' + figures(-one.below[k] * more, change) + ' for as much less, ' +
-          figures(one.above[k] * more, change) + ' for as much more.' }));
+        cell.appendChild(element('abbr', 'kink', ' ' + say('kink'), { title: say('kink_tip', {
+          below: figures(-one.below[k] * more, change), above: figures(one.above[k] * more, change) }) }));
       }
       row.appendChild(cell);
       body.appendChild(row);
@@ -78,9 +77,9 @@ window.codendSlopes = (function () {
     table.appendChild(body);
     scroll.appendChild(table);
     place.appendChild(scroll);
-    place.appendChild(element('p', 'note', 'Straight on from the slope at ' +
-      (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim() + (kinks ? '. A kink: netting goes slack or ' +
-      'a rope meets the bed nearby, so that more and less are not alike.' : '.')));
+    place.appendChild(element('p', 'note', say('slope_at', {
+      value: (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim()
+    }) + (kinks ? ' ' + say('kink_note') : '')));
   }
 
   function show(fields) {

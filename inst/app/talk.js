@@ -6,7 +6,7 @@
 window.codendTalk = (function () {
   'use strict';
 
-  var number = 0, pending = {}, shown = null;
+  var say = window.codendSay, number = 0, pending = {}, shown = null;
   var told = 300;  // ms after which somebody who waits is told so
 
   function find(id) { return document.getElementById(id); }
@@ -57,7 +57,7 @@ window.codendTalk = (function () {
     // The number under which an answer will come.
     next: next,
     ask: function (name, what, words) {
-      var mine = next(words || 'settling');
+      var mine = next(words || say('settling'));
       Shiny.setInputValue(name, { number: mine, asked: what }, { priority: 'event' });
       return mine;
     },

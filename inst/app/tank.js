@@ -6,14 +6,14 @@
 window.codendTank = (function () {
   'use strict';
 
-  var viewer = null, about = null, timer = null;
+  var say = window.codendSay, viewer = null, about = null, timer = null;
   var ink = '#202428', soft = '#4D555C', sea = '#2C6E9B';
   var planes = {
     xy: {
-      turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x aft (m)', 'y starboard (m)']
+      turn: -Math.PI / 2, rise: Math.PI / 2, axes: [0, 1], names: ['x_aft', 'y_starboard']
     },
-    xz: { turn: -Math.PI / 2, rise: 0, axes: [0, 2], names: ['x aft (m)', 'depth (m)'] },
-    yz: { turn: 0, rise: 0, axes: [1, 2], names: ['y starboard (m)', 'depth (m)'] }
+    xz: { turn: -Math.PI / 2, rise: 0, axes: [0, 2], names: ['x_aft', 'depth_axis'] },
+    yz: { turn: 0, rise: 0, axes: [1, 2], names: ['y_starboard', 'depth_axis'] }
   };
 
   function text(context, words, x, y, align, colour) {
@@ -92,11 +92,11 @@ window.codendTank = (function () {
       text(context, String(up === 2 ? (-t || 0) : t), box.left - 6, y_of(t), 'right', soft);
       context.fillRect(box.left - 4, y_of(t), 4, 1);
     });
-    text(context, plane.names[0], box.left + box.width / 2, page.height - 8, 'center', ink);
+    text(context, say(plane.names[0]), box.left + box.width / 2, page.height - 8, 'center', ink);
     context.save();
     context.translate(10, box.top + box.height / 2);
     context.rotate(-Math.PI / 2);
-    text(context, plane.names[1], 0, 0, 'center', ink);
+    text(context, say(plane.names[1]), 0, 0, 'center', ink);
     context.restore();
     return true;
   }

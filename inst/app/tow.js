@@ -60,6 +60,7 @@ window.codendTow = (function () {
     }
     graphs = graphs || window.codendGraphs(find('tow_graphs'), find('tow_more'), choose);
     var time = scene.times[0];
+    scene.graph.forEach(function (one) { one.shown = window.codendSay.measure(one.words); });
     graphs.show(scene.graph, {
       times: scene.graph_times, ends: scene.ends, range: [time, scene.times[scene.times.length - 1]],
       seek: function (at) { viewer.seek(at); }, drawn: function () { moved(time); }
@@ -79,7 +80,7 @@ window.codendTow = (function () {
     show: show,
     design: function (planned) {
       find('tow_planned').hidden = !planned;
-      if (told) window.codendPage.tell('tow_stale', 'The design on screen has changed since this tow.');
+      if (told) window.codendPage.tell('tow_stale', window.codendSay('tow_stale'));
     },
     viewer: function () { return viewer; }
   };

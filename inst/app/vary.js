@@ -5,7 +5,7 @@
 window.codendVary = (function () {
   'use strict';
 
-  var graphs = null, field = '', running = false;
+  var say = window.codendSay, graphs = null, field = '', running = false;
   function find(id) { return document.getElementById(id); }
 
   // The chosen field's range, as its slider has it.
@@ -37,7 +37,7 @@ window.codendVary = (function () {
     var wrong = varied.values.map(function (value, k) {
       return varied.problems[k] && value + ' ' + varied.unit + ': ' + varied.problems[k];
     }).filter(Boolean);
-    find('vary_said').textContent = done + ' of ' + varied.of + ' values' + (running ? ' \u2026' : '') +
+    find('vary_said').textContent = say('values_done', { done: done, of: varied.of }) + (running ? ' \u2026' : '') +
       (wrong.length ? '. ' + wrong.join(' ') : '');
     if (!varied.measures.length) return;
     graphs.show(varied.measures, {
@@ -66,7 +66,7 @@ window.codendVary = (function () {
     show: show,
     stale: function () {
       if (!find('varied').hidden) {
-        window.codendPage.tell('vary_stale', 'The design on screen has changed since these graphs began.');
+        window.codendPage.tell('vary_stale', say('vary_stale'));
       }
     },
     form: fill

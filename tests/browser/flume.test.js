@@ -613,6 +613,48 @@ test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished dra
   }
 });
 
+test('the page speaks the language of its address or browser, with no word left out, and finds others\'', async () => {
+  const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+  const context = await browser.newContext({ locale: 'nb-NO', viewport: { width: 390, height: 844 } });
+  const phone = await context.newPage();
+  await phone.goto(tank.url);
+  await phone.waitForSelector('.measures td', patience);
+  assert.equal(await phone.getAttribute('html', 'lang'), 'no');
+  assert.equal(await phone.textContent('#keep'), 'Behold denne konstruksjonen');
+  assert.equal(await phone.textContent('#quick label'), 'Tauefart');
+  assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
+  await context.close();
+
+  const page = await open(browser, `${tank.url}/?lang=fr`);
+  assert.match((await page.textContent('.measures tbody th')), /\u00e9cartement des panneaux \(m\)/);
+  for (const [typed, found] of [['panneau', 'otter_boards'], ['tr\u00e5ld\u00f8r', 'otter_boards'],
+    ['corde de dos', 'head_line'], ['fune', 'warps'], ['wires', 'warps']]) {
+    await page.fill('#find_field', typed);
+    await page.waitForSelector(`#found_fields [data-paths^="${found}"]`, patience);
+  }
+  await page.fill('#find_field', '');
+  for (const tab of ['Tensions', 'Vary', 'Tow', 'Save']) {
+    await page.click(`#shown [data-value="${tab}"]`);
+    await page.waitForTimeout(300);
+    await page.evaluate(axe);
+    const wrong = await page.evaluate(() => window.axe.run());
+    assert.deepEqual(wrong.violations.map((one) => `${tab}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
+  }
+  // another language, of the same design
+  await control(page, 'towing.speed').locator('.number').fill('3,5');
+  await page.waitForFunction(() => /^#d=/.test(window.location.hash) &&
+    /3.5 knot/.test(document.getElementById('gear_conditions').textContent), null, patience);
+  await page.waitForTimeout(1500);
+  await page.selectOption('#language', 'es');
+  await page.waitForFunction(() => document.documentElement.lang === 'es', null, patience);
+  await page.waitForSelector('.measures td', patience);
+  await page.waitForFunction(() => /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
+    null, patience);
+  assert.equal(await page.textContent('#undo'), 'Deshacer');
+  clean(page);
+  await page.close();
+});
+
 test('two browsers have a gear each, and one that leaves in mid-solve harms nobody', async () => {
   const [one, other] = await Promise.all([open(browser, tank.url), open(browser, tank.url)]);
   const drag = (await measure(one, 'total drag'))[0];

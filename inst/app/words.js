@@ -1,0 +1,45 @@
+// The words of the flume tank's page in its language, from inst/app/words.csv.
+//
+// codendSay(key, values) is the text of a key with the values of its places, {n: 3} for {n}; without such
+// a key the key itself. .field(name), .path(path), .measure('door spread (m)') and .unit(unit) say what
+// plans and measures name; .sought(paths) gives what fields are called in any language, .bare(text) a
+// text in small letters without accents, for who looks for one.
+window.codendSay = (function () {
+  'use strict';
+
+  // a script in the head may ask first once the page is there
+  var given = null;
+  function known() {
+    given = given || JSON.parse(document.getElementById('words').textContent);
+    return given;
+  }
+  function has(key) { return Object.prototype.hasOwnProperty.call(known().words, key); }
+
+  function say(key, values) {
+    var text = has(key) ? known().words[key] : key;
+    return text.replace(/\{(\w+)\}/g, function (place, name) {
+      return values && values[name] !== undefined ? values[name] : place;
+    });
+  }
+  function term(family, name) {
+    return has(family + '.' + name) ? say(family + '.' + name) : name.replace(/_/g, ' ');
+  }
+
+  say.field = function (name) { return term('field', name); };
+  say.path = function (path) { return path.split('.').map(say.field).join(' '); };
+  say.unit = function (unit) { return has('unit.' + unit) ? say('unit.' + unit) : unit; };
+  say.measure = function (words) {
+    var parts = words.match(/^(.*?)( \(.*\))?$/), number = parts[1].match(/\d+/);
+    var key = parts[1].replace(/\d+/, '#').replace(/ /g, '_');
+    var said = has('measure.' + key) ? say('measure.' + key).replace('#', number) : parts[1];
+    return said + (parts[2] || '');
+  };
+  say.bare = function (text) {
+    return text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '').replace(/\u00f8/g, 'o')
+      .replace(/\u00e6/g, 'ae').trim();
+  };
+  say.sought = function (paths) {
+    return say.bare(paths.split(/[. ]/).map(function (name) { return known().sought[name] || ''; }).join(' '));
+  };
+  return say;
+}());

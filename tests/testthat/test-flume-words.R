@@ -1,0 +1,129 @@
+# Texts that are said by their key alone, as say("keep"), in the tank's R code and its scripts.
+keys_of_r <- function() {
+  said <- character()
+  walk <- function(x) {
+    if (is.call(x)) {
+      if (identical(x[[1]], quote(say)) && length(x) > 1L && is.character(x[[2]])) {
+        said <<- c(said, x[[2]])
+      }
+      lapply(as.list(x), walk)
+    } else if (is.pairlist(x)) {
+      lapply(x, function(one) if (!identical(one, quote(expr = ))) walk(one))
+    }
+    NULL
+  }
+  ns <- asNamespace("codend")
+  for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]))
+  unique(said)
+}
+
+scripts <- function() {
+  files <- list.files(system.file("app", package = "codend"), "[.]js$", full.names = TRUE)
+  paste(unlist(lapply(files, readLines, encoding = "UTF-8")), collapse = "\n")
+}
+
+found_in <- function(text, pattern) {
+  hits <- regmatches(text, gregexpr(pattern, text, perl = TRUE))[[1]]
+  unique(sub(pattern, "\\1", hits, perl = TRUE))
+}
+
+# What keys with a point must be named after, by family.
+families <- function() {
+  schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
+  fields <- character()
+  walk <- function(node) {
+    if (!is.list(node)) return()
+    fields <<- c(fields, names(node$properties))
+    lapply(node, walk)
+  }
+  walk(schema)
+  asked <- unlist(lapply(new_plan_kinds(), function(kind) names(kind$asks)))
+  gears <- c(
+    lapply(gears()$name, read_gear), lapply(names(new_plan_kinds()), function(kind) new_plan(kind))
+  )
+  measures <- c(
+    names(standard_measures), unlist(lapply(gears, function(gear) names(gear_si(gear)$measures)))
+  )
+  list(
+    language = c("name", "checked_by"), room = names(form_rooms), field = unique(c(fields, asked)),
+    also = unique(fields), usual = names(usual_fields), unit = c("knot", "fathom", "ft", "meshes"),
+    measure = unique(sub("[0-9]+", "#", measures)),
+    kind = c("assembly", names(new_plan_kinds()), gears()$kind),
+    busy = c("uncertainty", "slopes", "drawing", "tow"),
+    tow_saves = c(names(tow_saves), paste0(names(tow_saves), ".about"))
+  )
+}
+
+test_that("every word that the page says is in the table, and every row is said somewhere", {
+  skip_if_not_installed("shiny")
+  keys <- word_table()$key
+  expect_identical(anyDuplicated(keys), 0L)
+  code <- scripts()
+  said <- c(keys_of_r(), found_in(code, "\\bsay\\('([^']+)'"))
+  expect_gt(length(said), 150L)
+  of_family <- paste0(names(families()), ".")
+  expect_identical(setdiff(said, c(keys, of_family)), character())
+  # those said by a name are named after what there is
+  plain <- !grepl(".", keys, fixed = TRUE)
+  quoted <- c(said, found_in(code, "'([a-z_]+)'"))
+  expect_identical(setdiff(keys[plain], quoted), character())
+  known <- unlist(Map(paste, names(families()), families(), sep = "."))
+  expect_identical(setdiff(keys[!plain], known), character())
+})
+
+test_that("what people look at first is said in every language", {
+  keys <- word_table()$key
+  named <- families()
+  for (family in c("room", "kind", "measure", "usual", "field", "tow_saves", "busy")) {
+    expect_identical(setdiff(paste0(family, ".", named[[family]]), keys), character(),
+      label = family)
+  }
+  expect_identical(unlist(usual_fields), words_in("en")[paste0("usual.", names(usual_fields))],
+    ignore_attr = TRUE)
+})
+
+test_that("a translation has the places of the English text", {
+  table <- word_table()
+  places <- function(texts) lapply(texts, function(text) sort(found_in(text, "[{]([a-z]+)[}]")))
+  english <- places(table$en)
+  for (language in setdiff(word_languages(), "en")) {
+    given <- nzchar(table[[language]])
+    expect_gt(mean(given), 0.9)
+    expect_identical(places(table[[language]][given]), english[given], label = language)
+  }
+})
+
+test_that("a word that a language lacks is English, and places are filled", {
+  say <- new_say("fr")
+  expect_identical(say("must_be", must = "x"), "Must be x.")
+  expect_identical(say("fields_many", n = 3), "3 champs")
+  expect_identical(say("field.nothing", otherwise = "nothing"), "nothing")
+  expect_error(say("nothing"), "no words")
+  expect_identical(said_path(say, "otter_boards.lift_coefficient"),
+    "Panneaux: coefficient de portance")
+  expect_identical(said_path(new_say(), "otter_boards.lift_coefficient"),
+    "Otter boards: lift coefficient")
+  expect_identical(said_measure(say, c("door spread", "hook 3 depth", "my own")),
+    c("\u00e9cartement des panneaux", "profondeur de l'hame\u00e7on 3", "my own"))
+})
+
+test_that("a page speaks its address's language, then its browser's, then English", {
+  skip_if_not_installed("shiny")
+  expect_identical(page_language("?lang=es", "fr-FR,fr;q=0.9"), "es")
+  expect_identical(page_language("?lang=xx", "de;q=0.9, nb-NO;q=0.8, en;q=0.7"), "no")
+  expect_identical(page_language("", "en;q=0.2,fr;q=0.8"), "fr")
+  for (odd in list(NULL, "", "?lang", "?lang=%ff", "?lang=fr%00")) {
+    expect_identical(page_language(odd, NULL), "en")
+  }
+})
+
+test_that("the page and its tables are in the language of the page, which is told as unchecked", {
+  skip_if_not_installed("shiny")
+  page <- as.character(flume_page(TRUE, new_say("no")))
+  expect_match(page, "Behold denne konstruksjonen", fixed = TRUE)
+  expect_match(page, "machine_made", fixed = TRUE)
+  expect_no_match(as.character(flume_page()), "id=\"machine_made\"", fixed = TRUE)
+  now <- measures(settled("towed_cable"))
+  expect_match(as.character(measures_html(now, now, say = new_say("fr"))),
+    "<th scope='col' class='number'>Actuel</th>", fixed = TRUE)
+})
