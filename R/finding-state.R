@@ -11,11 +11,12 @@ define_finding("net off the bed", "state",
   function(gear, state) {
     si <- state$si
     if (is.null(si$ground) || identical(gear$plan$kind, "midwater_trawl")) return(list())
-    # heights that half of each rope is above
+    # heights that half of the underside of each rope is above
     height_of <- function(roles) {
       vapply(ropes_of_role(si, roles), function(name) {
         node <- state$lattice$ropes[[name]]$node
-        stats::median(height_above_ground(si$ground, state$position[, node]))
+        height <- height_above_ground(si$ground, state$position[, node])
+        stats::median(height) - si$ropes[[name]]$diameter / 2
       }, 0)
     }
     low <- height_of(c("ground_gear", "footrope"))
