@@ -35,7 +35,8 @@ flume_page <- function(opens = TRUE, say = new_say()) {
 # The page's scripts, in the order in which they are read: the viewer's, as
 # inst/htmlwidgets/codend.yaml has them, then its own.
 viewer_scripts <- c(
-  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "viewer.js"
+  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
+  "viewer.js"
 )
 flume_scripts <- c(
   "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",

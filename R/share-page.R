@@ -75,7 +75,8 @@ packed_scene <- function(scene) {
 }
 
 viewer_files <- c(
-  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "viewer.js"
+  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
+  "viewer.js"
 )
 
 write_shared_page <- function(file, state, model, parts) {

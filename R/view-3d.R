@@ -10,8 +10,14 @@
 #' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
 #' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
 #' opening or angle of meshes, or drag. What is slack is dashed in a quiet colour, and in a bright
-#' one where the colours show slack alone. The key `h` lists all keys. Where meshes are too small to be seen, every second, fourth or eighth twine is
-#' drawn, and so on; pieces are drawn large enough to be seen. The page prints on white.
+#' one where the colours show slack alone. The key `h` lists all keys. Where meshes are too small to
+#' be seen, every second, fourth or eighth twine is drawn, and so on; pieces are drawn large enough
+#' to be seen. The page prints on white.
+#'
+#' The button *Save* saves the picture as PNG, 3,840 pixels along its longer side, or a video as
+#' WebM: of a turn around the gear in 12 s, or of a tow that the page plays, in at most 20 s. Both
+#' are with or without title and legend. A video has as many frames as the browser draws in that
+#' time.
 #'
 #' The page of a trajectory plays it, as seen from the vessel, with a button, a slider of time and a
 #' graph of any measure; the space bar plays and stops, comma and full stop step from kept time to
@@ -42,7 +48,7 @@ view_3d <- function(state, file = NULL, colour = "tension") {
   page <- viewer_widget(viewed_scene(state, colour), element)
   if (is.null(file)) return(page)
   write_file(file, function(path) {
-    body <- with_plain_numbers(htmltools::as.tags(page, standalone = TRUE))
+    body <- htmltools::tags$main(with_plain_numbers(htmltools::as.tags(page, standalone = TRUE)))
     write_single_page(path, state$gear$plan$name, body,
       style = "html, body { margin: 0; height: 100%; background: white; }")
   })

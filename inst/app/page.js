@@ -200,7 +200,7 @@ window.codendPage = (function () {
   document.addEventListener('click', function (event) {
     if (event.target.id !== 'save_picture') return;
     var link = document.createElement('a');
-    link.href = window.codendTank.viewer().picture();
+    link.href = window.codendTank.viewer().picture(3840, true).toDataURL('image/png');
     link.download = find('gear_name').textContent.toLowerCase().replace(/[^a-z0-9]+/g, '-')
       .replace(/^-|-$/g, '') + '.png';
     link.click();

@@ -121,7 +121,7 @@ window.codendView.materials = function () {
     '  float turn = atan(ray.y, ray.x) * 1.9 + 0.6 * ray.z;',
     '  float shafts = texture2D(grain, vec2(turn, 0.31)).g - texture2D(grain, vec2(0.37 * turn, 0.77)).g;',
     '  float high = 1.0 - depthShare(z);',
-    '  gl_FragColor = vec4(waterAt(z) + 0.16 * shafts * high * step(z, waterTop), 1.0);',
+    '  gl_FragColor = vec4(waterAt(z) + 0.18 * shafts * high * smoothstep(1.0, 0.8, high), 1.0);',
     '}'
   ].join('\n'), {
     depthWrite: false, depthTest: false, uniforms: { away: { value: 1 }, grain: { value: sand() } }

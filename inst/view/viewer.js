@@ -10,8 +10,10 @@
 //   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
 //                         over, beside), align (bosom, towing)
 //   seek(s)               shows a moment of what moves
-//   look({turn, rise, away, at})  moves the eye: angles (radians), distance and place looked at (m)
-//   picture()             the picture as the address of its own PNG, on white
+//   look({turn})          turns the eye (radians, as at first)
+//   frame({turn, rise, near})  looks at all of the gear from an angle, `near` of the distance that shows all
+//   picture(wide, worded)  the picture as a canvas so many pixels wide (as it is), with or without words
+//   film(kind, seconds, wide, worded)  a video of a turn or a tow, as a promise of a Blob; see save.js
 //   flat(...)             draws the gear flat on a part of another canvas
 // options.changed is called after a choice; options.passing says whether another shape is on its way;
 // options.still says whether a still for paper is kept;
@@ -470,11 +472,10 @@ window.codendView.viewer = function (host, options) {
 
   // Pixels of the canvas for one of the page.
   var ratio = 1;
-  function draw() {
+  function draw(given) {
     var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height || !gears.now) return false;
-    ratio = window.devicePixelRatio || 1;
-    if (too_slow()) ratio *= coarse;
+    ratio = given || (window.devicePixelRatio || 1) * (too_slow() ? coarse : 1);
     // a canvas of another size waits for all that was drawn before
     if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
       renderer.setDrawingBufferSize(width, height, ratio);
@@ -516,7 +517,7 @@ window.codendView.viewer = function (host, options) {
   }
   function paint_now() {
     var began = performance.now();
-    if (!draw()) return;
+    if (saver.filming() || !draw()) return;
     if (hasty && times.length < 4) take_time(began);
     drawn += 1;
     seen = null;
@@ -580,7 +581,7 @@ window.codendView.viewer = function (host, options) {
   keys.hidden = true;
   [['drag, arrows', 'turn'], ['wheel, two fingers, + and \u2212', 'zoom'],
     ['right button, Shift', 'move'], ['1 2 3 4', 'bow, above, side, astern'],
-    ['n, g', 'net, whole gear'], ['c', 'next colours'], ['0', 'look again'],
+    ['n, g', 'net, whole gear'], ['c', 'next colours'], ['0', 'look again'], ['s', 'save'],
     ['pointer', 'names and values']].forEach(function (one) {
     keys.appendChild(element('kbd', '', one[0]));
     keys.appendChild(element('span', '', one[1]));
@@ -589,10 +590,25 @@ window.codendView.viewer = function (host, options) {
     keys.hidden = !keys.hidden;
     help.setAttribute('aria-expanded', String(!keys.hidden));
   });
-  [groups.focus, groups.from, groups.compare, colours, help].forEach(function (part) {
+  var saver = view.save(host, {
+    eye: function () { return camera; },
+    times: function () { return told.times; },
+    seek: function (time) { moment.seek(time); },
+    look: look,
+    release: repaint
+  }, {
+    canvas: canvas,
+    draw: function (ratio) { hasty = null; draw(ratio); tell_scale(); place_words(); },
+    words: function () {
+      return [title, legend, scaleBar].concat(Array.from(host.querySelectorAll('.view-label, .view-time .label')));
+    },
+    name: function () { return told.name.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, ''); }
+  });
+  [groups.focus, groups.from, groups.compare, colours, saver.opener, help].forEach(function (part) {
     bar.appendChild(part);
   });
   host.appendChild(keys);
+  host.appendChild(saver.panel);
 
   function press(what, value) {
     bar.querySelectorAll('[data-group="' + what + '"]').forEach(function (one) {
@@ -862,6 +878,11 @@ window.codendView.viewer = function (host, options) {
 
   // ---- hands ------------------------------------------------------------------------------------
 
+  function look(place) {
+    press('from', null);
+    Object.assign(camera, place);
+    repaint();
+  }
   function turn_by(across, up) {
     camera.turn -= across;
     camera.rise = Math.min(Math.max(camera.rise + up, -Math.PI / 2), Math.PI / 2);
@@ -995,7 +1016,7 @@ window.codendView.viewer = function (host, options) {
     ArrowDown: [turn_by, 0, -0.1], '+': [zoom_by, 1.2], '=': [zoom_by, 1.2], '-': [zoom_by, 1 / 1.2],
     1: [choose, 'from', 'bow'], 2: [choose, 'from', 'above'], 3: [choose, 'from', 'side'],
     4: [choose, 'from', 'astern'], n: [choose, 'focus', 'net'], g: [choose, 'focus', 'whole'],
-    c: [next_colour], h: [function () { help.click(); }],
+    c: [next_colour], h: [function () { help.click(); }], s: [function () { saver.opener.click(); }],
     0: [function () { look_again(); repaint(); }]
   };
   host.addEventListener('keydown', function (event) {
@@ -1006,7 +1027,7 @@ window.codendView.viewer = function (host, options) {
       act = [choose, 'compare', { 5: 'off', 6: 'over', 7: 'beside' }[key]];
     }
     if (key === 'n' && !gears.now.range.net) return;
-    if (key === 'Escape') { keys.hidden = true; tip.hidden = true; }
+    if (key === 'Escape') { keys.hidden = true; tip.hidden = true; saver.close(); }
     if (!act) return;
     event.preventDefault();
     act[0](act[1], act[2]);
@@ -1015,7 +1036,7 @@ window.codendView.viewer = function (host, options) {
   // ---- paper ------------------------------------------------------------------------------------
 
   // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
-  function picture() {
+  function on_white() {
     hasty = null;
     shared.paper.value = 1;
     bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
@@ -1029,7 +1050,7 @@ window.codendView.viewer = function (host, options) {
   }
   // once the page is laid out for paper the picture has no size, and the last one stays
   function for_paper() {
-    var made = picture();
+    var made = on_white();
     if (made) still.src = made;
   }
   window.addEventListener('beforeprint', for_paper);
@@ -1177,8 +1198,15 @@ window.codendView.viewer = function (host, options) {
       repaint();
     },
     seek: function (time) { if (moment) moment.seek(time); },
-    look: function (place) { press('from', null); Object.assign(camera, place); repaint(); },
-    picture: picture,
+    look: look,
+    frame: function (from) {
+      look_again();
+      look({ turn: from.turn === undefined ? camera.turn : from.turn, rise: from.rise === undefined ? camera.rise : from.rise });
+      aim();
+      camera.away *= from.near || 1;
+    },
+    picture: saver.picture,
+    film: saver.film,
     redraw: paint_now,
     flat: flat,
     focus: function () { return focus(); },

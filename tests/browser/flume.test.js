@@ -32,11 +32,11 @@ const clean = (page) => {
   assert.deepEqual(page.strange, []);
 };
 // The picture's colours: how many pixels are not background.
-const picture = (page) => page.evaluate(() => window.codendTank.viewer().picture());
+const picture = (page) => page.evaluate(() => window.codendTank.viewer().picture().toDataURL());
 const painted = (page, id) => page.evaluate(async (id) => {
   let canvas = document.getElementById(id);
   if (id === 'tank') {
-    const png = await fetch(window.codendTank.viewer().picture());
+    const png = await fetch(window.codendTank.viewer().picture().toDataURL());
     canvas = await createImageBitmap(await png.blob());
   }
   const copy = new OffscreenCanvas(canvas.width, canvas.height)
@@ -524,7 +524,7 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   for (const kind of [/spread/, /height/, /tension/, /depth/, /energy/]) {
     assert.ok(graphs.some((words) => kind.test(words)), `${kind} of ${graphs}`);
   }
-  const shown = () => page.evaluate(() => window.codendTow.viewer().picture());
+  const shown = () => page.evaluate(() => window.codendTow.viewer().picture().toDataURL());
   const start = await shown();
   // the slider of time plays it, and the graphs follow
   const spread = await page.textContent('.graph .now');
