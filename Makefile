@@ -14,7 +14,8 @@
 # make ci      what continuous integration runs: lint, then test
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
-# make gallery the tank's pictures, for its page and gallery/tank/; takes Node.js with npm, and Chromium
+# make gallery pictures of the gears and of the tank: README's, gallery/tank/, the tank's cards; takes
+#              Node.js with npm, and Chromium
 #
 # make soak    ten users of the flume tank for an hour, or MINUTES=..., USERS=...; takes Node.js 20
 #
