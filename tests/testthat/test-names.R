@@ -3,7 +3,9 @@
 test_that("no export has the name of a function of the packages most used with it", {
   lines <- strsplit(readLines(test_path("reference", "common-names.txt")), " ", fixed = TRUE)
   known <- stats::setNames(lapply(lines, `[`, -1L), sub(":$", "", vapply(lines, `[`, "", 1L)))
-  expect_true(all(c("stats", "dplyr", "tibble", "ggplot2") %in% names(known)))
+  expect_true(all(c("dplyr", "tibble", "ggplot2") %in% names(known)))
+  own <- c("base", "stats", "utils", "graphics", "grDevices", "methods", "parallel", "splines")
+  known <- c(sapply(own, getNamespaceExports, simplify = FALSE), known)
   clashes <- lapply(known, intersect, getNamespaceExports("codend"))
   expect_identical(Filter(length, clashes), stats::setNames(list(), character()))
 })
