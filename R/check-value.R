@@ -25,7 +25,7 @@ remembered <- function(make) {
 
 # The known name most like `name`, or NULL when none is near.
 nearest <- function(name, known) {
-  if (length(known) == 0 || nchar(name) > 100) return(NULL)
+  if (length(known) == 0 || !nzchar(name) || nchar(name) > 100) return(NULL)
   distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
   best <- which.min(distance)
   if (distance[best] <= max(2, nchar(name) / 3)) known[best] else NULL
@@ -41,29 +41,35 @@ chosen <- function(value, choices) {
   choices[k]
 }
 
-# The names of measures that an argument asks for, all where it is NULL.
-chosen_measures <- function(measures, known) {
-  if (is.null(measures)) return(known)
-  if (!is.character(measures) || !length(measures) || !all(measures %in% known)) {
-    wrong <- if (is.character(measures)) setdiff(measures, known)[1] else measures
-    abort_unknown_word("measures", wrong, known, "any of")
+# The words that an argument names, all where it is NULL.
+chosen_some <- function(values, known, argument = deparse(substitute(values))) {
+  if (is.null(values)) return(known)
+  if (!is.character(values) || !length(values) || !all(values %in% known)) {
+    wrong <- if (is.character(values) && length(values)) setdiff(values, known)[1] else values
+    abort_unknown_word(argument, wrong, known, "any of")
   }
-  measures
+  values
 }
 
 abort_unknown_word <- function(argument, value, known, must) {
   near <- if (is_text(value)) nearest(value, known)
   hint <- if (length(near)) " Did you mean {.val {near}}?"
-  said <- if (is.null(value) || is.atomic(value)) value else class(value)
   abort_argument(paste0(
-    "{.arg {argument}} is {.val {said}}; it must be ", must, " {.or {.val {known}}}.", hint
+    "{.arg {argument}} is {said_value(value)}; it must be ", must, " {.or {.val {known}}}.", hint
   ))
+}
+
+# A wrong value as messages show it: of what has none to show its class.
+said_value <- function(value) {
+  if (!length(value)) return("empty")
+  said <- if (is.atomic(value)) value else class(value)
+  cli::format_inline("{.val {said}}")
 }
 
 check_count <- function(name, value, least = 1) {
   good <- is.numeric(value) && length(value) == 1L && is.finite(value) && value == round(value) &&
     value >= least && value < 2^31
   if (good) return(invisible())
-  said <- if (is.null(value) || is.atomic(value)) value else class(value)
-  abort_argument("{.arg {name}} is {.val {said}}; it must be a whole number, {least} or more.")
+  abort_argument("{.arg {name}} is {said_value(value)}; it must be a whole number, {least} or
+    more.")
 }

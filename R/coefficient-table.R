@@ -130,6 +130,7 @@ check_coefficient_arguments <- function(reynolds, solidity) {
   good <- is.numeric(solidity) && length(solidity) >= 1L && all(is.finite(solidity)) &&
     all(solidity >= 0.01 & solidity <= 0.5)
   if (!good) {
-    abort_argument("{.arg solidity} is {.val {solidity}}; it must be numbers from 0.01 to 0.5.")
+    abort_argument("{.arg solidity} is {said_value(solidity)}; it must be numbers from 0.01 to
+      0.5.")
   }
 }

@@ -119,7 +119,7 @@ check_file_exists <- function(file) {
 # fields.
 abort_file <- function(file, what, ...) {
   values <- c(list(file = file), list(...))
-  abort_as("file", paste("{.arg file} is {.val {file}}; it", what), !!!values,
+  abort_as("file", paste("{.arg file} is {said_value(file)}; it", what), !!!values,
     envir = list2env(values, parent = environment(abort_file)))
 }
 

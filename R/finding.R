@@ -24,7 +24,10 @@
 #' findings(read_gear("towed_cable"))
 #' findings(update(read_gear("towed_cable"), ropes.cable.diameter = 17.3))
 #' @export
-findings <- function(x) findings_by(x, sorted_checks())
+findings <- function(x) {
+  check_given("x")
+  findings_by(x, sorted_checks())
+}
 
 # The findings of some checks.
 findings_by <- function(x, checks) {

@@ -133,6 +133,8 @@ update.codend_gear <- function(object, ...) {
       "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}."
     )
   }
+  twice <- names(fields)[duplicated(names(fields))]
+  if (length(twice)) abort_argument("{.arg {twice[1]}} is given twice.")
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
   as_gear(plan, file = object$file, like = object, changed = changed_steps(object, names(fields)))

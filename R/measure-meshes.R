@@ -103,10 +103,8 @@ mesh_openings <- function(state, parts = NULL) {
   part <- vapply(panels, `[[`, "", "part")
   known <- unique(c(names(panels), part[!is.na(part)]))
   if (!length(panels)) abort_argument("The gear has no netting.")
-  if (!is.null(parts) && !(is.character(parts) && length(parts) && all(parts %in% known))) {
-    abort_argument("{.arg parts} is {.val {parts}}; it must be any of {.val {known}}.")
-  }
-  some <- names(panels)[is.null(parts) | names(panels) %in% parts | part %in% parts]
+  parts <- chosen_some(parts, known)
+  some <- names(panels)[names(panels) %in% parts | part %in% parts]
   found <- mesh_places(state, some)
   by_row <- split(seq_len(nrow(found)), found$row)
   mean_of <- function(field, weight = found$meshes) {

@@ -18,12 +18,8 @@ tensions_along <- function(state, ropes = NULL) {
   every <- which(parts$kind == "rope")
   known <- unique(stats::na.omit(c(parts$name[every], parts$role[every])))
   if (!length(known)) abort_argument("The gear has no ropes.")
-  if (!is.null(ropes) && !(is.character(ropes) && length(ropes) && all(ropes %in% known))) {
-    abort_argument("{.arg ropes} is {.val {ropes}}; it must be any of {.val {known}}.")
-  }
-  kept <- if (is.null(ropes)) every else {
-    every[parts$name[every] %in% ropes | parts$role[every] %in% ropes]
-  }
+  ropes <- chosen_some(ropes, known)
+  kept <- every[parts$name[every] %in% ropes | parts$role[every] %in% ropes]
   line <- rope_lines_end_to_end(state$lattice, kept)
   kept <- kept[order(match(line, line))]
   line <- line[order(match(line, line))]

@@ -130,14 +130,20 @@ measure_help <- function() {
   )
 }
 
-# A state is no list of measures: one that is asked for by its name says where it is.
+# States and trajectories are no lists of measures: one that is asked for by its name says where it
+# is.
 #' @rawNamespace S3method(base::"$",codend_state)
-`$.codend_state` <- function(x, name) {
+`$.codend_state` <- function(x, name) field_of(x, name, "A state", "measures(state)")
+
+#' @rawNamespace S3method(base::"$",codend_trajectory)
+`$.codend_trajectory` <- function(x, name) {
+  field_of(x, name, "A trajectory", "as.data.frame(trajectory)")
+}
+
+field_of <- function(x, name, what, call) {
   if (name %in% names(x)) return(.subset2(x, name))
-  measure <- c(standard_names(), names(standard_measures))
-  if (name %in% measure) {
-    abort_argument("A state has no {.field {name}}; its measures are those of
-      {.fn measures}: {.code measures(state)}.")
+  if (name %in% c(standard_names(), names(standard_measures))) {
+    abort_argument("{what} has no {.field {name}}; its measures are those of {.code {call}}.")
   }
   NULL
 }

@@ -5,7 +5,8 @@ plan_node <- function(plan) {
   plan_schema$kinds[[first_of(plan$kind, plan_schema$default_kind)]]
 }
 
-path_steps <- function(path) strsplit(path, ".", fixed = TRUE)[[1]]
+# The steps of a path; a dot at its end is followed by an empty one, which no plan has.
+path_steps <- function(path) strsplit(sub("[.]$", "..", path), ".", fixed = TRUE)[[1]]
 
 # A path with its items' numbers as steps: `a[2].b` as `a.2.b`.
 dotted_path <- function(path) gsub("\\[([0-9]+)\\]", ".\\1", path)

@@ -211,6 +211,8 @@ plain_tree <- function(tree, depth = 0) {
     }
     keys <- names(value)
     if (is.factor(value)) value <- as.character(value)
+    # a date or a time span is a number of another kind
+    if (is.atomic(value) && is.object(value)) value <- format(value)
     if (is.character(value)) value <- enc2utf8(value)
     if (is.integer(value)) value <- as.double(value)
     if (is.atomic(value)) {

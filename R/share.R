@@ -38,6 +38,7 @@
 #' }
 #' @export
 share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
+  check_given("state", "file")
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
     abort_argument("{.arg state} must be settled, not a moment of a tow.")

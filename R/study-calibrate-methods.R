@@ -54,7 +54,7 @@ fitted.codend_calibration <- function(object, ...) object$matched$fitted
 #' @importFrom stats residuals
 #' @export
 residuals.codend_calibration <- function(object, type = c("response", "standardised"), ...) {
-  type <- check_choice(type, "type", c("response", "standardised"))
+  type <- chosen(type, c("response", "standardised"))
   if (type == "response") object$matched$residual else object$matched$standardised
 }
 
@@ -78,14 +78,6 @@ logLik.codend_calibration <- function(object, ...) {
     class = "logLik")
 }
 
-check_choice <- function(given, name, known) {
-  if (identical(given, known)) return(known[1L])
-  if (!(is_text(given) && given %in% known)) {
-    abort_argument("{.arg {name}} is {.val {given}}; it must be any of {.val {known}}.")
-  }
-  given
-}
-
 check_level <- function(level) {
   if (!(is.numeric(level) && length(level) == 1L && is.finite(level) && level > 0 && level < 1)) {
     abort_argument("{.arg level} is {.val {level}}; it must be a share between 0 and 1.")
@@ -97,14 +89,11 @@ check_level <- function(level) {
 #' @export
 confint.codend_calibration <- function(object, parm, level = 0.95,
                                        method = c("profile", "normal"), ...) {
-  method <- check_choice(method, "method", c("profile", "normal"))
+  method <- chosen(method, c("profile", "normal"))
   check_level(level)
   known <- object$fields$field
   if (missing(parm)) parm <- known
-  if (is.numeric(parm)) parm <- known[parm]
-  if (anyNA(parm) || !all(parm %in% known)) {
-    abort_argument("{.arg parm} is {.val {parm}}; it must be any of {.val {known}}.")
-  }
+  parm <- chosen_some(if (is.numeric(parm)) known[parm] else parm, known, "parm")
   ends <- t(vapply(match(parm, known), function(k) {
     if (method == "profile") return(profile_ends(object, k, level))
     object$fields$value[k] + c(-1, 1) * reach_of(object, level) * object$fields$error[k]

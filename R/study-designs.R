@@ -55,9 +55,7 @@ designs <- function(..., how = NULL, number = NULL, seed = 1) {
   alone <- length(given) == 1L && is.null(names(given))
   if (alone && is_text(given[[1L]])) given[[1L]] <- read_designs(given[[1L]])
   ways <- c("grid", "random", "latin", "sobol", "one_at_a_time", "indices", "table")
-  if (!is.null(how) && !(is_text(how) && how %in% ways)) {
-    abort_argument("{.arg how} is {.val {how}}; it must be any of {.val {ways}}.")
-  }
+  if (!is.null(how)) how <- chosen(how, ways)
   axes <- design_axes(given)
   drawn <- vapply(axes, function(axis) is_distribution(axis[[1L]]), NA)
   if (is.null(how)) {
@@ -155,7 +153,7 @@ design_axis <- function(values, path) {
       abort_argument("Every field must be named by its path, such as {.code towing.speed = 1:3}.")
     }
     if (is_distribution(values)) return(setNames(list(values), path))
-    if (is.list(values) || !is.atomic(values)) {
+    if (is.null(values) || !is.atomic(values)) {
       abort_argument("{.arg {path}} must be a vector of numbers or texts, or a distribution such as
         {.code value_range(\"3 knot\", \"5 knot\")}.")
     }

@@ -215,10 +215,7 @@ changing_measures <- function(x, measures) {
       length(value) > 1L && diff(range(value)) > 1e-9 * max(abs(value))
     }, known))
   }
-  if (!(is.character(measures) && length(measures) && all(measures %in% known))) {
-    abort_argument("{.arg measures} is {.val {measures}}; it must be any of {.val {known}}.")
-  }
-  measures
+  chosen_some(measures, known)
 }
 
 tell_unsettled <- function(x) {

@@ -62,10 +62,7 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   }
   base <- measures(state)
   known <- names(base)
-  if (is.null(of)) of <- known
-  if (!(is.character(of) && length(of) && all(of %in% known))) {
-    abort_argument("{.arg of} is {.val {of}}; it must be any of {.val {known}}.")
-  }
+  of <- chosen_some(of, known)
   fields <- slope_fields(state$gear, to)
   work <- tangent_work(state)
   rows <- lapply(fields, function(field) {

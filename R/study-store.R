@@ -134,8 +134,7 @@ exact_numbers <- function(text) {
 
 check_store_path <- function(store) {
   if (is_text(store) && nzchar(basename(store))) return(invisible())
-  said <- if (is_text(store)) store else class(store)
-  abort_argument("{.arg store} is {.val {said}}; it must be the path of a study's folder.")
+  abort_argument("{.arg store} is {said_value(store)}; it must be the path of a study's folder.")
 }
 
 read_store_text <- function(store) {

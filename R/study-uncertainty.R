@@ -66,20 +66,18 @@
 #' found$sources[found$sources$measure == "body_depth_m", ]
 uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "samples"),
                         samples = 100) {
+  check_given("state")
   fit <- if (inherits(state, "codend_calibration")) state
   if (!is.null(fit)) state <- settled_calibration(fit)
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
     abort_argument("{.arg state} must be settled, not a moment of a tow.")
   }
-  method <- check_choice(method, "method", c("linear", "samples"))
+  method <- chosen(method, c("linear", "samples"))
   check_level(level)
   check_count("samples", samples, 20)
   base <- measures(state)
-  if (is.null(of)) of <- names(base)
-  if (!(is.character(of) && length(of) && all(of %in% names(base)))) {
-    abort_argument("{.arg of} is {.val {of}}; it must be any of {.val {names(base)}}.")
-  }
+  of <- chosen_some(of, names(base))
   sources <- uncertainty_sources(state$gear)
   if (!is.null(fit)) sources <- calibrated_sources(sources, fit)
   spread <- source_contributions(state, sources, fit)

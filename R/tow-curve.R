@@ -60,6 +60,7 @@ straight_curve <- function(time, value) {
 }
 
 function_curve <- function(value, path, until) {
+  if (!length(formals(args(value)))) abort_schedule(path, "must be a function of time (s).")
   time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 3)
   at <- function(t) {
     y <- value(t)

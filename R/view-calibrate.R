@@ -17,9 +17,7 @@ plot.codend_calibration <- function(x, by = NULL, file = NULL, width = 8, height
   data <- x$task$data
   if (is.null(by)) by <- c(x$conditions, "row")[1L]
   known <- c(names(data), "row")
-  if (!(is_text(by) && by %in% known)) {
-    abort_argument("{.arg by} is {.val {by}}; it must be any of {.val {known}}.")
-  }
+  by <- chosen(by, known)
   along <- if (by == "row") seq_len(nrow(data)) else data[[by]]
   if (!is.numeric(along)) along <- factor(along, unique(along))
   title <- paste0("Calibration of ", x$gear$plan$name)

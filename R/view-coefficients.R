@@ -12,13 +12,10 @@
 #' plot(force_coefficients(), force = "wake")
 #' @export
 plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, height = NULL, ...) {
-  known <- unique(x$force)
-  if (!is.null(force) && !(is.character(force) && length(force) && all(force %in% known))) {
-    abort_argument("{.arg force} is {.val {force}}; it must be any of {.val {known}}.")
-  }
+  force <- chosen_some(force, unique(x$force))
   table <- as.data.frame(x)
   class(table) <- "data.frame"
-  rows <- coefficient_figures(table[table$force %in% first_of(force, known), ])
+  rows <- coefficient_figures(table[table$force %in% force, ])
   show_picture(function(page) draw_coefficients(rows), file, width, height, "Coefficients",
     coefficient_row_height * length(rows))
   invisible(x)

@@ -62,7 +62,7 @@ plot.codend_pair_effects <- function(x, measures = NULL, most = 6, file = NULL, 
 
 # Rows of the pairs that are drawn.
 chosen_pairs <- function(x, measures, most) {
-  measures <- chosen_measures(measures, unique(x$measure))
+  measures <- chosen_some(measures, unique(x$measure))
   check_count("most", most)
   if (is.null(attr(x, "means"))) {
     abort_argument("{.arg x} has lost the means that {.fn pair_effects} gave it.")
@@ -123,7 +123,7 @@ group_labels <- function(values) {
 #' plot(sobol_indices(vary("towed_cable", sample), c("total_drag_kN", "greatest_depth_m")))
 plot.codend_sobol_indices <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                       ...) {
-  measures <- chosen_measures(measures, unique(x$measure))
+  measures <- chosen_some(measures, unique(x$measure))
   x$field <- plain_field(x$field)
   said <- sprintf("Share of the variance: alone (filled) and in all (open), intervals of %s %%.",
     format(100 * first_of(attr(x, "confidence"), 0.9)))

@@ -177,7 +177,7 @@ gg_responses <- function(object, measures) {
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_effects <- function(object, measures = NULL, ...) {
-  rows <- object$measure %in% chosen_measures(measures, unique(object$measure))
+  rows <- object$measure %in% chosen_some(measures, unique(object$measure))
   data <- data.frame(measure = object$measure, field = object$field, at = object$value,
     value = object$mean)[rows, ]
   number <- suppressWarnings(as.double(data$at))
@@ -217,7 +217,7 @@ autoplot.codend_pair_effects <- function(object, measures = NULL, ...) {
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
-  rows <- object$measure %in% chosen_measures(measures, unique(object$measure))
+  rows <- object$measure %in% chosen_some(measures, unique(object$measure))
   unit <- attr(object, "measure_unit")
   part <- function(kind) {
     data.frame(

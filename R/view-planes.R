@@ -27,9 +27,7 @@
 plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, width = 10,
                               height = NULL, colour = "tension", ...) {
   known <- c("xy", "xz", "yz")
-  if (!is.character(planes) || !length(planes) || !all(planes %in% known)) {
-    abort_argument("{.arg planes} is {.val {planes}}; it must be any of {.val {known}}.")
-  }
+  planes <- chosen_some(planes, known)
   check_colour(colour)
   figure <- plane_figure(x, intersect(known, planes), colour)
   show_picture(function(page) draw_figure(figure, page), file, width, height, figure$title,

@@ -19,7 +19,7 @@
 plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                       ...) {
   known <- unique(x$measure[is.finite(x$elasticity) & x$elasticity != 0])
-  measures <- chosen_measures(measures, known)
+  measures <- chosen_some(measures, known)
   title <- paste0("What changes ", attr(x, "gear_name"), ", ", attr(x, "conditions"))
   # parts that change together stand for one another
   x$field <- sub(" [+] .*", " ...", x$field)

@@ -40,7 +40,7 @@ time_figure <- function(series) {
 trajectory_series <- function(trajectory, wanted) {
   table <- as.data.frame(trajectory, what = "measures")
   known <- unique(table$measure)
-  shown <- chosen_measures(wanted, known)
+  shown <- chosen_some(wanted, known, "measures")
   of_measures <- lapply(shown, function(measure) {
     of <- table[table$measure == measure, ]
     list(

@@ -18,7 +18,7 @@ plot.codend_uncertainty <- function(x, measures = NULL, sources = NULL, file = N
                                     height = NULL, ...) {
   table <- x$measures[x$measures$value != 0 & x$measures$uncertainty > 0, ]
   known <- table$measure
-  measures <- chosen_measures(measures, known)
+  measures <- chosen_some(measures, known)
   if (!is.null(sources) && !(is_text(sources) && sources %in% known)) {
     abort_argument("{.arg sources} is {.val {sources}}; it must be one of {.val {known}}.")
   }

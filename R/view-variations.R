@@ -48,7 +48,7 @@ variations_study <- function(x, wanted) {
   columns <- names(x)
   fields <- columns[seq_len(match("settled", columns) - 1L)]
   known <- columns[-seq_len(match("warning", columns))]
-  shown_measures <- chosen_measures(wanted, known)
+  shown_measures <- chosen_some(wanted, known, "measures")
   field <- fields[1L]
   text <- !is.numeric(x[[field]])
   ticks <- if (text) unique(x[[field]])
@@ -124,7 +124,7 @@ has_response_curves <- function(x) {
 response_points <- function(x, wanted) {
   fields <- variations_fields(x)
   known <- names(x)[-seq_len(match("warning", names(x)))]
-  measures <- chosen_measures(wanted, known)
+  measures <- chosen_some(wanted, known, "measures")
   ticks <- lapply(x[fields], function(values) if (!is.numeric(values)) unique(values))
   single <- attr(x, "study")$how == "one_at_a_time"
   rows <- lapply(setNames(nm = fields), function(field) {

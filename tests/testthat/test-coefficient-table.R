@@ -122,12 +122,6 @@ test_that("every law of a plan is in the table, and arguments are checked", {
   expect_setequal(of("netting"), unlist(schema$`$defs`$netting_drag$enum))
   expect_setequal(of(c("otter_board", "kite")), unlist(schema$`$defs`$polar$anyOf[[1]]$enum))
   expect_setequal(of("wake"), setdiff(unlist(schema$`$defs`$shielding$enum), "none"))
-  for (wrong in list(0, NA, "a", c(1, 2))) {
-    expect_error(force_coefficients(reynolds = wrong), class = "codend_error_argument")
-  }
-  for (wrong in list(0, 0.6, "a", numeric())) {
-    expect_error(force_coefficients(solidity = wrong), class = "codend_error_argument")
-  }
 })
 
 test_that("coefficients are drawn to a file", {

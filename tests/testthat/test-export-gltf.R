@@ -111,12 +111,6 @@ test_that("a free otter board is a plate", {
   expect_equal(unique(t(plate)), t(board_corners(state)), tolerance = 1e-6, ignore_attr = TRUE)
 })
 
-test_that("a wrong file or object is refused", {
-  expect_error(write_gltf(settled("crossing_cables"), "a.obj"), "must be one path that ends in",
-    class = "codend_error_file")
-  expect_error(write_gltf(1, "a.glb"), class = "codend_error_argument")
-})
-
 test_that("a tow is an animation: every kept time is there, at its time", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()

@@ -213,14 +213,8 @@ test_that("the same state gives the same bytes", {
   expect_identical(unname(tools::md5sum(files[1])), unname(tools::md5sum(files[2])))
 })
 
-test_that("a wrong file is told before anything is written", {
+test_that("a file that cannot be written is told", {
   state <- settled("crossing_cables")
-  expect_error(write_vtk(state, "state.vtk"), "must be one path that ends in",
-    class = "codend_error_file")
-  expect_error(write_vtk(state, file.path(tempfile(), "a.vtu")), "folder that exists",
-    class = "codend_error_file")
-  expect_error(write_vtk(1, "a.vtu"), "must be a state or trajectory",
-    class = "codend_error_argument")
   folder <- test_folder()
   dir.create(file.path(folder, "taken.vtu"))
   expect_error(write_vtk(state, file.path(folder, "taken.vtu")), "could not be written",

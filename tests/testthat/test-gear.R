@@ -77,12 +77,9 @@ test_that("update changes, adds and takes out fields by path, and checks again",
   moved <- set_field(gear, "points.ship.position.3", "-5 m")
   expect_identical(gear_si(moved)$points$ship$position, c(0, 0, -5))
 
-  expect_error(update(gear, towing.sped = 1), "speed", class = "codend_error_plan")
   expect_error(update(gear, ropes.cabel.length = 1), "cable", class = "codend_error_plan")
-  expect_error(update(gear, ropes.cable.length = -1), "greater than 0", class = "codend_error_plan")
   expect_error(update(gear, towing.speed.x = 1), class = "codend_error_plan")
   expect_error(update(gear, water.current.1.speed = 1), class = "codend_error_plan")
-  expect_error(update(gear, 5), class = "codend_error_argument")
 })
 
 test_that("printing takes few lines and says what there is", {

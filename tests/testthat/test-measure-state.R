@@ -110,10 +110,6 @@ test_that("every measure says what it is, and most how a sensor sees it", {
   expect_identical(of_state$sensor, defined$sensor[match(kind, defined$name)])
 })
 
-test_that("only a state is measured", {
-  expect_error(measures(1), class = "codend_error_argument")
-})
-
 test_that("a record of a state goes into JSON and back", {
   state <- settled("towed_cable")
   record <- state_record(state)

@@ -15,7 +15,9 @@ wrong_calls <- expression(
   update(g, "3 knot"), update(g, 3), update(g, kind = "trawl"),
   update(g, pieces.sphere.mass = "1e400 kg"),
   update(g, pieces.sphere.at = "nowhere"), update(g, water.density = "1025 g"),
-  update(g, ropes.cable.segments = 2.5), write_gear(g), write_gear(1, "a.yaml"),
+  update(g, ropes.cable.segments = 2.5), update(g, towing.speed. = 1),
+  update(g, towing.speed = 1, towing.speed = 2), update(g, towing.speed = as.Date("2020-01-01")),
+  write_gear(g), write_gear(1, "a.yaml"),
   write_gear(g, "no/such/folder/a.yaml"), write_gear(g, 1),
   new_plan(), new_plan("no_such_gear"), new_plan(3),
   gear(), gear(1), gear("a", b = 3), gear("a", top = rope(length = 3)),
@@ -27,32 +29,42 @@ wrong_calls <- expression(
   settle(g, nodes = NA), settle(g, nodes = c(1, 2)), settle(g, nodes = Inf), settle(g, from = g),
   settle(g, from = 3), settle(g, accuracy = "1 m"), settle(g, accuracy = 0),
   settle(g, accuracy = "high"), settle(g, netting = "fine"), settle(g, netting = -1),
-  settle(g, from = other),
+  settle(g, from = other), settle(g, accuracy = -1),
   # what a state holds
   measures(), measures(g), measures("towed_cable"), measures(NULL), measures(s)["door_spread"],
   measures(s)["total_drag"], measures(s)[["total_drag"]], measures(s)$total_drag,
   measures(s)[c("total_drag_kN", "x")], s$total_drag, s$total_drag_kN,
   tensions_along(), tensions_along(g), tensions_along(s, "warp"), tensions_along(s, 1),
   mesh_openings(g), mesh_openings(s), mesh_openings(), board_modes(g), board_modes(),
-  findings(1), findings("a"), as.data.frame(s, what = 1),
+  findings(), findings(1), findings("a"), tr$total_drag, as.data.frame(s, what = 1),
   # pictures and files
   view_3d(), view_3d(g), view_3d(s, file = "a.png"), view_3d(s, file = 1),
+  view_3d(s, file = "a.htm"),
+  view_3d(s, file = "no/a.html"),
   view_3d(s, colour = "red"), view_3d(s, colour = 1), plot(s, planes = "ab"),
-  plot(s, file = "a.doc"), report(), report(s), report(g, "a.html"), report(s, "a.pdf"),
+  plot(s, planes = character()), plot(s, file = "a.doc"), report(), report(s), report(g, "a.html"),
+  report(s, "a.pdf"),
   report(s, "no/such/a.html"), write_gltf(), write_gltf(s), write_gltf(g, "a.glb"),
-  write_gltf(s, "a.obj"), write_gltf(s, "a.glb", colours = "rainbow"), write_vtk(s),
+  write_gltf(s, "a.obj"), write_vtk(s, "no/a.vtu"), write_gltf(s, "a.glb", colours = "rainbow"),
+  write_vtk(s),
   write_vtk(g, "a.vtu"), write_vtk(s, "a.stl"), write_state(s), write_state(g, "a.nc"),
   write_state(s, "a.rds"), read_state(), read_state("none.nc"), read_state(1),
   read_trajectory("none.nc"), read_trajectory(),
   # towing
   tow(), tow(g), tow(s), tow(g, until = -1), tow(g, until = "10 m"), tow(g, until = "soon"),
   tow(g, until = 10, speed = "fast"), tow(g, until = 10, every = -1), tow(1, until = 10),
-  state_at(), state_at(tr), state_at(s, 1), state_at(tr, 1e6), state_at(tr, -1),
+  tow(g, until = 2, speed = function() 3), state_at(), state_at(tr), state_at(s, 1),
+  state_at(tr, 1e6), state_at(tr, -1),
   state_at(tr, "a week"), state_at(tr, c(1, 2)), write_trajectory(s, "a.nc"),
   # studies
   sensitivities(), sensitivities(g), sensitivities(s, of = "drag"), sensitivities(s, to = "speed"),
   sensitivities(s, to = 3), sensitivities(s, secants = 1), vary(), vary(1), vary(g, 3),
-  vary(g, towing.sped = 1:2), vary(g, towing.speed = c("3 knot", "x")),
+  vary(g, towing.sped = 1:2), vary(g, towing.speed = NULL),
+  vary(g, towing.speed = list(1, 2)), vary(g, towing.speed = c(1, NA)), vary(g, 1:3),
+  vary(g, towing.speed = 1, towing.speed = 2), vary(g, towing.speed = c("2 knot", "3 kg")),
+  vary(g, towing.speed = 2, nodes = 0), uncertainty(s, "drag"), uncertainty(s, level = 2),
+  uncertainty(s, method = "guess"),
+  uncertainty(), share(), share(s), vary(g, towing.speed = c("3 knot", "x")),
   vary(g, towing.speed = 2, nodes = "a"), vary(g, towing.speed = 2, tasks = 0),
   vary(g, towing.speed = value_range(1, 2)), designs(), designs(3), designs(a = value_range(2, 1)),
   designs(towing.speed = value_range(1, 2), how = "best"),
@@ -76,7 +88,9 @@ wrong_calls <- expression(
   sample_posterior(), sample_posterior(1), explain_misfit(), explain_misfit(1), tow_speed(),
   tow_speed(1), read_sensor_log(), read_sensor_log("none.csv"), haul_means(1),
   read_currents("none.nc"), current_profile(), current_profile(1), flume(1), flume(fields = "a"),
-  force_coefficients(reynolds = -1), force_coefficients(solidity = 2)
+  force_coefficients(reynolds = -1), force_coefficients(reynolds = NA),
+  force_coefficients(reynolds = c(1, 2)), force_coefficients(solidity = 2),
+  force_coefficients(solidity = 0), force_coefficients(solidity = numeric()), haul_means(1, 5, 6)
 )
 
 test_that("wrong calls stop with an error of codend's that says what is wrong", {
@@ -105,6 +119,7 @@ test_that("wrong calls stop with an error of codend's that says what is wrong", 
     paste0(paste(deparse(call, 500L), collapse = " "), "\n  ", said)
   }, "")
   expect_gte(length(texts), 150L)
+  expect_identical(list.files(all.files = TRUE, no.. = TRUE), character())
   expect_identical(grep("\n  (nothing is wrong|base error)", texts, value = TRUE), character())
   expect_snapshot(cat(texts, sep = "\n"), cran = TRUE)
 })

@@ -38,11 +38,10 @@ test_that("an argument of several words is told with the nearest", {
   state <- settled("towed_cable")
   expect_error(as.data.frame(state, what = "tension_"), "Did you mean \"tensions\"",
     class = "codend_error_argument")
-  expect_error(as.data.frame(state, what = 3), "must be one of", class = "codend_error_argument")
   expect_identical(as.data.frame(state, what = "react"), as.data.frame(state, what = "reactions"))
-  expect_error(chosen_measures(c("a_kN", "b_kM"), c("a_kN", "b_kN")), "Did you mean \"b_kN\"",
+  expect_error(chosen_some(c("a_kN", "b_kM"), c("a_kN", "b_kN")), "Did you mean \"b_kN\"",
     class = "codend_error_argument")
-  expect_identical(chosen_measures(NULL, c("a", "b")), c("a", "b"))
+  expect_identical(chosen_some(NULL, c("a", "b")), c("a", "b"))
 })
 
 test_that("a state is not changed but its gear is", {

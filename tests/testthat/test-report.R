@@ -97,17 +97,6 @@ test_that("a tow's report has its measures against time", {
   expect_equal(as_number(said[, 4]), of$end, tolerance = 1e-3)
 })
 
-test_that("wrong arguments are one clear error and leave nothing", {
-  folder <- test_folder()
-  wrong <- function(...) expect_error(report(...), class = "codend_error_argument")
-  state <- settled("crossing_cables")
-  wrong_file <- function(...) expect_error(report(...), class = "codend_error_file")
-  wrong_file(state, file.path(folder, "a.pdf"))
-  wrong_file(state, file.path(folder, "none", "a.html"))
-  wrong(list(), file.path(folder, "a.html"))
-  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
-})
-
 test_that("a browser draws it without an error", {
   browser <- Sys.which(c("chromium", "chromium-browser", "google-chrome"))
   browser <- browser[nzchar(browser)]

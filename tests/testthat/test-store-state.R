@@ -61,9 +61,6 @@ test_that("other files are refused with their reason", {
   expect_error(read_state(file), "no state", class = "codend_error_file")
   writeLines("text", file)
   expect_error(read_state(file), "no NetCDF", class = "codend_error_file")
-  expect_error(write_state(settled("towed_cable"), file.path(folder, "a.csv")),
-    class = "codend_error_file")
-  expect_error(write_state(1, file), class = "codend_error_argument")
 })
 
 test_that("Python's standard library reads a state, and its plan is a plan", {

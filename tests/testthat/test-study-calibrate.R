@@ -146,7 +146,6 @@ test_that("wrong data, matches and errors are one error that names them", {
   expect_error(confint(fit, "mass"), "parm.*mass", class = "codend_error_argument")
   expect_error(predict(fit, data.frame(a = 1)), "towing.speed", class = "codend_error_argument")
   expect_error(residuals(fit, "raw"), "type.*raw", class = "codend_error_argument")
-  expect_error(explain_misfit(3), "fit", class = "codend_error_argument")
   expect_error(explain_misfit(fit, to = "towing.speed"), "towing.speed",
     class = "codend_error_argument")
   expect_error(plot(fit, by = "depth"), "by.*depth", class = "codend_error_argument")

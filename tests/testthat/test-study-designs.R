@@ -117,7 +117,7 @@ test_that("wrong arguments are told", {
   }
   wrong(designs(), "at least one field")
   wrong(designs(1:3), "named by its path")
-  wrong(designs(a.b = 1, how = "best"), "must be any of")
+  wrong(designs(a.b = 1, how = "best"), "must be one of")
   wrong(designs(a.b = value_range(1, 2)), "how many designs")
   wrong(designs(a.b = value_range(1, 2), number = 0), "1 or more")
   wrong(designs(a.b = value_range(1, 2), number = 8, seed = 1.5), "whole number")

@@ -182,9 +182,6 @@ test_that("a lower bound is kept with its probability", {
 
 test_that("wrong arguments are named", {
   state <- settle(known_sphere())
-  expect_error(uncertainty(state, "drag"), class = "codend_error_argument")
-  expect_error(uncertainty(state, level = 2), class = "codend_error_argument")
-  expect_error(uncertainty(state, method = "guess"), class = "codend_error_argument")
   expect_error(uncertainty(known_sphere()), class = "codend_error")
   expect_error(plot(uncertainty(state), sources = "nothing"), class = "codend_error_argument")
 })

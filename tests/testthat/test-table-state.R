@@ -74,7 +74,6 @@ test_that("measures, drag and reactions are tables too", {
   expect_equal(table$unit[table$measure == "tow_power_kW"], "kW")
   expect_equal(as.data.frame(state, what = "drag"), summary(state)$drag)
   expect_equal(as.data.frame(state, what = "reactions")$point, "ship")
-  expect_error(as.data.frame(state, what = "colours"))
   # a table asked for without its name would be taken for row names
   expect_error(as.data.frame(state, "drag"))
 })

@@ -122,18 +122,6 @@ test_that("vessels stand where warps leave the water", {
   expect_length(state_scene(unsettled("gillnet"))$vessels, 0)
 })
 
-test_that("wrong arguments are clear errors that leave nothing", {
-  state <- unsettled("crossing_cables")
-  folder <- test_folder()
-  wrong <- function(...) expect_error(view_3d(...), class = "codend_error_argument")
-  wrong_file <- function(...) expect_error(view_3d(...), class = "codend_error_file")
-  wrong_file(state, file = file.path(folder, "a.htm"))
-  wrong_file(state, file = file.path(folder, "no", "a.html"))
-  wrong(list())
-  wrong(state, colour = "red")
-  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
-})
-
 test_that("no name of a plan can end or hide what follows it in a page", {
   plan <- read_gear("towed_cable")$plan
   plan$name <- "<!-- <script> </script> & \u003c"
