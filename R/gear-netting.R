@@ -61,6 +61,9 @@
 #' 1) back to the sum. Netting so open that its twines are far apart is none: from a solidity of
 #' 0.05 down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
 #' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
+#' Along the flow screens have a drag coefficient of 0 to 0.04 on their whole area;
+#' `multipliers.screen_friction` adds one on the area of the twine, 0 where a plan gives none, whose
+#' doubt [uncertainty()] counts.
 #' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
 #' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:
 #' where the plan's law is

@@ -1,5 +1,6 @@
 # Multipliers of components of force: what of the laws of drag, lift and friction is uncertain as a
-# whole. Forces are linear in each.
+# whole. Forces are linear in each. Laws of a screen have little or no drag along the flow, of which a
+# factor says nothing: there it is a coefficient that is added, and 0 leaves the force as it is.
 
 # What each multiplies, in words; in the order of the schema.
 force_multipliers <- c(
@@ -9,6 +10,7 @@ force_multipliers <- c(
   twine_tangential_drag = "drag of netting along its twines",
   screen_drag = "drag of netting as a screen",
   screen_lift = "lift of netting as a screen",
+  screen_friction = "friction of netting as a screen along the flow",
   knot_drag = "drag of knots",
   mesh_opening = "stiffness of meshes against opening",
   float_drag = "drag of floats",
@@ -19,13 +21,18 @@ force_multipliers <- c(
   ground_gear_weight = "weight of ground gear in water"
 )
 
+# Which multipliers, by name, change the force.
+is_multiplied <- function(by) {
+  mapply(function(value, name) any(value != (name != "screen_friction")), by, names(by))
+}
+
 # Roles of ropes and pieces that are ground gear.
 ground_roles <- c("ground_gear", "footrope_extension", "tickler", "disc", "bobbin")
 
-# Numbers of a gear, list(gear, model), with components of force multiplied. by: factors named as
-# force_multipliers, the gear's own by default; none or all 1: as they are, to the bit.
+# Numbers of a gear, list(gear, model), with components of force multiplied. by: multipliers named as
+# force_multipliers, the gear's own by default; none that changes a force: as they are, to the bit.
 multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
-  by <- by[by != 1]
+  if (length(by)) by <- by[is_multiplied(by)]
   if (!length(by)) return(numbers)
   factor <- function(name) if (name %in% names(by)) by[[name]] else 1
   gear <- numbers$gear
@@ -53,7 +60,8 @@ multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
   model$multipliers <- list(
     normal = by_line("rope_normal_drag", "twine_normal_drag"),
     blended_normal = factor("twine_normal_drag"),
-    screen_drag = factor("screen_drag"), screen_lift = factor("screen_lift")
+    screen_drag = factor("screen_drag"), screen_lift = factor("screen_lift"),
+    screen_friction = if ("screen_friction" %in% names(by)) by[["screen_friction"]] else 0
   )
   model$materials$tangential_share <- model$materials$tangential_share *
     by_line("rope_tangential_drag", "twine_tangential_drag")

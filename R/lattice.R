@@ -109,7 +109,7 @@ engine_numbers <- function(si, model, found) {
     found[c("nodes", "held", "ties")],
     model[c("water", "slack_twine")],
     found[c("load", "mass")],
-    model[c("materials", "load_table", if (any(unlist(model$multipliers) != 1)) "multipliers")],
+    model[c("materials", "load_table", if (any(is_multiplied(model$multipliers))) "multipliers")],
     found[c("bars", "cells", "spheres", "lifts")],
     list(
       plates = Map(function(plate, board) {

@@ -121,6 +121,11 @@ uncertain_share <- function(said, value, dimension) {
   size(said) / abs(value)
 }
 
+# What shares of a number are of: itself, or 1 where it is 0.
+whole_of <- function(value) if (value == 0) 1 else abs(value)
+
+changed_number <- function(value, share) if (value == 0) share else value * (1 + share)
+
 # The share by which each number that a plan speaks of is uncertain, by path. An error names what is
 # wrong.
 uncertain_shares <- function(plan) {
@@ -136,6 +141,7 @@ uncertain_shares <- function(plan) {
     }
     dimension <- first_of(field$node[["x-dimension"]], "number")
     value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
+    if (dimension == "number") value <- whole_of(value)
     share <- uncertain_share(said[[path]], value, dimension)
     if (!is.finite(value) || value == 0 || !is.finite(share) || share < 0) {
       abort_field(here, said[[path]], paste(

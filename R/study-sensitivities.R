@@ -185,7 +185,8 @@ scaled_plan <- function(plan, field, share) {
   for (k in seq_along(field$paths)) {
     # fields of different values change by the same share
     one <- if (is.null(field$parts)) field else field$parts[[k]]
-    plan <- set_plan_field(plan, field$paths[k], field_text(one$value * (1 + share), one))
+    text <- field_text(changed_number(one$value, share), one)
+    plan <- set_plan_field(plan, field$paths[k], text)
   }
   plan
 }
@@ -264,7 +265,8 @@ near_shown <- function(values, work) setNames(values[work$place] / work$unit, wo
 field_numbers <- function(work, field, share) {
   if (!is.null(field$multiplier)) {
     by <- unlist(work$own$si$multipliers)
-    by[field$multiplier] <- (1 + share) * by[field$multiplier]
+    by[field$multiplier] <- changed_number(by[[field$multiplier]], share)
+    if (by[field$multiplier] < 0) return(NULL)
     return(near_numbers(work, work$own$si, by))
   }
   gear <- work$state$gear

@@ -14,7 +14,7 @@ known_priors <- function(gear, paths) {
     number <- field_number(gear$plan, path)
     own <- number$value
     mean <- own * (1 + source$off)
-    sd <- abs(own) * source$share
+    sd <- whole_of(own) * source$share
     # a force keeps its direction
     ends <- c(max(mean - normal_reach * sd, if (!is.null(source$multiplier)) 0.05 * own), mean +
       normal_reach * sd)
@@ -62,7 +62,7 @@ calibrated_sources <- function(sources, fit) {
     source <- list(
       name = if (is_multiplier) force_multipliers[[multiplier]] else path_words_of(path),
       group = if (is_multiplier) "coefficients" else "plan", paths = path,
-      share = if (is.finite(error)) error / abs(fields$value[k]) else 0, off = 0,
+      share = if (is.finite(error)) error / whole_of(fields$value[k]) else 0, off = 0,
       calibrated = fields$field[k]
     )
     if (is_multiplier) source$multiplier <- multiplier

@@ -18,7 +18,8 @@ table_share <- function(text, value = 1) {
   quantity_si(text, if (is.na(dimension)) "number" else dimension) / abs(value)
 }
 
-# The sources of uncertainty of a gear: a list of list(name, group, share (standard uncertainty),
+# The sources of uncertainty of a gear: a list of list(name, group, share (standard uncertainty, of
+# the value, or of 1 where it is 0),
 # paths or multiplier, off: by how much its mean is off, as a share).
 uncertainty_sources <- function(gear) {
   c(multiplier_sources(gear), field_sources(gear))
@@ -31,9 +32,10 @@ multiplier_sources <- function(gear) {
   lapply(names(force_multipliers), function(name) {
     path <- paste0("multipliers.", name)
     row <- table[table$group == "coefficients" & table$field == name, ]
+    value <- whole_of(field_number(gear$plan, path)$value)
     source <- list(
       name = force_multipliers[[name]], group = "coefficients", multiplier = name, paths = path,
-      share = table_share(row$uncertainty), off = 0, correlated = FALSE
+      share = table_share(row$uncertainty, value), off = 0, correlated = FALSE
     )
     if (path %in% names(own)) {
       source$share <- own[[path]]

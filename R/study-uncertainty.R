@@ -10,7 +10,13 @@
 #' - coefficients: the plan's `multipliers` of components of force, with the standard deviations and
 #'   correlations that the validation book leaves (`validation/conditioning.md`); those of boards,
 #'   friction and ground gear, of which another gear says nothing, with the spread of published
-#'   values;
+#'   values. Netting that lies along the flow has friction, of which laws of whole sheets
+#'   (`blended`, `kristiansen_faltinsen`) have none. `multipliers.screen_friction` adds it, as a drag
+#'   coefficient on the twine's area: 0 by default, with a standard uncertainty of 0.02, upward
+#'   alone: Hoerner's friction of twine along the flow, of 0 to 0.1 that laws of twines have. Nets
+#'   of farms had more (0.3 of the drag across the flow, Nino et al. 2020), but the hauls and tanks
+#'   of the validation book leave no room for it. Of trawls by `blended` it makes some 5 % of the
+#'   drag;
 #' - plan: numbers with an uncertainty of their own, `{value: 4 mm, uncertainty: 10 %}` or
 #'   `{range: [3.8 mm, 4.2 mm]}`, which is evenly distributed; others have that of their kind, from
 #'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
@@ -47,7 +53,8 @@
 #'     from `coefficients`, `plan`, `conditions`, `lattice` and `model`, the effective degrees of
 #'     `freedom`, and `smooth`;
 #'   - `sources`: a data frame with a row per measure and source, the largest first: `measure`,
-#'     `source`, `group`, `share` (standard uncertainty of the source, as a share), `contribution`
+#'     `source`, `group`, `share` (standard uncertainty of the source, as a share of its value, or
+#'     of 1 where that is 0), `contribution`
 #'     (to the measure, in its unit, with its sign) and `percent` of the measure's variance;
 #'   - `narrow`: a data frame with a row per measure: the single measurement (`by`) that would
 #'     narrow it most and the standard uncertainty `left` with it, and the next two;
@@ -369,9 +376,11 @@ sample_measures <- function(state, sources, correlation, samples, of) {
     source <- sources[[use[k]]]
     field <- common_field(state$gear$plan, source$paths)
     share <- pmax(z[, k] * source$share + source$off, -0.9)
+    # what is 0 is never less
+    if (any(vapply(field$parts, `[[`, 0, "value") == 0)) share <- abs(share)
     for (p in seq_along(source$paths)) {
       columns[[source$paths[p]]] <- vapply(share, function(one) {
-        text <- field_text(field$parts[[p]]$value * (1 + one), field$parts[[p]])
+        text <- field_text(changed_number(field$parts[[p]]$value, one), field$parts[[p]])
         as.character(text)
       }, "")
       if (!nzchar(field$parts[[p]]$unit)) {

@@ -245,8 +245,9 @@ all_slopes <- function() {
 
 kinds <- c("spread", "height", "force", "angle")
 
-# Multipliers of what belongs to a gear or a ground.
-own_multipliers <- c("board_lift", "board_drag", "ground_friction", "ground_gear_weight")
+# Multipliers of what belongs to a gear or a ground, and what is no factor.
+own_multipliers <- c("board_lift", "board_drag", "ground_friction", "ground_gear_weight",
+  "screen_friction")
 
 # Rows one below the other, with the covariance that each sort of source gives.
 stacked <- function(rows) {

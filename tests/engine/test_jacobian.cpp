@@ -483,7 +483,8 @@ TEST_CASE("derivatives with multipliers of components of force") {
 
 // Forces of drag are linear in every multiplier, and their components make up the whole.
 TEST_CASE("multipliers scale the forces that they are of, and no other") {
-  auto forces = [](double normal, double blended, double drag, double lift, double tangential) {
+  auto forces = [](double normal, double blended, double drag, double lift, double friction,
+                   double tangential) {
     Random random(20260413);
     Ingredients wanted;
     wanted.bars = 6;
@@ -497,6 +498,7 @@ TEST_CASE("multipliers scale the forces that they are of, and no other") {
     s.model.multipliers.blended_normal = blended;
     s.model.multipliers.screen_drag = drag;
     s.model.multipliers.screen_lift = lift;
+    s.model.multipliers.screen_friction = friction;
     s.model.load.assign(s.model.load.size(), 0.0);
     s.model.prepare();
     Assembly assembly(s.model);
@@ -505,17 +507,17 @@ TEST_CASE("multipliers scale the forces that they are of, and no other") {
     assembly.residual(out.data());
     return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<int>(out.size())));
   };
-  const Eigen::VectorXd one = forces(1, 1, 1, 1, 1), two = forces(2, 2, 2, 2, 2);
+  const Eigen::VectorXd one = forces(1, 1, 1, 1, 1, 1), two = forces(2, 2, 2, 2, 2, 2);
   const double size = one.cwiseAbs().maxCoeff();
   REQUIRE(size > 0.0);
   // rounding of sums of some hundred terms; the pull of bars of 1e-15 N is far below it
   CHECK((two - 2.0 * one).cwiseAbs().maxCoeff() < 1e-12 * size);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(one.size());
-  for (int k = 0; k < 5; ++k) {
-    double m[5] = {1, 1, 1, 1, 1};
+  for (int k = 0; k < 6; ++k) {
+    double m[6] = {1, 1, 1, 1, 1, 1};
     m[k] = 2.0;
-    const Eigen::VectorXd component = forces(m[0], m[1], m[2], m[3], m[4]) - one;
-    if (k != 4) CHECK(component.cwiseAbs().maxCoeff() > 1e-6 * size);
+    const Eigen::VectorXd component = forces(m[0], m[1], m[2], m[3], m[4], m[5]) - one;
+    if (k != 5) CHECK(component.cwiseAbs().maxCoeff() > 1e-6 * size);
     sum += component;
   }
   CHECK((sum - one).cwiseAbs().maxCoeff() < 1e-12 * size);

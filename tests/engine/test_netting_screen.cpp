@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 // A square cell with sides of 1 m whose normal stands at `angle` to a flow of `speed`
 // along x, of netting of this solidity; its drag and lift over 1/2 rho A U^2.
 void coefficients(int law, double solidity, double angle, double reynolds, double& drag,
-                  double& lift) {
+                  double& lift, double friction = 0.0) {
   const double x[] = {
       0.0, 0.0, 0.0, -std::sin(angle), std::cos(angle), 0.0, -std::sin(angle), std::cos(angle), 1.0,
       0.0, 0.0, 1.0};
@@ -32,6 +32,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
   screens.diameter = screens.height = {diameter};
   screens.multiplicity = {1.0};
   screens.law = {static_cast<NettingScreenLaw>(law)};
+  screens.multipliers.friction = friction;
   screens.prepare();
   const Field field{x, v, &water};
   const Vector force = screens.element_force(0, field);
@@ -69,6 +70,18 @@ TEST_CASE("screens have the coefficients of their published formulas") {
       coefficients(laws[k], row[0], row[1] * pi / 180.0, 1000.0, drag, lift);
       CHECK(std::abs(drag - row[2 + 2 * k]) < 5.1e-6);
       CHECK(std::abs(lift - row[3 + 2 * k]) < 5.1e-6);
+    }
+  }
+}
+
+TEST_CASE("friction adds its coefficient on the twine along the flow, at any angle") {
+  for (int law = 0; law < 3; ++law) {
+    for (const double angle : {0.0, 1.2, 0.5 * pi}) {
+      double drag, lift, rubbed_drag, rubbed_lift;
+      coefficients(law, 0.2, angle, 1000.0, drag, lift);
+      coefficients(law, 0.2, angle, 1000.0, rubbed_drag, rubbed_lift, 0.3);
+      CHECK(rubbed_drag == doctest::Approx(drag + 0.3 * 0.2).epsilon(1e-12));
+      CHECK(rubbed_lift == doctest::Approx(lift).epsilon(1e-12));
     }
   }
 }

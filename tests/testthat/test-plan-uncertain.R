@@ -75,9 +75,10 @@ test_that("multipliers scale their component of force and nothing else", {
   # a thin line and a sphere: all but some 1e-8 of the drag is the sphere's
   expect_equal(measures(two)[["total_drag_kN"]], 2 * measures(one)[["total_drag_kN"]],
     tolerance = 1e-7)
-  plan$multipliers <- as.list(setNames(rep(1, length(force_multipliers)), names(force_multipliers)))
+  known <- path_node(list(), "multipliers")$properties
+  plan$multipliers <- lapply(known, `[[`, "default")
   expect_identical(settle(as_gear(plan))$position, one$position)
-  expect_identical(names(path_node(list(), "multipliers")$properties), names(force_multipliers))
+  expect_identical(names(known), names(force_multipliers))
 })
 
 test_that("every multiplier of a trawl is linear in its force, and its short form hands it on", {
@@ -91,12 +92,13 @@ test_that("every multiplier of a trawl is linear in its force, and its short for
   }
   one <- net_force(numeric())
   of <- names(force_multipliers)
-  component <- lapply(setNames(of, of), function(name) net_force(setNames(2, name)) - one)
+  own <- unlist(state$si$multipliers)
+  component <- lapply(setNames(of, of), function(name) net_force(own[name] + 1) - one)
   size <- vapply(component, function(force) max(abs(force)), 0)
   # this gear has no bodies but its floats, and no turned netting that its twine holds open
   expect_identical(of[size == 0], c("mesh_opening", "piece_drag"))
   for (name in of) {
-    half <- net_force(setNames(0.5, name)) - one
+    half <- net_force(own[name] - 0.5) - one
     expect_lt(max(abs(half + component[[name]] / 2)), 1e-11 * max(size))
   }
   gear <- update(settled_gear("poly_noreastern_trawl"), multipliers = list(board_lift = 1.1))

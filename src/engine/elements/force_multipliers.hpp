@@ -16,6 +16,8 @@ struct ForceMultipliers {
   double blended_normal = 1.0;  // the same of the twines of blended netting
   // Of netting as a screen, blended netting's share of it too.
   double screen_drag = 1.0, screen_lift = 1.0;
+  // Its drag coefficient along the flow besides, on the area of twine: what is added, no factor.
+  double screen_friction = 0.0;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -23,6 +25,7 @@ struct ForceMultipliers {
     visit("blended_normal", blended_normal);
     visit("screen_drag", screen_drag);
     visit("screen_lift", screen_lift);
+    visit("screen_friction", screen_friction);
   }
 };
 

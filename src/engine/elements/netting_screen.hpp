@@ -7,7 +7,8 @@
 //
 //   F = 1/2 rho A |U|^2 (C_D U/|U| + C_L l),  l = n - cos th U/|U|, made a unit vector
 //
-// shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. Sn: base/solidity.hpp.
+// and C_F in C_D besides, C_F A the friction coefficient that is asked for times the twine area;
+// it is shared by the corners as what is spread evenly (cell_shape.hpp), and so is U. Sn: base/solidity.hpp.
 // A cell that closes up loses its area: Sn is held at the law's end, and the force goes to zero.
 #pragma once
 

@@ -34,9 +34,9 @@ struct ScreenCoefficients {
   ScreenCoefficient lift_per_sine;  // C_L / sin theta
 };
 
-// Factors on both.
+// Factors on both, and a drag coefficient along the flow, on the area of twine and knots, that is added.
 struct ScreenMultipliers {
-  double drag = 1.0, lift = 1.0;
+  double drag = 1.0, lift = 1.0, friction = 0.0;
 };
 
 // cosine: of theta, 0 to 1; reynolds: U d / nu of a twine.
