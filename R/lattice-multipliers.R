@@ -1,6 +1,6 @@
 # Multipliers of components of force: what of the laws of drag, lift and friction is uncertain as a
-# whole. Forces are linear in each. Laws of a screen have little or no drag along the flow, of which a
-# factor says nothing: there it is a coefficient that is added, and 0 leaves the force as it is.
+# whole. Forces are linear in each. Laws of a screen have little or no drag along the flow, of which
+# a factor says nothing: there it is a coefficient that is added, and 0 leaves the force as it is.
 
 # What each multiplies, in words; in the order of the schema.
 force_multipliers <- c(
@@ -29,8 +29,9 @@ is_multiplied <- function(by) {
 # Roles of ropes and pieces that are ground gear.
 ground_roles <- c("ground_gear", "footrope_extension", "tickler", "disc", "bobbin")
 
-# Numbers of a gear, list(gear, model), with components of force multiplied. by: multipliers named as
-# force_multipliers, the gear's own by default; none that changes a force: as they are, to the bit.
+# Numbers of a gear, list(gear, model), with components of force multiplied. by: multipliers named
+# as force_multipliers, the gear's own by default; none that changes a force: as they are, to the
+# bit.
 multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
   if (length(by)) by <- by[is_multiplied(by)]
   if (!length(by)) return(numbers)

@@ -43,8 +43,8 @@
 #'   in the plan.
 #' @param from A state to start from: of this gear, or of one with the same ropes, panels and
 #'   points, at another speed, warp or design. Many times faster than to start anew where the change
-#'   is small and as many `nodes` are used; where that start does not lead to balance the gear
-#'   is settled anew.
+#'   is small and as many `nodes` are used; where that start does not lead to balance, or netting
+#'   holds another catch, the gear is settled anew.
 #' @param accuracy Largest discretisation error of the main measures, such as `"1 %"`: the gear
 #'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
 #'   are the total drag, the spreads, heights, areas and volumes that the plan needs, and the
@@ -98,7 +98,7 @@ settled_state <- function(gear, nodes, netting, from) {
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
-  if (!is.null(from) && !has_less_catch(si, from$si)) {
+  if (!is.null(from) && !has_other_catch(si, from$si)) {
     found <- settle_level(si, nodes, netting, state_shape(from), progress)
   }
   if (!isTRUE(found$report$converged)) {

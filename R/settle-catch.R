@@ -45,11 +45,12 @@ settle_catch <- function(si, lattice, solve) {
   found
 }
 
-# Whether netting holds less of a catch than before. Netting ahead of a catch has several balances:
-# the one that a growing catch reaches is taken from every start.
-has_less_catch <- function(si, before) {
+# Whether netting holds another catch than before. Netting ahead of a catch has several balances,
+# and which of them steps from a state lead to depends on its catch: the one that is found from
+# nothing is taken from every start.
+has_other_catch <- function(si, before) {
   held <- function(si) unlist(si$catch[c("blocked", "volume")])
-  any(held(si) < held(before), na.rm = TRUE)
+  any(held(si) != held(before), na.rm = TRUE)
 }
 
 # The volume grows with a power of the meshes behind the front that changes slowly: a secant through

@@ -62,3 +62,19 @@ test_that("where steps from a state do not close in its lattice is settled from 
     line_part(lattice), settle_tolerance, settle_iterations, function(...) NULL)
   expect_equal(as.double(near$position), bare$position, tolerance = 1e-6)
 })
+
+test_that("a codend that is filled in steps ends as one that is filled at once", {
+  codend <- read_gear("t90_codend")
+  filled <- function(meshes, from = NULL) {
+    suppressWarnings(settle(update(codend, catch.blocked_meshes = meshes), 1500, from = from))
+  }
+  at_once <- filled(12)
+  # with 4 meshes it is flat, and steps from there would stay on a balance of half the volume
+  by_steps <- filled(12, filled(8, filled(4)))
+  expect_identical(by_steps$position, at_once$position)
+  expect_identical(by_steps$report$iterations, at_once$report$iterations)
+  # the same catch under another flow still starts from the state, and keeps its shape
+  faster <- update(by_steps$gear, towing.speed = "3.03 knot")
+  expect_equal(measures(settle(faster, from = by_steps)), measures(settle(faster, 1500)),
+    tolerance = 1e-6, ignore_attr = TRUE)
+})

@@ -84,7 +84,8 @@ test_that("friction of netting along the flow counts where its law has none", {
   expect_equal(found$contribution, unname(change[found$measure]), tolerance = 0.1)
   expect_gt(found$contribution[found$measure == "total_drag_kN"], 0)
   # by the sum over twines there is nothing to add, and what a plan says of it counts
-  summed <- quick_slopes(tangent_work(settled("towed_cable")), source_field(source, gear$plan), 0.02)
+  cable <- tangent_work(settled("towed_cable"))
+  summed <- quick_slopes(cable, source_field(source, gear$plan), 0.02)
   expect_true(all(summed$slope == 0))
   known <- update(gear, uncertain = list(multipliers.screen_friction = "0.03"))
   source <- Find(function(source) source$name == name, multiplier_sources(known))
