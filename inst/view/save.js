@@ -56,7 +56,9 @@ window.codendView.save = function (host, viewer, parts) {
       }
       context.fill();
       // the sides of its border
-      [['Left', 0, 0, 0, 1], ['Right', 1, 0, 1, 1], ['Top', 0, 0, 1, 0], ['Bottom', 0, 1, 1, 1]].forEach(function (side) {
+      [
+        ['Left', 0, 0, 0, 1], ['Right', 1, 0, 1, 1], ['Top', 0, 0, 1, 0], ['Bottom', 0, 1, 1, 1]
+      ].forEach(function (side) {
         var width = parseFloat(style['border' + side[0] + 'Width']);
         if (!width || one.className === 'ball') return;
         context.strokeStyle = style['border' + side[0] + 'Color'];
@@ -148,7 +150,8 @@ window.codendView.save = function (host, viewer, parts) {
 
   var panel = element('div', 'view-keys view-save'), said = element('div', 'said', '', { role: 'status' });
   panel.hidden = true;
-  var label = element('label', '', ' with title and legend'), worded = element('input', '', undefined, { type: 'checkbox' });
+  var label = element('label', '', ' with title and legend');
+  var worded = element('input', '', undefined, { type: 'checkbox' });
   worded.checked = true;
   label.insertBefore(worded, label.firstChild);
   panel.appendChild(label);

@@ -1201,9 +1201,10 @@ window.codendView.viewer = function (host, options) {
     look: look,
     frame: function (from) {
       look_again();
-      look({ turn: from.turn === undefined ? camera.turn : from.turn, rise: from.rise === undefined ? camera.rise : from.rise });
+      var at = Object.assign({ turn: camera.turn, rise: camera.rise, near: 1 }, from);
+      look({ turn: at.turn, rise: at.rise });
       aim();
-      camera.away *= from.near || 1;
+      camera.away *= at.near;
     },
     picture: saver.picture,
     film: saver.film,
