@@ -78,6 +78,36 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
     since <- 0
     seconds <- function() proc.time()[["elapsed"]]
 
+    # A page that changes its design before it was answered, which a hand at a slider does not, is
+    # answered once for all these changes.
+    under_way <- FALSE
+    asked_again <- NULL  # the number of the last of them
+    take_design <- function(given) {
+      number <- number_of(given)
+      gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
+      of_this_gear <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
+      if (is.null(tank$gear) || !of_this_gear) return(said("flume_idle", answers = number))
+      edits <- if (is.list(given$edits)) given$edits else list()
+      understood <- NULL
+      if (!trying("design", understood <- tank$edit(edits, gesture), number)) return()
+      # of what was not changed in the form
+      if (isTRUE(given$anew)) tank$lay_out()
+      if (!under_way) return(ask_design(number, understood))
+      if (!is.null(asked_again)) said("flume_idle", answers = asked_again)
+      asked_again <<- number
+    }
+    ask_design <- function(number, understood = list()) {
+      under_way <<- TRUE
+      show_draft(understood, settling = TRUE)
+      ask_worker("design", NULL, number)
+    }
+    design_answered <- function() {
+      under_way <<- FALSE
+      number <- asked_again
+      asked_again <<- NULL
+      if (!is.null(number)) ask_design(number)
+    }
+
     # Asks the worker for another gear, or for the draft as it is when its turn comes (kind
     # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so
     # does the last shape. Where only its shape has come, that is shown before the rest is asked
@@ -98,6 +128,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
         pause <- if (kind == "rest" && seconds() - since < rest_every) rest_pause else 0
         worker$ask(kind, make, pause = pause, then = function(answer) {
           if (session$isClosed()) return()
+          if (kind == "design") on.exit(design_answered())
           # a later one has its place
           if (is.null(answer)) return(said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
@@ -165,20 +196,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       show_draft()
     })
 
-    shiny::observeEvent(input$design, {
-      given <- as.list(input$design)
-      number <- number_of(given)
-      gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
-      of_this_gear <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
-      if (is.null(tank$gear) || !of_this_gear) return(said("flume_idle", answers = number))
-      edits <- if (is.list(given$edits)) given$edits else list()
-      understood <- NULL
-      if (!trying("design", understood <- tank$edit(edits, gesture), number)) return()
-      # of what was not changed in the form
-      if (isTRUE(given$anew)) tank$lay_out()
-      show_draft(understood, settling = TRUE)
-      ask_worker("design", NULL, number)
-    })
+    shiny::observeEvent(input$design, take_design(as.list(input$design)))
     for (kind in c("plan_file", "plan_text", "shipped", "new")) {
       local({
         kind <- kind

@@ -31,15 +31,16 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   tank$count_picture <- function() count(tank$changed)
   tank$count_slopes <- function() count(tank$slopes_changed)
   tank$count_uncertainty <- function() count(tank$uncertainty_changed)
+  paths_of <- remembered(given_paths)
   tank$form <- function() {
     plan <- tank$draft$plan
-    tank$laid_out <- given_paths(plan)
+    tank$laid_out <- paths_of(plan)
     form_message(plan, marked_of(marked, plan), tank$turn, say)
   }
   # The form is made anew, whether its fields are others or not.
   tank$lay_out <- function() tank$laid_out <- NULL
   # Whether the form has other fields than the draft.
-  tank$form_is_old <- function() !identical(tank$laid_out, given_paths(tank$draft$plan))
+  tank$form_is_old <- function() !identical(tank$laid_out, paths_of(tank$draft$plan))
 
   # A request of a worker that holds the state of a number.
   tank$request <- function(kind, said, holds = 0L, number = 0) {

@@ -17,15 +17,15 @@ const flood = Number(process.argv[4] || 0);
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const wrong = [];
 
-// CPU seconds of a process and its children (Linux), or NaN.
+// CPU seconds of a process (Linux), or NaN, and those of the processes that it has or had.
 function cpu(pid) {
   try {
-    const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ');
+    const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ').map(Number);
     const below = fs.readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8').split(' ')
-      .filter(Boolean).map(cpu);
-    return (Number(fields[11]) + Number(fields[12])) / 100 + below.reduce((a, b) => a + b, 0);
+      .filter(Boolean).map(cpu).reduce((sum, one) => sum + one.own + one.others, 0);
+    return { own: (fields[11] + fields[12]) / 100, others: (fields[13] + fields[14]) / 100 + below };
   } catch (error) {
-    return NaN;
+    return { own: NaN, others: NaN };
   }
 }
 
@@ -156,13 +156,13 @@ function say(name, all) {
   const poured = flood ? pour(tank.url, flood, seconds) : 0;
   const found = await page.evaluate(draw, seconds);
   const spoken = (await Promise.all(others)).flat();
-  const spent = cpu(tank.pid) - before;
+  const after = cpu(tank.pid), answers = found.times.length + spoken.length;
   if (flood) console.log(`one more sent ${await poured} messages`);
   say('slider to message, in Chromium', found.times.map((t) => t[0]));
   say('slider to picture', found.times.map((t) => t[1]));
   if (spoken.length) say('slider to message, the others', spoken);
-  console.log(`R processes: ${(1000 * spent / (found.times.length + spoken.length)).toFixed(0)} ms of ` +
-    'CPU an answer');
+  const spent = (whose) => (1000 * (after[whose] - before[whose]) / answers).toFixed(0);
+  console.log(`CPU an answer: process that serves ${spent('own')} ms, all others ${spent('others')} ms`);
   wrong.push(...[found.error].concat(page.problems, page.strange).filter(Boolean));
   if (/[Ee]rror/.test(tank.log)) wrong.push(tank.log);
   console.log(wrong.length ? `wrong: ${wrong.join('\n')}` : 'no error');

@@ -134,6 +134,40 @@ test_that("a step whose rest gives way to the next step is answered, so that nob
   })
 })
 
+test_that("what a page asks before it was answered is answered once, by the last of it", {
+  jobs <- list()
+  held_worker <- function(...) {
+    worker <- direct_worker()
+    answer <- worker$ask
+    worker$ask <- function(kind, make, then, pause = 0) {
+      jobs <<- c(jobs, list(list(kind = kind, answer = function() answer(kind, make, then))))
+    }
+    worker
+  }
+  in_flume("towed_cable", new_worker = held_worker, test = function(session, sent, tank) {
+    ask(session, towing.speed = list(value = 4.1, unit = "knot"), number = 1)
+    drafts <- length(sent("flume_draft"))
+    expect_gt(drafts, 0L)
+    for (number in 2:40) {
+      ask(session, towing.speed = list(value = 4 + number / 100, unit = "knot"), number = number)
+    }
+    ask(session, ropes.cable.length = list(value = 410, unit = "m"), number = 41)
+    # nothing is sent for them but that another takes their place
+    expect_length(sent("flume_draft"), 0L)
+    expect_length(jobs, 1L)
+    # each answer is of the draft as it is by then
+    jobs[[1]]$answer()
+    expect_identical(vapply(jobs, `[[`, "", "kind"), c("design", "design"))
+    told <- sent("flume_picture")[[1]]
+    expect_identical(told$answers, 1)
+    jobs[[2]]$answer()
+    expect_identical(sent("flume_moved")[[1]]$type, "flume_moved")
+    expect_identical(tank$draft$plan$towing$speed, "4.4 knot")
+    expect_identical(tank$draft$plan$ropes$cable$length, "410 m")
+    expect_identical(tank$edited, 41L + 1L)
+  })
+})
+
 test_that("a wrong value is kept in the draft and told of, and the last shape stays", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
