@@ -355,6 +355,13 @@ flume_shown <- function(input, output, tank, said, say) {
   shiny::observeEvent(input$words_wanted, {
     if (!is.null(tank$gear)) said("flume_words", words = tank$words())
   })
+  # of a part that was clicked in the picture
+  shiny::observeEvent(input$part_wanted, {
+    name <- as.list(input$part_wanted)$name
+    if (is.null(tank$gear) || !is_text(name) || nchar(name) > most_name) return()
+    path <- finding_field(tank$gear$plan, name, NULL)
+    if (!is.na(path)) said("flume_part", path = path)
+  })
   shiny::observe({
     tank$kept_changed()
     said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name", "seen")))

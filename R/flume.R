@@ -18,7 +18,8 @@
 #'   next to its field;
 #' - the gear in three dimensions: drag or the arrow keys turn it, the wheel, two fingers or `+` and
 #'   `-` zoom, and buttons look at the net or the whole gear, from above, from the side and from
-#'   astern. Ropes and netting are coloured by tension as in [plot.codend_state()];
+#'   astern. A click on a part opens its fields. Ropes and netting are coloured by tension as in
+#'   [plot.codend_state()];
 #' - the measures, each with its change from a kept design, and warnings ([findings()]):
 #'   they follow when a slider pauses, and twice a second while it moves. The gear is kept as it was
 #'   opened; *Keep this design* keeps others, and a table has all next to each other. Each can be

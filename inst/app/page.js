@@ -190,6 +190,13 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_drawing', function (message) {
       window.codendDrawing.show(message.svg);
     });
+    // Where the plan has the part that was clicked in the tank: the form shows it, without a jump of the page.
+    Shiny.addCustomMessageHandler('flume_part', function (message) {
+      if (!window.codendForm.open(message.path, true)) return;
+      var panel = find('controls'), part = panel.querySelector('.marked');
+      panel.scrollTop += part.getBoundingClientRect().top - panel.getBoundingClientRect().top - 60;
+      window.codendDrawing.seek(message.path);
+    });
     Shiny.addCustomMessageHandler('flume_plan', function (message) {
       find('plan_area').value = message.text;
       tell('plan_text_error', '');

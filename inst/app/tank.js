@@ -114,12 +114,28 @@ window.codendTank = (function () {
     }, 120);
   }
 
+  // A click on a part of the gear asks R where the plan has it.
+  function listen_clicks(canvas) {
+    var from = null;
+    canvas.addEventListener('pointerdown', function (event) { from = [event.clientX, event.clientY]; });
+    canvas.addEventListener('click', function (event) {
+      if (!about || !from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4) return;
+      var box = canvas.getBoundingClientRect(), gear = viewer.gear();
+      var found = viewer.under(event.clientX - box.left, event.clientY - box.top);
+      if (!found) return;
+      window.codendTalk.tell('part_wanted', { number: Date.now(), name: found.kind === 'mark' ?
+        about.marks.part[found.number] :
+        about.parts.name[(found.kind === 'rope' ? gear.ropes : gear.netting).part[found.number]] });
+    });
+  }
+
   return {
     listen: function () {
       viewer = window.codendView.viewer(document.getElementById('tank'), {
         changed: repaint_planes, still: false,
         passing: function () { return !window.codendForm.still(); }
       });
+      if (viewer) listen_clicks(document.querySelector('#tank canvas'));
       var watch = new ResizeObserver(repaint_planes);
       document.querySelectorAll('canvas.plane').forEach(function (each) { watch.observe(each); });
     },

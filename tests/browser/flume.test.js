@@ -397,6 +397,41 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await page.close();
 });
 
+test('a click on the net opens the fields of that part, and a turn of the picture opens none', async () => {
+  const page = await open(browser, tank.url);
+  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
+  // places where a panel of a section is, as the picture says it
+  const place = await page.evaluate(() => {
+    const canvas = document.querySelector('#tank canvas'), box = canvas.getBoundingClientRect();
+    const viewer = window.codendTank.viewer(), gear = viewer.gear();
+    for (let x = 20; x < box.width; x += 7) {
+      for (let y = 120; y < box.height - 120; y += 7) {
+        const found = viewer.under(x, y);
+        if (!found || found.kind !== 'netting') continue;
+        const name = gear.told.parts.name[gear.netting.part[found.number]];
+        const section = name.match(/section_\d+/);
+        if (section) return { x: box.left + x, y: box.top + y, section: section[0] };
+      }
+    }
+    return null;
+  });
+  assert.ok(place);
+  await page.mouse.click(place.x, place.y);
+  const marked = page.locator('#form .part.marked');
+  await marked.waitFor(patience);
+  assert.equal(await marked.getAttribute('data-path'), `sections.${place.section}`);
+  assert.ok(await page.evaluate(() => window.scrollY) < 1);
+  await page.evaluate(() => document.querySelector('.marked').classList.remove('marked'));
+  await page.mouse.move(place.x, place.y);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 40, place.y, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForTimeout(500);
+  assert.equal(await page.locator('.marked').count(), 0);
+  clean(page);
+  await page.close();
+});
+
 test('a reload, a link and a second tab open the design, begun from the gallery and a plan', async () => {
   for (const plans of [[], ['towed_cable']]) {
     const own = await serve(...plans);

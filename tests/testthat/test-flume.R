@@ -168,6 +168,21 @@ test_that("what a page asks before it was answered is answered once, by the last
   })
 })
 
+test_that("a part that is clicked in the picture is found in the plan", {
+  in_flume("midwater_trawl", function(session, sent, tank) {
+    found <- function(name) {
+      session$setInputs(part_wanted = list(number = stats::runif(1), name = name))
+      vapply(sent("flume_part"), `[[`, "", "path")
+    }
+    expect_identical(found("warp_port"), "warps")
+    names <- c(names(tank$state$si$ropes), names(tank$state$si$panels))
+    for (path in vapply(names, found, "")) expect_false(is.null(plan_field(tank$gear$plan, path)))
+    for (odd in list("nothing", NULL, 1, c("a", "b"), strrep("x", 1e4), "../x", "plan name")) {
+      expect_length(found(odd), 0L)
+    }
+  })
+})
+
 test_that("a wrong value is kept in the draft and told of, and the last shape stays", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
