@@ -7,8 +7,6 @@ keys_of_r <- function() {
         said <<- c(said, x[[2]])
       }
       lapply(as.list(x), walk)
-    } else if (is.pairlist(x)) {
-      lapply(x, function(one) if (!identical(one, quote(expr = ))) walk(one))
     }
     NULL
   }
