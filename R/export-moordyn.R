@@ -8,7 +8,8 @@
 #' a load) is `Fixed` where it is in the state. So tensions of the ropes agree. Other points are
 #' `Free`, with the mass, the volume and the drag area of their pieces. A towed gear is written in a
 #' current of the towing speed: where water flows past the gear, `current_profile.txt` is written to
-#' the same folder, the name that MoorDyn looks for. Drag coefficients are those across and along a
+#' the same folder, the name that MoorDyn looks for; one of other water that is there already is an
+#' error. Drag coefficients are those across and along a
 #' rope of its own law; the damping of a line, which codend mostly has as 0, is at least critical,
 #' `-1`, without which MoorDyn finds no start.
 #'
@@ -29,17 +30,27 @@ write_moordyn <- function(state, file) {
   check_file_path(file, ".txt")
   deck <- moordyn_deck(state)
   water <- state$lattice$engine$water
-  if (any(c(water$x, water$y) != 0)) {
-    rows <- order(-water$depth)
-    write_file(file.path(dirname(file), moordyn_currents), function(path) {
-      writeLines(c(
-        "Water that flows past the gear, by codend", "x aft, y to starboard, z up",
-        "z (m), ux (m/s), uy (m/s), uz (m/s)",
-        moordyn_rows(list(-water$depth[rows], water$x[rows], water$y[rows], 0))
-      ), path)
-    })
-  }
+  if (any(c(water$x, water$y) != 0)) write_moordyn_currents(water, file)
   write_file(file, function(path) writeLines(deck, path))
+}
+
+# The profile that goes with a file. Other files of the folder may need the one that is there.
+write_moordyn_currents <- function(water, file) {
+  rows <- order(-water$depth)
+  lines <- c(
+    "Water that flows past the gear, by codend", "x aft, y to starboard, z up",
+    "z (m), ux (m/s), uy (m/s), uz (m/s)",
+    moordyn_rows(list(-water$depth[rows], water$x[rows], water$y[rows], 0))
+  )
+  profile <- file.path(dirname(file), moordyn_currents)
+  if (basename(file) == moordyn_currents) {
+    abort_file(file, "must have another name than that of MoorDyn's currents.")
+  }
+  if (file.exists(profile) && !identical(readLines(profile, warn = FALSE), lines)) {
+    abort_file(file, "must lie in a folder without the currents of another, {.file {profile}}.",
+      profile = profile)
+  }
+  write_file(profile, function(path) writeLines(lines, path))
 }
 
 # Rows of a table from its columns, as text.

@@ -73,3 +73,22 @@ test_that("what is no file of MoorDyn, or has what codend has not, is refused", 
   expect_error(write_moordyn(settled("hung_panel"), file.path(test_folder(), "x.txt")), "no rope",
     class = "codend_error_argument")
 })
+
+test_that("the currents of another file of the folder are left as they are", {
+  folder <- test_folder()
+  profile <- file.path(folder, "current_profile.txt")
+  writeLines("of another deck", profile)
+  refused <- function(name) {
+    expect_error(write_moordyn(settled("towed_cable"), file.path(folder, name)),
+      class = "codend_error_file")
+  }
+  expect_match(conditionMessage(refused("lines.txt")), "the currents of another")
+  refused("current_profile.txt")
+  expect_identical(readLines(profile), "of another deck")
+  expect_identical(list.files(folder), "current_profile.txt")
+  unlink(profile)
+  for (name in c("lines.txt", "again.txt")) {
+    write_moordyn(settled("towed_cable"), file.path(folder, name))
+  }
+  expect_length(list.files(folder), 3L)
+})
