@@ -102,7 +102,8 @@ test_that("a beam trawl whose footrope hangs between its shoes shows", {
   state <- quiet(update(gear, towing.speed = "7 knot"), nodes = 500)
   found <- expect_finding(state, "net off the bed", "rope ground_gear")
   # its middle less half its thickness; the shoes stand on the bed and hold the ends down
-  expect_gt(found$value, measures(state)[["footrope_height_m"]] - state$si$ropes$ground_gear$diameter)
+  expect_gt(found$value,
+    measures(state)[["footrope_height_m"]] - state$si$ropes$ground_gear$diameter)
   expect_gt(measures(state)[["footrope_height_m"]], 0.1)
 })
 
