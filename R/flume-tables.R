@@ -97,7 +97,9 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
   change <- signed(table$change, decimals)
   percent <- signed(table$change_percent, 1L)
   percent[change == "0"] <- "0"
-  shown <- trimws(paste(fixed_decimals(table$now, decimals), error_text(table$error)))
+  error <- error_text(table$error)
+  error <- ifelse(nzchar(error), paste0("\n", say("computed_to"), " ", error), "")
+  shown <- paste0(fixed_decimals(table$now, decimals), error)
   if (!is.null(uncertainty)) {
     interval <- interval_cells(uncertainty, names, factor, say)
     shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
@@ -110,7 +112,7 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
     html_table(if (key) say("key_measures") else say("other_measures"),
       c(say("measure"), say("now"), say("kept"), say("change"), "%"), text_rows(rows),
       titles = table$definition),
-    if (key) shiny::tags$p(class = "note", say("error_note", sign = plus_minus()),
+    if (key) shiny::tags$p(class = "note", say("error_note"),
       if (!is.null(uncertainty)) say("interval_note", level = 100 * uncertainty$level))
   )
 }

@@ -71,7 +71,7 @@ print.codend_measures <- function(x, digits = getOption("digits"), ...) {
   invisible(x)
 }
 
-# What text shows of measures: list(words, unit, error = "\u00b1 0.6" or "").
+# What text shows of measures: list(words, unit, error = "0.6" or "").
 measure_words <- function(measures) {
   unit <- unname(attr(measures, "unit"))
   list(

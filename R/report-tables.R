@@ -29,7 +29,7 @@ measures_columns <- function(measures) {
   measures <- plain_measures(measures)
   force <- ifelse(said$unit == "kN", figures(tonnes_force(measures)), "")
   columns <- list(` measure` = said$words, value = single_numbers(measures), ` unit` = said$unit,
-    ` error` = said$error, tonnes = force)
+    ` computed to` = said$error, tonnes = force)
   columns[c(TRUE, TRUE, TRUE, any(nzchar(said$error)), any(nzchar(force)))]
 }
 
@@ -62,17 +62,25 @@ uncertainty_columns <- function(uncertainty) {
   table <- table[table$uncertainty > 0, ]
   ends <- lapply(table[c("low", "high")], interval_ends, table$uncertainty)
   interval <- paste(ends$low, "to", ends$high)
-  groups <- c("coefficients", "plan", "conditions", "lattice", "model")
-  columns <- lapply(table[c("uncertainty", groups)], function(x) {
-    # a hundredth of the whole adds nothing to it
-    ifelse(x > table$uncertainty / 100, two_figures(x), "")
-  })
   c(
     list(` measure` = words_of(table$measure, table$unit), value = figures(table$value),
       ` unit` = table$unit),
-    setNames(list(interval), sprintf("%g %%", 100 * uncertainty$level)),
-    setNames(columns, c("standard uncertainty", "from coefficients", groups[-1L]))
+    setNames(list(interval), sprintf("%g %% interval", 100 * uncertainty$level)),
+    list("standard uncer\u00adtainty" = two_figures(table$uncertainty))
   )
+}
+
+# Of every measure where its uncertainty comes from, in percent of the variance.
+budget_columns <- function(uncertainty) {
+  table <- uncertainty$measures
+  table <- table[table$uncertainty > 0, ]
+  percent <- round(group_percent(table))
+  columns <- lapply(names(group_words), function(group) {
+    ifelse(percent[, group] > 0, percent[, group], "")
+  })
+  # heads break where the page is narrow
+  heads <- c("coeffi\u00adcients", "plan", "condi\u00adtions", "discreti\u00adsation", "model")
+  c(list(` measure` = words_of(table$measure, table$unit)), setNames(columns, heads))
 }
 
 # Two figures each.

@@ -61,7 +61,8 @@ state_report <- function(state, slopes = NULL, uncertainty = NULL) {
         last step, not of an equilibrium.")
     },
     report_section("Measures", report_table(measures_columns(said$measures),
-      "What was measured; forces also in tonnes-force."), measure_terms(said$measures)),
+      paste("What was measured; forces also in tonnes-force. Computed to: the computer's own error",
+        "(discretisation) alone.")), measure_terms(said$measures)),
     uncertainty_section(uncertainty),
     slope_section(slopes),
     finding_section(said$findings),
@@ -196,10 +197,13 @@ slope_section <- function(slopes) {
 
 uncertainty_section <- function(uncertainty) {
   if (is.null(uncertainty)) return(NULL)
-  report_section("How sure these numbers are", report_table(uncertainty_columns(uncertainty),
-    "Intervals that hold the truth with the probability in their head, and standard uncertainties by
-    where they come from: coefficients of force, numbers of the plan, conditions, the
-    discretisation, and what no number of the plan covers (model)."))
+  report_section("How sure these numbers are",
+    report_table(uncertainty_columns(uncertainty), sprintf("The truth lies in the interval with a
+      probability of %g %%. The standard uncertainty is one standard deviation.",
+      100 * uncertainty$level)),
+    report_table(budget_columns(uncertainty), "Where the uncertainty comes from, in percent of its
+      variance: coefficients of force, numbers of the plan, conditions, discretisation (the
+      computer's own error), and what no number of the plan covers (model)."))
 }
 
 plan_section <- function(gear) {

@@ -173,7 +173,7 @@ slider_tags <- function(field, k) {
 shared_measure_table <- function(programs) {
   tag$table(
     tag$thead(tag$tr(tag$th(scope = "col", "Measure"), tag$th(scope = "col", "Now"),
-      tag$th(scope = "col", "Error"), tag$th(scope = "col", "Change"))),
+      tag$th(scope = "col", "Computed to"), tag$th(scope = "col", "Change"))),
     tag$tbody(id = "measures", lapply(names(programs), function(name) {
       one <- programs[[name]]
       tag$tr(tag$th(scope = "row", one$words),

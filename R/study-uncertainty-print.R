@@ -1,16 +1,28 @@
 # Uncertainties in words: the measure, the interval, and where it comes from.
 
-# "5.51 m, 90 %: 4.5 to 6.6 (coefficients 0.4, plan 0.5, ...)": of every measure a line.
+# Groups as readers see them, and the least part of a variance that lines name.
+group_words <- c(
+  coefficients = "coefficients", plan = "plan", conditions = "conditions",
+  lattice = "discretisation", model = "model"
+)
+least_shown_percent <- 10
+
+# Of each measure's variance what comes from each group, in percent: measures x groups.
+group_percent <- function(table) {
+  variance <- as.matrix(table[names(group_words)])^2
+  100 * variance / pmax(rowSums(variance), .Machine$double.xmin)
+}
+
+# "5.51 m, 90 %: 4.5 to 6.6 (plan 60 %, coefficients 30 %)": of every measure a line.
 #' @export
 format.codend_uncertainty <- function(x, ...) {
   with_plain_numbers({
     table <- x$measures
     shown <- function(end) interval_ends(end, table$uncertainty)
+    percent <- group_percent(table)
     parts <- vapply(seq_len(nrow(table)), function(m) {
-      sizes <- unlist(table[m, uncertainty_groups])
-      sizes <- sizes[sizes > 0.05 * table$uncertainty[m] & sizes > 0]
-      if (!length(sizes)) return("")
-      paste0(names(sizes), " ", signif(sizes, 2), collapse = ", ")
+      most <- sort(percent[m, percent[m, ] >= least_shown_percent], decreasing = TRUE)
+      paste0(group_words[names(most)], " ", round(most), " %", recycle0 = TRUE, collapse = ", ")
     }, "")
     align_columns(list(
       paste0("  ", words_of(table$measure, table$unit)), figures(table$value), table$unit,
@@ -24,14 +36,15 @@ format.codend_uncertainty <- function(x, ...) {
 print.codend_uncertainty <- function(x, measures = NULL, ...) {
   main <- main_rows(x, measures)
   cat("Uncertainty of \"", x$gear_name, "\", ", x$conditions, "\n", sep = "")
-  cat("  measure, interval that holds the truth with a probability of ",
-    format(100 * x$level), " %, and standard uncertainties by where they come from",
-    if (x$method == "samples") paste0(" (", x$cost$settles, " samples)"), "\n", sep = "")
+  cat("  The truth lies in the interval with a probability of ", format(100 * x$level), " %",
+    if (x$method == "samples") paste0(" (", x$cost$settles, " samples)"),
+    "; in brackets where most of the\n  uncertainty comes from, in % of its variance.\n", sep = "")
   cat(format(x), sep = "\n")
   for (name in main) {
-    cat("\n", name, ": largest sources\n", sep = "")
+    cat("\n", name, ": the largest sources, how far each may be off, and what that changes\n",
+      sep = "")
     cat(source_lines(x, name), sep = "\n")
-    cat(narrow_lines(x, name), "\n", sep = "")
+    cat(narrow_lines(x, name), sep = "\n")
   }
   if (any(!x$measures$smooth) && x$method == "linear") {
     cat("\nMeasures that are not smooth follow no straight line: use method = \"samples\".\n")
@@ -53,7 +66,7 @@ source_lines <- function(x, name, most = 10L) {
   rows <- utils::head(x$sources[x$sources$measure == name, ], most)
   if (!nrow(rows)) return(character())
   with_plain_numbers(align_columns(list(
-    paste0("  ", rows$source), sprintf("%.2g %%", 100 * rows$share), rows$group,
+    paste0("  ", rows$source), sprintf("%.2g %%", 100 * rows$share), group_words[rows$group],
     sprintf("%+.2g %s", rows$contribution, unit), sprintf("%.0f %% of the variance", rows$percent)
   ), left = c(1L, 3L)))
 }
@@ -62,12 +75,14 @@ narrow_lines <- function(x, name) {
   row <- x$narrow[x$narrow$measure == name, ]
   if (!nrow(row)) return(character())
   now <- x$measures$uncertainty[x$measures$measure == name]
-  by <- row$by[1L]
-  as_measure <- match(by, x$measures$measure)
-  if (!is.na(as_measure)) by <- words_of(by, x$measures$unit[as_measure])
-  with_plain_numbers(sprintf(
-    "  to narrow it most, measure %s: its standard uncertainty falls from %.2g to %.2g %s",
-    by, now, row$left[1L], x$measures$unit[x$measures$measure == name]
+  unit <- x$measures$unit[x$measures$measure == name]
+  as_measure <- match(row$by, x$measures$measure)
+  by <- ifelse(is.na(as_measure), row$by, words_of(row$by, x$measures$unit[as_measure]))
+  others <- sprintf("%s (%.2g %s)", by[-1L], row$left[-1L], unit)
+  with_plain_numbers(c(
+    sprintf("  to narrow it most, measure %s: its standard uncertainty falls from %.2g to %.2g %s",
+      by[1L], now, row$left[1L], unit),
+    if (length(others)) paste0("  next: ", paste(others, collapse = ", "))
   ))
 }
 

@@ -28,7 +28,8 @@ size_text <- function(state) {
 
 measure_text <- function(measures) {
   said <- measure_words(measures)
-  trimws(paste(said$words, figures(plain_measures(measures)), said$unit, said$error))
+  trimws(paste(said$words, figures(plain_measures(measures)), said$unit,
+    computed_to(said$error)))
 }
 
 # How accurate the lattice makes the main measures, and what to do where that is little; NULL where

@@ -69,7 +69,8 @@ summary_lines <- function(x) {
   c(
     bold(x$name), x$conditions,
     section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
-    section("Uncertainty", if (!is.null(x$uncertainty)) format(x$uncertainty)),
+    section("Uncertainty: the interval that holds the truth, and its sources, % of variance",
+      if (!is.null(x$uncertainty)) format(x$uncertainty)),
     section("Warnings", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
@@ -96,7 +97,8 @@ listed_parts <- 6L
 measure_lines <- function(measures) {
   said <- measure_words(measures)
   values <- align_points(figures(plain_measures(measures)))
-  align_columns(list(said$words, values, said$unit, said$error), left = c(1L, 3L, 4L))
+  align_columns(list(said$words, values, said$unit, computed_to(said$error)),
+    left = c(1L, 3L, 4L))
 }
 
 finding_lines <- function(found) {

@@ -11,9 +11,9 @@ figures <- function(x) {
   as.character(text)
 }
 
-plus_minus <- function() if (shows_unicode()) "\u00b1" else "+-"
-
-# Errors as text: "\u00b1 0.6", rounded up to one figure, to two where it begins with 1; "" for NA.
+# Discretisation errors as text, rounded up to one figure, to two where it begins with 1; "" for NA.
+# Readers get them as "computed to 0.6": a sign of plus and minus they take for the whole uncertainty
+# (JCGM 100:2008, 7.2.2).
 error_text <- function(error) {
   known <- is.finite(error)
   text <- rep("", length(error))
@@ -21,10 +21,12 @@ error_text <- function(error) {
   unit <- 10^ifelse(error[known] < 2 * 10^size, size - 1, size)
   up <- pmax(ceiling(error[known] / unit * (1 - 1e-9)) * unit, 1e-4)
   decimals <- pmin(pmax(-round(log10(unit)), 0), 4)
-  text[known] <- paste(plus_minus(), format_each(up, decimals))
+  text[known] <- format_each(up, decimals)
   text[known & error == 0] <- ""
   text
 }
+
+computed_to <- function(error) ifelse(nzchar(error), paste("computed to", error), "")
 
 format_each <- function(x, decimals) {
   as.character(mapply(formatC, x, digits = decimals,
@@ -33,8 +35,8 @@ format_each <- function(x, decimals) {
 
 # Ends of intervals to two figures of the standard uncertainty of each.
 interval_ends <- function(x, uncertainty) {
-  decimals <- ifelse(uncertainty > 0, pmax(0, 1 - floor(log10(uncertainty))), 3)
-  format_each(x, decimals = pmin(decimals, 6))
+  decimals <- pmin(ifelse(uncertainty > 0, 1 - floor(log10(uncertainty)), 3), 6)
+  format_each(round(x, decimals), pmax(0, decimals))
 }
 
 # A column of numbers with as many decimals as its largest needs for four figures.

@@ -1,4 +1,4 @@
-# How text may look where it is read: bold on a terminal, signs beyond ASCII.
+# How text may look where it is read: bold on a terminal.
 
 # Whether cli has anything to say on it: loading it takes as long as settling a small gear, and
 # where a script's output goes to a file or another program the answers are known.
@@ -10,5 +10,3 @@ cli_knows_more <- function() {
 }
 
 bold <- function(text) if (cli_knows_more()) cli::style_bold(text) else text
-
-shows_unicode <- function() if (cli_knows_more()) cli::is_utf8_output() else l10n_info()[["UTF-8"]]

@@ -48,8 +48,8 @@ uncertainty_frame <- function(across, names, xlab) {
   plot_bars_frame(across, names)
   graphics::title(xlab = xlab)
   ends <- graphics::par("usr")
-  graphics::legend(ends[1L], ends[4L], names(budget_colours), fill = budget_colours, border = NA,
-    horiz = TRUE, yjust = 0, bty = "n", cex = 0.9, xpd = NA)
+  graphics::legend(ends[1L], ends[4L], group_words[names(budget_colours)],
+    fill = budget_colours, border = NA, horiz = TRUE, yjust = 0, bty = "n", cex = 0.9, xpd = NA)
 }
 
 draw_budget <- function(table, page) {
@@ -60,11 +60,14 @@ draw_budget <- function(table, page) {
   parts <- as.matrix(table[names(budget_colours)])^2
   parts <- parts / rowSums(parts)
   uncertainty_frame(c(0, 1.05 * most), rev(words_of(table$measure, table$unit)),
-    "standard uncertainty, % of the measure")
+    "standard uncertainty (one standard deviation), % of the measure")
   for (m in seq_len(nrow(table))) {
     ends <- pmin(c(0, cumsum(parts[m, ])) * percent[m], most)
     graphics::rect(ends[-length(ends)], at[m] - 0.36, ends[-1L], at[m] + 0.36,
       col = budget_colours, border = NA)
+    if (percent[m] > most) {
+      graphics::text(most, at[m], sprintf("to %.0f %%", percent[m]), pos = 2L, font = 2L)
+    }
   }
 }
 

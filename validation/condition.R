@@ -396,10 +396,15 @@ md_table <- function(columns) {
 
 percent <- function(x, digits = 0) formatC(100 * x, format = "f", digits = digits)
 
+# Ships and tanks that a kind needs to be judged: with one of fewer left out, one or none is left,
+# which says nothing of how far ships and tanks differ.
+least_judged <- 3L
+
 coverage_by <- function(out, by) {
   groups <- split(out, factor(out[[by]], unique(out[[by]])))
   data.frame(
     of = names(groups), values = vapply(groups, nrow, 0L),
+    groups = vapply(groups, function(g) length(unique(g$group)), 0L),
     covered = vapply(groups, function(g) mean(g$covered), 0),
     drawn = vapply(groups, function(g) sum(g$drawn), 0L),
     covered_drawn = vapply(groups, function(g) mean(g$covered[g$drawn]), 0),
@@ -420,6 +425,11 @@ write_conditioning <- function(data, fit, residuals, table, out) {
     names(columns) <- c(first, "values", "held by 90 %, %", "of nets as drawn", "held, %",
       "median width, %",
       "width of 'mean of the others and their spread', %")
+    if (first == "kind") {
+      judged <- by$groups >= least_judged
+      columns <- append(columns, list(`ships and tanks` = by$groups), 2L)
+      columns$judged <- ifelse(judged, "yes", sprintf("no: needs %d ships and tanks", least_judged))
+    }
     md_table(columns)
   }
   writeLines(c(
@@ -459,8 +469,11 @@ write_conditioning <- function(data, fit, residuals, table, out) {
     "",
     shown(by_kind, "kind"), "", shown(by_group, "ship or tank"), "",
     sprintf("All: %d values, %s %% held.", nrow(out), percent(mean(out$covered))), "",
-    paste("The target is 85 to 95 % by kind. Forces and angles are of one flume and one midwater",
-      "trawl, whose nets were tuned on such values: they say nothing of the intervals of others.")
+    paste(sprintf("The target is 85 to 95 %% by kind, of at least %d ships and tanks:", least_judged),
+      "where one of fewer is left out, too few are left to say how far ships and tanks differ, and",
+      "what is held then says nothing of the interval.", if (any(by_kind$groups < least_judged)) {
+        paste0("Not judged: ", paste(by_kind$of[by_kind$groups < least_judged], collapse = ", "), ".")
+      })
   ), "validation/conditioning.md")
   write_table(data.frame(lapply(out, function(x) if (is.numeric(x)) signif(x, 5) else
     gsub(",", "", x))), "validation/conditioning.csv",

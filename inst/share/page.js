@@ -32,7 +32,7 @@ window.codendPage = function (given, shapes, page, packed) {
     if (!(error > 0)) return '';
     var size = Math.floor(Math.log10(error)), unit = Math.pow(10, error < 2 * Math.pow(10, size) ? size - 1 : size);
     var up = Math.max(Math.ceil(error / unit * (1 - 1e-9)) * unit, 1e-4);
-    return '\u00b1 ' + up.toFixed(Math.min(Math.max(-Math.round(Math.log10(unit)), 0), 4));
+    return up.toFixed(Math.min(Math.max(-Math.round(Math.log10(unit)), 0), 4));
   }
 
   // ---- sliders ----------------------------------------------------------------------------------

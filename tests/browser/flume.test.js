@@ -25,8 +25,8 @@ const file = (name, content) => {
   return where;
 };
 // The number of a cell, which may have its error behind it.
-const number = (text) => Number(text.replace(/[^0-9.\u2212\u00b1-]/g, '').replace('\u2212', '-')
-  .split('\u00b1')[0]);
+const number = (text) => Number(text.split('computed')[0].replace(/[^0-9.\u2212-]/g, '')
+  .replace('\u2212', '-'));
 const clean = (page) => {
   assert.deepEqual(page.problems, []);
   assert.deepEqual(page.strange, []);
