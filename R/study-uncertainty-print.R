@@ -1,17 +1,7 @@
 # Uncertainties in words: the measure, the interval, and where it comes from.
 
-# Groups as readers see them, and the least part of a variance that lines name.
-group_words <- c(
-  coefficients = "coefficients", plan = "plan", conditions = "conditions",
-  lattice = "discretisation", model = "model"
-)
+# The least part of a variance that lines name, %.
 least_shown_percent <- 10
-
-# Of each measure's variance what comes from each group, in percent: measures x groups.
-group_percent <- function(table) {
-  variance <- as.matrix(table[names(group_words)])^2
-  100 * variance / pmax(rowSums(variance), .Machine$double.xmin)
-}
 
 # "5.51 m, 90 %: 4.5 to 6.6 (plan 60 %, coefficients 30 %)": of every measure a line.
 #' @export

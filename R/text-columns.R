@@ -12,8 +12,8 @@ figures <- function(x) {
 }
 
 # Discretisation errors as text, rounded up to one figure, to two where it begins with 1; "" for NA.
-# Readers get them as "computed to 0.6": a sign of plus and minus they take for the whole uncertainty
-# (JCGM 100:2008, 7.2.2).
+# Readers get them as "computed to 0.6": a sign of plus and minus they take for the whole
+# uncertainty (JCGM 100:2008, 7.2.2).
 error_text <- function(error) {
   known <- is.finite(error)
   text <- rep("", length(error))
@@ -61,4 +61,16 @@ align_columns <- function(columns, left = 1L) {
     format(columns[[k]], justify = if (k %in% left) "left" else "right")
   })
   sub(" +$", "", paste0("  ", do.call(paste, c(cells, sep = "  "))))
+}
+
+# Groups of sources of uncertainty as readers see them.
+group_words <- c(
+  coefficients = "coefficients", plan = "plan", conditions = "conditions",
+  lattice = "discretisation", model = "model"
+)
+
+# Of each measure's variance what comes from each group, in percent: measures x groups.
+group_percent <- function(table) {
+  variance <- as.matrix(table[names(group_words)])^2
+  100 * variance / pmax(rowSums(variance), .Machine$double.xmin)
 }

@@ -469,10 +469,13 @@ write_conditioning <- function(data, fit, residuals, table, out) {
     "",
     shown(by_kind, "kind"), "", shown(by_group, "ship or tank"), "",
     sprintf("All: %d values, %s %% held.", nrow(out), percent(mean(out$covered))), "",
-    paste(sprintf("The target is 85 to 95 %% by kind, of at least %d ships and tanks:", least_judged),
-      "where one of fewer is left out, too few are left to say how far ships and tanks differ, and",
-      "what is held then says nothing of the interval.", if (any(by_kind$groups < least_judged)) {
-        paste0("Not judged: ", paste(by_kind$of[by_kind$groups < least_judged], collapse = ", "), ".")
+    paste(sprintf("The target is 85 to 95 %% by kind, of at least %d ships and tanks:",
+      least_judged), "where one of fewer is left out, too few are left to say how far ships and",
+      "tanks differ, and",
+      "what is held then says nothing of the interval.",
+      if (any(by_kind$groups < least_judged)) {
+        paste0("Not judged: ",
+          paste(by_kind$of[by_kind$groups < least_judged], collapse = ", "), ".")
       })
   ), "validation/conditioning.md")
   write_table(data.frame(lapply(out, function(x) if (is.numeric(x)) signif(x, 5) else
