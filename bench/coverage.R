@@ -1,5 +1,6 @@
 # How often intervals of calibrate() hold the planted values: 200 repeats of a towed sphere drawn at
-# five speeds, two hauls each, whose pull and depth have normal errors of 0.03 kN and 0.1 m.
+# five speeds, two hauls each, whose pull and depth have normal errors of 0.03 kN and 0.1 m. That of
+# trawls whose hauls come from finer lattices than the fit's is in bench/coverage-trawls.R.
 #
 #   Rscript bench/coverage.R [repeats]
 #
