@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <cstdlib>
 #include <limits>
 #include <vector>
 
@@ -180,4 +181,54 @@ TEST_CASE("AVX2 front kernels agree with dense algebra") {
   if (!codend::avx2_front_kernels<double>()) return;
   SUBCASE("double precision") { check_kernels(*codend::avx2_front_kernels<double>()); }
   SUBCASE("single precision") { check_kernels(*codend::avx2_front_kernels<float>()); }
+}
+
+TEST_CASE("AVX-512 front kernels agree with dense algebra") {
+  if (!codend::avx512_front_kernels<double>()) return;
+  SUBCASE("double precision") { check_kernels(*codend::avx512_front_kernels<double>()); }
+  SUBCASE("single precision") { check_kernels(*codend::avx512_front_kernels<float>()); }
+}
+
+namespace {
+
+// Factors of a random front and both solutions with them.
+template <class Real>
+std::vector<Real> all_bytes(const FrontKernels<Real>& kernels, int pivots, int boundary) {
+  std::srand(7);
+  const Matrix<Real> whole = Matrix<Real>::Random(pivots + boundary, pivots + boundary);
+  StoredFront<Real> front(whole, pivots);
+  REQUIRE(kernels.factorise(front.view(), nullptr));
+  Column<Real> x = Column<Real>::Random(pivots + boundary), y = x;
+  const Real* lower = front.lower.data();
+  const Real* upper = front.upper.data();
+  const Real* reciprocal = front.reciprocal.data();
+  kernels.forward(pivots, boundary, lower, front.exchange.data(), x.data());
+  kernels.backward(pivots, boundary, lower, upper, reciprocal, x.data());
+  kernels.forward_transposed(pivots, boundary, lower, upper, reciprocal, y.data());
+  kernels.backward_transposed(pivots, boundary, lower, front.exchange.data(), y.data());
+  std::vector<Real> bytes(lower, lower + front.lower.size());
+  bytes.insert(bytes.end(), upper, upper + front.upper.size());
+  bytes.insert(bytes.end(), front.update.data(), front.update.data() + front.update.size());
+  bytes.insert(bytes.end(), x.data(), x.data() + x.size());
+  bytes.insert(bytes.end(), y.data(), y.data() + y.size());
+  return bytes;
+}
+
+template <class Real>
+void check_equal_bytes() {
+  // sizes about whole tiles, below one and beyond what is packed
+  for (const int pivots : {3, 24, 48, 51, 150})
+    for (const int boundary : {0, 3, 45, 48, 99, 600}) {
+      INFO(pivots, " pivots, boundary ", boundary);
+      CHECK(all_bytes(*codend::avx512_front_kernels<Real>(), pivots, boundary) ==
+            all_bytes(*codend::avx2_front_kernels<Real>(), pivots, boundary));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("AVX-512 and AVX2 front kernels give equal bytes") {
+  if (!codend::avx512_front_kernels<double>() || !codend::avx2_front_kernels<double>()) return;
+  SUBCASE("double precision") { check_equal_bytes<double>(); }
+  SUBCASE("single precision") { check_equal_bytes<float>(); }
 }

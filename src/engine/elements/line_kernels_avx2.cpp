@@ -1,12 +1,16 @@
 #include "line_kernels.hpp"
 
-// Windows is left out: GCC there misaligns 32-byte spills to the stack (GCC bug 54412).
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(_WIN32)
+// Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 
 #include <immintrin.h>
 
 // After every other header, so that only the kernels of this file use these instructions.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
 #pragma GCC target("avx2,fma")
+#endif
 
 namespace codend {
 
@@ -34,6 +38,10 @@ const LineKernels* avx2_line_kernels() {
 }
 
 }  // namespace codend
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
 
 #else
 

@@ -7,7 +7,7 @@ namespace codend {
 // Rows that a block of `boundary` rows takes in store: whole registers, whichever kernels run.
 template <class Real>
 constexpr int padded(int boundary) {
-  constexpr int lanes = 32 / sizeof(Real);
+  constexpr int lanes = 64 / sizeof(Real);
   return (boundary + lanes - 1) / lanes * lanes;
 }
 
@@ -56,7 +56,7 @@ struct FrontKernels {
 };
 
 // For any processor. Real is float or double here and below: these are specialised, since a
-// template made in a file that is compiled for AVX2 could be taken by the linker for all files.
+// template made in a file that is compiled for AVX could be taken by the linker for all files.
 template <class Real>
 const FrontKernels<Real>& portable_front_kernels();
 
@@ -64,8 +64,13 @@ const FrontKernels<Real>& portable_front_kernels();
 template <class Real>
 const FrontKernels<Real>* avx2_front_kernels();
 
-// The fastest that the running processor can execute. The choice is fixed for a machine; two
-// machines may differ in the last bits of a solution.
+// The same with AVX-512 (F, DQ, VL), of which every sum is that of AVX2.
+template <class Real>
+const FrontKernels<Real>* avx512_front_kernels();
+
+// The fastest that the running processor can execute. The choice is fixed for a machine; one
+// without AVX2 and FMA, which rounds between multiplying and adding, may differ from the others in
+// the last bits of a solution.
 template <class Real>
 const FrontKernels<Real>& front_kernels();
 
@@ -77,6 +82,10 @@ template <>
 const FrontKernels<double>* avx2_front_kernels<double>();
 template <>
 const FrontKernels<float>* avx2_front_kernels<float>();
+template <>
+const FrontKernels<double>* avx512_front_kernels<double>();
+template <>
+const FrontKernels<float>* avx512_front_kernels<float>();
 template <>
 const FrontKernels<double>& front_kernels<double>();
 template <>

@@ -1,6 +1,7 @@
 // Bodies of the front kernels: not a header of its own. Each front_kernels*.cpp includes it once
-// for double and once for float, inside an unnamed namespace that defines `Real` and `lanes`, the
-// numbers in one register of its processor.
+// for double and once for float, inside an unnamed namespace that defines `Real`, `lanes`, the
+// numbers in one register of its processor, and `across`, the nodes whose columns one tile has: 1,
+// or 2 where there are 32 registers.
 // Nothing here may use std:: or a template of another header: the linker could then hand a copy
 // compiled for AVX2 to a processor without it.
 
@@ -9,7 +10,7 @@ using Pack = Real __attribute__((vector_size(sizeof(Real) * lanes)));
 typedef Real LoosePack
     __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
 
-// A tile of 3 registers by 3 columns (one node) keeps 9 sums in registers.
+// A tile of 3 registers by the 3 columns of a node, or of two, keeps 9 or 18 sums in registers.
 constexpr int tile_rows = 3 * lanes;
 // Columns of L worked off at a time: a strip of tile_rows x depth stays in the first-level cache.
 constexpr int depth = 96;
@@ -49,28 +50,45 @@ struct Row {
   }
 };
 
-// c (registers x lanes rows, 3 columns) -= a * b over `count` columns of a; if `fresh`, c := -a * b.
+// c (registers x lanes rows, 3 columns of each node) -= a * b over `count` columns of a; if `fresh`,
+// c := -a * b. beside: b of a second node, read where there is one.
 // Unrolled by hand: the sums must stay in registers at -O2, which does not unroll loops.
-template <int registers, bool fresh>
-inline void update_tile(int count, const Real* a, int64_t a_step, const View& b, Real* c,
-                        int64_t c_step) {
-  Row first, second, third;
+template <int registers, int nodes, bool fresh>
+inline void update_tile(int count, const Real* a, int64_t a_step, const View& b, const View& beside,
+                        Real* c, int64_t c_step) {
+  Row first, second, third, other_first, other_second, other_third;
+  Real* const other = c + 3 * c_step;
   if constexpr (fresh) {
     first.clear();
     second.clear();
     third.clear();
+    other_first.clear();
+    other_second.clear();
+    other_third.clear();
   } else {
     first.load_from(c, c_step);
     if constexpr (registers > 1) second.load_from(c + lanes, c_step);
     if constexpr (registers > 2) third.load_from(c + 2 * lanes, c_step);
+    if constexpr (nodes > 1) {
+      other_first.load_from(other, c_step);
+      if constexpr (registers > 1) other_second.load_from(other + lanes, c_step);
+      if constexpr (registers > 2) other_third.load_from(other + 2 * lanes, c_step);
+    }
   }
-  const Real* b0 = b.data;
-  const Real* b1 = b0 + b.column;
-  const Real* b2 = b1 + b.column;
+  const Real *b0 = b.data, *b1 = b0 + b.column, *b2 = b1 + b.column;
+  const Real *d0 = beside.data, *d1 = d0 + beside.column, *d2 = d1 + beside.column;
   for (int p = 0; p < count; ++p) {
     first.subtract(load(a), *b0, *b1, *b2);
     if constexpr (registers > 1) second.subtract(load(a + lanes), *b0, *b1, *b2);
     if constexpr (registers > 2) third.subtract(load(a + 2 * lanes), *b0, *b1, *b2);
+    if constexpr (nodes > 1) {
+      other_first.subtract(load(a), *d0, *d1, *d2);
+      if constexpr (registers > 1) other_second.subtract(load(a + lanes), *d0, *d1, *d2);
+      if constexpr (registers > 2) other_third.subtract(load(a + 2 * lanes), *d0, *d1, *d2);
+      d0 += beside.row;
+      d1 += beside.row;
+      d2 += beside.row;
+    }
     a += a_step;
     b0 += b.row;
     b1 += b.row;
@@ -79,23 +97,28 @@ inline void update_tile(int count, const Real* a, int64_t a_step, const View& b,
   first.store_to(c, c_step);
   if constexpr (registers > 1) second.store_to(c + lanes, c_step);
   if constexpr (registers > 2) third.store_to(c + 2 * lanes, c_step);
+  if constexpr (nodes > 1) {
+    other_first.store_to(other, c_step);
+    if constexpr (registers > 1) other_second.store_to(other + lanes, c_step);
+    if constexpr (registers > 2) other_third.store_to(other + 2 * lanes, c_step);
+  }
 }
 
 // The same for a tile of `rows` <= tile_rows, a multiple of lanes.
-template <bool fresh = false>
-inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b, Real* c,
-                        int64_t c_step) {
+template <int nodes, bool fresh = false>
+inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b,
+                        const View& beside, Real* c, int64_t c_step) {
   if (rows == tile_rows)
-    update_tile<3, fresh>(count, a, a_step, b, c, c_step);
+    update_tile<3, nodes, fresh>(count, a, a_step, b, beside, c, c_step);
   else if (rows == 2 * lanes)
-    update_tile<2, fresh>(count, a, a_step, b, c, c_step);
+    update_tile<2, nodes, fresh>(count, a, a_step, b, beside, c, c_step);
   else
-    update_tile<1, fresh>(count, a, a_step, b, c, c_step);
+    update_tile<1, nodes, fresh>(count, a, a_step, b, beside, c, c_step);
 }
 
 // padded<Real>, in a copy that only these kernels use
 inline int padded_rows(int boundary) {
-  constexpr int unit = 32 / sizeof(Real);
+  constexpr int unit = 64 / sizeof(Real);
   return (boundary + unit - 1) / unit * unit;
 }
 
@@ -172,17 +195,29 @@ void subtract_product(int rows, int columns, int count, const Real* a, int64_t a
           left = strip;
           left_step = tile_rows;
         }
-        for (int j = j0; j < j1; j += 3) {
-          const View right =
-              packed ? View{triples + (j - j0) * deep, 3, 1} : View{b.at(p, j), b.row, b.column};
+        const auto right = [&](int j) {
+          return packed ? View{triples + (j - j0) * deep, 3, 1} : View{b.at(p, j), b.row, b.column};
+        };
+        int j = j0;
+        if (across > 1 && high == padded)
+          for (; j + 6 <= j1; j += 6) {
+            Real* target = c + i + j * c_step;
+            const View b0 = right(j), b1 = right(j + 3);
+            if (fresh && p == 0)
+              update_tile<across, true>(high, deep, left, left_step, b0, b1, target, c_step);
+            else
+              update_tile<across>(high, deep, left, left_step, b0, b1, target, c_step);
+          }
+        for (; j < j1; j += 3) {
           Real* target = c + i + j * c_step;
+          const View b0 = right(j);
           if (fresh && p == 0) {
-            update_tile<true>(high, deep, left, left_step, right, target, c_step);
+            update_tile<1, true>(high, deep, left, left_step, b0, b0, target, c_step);
           } else if (high == padded) {
-            update_tile(high, deep, left, left_step, right, target, c_step);
+            update_tile<1>(high, deep, left, left_step, b0, b0, target, c_step);
           } else {
             pack_strip(target, c_step, high, 3, corner);
-            update_tile(padded, deep, left, left_step, right, corner, tile_rows);
+            update_tile<1>(padded, deep, left, left_step, b0, b0, corner, tile_rows);
             unpack_strip(corner, high, 3, target, c_step);
           }
         }
@@ -232,7 +267,8 @@ void subtract_product(const Sharing* sharing, int rows, int columns, int count, 
 inline void solve_strip(int rows, int columns, Real* x, View u, const Real* reciprocal) {
   for (int j = 0; j < columns; j += 3) {
     Real* target = x + j * tile_rows;
-    update_tile(rows, j, x, tile_rows, {u.at(0, j), u.row, u.column}, target, tile_rows);
+    const View before{u.at(0, j), u.row, u.column};
+    update_tile<1>(rows, j, x, tile_rows, before, before, target, tile_rows);
     const Real u01 = *u.at(j, j + 1), u02 = *u.at(j, j + 2), u12 = *u.at(j + 1, j + 2);
     const Real r0 = reciprocal ? reciprocal[j] : 1;
     const Real r1 = reciprocal ? reciprocal[j + 1] : 1;
@@ -472,14 +508,19 @@ void forward(int pivots, int boundary, const Real* lower, const int* exchange, R
   }
 }
 
+// By as many sums as 64 bytes hold, however long a register is: equal bytes with all that multiply
+// and add in one rounding.
 inline Real sum_of_products(int size, const Real* a, const Real* x) {
-  Pack sums = {};
+  constexpr int sums = 64 / sizeof(Real), packs = sums / lanes;
+  Pack sum[packs] = {};
   int i = 0;
-  for (; i + lanes <= size; i += lanes) sums += load(a + i) * load(x + i);
-  Real sum = 0;
-  for (int l = 0; l < lanes; ++l) sum += sums[l];
-  for (; i < size; ++i) sum += a[i] * x[i];
-  return sum;
+  for (; i + sums <= size; i += sums)
+    for (int k = 0; k < packs; ++k) sum[k] += load(a + i + k * lanes) * load(x + i + k * lanes);
+  Real total = 0;
+  for (int k = 0; k < packs; ++k)
+    for (int l = 0; l < lanes; ++l) total += sum[k][l];
+  for (; i < size; ++i) total += a[i] * x[i];
+  return total;
 }
 
 void backward(int pivots, int boundary, const Real* lower, const Real* upper,

@@ -1,10 +1,14 @@
 #include "front_kernels.hpp"
 
-// Windows is left out: GCC there misaligns 32-byte spills to the stack (GCC bug 54412).
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(_WIN32)
+// Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 
 // After every other header, so that only the kernels of this file use these instructions.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
+#else
 #pragma GCC target("avx2,fma")
+#endif
 
 namespace codend {
 
@@ -14,13 +18,13 @@ bool runs_here() { return __builtin_cpu_supports("avx2") && __builtin_cpu_suppor
 
 namespace in_double {
 using Real = double;
-constexpr int lanes = 4;
+constexpr int lanes = 4, across = 1;
 #include "front_kernels.inl"
 }  // namespace in_double
 
 namespace in_single {
 using Real = float;
-constexpr int lanes = 8;
+constexpr int lanes = 8, across = 1;
 #include "front_kernels.inl"
 }  // namespace in_single
 
@@ -37,6 +41,10 @@ const FrontKernels<float>* avx2_front_kernels<float>() {
 }
 
 }  // namespace codend
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
 
 #else
 

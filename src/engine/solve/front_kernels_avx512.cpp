@@ -1,0 +1,68 @@
+#include "front_kernels.hpp"
+
+// Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
+
+// After every other header, so that only the kernels of this file use these instructions.
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"))), apply_to = function)
+#else
+#pragma GCC target("avx512f,avx512dq,avx512vl,avx2,fma")
+#endif
+
+namespace codend {
+
+namespace {
+
+bool runs_here() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+}
+
+namespace in_double {
+using Real = double;
+constexpr int lanes = 8, across = 2;
+#include "front_kernels.inl"
+}  // namespace in_double
+
+namespace in_single {
+using Real = float;
+constexpr int lanes = 16, across = 2;
+#include "front_kernels.inl"
+}  // namespace in_single
+
+}  // namespace
+
+template <>
+const FrontKernels<double>* avx512_front_kernels<double>() {
+  return runs_here() ? &in_double::kernels : nullptr;
+}
+
+template <>
+const FrontKernels<float>* avx512_front_kernels<float>() {
+  return runs_here() ? &in_single::kernels : nullptr;
+}
+
+}  // namespace codend
+
+#ifdef __clang__
+#pragma clang attribute pop
+#endif
+
+#else
+
+namespace codend {
+
+template <>
+const FrontKernels<double>* avx512_front_kernels<double>() {
+  return nullptr;
+}
+
+template <>
+const FrontKernels<float>* avx512_front_kernels<float>() {
+  return nullptr;
+}
+
+}  // namespace codend
+
+#endif
