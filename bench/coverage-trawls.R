@@ -1,13 +1,14 @@
 # How often 90 % intervals of calibrate() hold the planted values where hauls come from a finer
-# lattice than the fit begins with: hauls of 4,000 nodes, fits that begin with 300. Each repeat draws
-# true values within 15 % of the plan's, two hauls at each of four speeds with errors as in hauls at
-# sea (spreads and tensions 2 %, heights 4 %, as repeated flume tests scatter), and fits two
-# fields from the plan's values: two intervals.
+# lattice than the fit begins with: hauls of 4,000 nodes, fits that begin with 300. Each repeat
+# draws true values within 15 % of the plan's and two hauls at each of four speeds, with errors as
+# repeated flume tests scatter (spreads and tensions 2 %, heights 4 %), and fits two fields from the
+# plan's values: two intervals.
 #
 #   Rscript bench/coverage-trawls.R [repeats of each gear]
 #
-# Writes bench/results/coverage.md, which has the share that holds by gear and field. Of 200 intervals
-# at 90 % the share itself is known to +- 4.2 % (twice the standard deviation of a binomial share).
+# Writes bench/results/coverage.md, which has the share that holds by gear and field. Of 200
+# intervals at 90 % the share itself is known to +- 4.2 % (twice the standard deviation of a binomial
+# share).
 library(codend)
 source("bench/results.R")
 
@@ -30,7 +31,8 @@ cases <- list(
 
 given_in <- function(value, unit) if (nzchar(unit)) paste(value, unit) else value
 
-# Whether each interval of one repeat holds what was planted: named by field; NA where the fit fails.
+# Whether each interval of one repeat holds what was planted: by field; NA where the fit fails, or
+# leaves a field without an interval.
 one_repeat <- function(case, number) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   plan <- read_gear(case$of)
@@ -69,8 +71,8 @@ found <- do.call(rbind, lapply(cases, function(case) {
 all <- sum(found$intervals)
 save_page(c(
   "# How often intervals of calibrate() hold what was planted", "",
-  sprintf(paste("Written by `Rscript bench/coverage-trawls.R`: hauls of 4,000 nodes, fits that begin",
-    "with 300, 90 %% intervals by the covariance. Of %d intervals %.1f %% hold. %s"), all,
+  sprintf(paste("Written by `Rscript bench/coverage-trawls.R`: hauls of 4,000 nodes, fits that",
+    "begin with 300, 90 %% intervals by the covariance. Of %d intervals %.1f %% hold. %s"), all,
   sum(found$intervals * found[["held, %"]]) / all, measured_with()), "",
   markdown_table(found)
 ), "coverage")
