@@ -23,10 +23,10 @@
 #'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
 #'   points). On lattices of netting of fewer than 1,000 nodes one error in 60 was less than a fifth
 #'   of the true one, with 1,500 nodes one in 2,800. It is the discretisation's alone, not of drag
-#'   coefficients. Of a moment of a tow it is that of the settled state that the tow started from, as a share of each measure, together with
-#'   that of the steps by their accuracy: 1.5 times it of lengths, 2.5 % of forces at 0.01 m; `NA`
-#'   where the tow did not start from a settled state, as one that is shot. The attribute `main`
-#'   says which measures `settle(accuracy = )` looks at.
+#'   coefficients. Of a moment of a tow it is that of the settled state that the tow started from,
+#'   as a share of each measure, together with that of the steps by their accuracy: 1.5 times it of
+#'   lengths, 2.5 % of forces at 0.01 m; `NA` where the tow did not start from a settled state, as
+#'   one that is shot. The attribute `main` says which measures `settle(accuracy = )` looks at.
 #' @examples
 #' found <- measures(settle("crossing_cables"))
 #' found[["total_drag_kN"]]

@@ -7,8 +7,8 @@
 #   Rscript bench/coverage-trawls.R [repeats of each gear]
 #
 # Writes bench/results/coverage.md, which has the share that holds by gear and field. Of 200
-# intervals at 90 % the share itself is known to +- 4.2 % (twice the standard deviation of a binomial
-# share).
+# intervals at 90 % the share itself is known to +- 4.2 % (twice the standard deviation of a
+# binomial share).
 library(codend)
 source("bench/results.R")
 
