@@ -21,7 +21,7 @@
 #'   generalised least squares; at least half of what is usual in the gear's measures of that class
 #'   (forces, openings, places, slack and tension of netting) and, of gears with netting, 0.2 % with
 #'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
-#'   points). On lattices of netting of fewer than 1,000 nodes one error in 60 was less than a fifth
+#'   points). On models of netting of fewer than 1,000 nodes one error in 60 was less than a fifth
 #'   of the true one, with 1,500 nodes one in 2,800. It is the discretisation's alone, not of drag
 #'   coefficients. Of a moment of a tow it is that of the settled state that the tow started from,
 #'   as a share of each measure, together with that of the steps by their accuracy: 1.5 times it of

@@ -508,17 +508,18 @@ void forward(int pivots, int boundary, const Real* lower, const int* exchange, R
   }
 }
 
-// By as many sums as 64 bytes hold, however long a register is: equal bytes with all that multiply
+// By as many sums as 32 bytes hold, however long a register is: equal bytes with all that multiply
 // and add in one rounding.
 inline Real sum_of_products(int size, const Real* a, const Real* x) {
-  constexpr int sums = 64 / sizeof(Real), packs = sums / lanes;
-  Pack sum[packs] = {};
+  constexpr int sums = 32 / sizeof(Real);
+  using Sums = Real __attribute__((vector_size(32)));
+  typedef Real LooseSums __attribute__((vector_size(32), aligned(alignof(Real)), may_alias));
+  Sums sum = {};
   int i = 0;
   for (; i + sums <= size; i += sums)
-    for (int k = 0; k < packs; ++k) sum[k] += load(a + i + k * lanes) * load(x + i + k * lanes);
+    sum += *reinterpret_cast<const LooseSums*>(a + i) * *reinterpret_cast<const LooseSums*>(x + i);
   Real total = 0;
-  for (int k = 0; k < packs; ++k)
-    for (int l = 0; l < lanes; ++l) total += sum[k][l];
+  for (int l = 0; l < sums; ++l) total += sum[l];
   for (; i < size; ++i) total += a[i] * x[i];
   return total;
 }
