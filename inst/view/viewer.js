@@ -308,7 +308,7 @@ window.codendView.viewer = function (host, options) {
   var cast = null, shaded = null, sun = [-0.34, 0.30, 0.89], sunCamera = new T.OrthographicCamera();
   sunCamera.matrixAutoUpdate = sunCamera.matrixWorldAutoUpdate = false;
   function cast_shadow(gear) {
-    if (!told.bed || shaded === gear || too_slow()) return;
+    if (!told.bed || shaded === gear) return;
     shaded = gear;
     if (!cast) {
       cast = new T.WebGLRenderTarget(1024, 1024, {
@@ -490,7 +490,8 @@ window.codendView.viewer = function (host, options) {
       renderer.setScissorTest(true);
       renderer.setScissor(box.left, foot, box.width, box.height);
       renderer.setViewport(box.left, foot, box.width, box.height);
-      if (!shared.paper.value) cast_shadow(box.gear);
+      // the first picture and shapes that pass wait for no shadow, unless the renderer is known to be quick
+      if (!shared.paper.value && (given || !hasty || quickest <= slow)) cast_shadow(box.gear);
       shared.ratio.value = ratio;
       set_eye(box.width, box.height);
       shared.pixel.value /= ratio;
@@ -1176,6 +1177,7 @@ window.codendView.viewer = function (host, options) {
       if (told.times.length > 1 && !moment) moment = view.motion(host, shown, told, options);
       if (first) {
         look_again();
+        hasten();
       } else {
         follow();
       }
