@@ -58,9 +58,8 @@ states_along <- function(net, group, gear, at, values, series = paste(group, nam
 }
 
 poly_hauls <- function() {
-  hauls <- utils::read.csv(system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"),
-    comment.char = "#")
-  hauls <- hauls[hauls$trawl == "PNE" & hauls$wire_m > 150 & hauls$wire_m < 1000, ]
+  hauls <- survey_hauls("PNE")
+  hauls <- hauls[hauls$wire_m < 1000, ]
   tuned <- round(hauls$wire_m) %in% c(183, 689)
   wide <- tuned | round(hauls$wire_m) == 340
   states_along("Poly Nor'Eastern", "hauls, Gulf of Alaska", read_gear("poly_noreastern_trawl"),
@@ -76,9 +75,7 @@ poly_hauls <- function() {
 
 # Hauls of the 83-112 Eastern trawl; its boards' lift and its cut are tuned at 229 m of wire.
 eastern_hauls <- function() {
-  hauls <- utils::read.csv(system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"),
-    comment.char = "#")
-  hauls <- hauls[hauls$trawl == "83-112" & hauls$hauls > 100, ]
+  hauls <- survey_hauls("83-112")
   tuned <- round(hauls$wire_m) == 229
   states_along("83-112 Eastern", "hauls, Bering Sea",
     read_gear(system.file("extdata", "eastern_trawl.yaml", package = "codend")),
@@ -133,7 +130,7 @@ flume_values <- function() {
   series <- split(seq_len(nrow(tests)), paste(tests$rigging, tests$spread_treatment_m))
   unlist(lapply(series, function(set) {
     rigging <- tests$rigging[set[1]]
-    usual <- if (rigging == "standard") "1.6 m" else "1.2 m"
+    usual <- paste(usual_pull(rigging) * 8 / 1000, "m")
     spread <- set_spread(survey_rig(rigging, usual), tests$spread_treatment_m[set[1]])
     state <- NULL
     lapply(set, function(k) {
