@@ -100,7 +100,7 @@ put_at <- function(tree, steps, value) {
 
 # Standard uncertainty of a number as a share of it, from what is said of it; NA where that cannot
 # be read. value: the number in SI; dimension: as plan_units. Between two ends all is as probable:
-# half of the range over sqrt(3) (JCGM 100:2008, 4.3.7).
+# half of the range over sqrt(3) (JCGM 100:2008, 4.3.7). Of 0 a share is 0.
 uncertain_share <- function(said, value, dimension) {
   size <- function(text) {
     parts <- split_quantity(text)
@@ -116,7 +116,7 @@ uncertain_share <- function(said, value, dimension) {
   }
   parts <- split_quantity(said)
   if (!is.null(parts) && parts[2L] %in% names(plan_units$number)) {
-    return(quantity_si(said, "number"))
+    return(if (value == 0) 0 else quantity_si(said, "number"))
   }
   size(said) / abs(value)
 }
@@ -143,7 +143,7 @@ uncertain_shares <- function(plan) {
     value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
     if (dimension == "number") value <- whole_of(value)
     share <- uncertain_share(said[[path]], value, dimension)
-    if (!is.finite(value) || value == 0 || !is.finite(share) || share < 0) {
+    if (!is.finite(value) || !is.finite(share) || share < 0) {
       abort_field(here, said[[path]], paste(
         "a standard uncertainty such as 10 % or one in the unit of the field, or two ends such as",
         "4 m to 5 m"

@@ -49,6 +49,11 @@ test_that("what is said of a part goes with it", {
   expect_identical(names(bare$plan$uncertain), c("towing.speed", "multipliers.piece_drag"))
 })
 
+test_that("a share of what is changed to 0 is 0", {
+  gear <- update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 mm")
+  expect_identical(uncertain_shares(gear$plan)[["bridles.upper.setback"]], 0)
+})
+
 test_that("what cannot be an uncertainty is an error that names the field", {
   said <- function(text) {
     error <- tryCatch(uncertain_warp(text), codend_error_plan = identity)
