@@ -17,30 +17,26 @@ constexpr int lanes = 4, across = 1;
 #include "front_kernels.inl"
 }  // namespace in_single
 
+constexpr FrontKernelSet set{in_double::kernels, in_single::kernels};
+
+const FrontKernelSet& fastest() {
+  static const FrontKernelSet* const widest = avx512_front_kernels();
+  static const FrontKernelSet* const wide = avx2_front_kernels();
+  return widest ? *widest : wide ? *wide : set;
+}
+
 }  // namespace
 
-template <>
-const FrontKernels<double>& portable_front_kernels<double>() {
-  return in_double::kernels;
-}
-
-template <>
-const FrontKernels<float>& portable_front_kernels<float>() {
-  return in_single::kernels;
-}
+const FrontKernelSet& portable_front_kernels() { return set; }
 
 template <>
 const FrontKernels<double>& front_kernels<double>() {
-  static const FrontKernels<double>* const widest = avx512_front_kernels<double>();
-  static const FrontKernels<double>* const wide = avx2_front_kernels<double>();
-  return widest ? *widest : wide ? *wide : in_double::kernels;
+  return fastest().in_double;
 }
 
 template <>
 const FrontKernels<float>& front_kernels<float>() {
-  static const FrontKernels<float>* const widest = avx512_front_kernels<float>();
-  static const FrontKernels<float>* const wide = avx2_front_kernels<float>();
-  return widest ? *widest : wide ? *wide : in_single::kernels;
+  return fastest().in_single;
 }
 
 }  // namespace codend

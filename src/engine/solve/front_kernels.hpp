@@ -55,37 +55,27 @@ struct FrontKernels {
                               Real* x);
 };
 
-// For any processor. Real is float or double here and below: these are specialised, since a
-// template made in a file that is compiled for AVX could be taken by the linker for all files.
-template <class Real>
-const FrontKernels<Real>& portable_front_kernels();
+// The kernels of one set of processor instructions.
+struct FrontKernelSet {
+  const FrontKernels<double>& in_double;
+  const FrontKernels<float>& in_single;
+};
+
+// For any processor. No templates here and below: one made in a file that is compiled for AVX could
+// be taken by the linker for all files.
+const FrontKernelSet& portable_front_kernels();
 
 // For x86-64 with AVX2 and FMA; null where the compiler or the running processor lacks them.
-template <class Real>
-const FrontKernels<Real>* avx2_front_kernels();
+const FrontKernelSet* avx2_front_kernels();
 
 // The same with AVX-512 (F, DQ, VL), of which every sum is that of AVX2.
-template <class Real>
-const FrontKernels<Real>* avx512_front_kernels();
+const FrontKernelSet* avx512_front_kernels();
 
-// The fastest that the running processor can execute. The choice is fixed for a machine; one
-// without AVX2 and FMA, which rounds between multiplying and adding, may differ from the others in
-// the last bits of a solution.
+// The fastest that the running processor can execute, for Real of float or double. The choice is
+// fixed for a machine; one without AVX2 and FMA, which rounds between multiplying and adding, may
+// differ from the others in the last bits of a solution.
 template <class Real>
 const FrontKernels<Real>& front_kernels();
-
-template <>
-const FrontKernels<double>& portable_front_kernels<double>();
-template <>
-const FrontKernels<float>& portable_front_kernels<float>();
-template <>
-const FrontKernels<double>* avx2_front_kernels<double>();
-template <>
-const FrontKernels<float>* avx2_front_kernels<float>();
-template <>
-const FrontKernels<double>* avx512_front_kernels<double>();
-template <>
-const FrontKernels<float>* avx512_front_kernels<float>();
 template <>
 const FrontKernels<double>& front_kernels<double>();
 template <>

@@ -28,17 +28,11 @@ constexpr int lanes = 8, across = 1;
 #include "front_kernels.inl"
 }  // namespace in_single
 
+constexpr FrontKernelSet set{in_double::kernels, in_single::kernels};
+
 }  // namespace
 
-template <>
-const FrontKernels<double>* avx2_front_kernels<double>() {
-  return runs_here() ? &in_double::kernels : nullptr;
-}
-
-template <>
-const FrontKernels<float>* avx2_front_kernels<float>() {
-  return runs_here() ? &in_single::kernels : nullptr;
-}
+const FrontKernelSet* avx2_front_kernels() { return runs_here() ? &set : nullptr; }
 
 }  // namespace codend
 
@@ -50,15 +44,7 @@ const FrontKernels<float>* avx2_front_kernels<float>() {
 
 namespace codend {
 
-template <>
-const FrontKernels<double>* avx2_front_kernels<double>() {
-  return nullptr;
-}
-
-template <>
-const FrontKernels<float>* avx2_front_kernels<float>() {
-  return nullptr;
-}
+const FrontKernelSet* avx2_front_kernels() { return nullptr; }
 
 }  // namespace codend
 
