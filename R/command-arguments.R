@@ -1,80 +1,86 @@
-# The arguments of a command: list(plan = what is no option, options = by name), or the text of its
-# help where that is asked for.
+# The arguments of a command, as its words in inst/commands.yaml say them.
 
-parse_command <- function(name, command, arguments) {
-  taken <- list(rest = arguments)
-  if (any(vapply(command$options, function(option) option@long_flag == "--set", NA))) {
-    taken <- take_sets(arguments)
+# What every command takes and does (inst/commands.yaml), {name} replaced by what R knows.
+command_words <- remembered(function() {
+  text <- readLines(system.file("commands.yaml", package = "codend"), encoding = "UTF-8")
+  known <- list(
+    kinds = names(new_plan_kinds()), drawing_types = drawing_types, sheets = names(sheet_sizes),
+    state_formats = formats_text("state"), tow_formats = formats_text("trajectory")
+  )
+  for (name in names(known)) {
+    text <- gsub(paste0("{", name, "}"), toString(known[[name]]), text, fixed = TRUE)
   }
-  if (any(vapply(command$options, function(option) option@long_flag == "--slider", NA))) {
-    taken[c("slider", "rest")] <- take_repeated(taken$rest, "--slider")
-  }
-  parser <- command_parser(name, command)
-  if (any(taken$rest %in% c("--help", "-h"))) {
-    said <- utils::capture.output(optparse::print_help(parser))
-    return(paste0(paste(said, collapse = "\n"), "\n"))
-  }
-  found <- tryCatch(
-    optparse::parse_args(parser, taken$rest, positional_arguments = TRUE),
-    error = function(e) {
-      missing_value <- 'flag "([^"]+)" requires an argument'
-      said <- conditionMessage(e)
-      if (!grepl(missing_value, said)) abort_usage(trimws(said), ".")
-      abort_usage("--", sub(paste0(".*", missing_value, ".*"), "\\1", said), " needs a value.")
+  words <- yaml::yaml.load(paste(text, collapse = "\n"))
+  words[names(words) != "shared"]
+})
+
+# list(plan = what is no option, options = by name), or the text of the command's help where that is
+# asked for. Of an option that is given twice the last counts, of --set and --slider all do.
+parse_command <- function(name, words, arguments) {
+  if (any(arguments %in% c("--help", "-h"))) return(command_help(name, words))
+  flags <- names(words$options)[lengths(words$options) == 1L]
+  options <- setNames(rep(list(FALSE), length(flags)), flags)
+  plan <- character()
+  while (length(arguments)) {
+    one <- arguments[1L]
+    arguments <- arguments[-1L]
+    if (!startsWith(one, "-")) {
+      plan <- c(plan, one)
+      next
     }
-  )
-  given <- length(found$args)
-  wrong <- switch(command$takes,
-    "KIND [NAME=VALUE...]" = if (!given) {
-      paste("a KIND is needed, one of", paste(names(new_plan_kinds()), collapse = ", "))
-    },
-    "PLAN FILE..." = if (given < 2L) "a PLAN and a FILE are needed",
-    "PLAN FILE.html" = if (given != 2L) "a PLAN and a FILE.html are needed",
-    "PLAN" = if (given != 1L) "one PLAN is needed",
-    "ACTION STORE [PLAN]" = if (!given %in% 2:3) "an ACTION and a STORE are needed",
-    "[PLAN]" = if (given > 1L) "at most one PLAN is needed",
-    if (given) "no PLAN is needed"
-  )
-  if (!is.null(wrong)) abort_usage(wrong, ", not ", given, ".")
-  found$options$slider <- NULL
-  list(
-    plan = found$args,
-    options = c(found$options, list(set = taken$set), if (length(taken$slider)) taken["slider"])
-  )
+    option <- sub("^--([^=]*).*", "\\1", one)
+    if (!option %in% names(words$options)) abort_usage("there is no option ", one, ".")
+    joined <- grepl("=", one, fixed = TRUE)
+    if (option %in% flags) {
+      if (joined) abort_usage("--", option, " takes no value.")
+      options[[option]] <- TRUE
+      next
+    }
+    if (!joined && !length(arguments)) abort_usage("--", option, " needs a value.")
+    value <- if (joined) sub("^[^=]*=", "", one) else arguments[1L]
+    if (!joined) arguments <- arguments[-1L]
+    several <- option %in% c("set", "slider")
+    options[[option]] <- c(if (several) options[[option]], value)
+  }
+  options$set <- named_values(options$set, "--set is", "FIELD=VALUE")
+  check_arguments_taken(words, length(plan))
+  list(plan = plan, options = options)
 }
 
-command_parser <- function(name, command) {
-  optparse::OptionParser(
-    usage = trimws(paste("codend", name, if (length(command$options)) "[options]", command$takes)),
-    description = paste0(command$does, if (grepl("PLAN", command$takes)) {
-      " PLAN is a file or the name of a shipped plan (`codend gears`)."
-    }, command$more),
-    option_list = command$options
-  )
+# Whether as many arguments are given as a command takes: names in brackets may be left out, and
+# dots stand for more.
+check_arguments_taken <- function(words, given) {
+  names <- strsplit(words$takes, " ")[[1L]]
+  least <- sum(!startsWith(names, "["))
+  most <- if (grepl("...", words$takes, fixed = TRUE)) Inf else length(names)
+  if (given >= least && given <= most) return(invisible())
+  abort_usage(first_of(words$needs, if (!most) "no PLAN is needed" else {
+    paste(words$takes, "is needed")
+  }), ", not ", given, ".")
 }
 
-# Takes every occurrence of an option with its value out of the arguments, since optparse keeps only
-# the last of one that is repeated: list(texts, rest).
-take_repeated <- function(arguments, flag) {
-  at <- which(arguments == flag)
-  if (any(at == length(arguments))) abort_usage(flag, " needs a value.")
-  joined <- which(startsWith(arguments, paste0(flag, "=")))
-  place <- order(c(at, joined))
-  list(
-    texts = c(arguments[at + 1L], substring(arguments[joined], nchar(flag) + 2L))[place],
-    rest = arguments[setdiff(seq_along(arguments), c(at, at + 1L, joined))]
-  )
+command_help <- function(name, words) {
+  usage <- c("Usage: codend", name, if (length(words$options)) "[options]", words$takes)
+  does <- c(words$does, if (grepl("PLAN", words$takes)) {
+    "PLAN is a file or the name of a shipped plan (`codend gears`)."
+  }, words$more)
+  said <- Map(function(option, name) {
+    value <- if (length(option) > 1L) paste0("=", option[[1L]])
+    c(paste0("  --", name, value), strwrap(option[[length(option)]], 96, 6, 6))
+  }, words$options, names(words$options))
+  paste0(c(
+    paste(usage[nzchar(usage)], collapse = " "), strwrap(paste(does, collapse = " "), 96), "",
+    unlist(said), "  -h, --help", "      show this and end", ""
+  ), collapse = "\n")
 }
 
-# The same of "--set FIELD=VALUE". Of two for the same field the last counts.
-take_sets <- function(arguments) {
-  if (identical(utils::tail(arguments, 1L), "--set")) abort_usage("--set needs FIELD=VALUE.")
-  taken <- take_repeated(arguments, "--set")
-  texts <- taken$texts
+# Texts of NAME=VALUE as values by name, of two for the same name the last; what, form: how they are
+# called where one is not so.
+named_values <- function(texts, what, form) {
   wrong <- grep("^[^=]+=.", texts, invert = TRUE)
-  if (length(wrong)) abort_usage("--set is ", texts[wrong[1]], "; it must be FIELD=VALUE.")
-  set <- setNames(lapply(sub("^[^=]+=", "", texts), plan_value), sub("=.*", "", texts))
-  list(set = set[!duplicated(names(set), fromLast = TRUE)], rest = taken$rest)
+  if (length(wrong)) abort_usage(what, " ", texts[wrong[1L]], "; it must be ", form, ".")
+  values <- setNames(lapply(sub("^[^=]+=", "", texts), plan_value), sub("=.*", "", texts))
+  values[!duplicated(names(values), fromLast = TRUE)]
 }
 
 # A bare number is SI, yes and no are truth values, as in a plan file; all else is text.

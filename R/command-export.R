@@ -1,32 +1,13 @@
-command_export <- function() {
-  list(
-    takes = "PLAN FILE...", does = "Settle a gear and write it for other programs.",
-    more = paste0(
-      " The end of each FILE's name says how: ", formats_text("state"),
-      ". A PLAN that ends in .nc ",
-      "is a state that was kept so, or a tow, to be written as ", formats_text("trajectory"), "."
-    ),
-    options = list(set_option(), aimed_nodes_option(), netting_option()),
-    run = function(plan, options) run_export(plan[1], plan[-1], options)
-  )
-}
-
-run_export <- function(plan, files, options) {
+run_export <- function(given, options) {
+  plan <- given[1L]
+  files <- given[-1L]
   check_lattice_options(options)
   kept <- grepl("[.]nc$", plan)
   if (kept && length(unlist(options[c("set", "nodes", "netting")]))) {
     abort_usage("--set, --nodes and --netting change a plan, not what is kept in ", plan, ".")
   }
+  for (file in files) check_place(file, NULL, vapply(export_formats, `[[`, "", "extension"))
   formats <- lapply(files, format_of_file)
-  for (k in seq_along(files)) {
-    if (is.null(formats[[k]])) {
-      abort_usage(files[k], " must end in one of ",
-        paste(vapply(export_formats, `[[`, "", "extension"), collapse = ", "), ".")
-    }
-    if (!may_place(files[k])) {
-      abort_usage(files[k], " must be a file in a folder that can be written.")
-    }
-  }
   of_tow <- vapply(formats, function(format) identical(format$of, "trajectory"), NA)
   of_state <- vapply(formats, function(format) identical(format$of, "state"), NA)
   if (any(of_tow) && !kept) {

@@ -1,18 +1,3 @@
-command_flume <- function() {
-  list(
-    takes = "[PLAN]",
-    does = paste("Open a page with the settled gear and its controls: the live flume tank.",
-      "Without PLAN it begins at a gallery of gears."),
-    options = list(
-      optparse::make_option("--port", metavar = "N", help = paste(
-        "port of this machine at which a browser finds the page [one that is free]"
-      )),
-      set_option(), nodes_option()
-    ),
-    run = run_flume
-  )
-}
-
 # Ends with an interrupt. Only this machine's own browsers reach the page.
 run_flume <- function(plan, options) {
   check_lattice_options(options)

@@ -1,43 +1,9 @@
-command_optimise <- function() {
-  list(
-    takes = "PLAN", does = "Find the gear that does best within ranges of fields.",
-    options = list(
-      optparse::make_option("--minimise", metavar = "FORMULA", help = paste(
-        "what is to be small: a measure or a formula, such as \"total_drag / door_spread\"; what",
-        "is to be large has a minus and is joined: --minimise=-mouth_area"
-      )),
-      optparse::make_option("--keep", metavar = "CONDITIONS", help = paste(
-        "what must hold, such as \"headline_height >= '5 m' & door_spread <= '80 m'\""
-      )),
-      change_option(),
-      optparse::make_option("--starts", metavar = "N", help = paste(
-        "from how many places to begin, the gear's own and others [1, at kinks 3]"
-      )),
-      optparse::make_option("--and", metavar = "FORMULA", help = paste(
-        "a second objective: print the curve of gears of which none is better in both, as CSV"
-      )),
-      optparse::make_option("--points", metavar = "N", help = "of --and: how many gears [7]"),
-      optparse::make_option("--out", metavar = "FILE", help = paste(
-        "write the plan found (.yaml), or the curve of --and (.csv)"
-      )),
-      set_option(), nodes_option(), netting_option()
-    ),
-    run = run_optimise
-  )
-}
-
-change_option <- function() {
-  optparse::make_option("--change", metavar = "RANGES", help = paste(
-    "fields with their ranges, such as \"warps.length = 300 m .. 600 m; floats.number = 20 .. 60\""
-  ))
-}
-
 run_optimise <- function(plan, options) {
   check_lattice_options(options)
   if (is.null(options$minimise)) abort_usage("--minimise must say what is to be small.")
   starts <- if (!is.null(options$starts)) count_option(options, "starts", 1)
   points <- count_option(options, "points", 7)
-  if (is.null(options$and)) check_plan_out(options$out) else check_csv_out(options$out)
+  if (is.null(options$and)) check_plan_out(options$out) else check_place(options$out)
   keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
   aim <- option_formula(options$minimise, "--minimise")
   other <- if (!is.null(options$and)) option_formula(options$and, "--and")
@@ -71,11 +37,7 @@ option_ranges <- function(text) {
   })
 }
 
-check_plan_out <- function(out) {
-  if (!is.null(out) && !(grepl("[.]ya?ml$", out) && may_place(out))) {
-    abort_usage("--out is ", out, "; it must end in .yaml and lie in a folder that can be written.")
-  }
-}
+check_plan_out <- function(out) check_place(out, "--out", c(".yaml", ".yml"))
 
 write_found <- function(gear, out) {
   if (is.null(out)) return(invisible(NULL))

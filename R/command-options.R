@@ -1,31 +1,6 @@
 # Options that several commands take, and what is checked of them before anything is computed: a
 # long solve must not end in a folder that cannot be written.
 
-set_option <- function() {
-  optparse::make_option("--set", metavar = "FIELD=VALUE", help = paste(
-    "change a field of the plan, such as towing.speed=\"5 knot\" or",
-    "ropes.warp.length=300; may be given several times"
-  ))
-}
-
-# usual: how many are taken without.
-nodes_option <- function(usual = "1500") {
-  optparse::make_option("--nodes", metavar = "N", help = sprintf(
-    "about how many nodes [%s]", usual
-  ))
-}
-
-# Of what is settled once.
-aimed_nodes_option <- function() {
-  nodes_option("1500, or up to 4000 where main measures would err by over 1 %")
-}
-
-netting_option <- function() {
-  optparse::make_option("--netting", metavar = "NAME", help = paste(
-    "bars or cells for every panel [each panel's own choice in the plan]"
-  ))
-}
-
 # The gear of a plan with the fields that --set changes.
 read_changed <- function(plan, options) {
   gear <- read_gear(plan)
@@ -60,8 +35,19 @@ check_out_folder <- function(out) {
   }
 }
 
-# Whether a file can be written at a place.
-may_place <- function(file) !dir.exists(file) && may_write(dirname(file))
+# That a file can be written, with one of some ends of its name; "-" is standard output. option:
+# that names it, or NULL.
+check_place <- function(file, option = "--out", ends = NULL) {
+  if (is.null(file) || is.null(ends) && file == "-") return(invisible())
+  ended <- is.null(ends) || any(endsWith(tolower(file), ends))
+  if (ended && !dir.exists(file) && may_write(dirname(file))) return(invisible())
+  abort_usage(
+    if (is.null(option)) file else paste0(option, " is ", file, "; it"), " must ",
+    if (is.null(ends)) "be a file in" else {
+      paste("end in", if (length(ends) > 1L) "one of", toString(ends), "and lie in")
+    }, " a folder that can be written."
+  )
+}
 
 may_write <- function(folder) dir.exists(folder) && file.access(folder, 2L) == 0L
 
@@ -100,12 +86,6 @@ read_csv_option <- function(file, option) {
     abort_usage(option, " is ", file, "; it must be a CSV file that exists.")
   }
   read_designs(file)
-}
-
-check_csv_out <- function(out, option = "--out") {
-  if (!is.null(out) && out != "-" && !may_place(out)) {
-    abort_usage(option, " is ", out, "; it must be a file in a folder that can be written.")
-  }
 }
 
 # A table as CSV: on standard output, or in a file.

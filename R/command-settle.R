@@ -1,29 +1,7 @@
-command_settle <- function() {
-  list(
-    takes = "PLAN", does = "Find the steady shape of a gear and print its measures and forces.",
-    options = list(
-      set_option(), aimed_nodes_option(), netting_option(),
-      optparse::make_option("--uncertainty", action = "store_true", default = FALSE, help = paste(
-        "also how far each measure may be from the truth, with 90 %, and where that comes from"
-      )),
-      optparse::make_option("--json", metavar = "FILE", help = paste(
-        "write the measures as JSON; - is standard output, which then holds nothing else"
-      )),
-      optparse::make_option("--out", metavar = "DIR", help = paste(
-        "write measures.csv, tensions.csv, pictures of the three planes (xy.png, xz.png, yz.png)",
-        "and the interactive 3D page (view.html)"
-      ))
-    ),
-    run = run_settle
-  )
-}
-
 run_settle <- function(plan, options) {
   check_lattice_options(options)
   json <- options$json
-  if (!is.null(json) && json != "-" && !may_place(json)) {
-    abort_usage("--json is ", json, "; it must be a file in a folder that can be written.")
-  }
+  check_place(json, "--json")
   check_out_folder(options$out)
   asked <- list(plan = plan, set = setNames(as.list(options$set), names(options$set)))
   write <- function(...) if (!is.null(json)) write_json(c(asked, ...), json)

@@ -1,25 +1,7 @@
-command_share <- function() {
-  list(
-    takes = "PLAN FILE.html",
-    does = "Settle a gear and write it as a page that settles it anew as sliders move.",
-    options = list(
-      optparse::make_option("--slider", metavar = "FIELD[=LOW, HIGH]", help = paste(
-        "a field that the page may change, such as towing.speed or",
-        "\"towing.speed=3 knot, 5 knot\"; may be given several times",
-        "[those that people change first]"
-      )),
-      set_option(), nodes_option(), netting_option()
-    ),
-    run = run_share
-  )
-}
-
 run_share <- function(plan, options) {
   check_lattice_options(options)
   file <- plan[2L]
-  if (!grepl("[.]html$", file) || !may_place(file)) {
-    abort_usage(file, " must end in .html and lie in a folder that can be written.")
-  }
+  check_place(file, NULL, ".html")
   asked <- slider_options(options$slider)
   check_can_share()
   if (is.null(options$nodes)) options$nodes <- as.character(usual_nodes)

@@ -1,44 +1,3 @@
-command_study <- function() {
-  list(
-    takes = "ACTION STORE [PLAN]", does = "Settle a gear in many designs, in tasks of any number.",
-    more = paste(
-      " ACTION is new (makes the folder STORE for a PLAN and its designs, of --designs or",
-      "--change), run (settles the designs of a --task that are not done yet), status (says how",
-      "far it is), table (what is done as CSV), effects, pairs or indices (which fields matter, as",
-      "CSV) or plot (a picture of what is done). Any number of tasks may run at once, on any",
-      "machines that see STORE."
-    ),
-    options = list(
-      optparse::make_option("--designs", metavar = "FILE.csv", help = paste(
-        "of new: a table with a row per design and a column per field, named by its path; what is",
-        "empty stays as in the plan"
-      )),
-      optparse::make_option("--change", metavar = "RANGES", help = paste(
-        "of new: fields with ranges or values, such as",
-        "\"towing.speed = 3 knot .. 5 knot; floats.number = 20, 40\""
-      )),
-      optparse::make_option("--how", metavar = "WAY", help = paste(
-        "of --change: grid, random, latin, sobol, one_at_a_time or indices [grid of values, sobol",
-        "of ranges]"
-      )),
-      optparse::make_option("--number", metavar = "N", help = paste(
-        "of --change: how many designs are drawn, or values of a range"
-      )),
-      optparse::make_option("--seed", metavar = "N", help = "of --change: of what is drawn [1]"),
-      nodes_option(), netting_option(),
-      optparse::make_option("--task", metavar = "I", help = "of run: which task [1]"),
-      optparse::make_option("--of", metavar = "N", help = "of run: of how many tasks [1]"),
-      optparse::make_option("--measures", metavar = "NAMES", help = paste(
-        "of effects, pairs, indices and plot: such as \"total_drag_kN; door_spread_m\" [all]"
-      )),
-      optparse::make_option("--out", metavar = "FILE", help = paste(
-        "where a table (.csv) [-] or a picture (.png, .pdf, .svg) goes"
-      ))
-    ),
-    run = run_study_command
-  )
-}
-
 study_actions <- c("new", "run", "status", "table", "effects", "pairs", "indices", "plot")
 
 run_study_command <- function(given, options) {
@@ -76,7 +35,7 @@ run_study_command <- function(given, options) {
       tell(0L, "Written: ", options$out)
     },
     {
-      check_csv_out(options$out)
+      check_place(options$out)
       of <- switch(action, effects = main_effects, pairs = pair_effects, indices = sobol_indices)
       found <- read_study(store)
       if (!is.null(of)) found <- of(found, parts_of(options$measures))

@@ -1,27 +1,3 @@
-command_tow <- function() {
-  list(
-    takes = "PLAN", does = "Tow a gear through the plan's schedule and print its measures.",
-    options = list(
-      optparse::make_option("--until", metavar = "TIME", help = paste(
-        "time to which to tow, such as \"10 min\" [the plan's tow.until]"
-      )),
-      optparse::make_option("--every", metavar = "TIME", help = paste(
-        "time between the states that are kept [the plan's tow.every, or a 200th of --until]"
-      )),
-      optparse::make_option("--accuracy", metavar = "LENGTH", help = paste(
-        "error of position that one step may make [the plan's tow.accuracy, or 10 mm]"
-      )),
-      set_option(), nodes_option(), netting_option(),
-      optparse::make_option("--out", metavar = "DIR", help = paste(
-        "write trajectory.nc (NetCDF, while the tow runs), measures.csv, conditions.csv and",
-        "tensions.csv by time, a plot of the measures (measures.png) and the 3D page that plays",
-        "(view.html)"
-      ))
-    ),
-    run = run_tow
-  )
-}
-
 run_tow <- function(plan, options) {
   check_lattice_options(options)
   check_out_folder(options$out)

@@ -10,18 +10,17 @@ run_command <- function(arguments) {
   if (name == "--version") {
     return(cat_and(0L, "codend ", format(utils::packageVersion("codend")), "\n"))
   }
-  known <- commands()
+  known <- command_words()
   if (!name %in% names(known)) {
     return(tell(2L, "codend: there is no command ", name, "; the commands are ",
-      paste(names(known), collapse = ", "), "."))
+      toString(names(known)), "."))
   }
   tryCatch(
     withCallingHandlers(
       {
-        command <- known[[name]]()
-        given <- parse_command(name, command, arguments[-1])
+        given <- parse_command(name, known[[name]], arguments[-1])
         if (is.character(given)) return(cat_and(0L, given))
-        command$run(given$plan, given$options)
+        command_runs()[[name]](given$plan, given$options)
         0L
       },
       warning = function(w) {
@@ -37,23 +36,19 @@ run_command <- function(arguments) {
   )
 }
 
-# What the command line knows, in the order of its help: by name a function that makes the command,
-# which is list(takes = its arguments after the options, does = a sentence, more = further ones or
-# NULL, options = of optparse, run = a function(plan, options) of the arguments and of the options
-# by name). Options take long to make: only those of the command that is called are.
-commands <- function() {
+# What runs each command of inst/commands.yaml: functions of its arguments and its options by name.
+command_runs <- function() {
   list(
-    check = command_check, gears = command_gears, settle = command_settle, tow = command_tow,
-    report = command_report, share = command_share, export = command_export, draw = command_draw,
-    study = command_study, optimise = command_optimise, calibrate = command_calibrate,
-    sensitivities = command_sensitivities, flume = command_flume, expand = command_expand,
-    new = command_new
+    check = run_check, gears = run_gears, settle = run_settle, tow = run_tow, report = run_report,
+    share = run_share, export = run_export, draw = run_draw, study = run_study_command,
+    optimise = run_optimise, calibrate = run_calibrate, sensitivities = run_sensitivities,
+    flume = run_flume, expand = run_expand, new = run_new
   )
 }
 
 command_usage <- function() {
-  known <- commands()
-  does <- vapply(known, function(command) command()$does, "")
+  known <- command_words()
+  does <- vapply(known, `[[`, "", "does")
   paste0(
     "Usage: codend COMMAND [options] [PLAN]\n\n",
     "Shape and tensions of fishing gear in water. PLAN is a file or the name of a shipped plan.\n",
@@ -62,4 +57,27 @@ command_usage <- function() {
     "\ncodend COMMAND --help   the options of a command\n",
     "codend --version"
   )
+}
+
+# ---- commands of a few lines ---------------------------------------------------------------------
+
+run_check <- function(plan, options) {
+  gear <- read_changed(plan, options)
+  print(gear)
+  found <- findings(gear)
+  if (nrow(found)) cat("", cli::style_bold("Warnings"), finding_lines(found), sep = "\n")
+}
+
+run_expand <- function(plan, options) cat(format(assembly(read_gear(plan))))
+
+run_gears <- function(plan, options) {
+  plans <- gears()
+  cat(paste0(format(c("PLAN", plans$name)), "  ", c("TITLE", plans$title), "\n"), sep = "")
+}
+
+run_sensitivities <- function(plan, options) {
+  check_lattice_options(options)
+  check_place(options$out)
+  state <- settle_changed(plan, options)
+  give_csv(sensitivities(state, parts_of(options$of), parts_of(options$to)), options$out)
 }

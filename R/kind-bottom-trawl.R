@@ -12,17 +12,39 @@ bottom_trawl_rings <- list(
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_bottom_trawl <- function(fields, plan) {
   check_bottom_trawl(fields)
-  net <- bottom_trawl_net(fields, plan)
   rig <- bottom_trawl_rig(fields, plan)
+  out <- rigged_net(fields, plan, rig)
+  out$otter_boards <- rig$otter_boards
+  out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
+  out
+}
+
+# What stands for a bottom trawl's net on its rig.
+rigged_net <- function(fields, plan, rig) {
+  net <- bottom_trawl_net(fields, plan)
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
   out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
-  out$otter_boards <- rig$otter_boards
-  out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
   out
+}
+
+# The rig of a net that no boards spread: warps from points apart, and legs from the warps' ends.
+boardless_rig <- function(fields, plan, apart) {
+  check_section_names(fields)
+  check_wing_ends(fields)
+  check_middle_bridle(fields)
+  ends <- paste0("warp_end_", trawl_sides)
+  rig <- list(
+    points = c(
+      towing_points(paste0("block_", trawl_sides), apart),
+      stats::setNames(list(nothing, nothing), ends)
+    ),
+    ropes = trawl_warps(plan, to = "warp_end")
+  )
+  trawl_legs(plan, fields, rig, ends)
 }
 
 check_bottom_trawl <- function(fields) {

@@ -3,28 +3,10 @@
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_demersal_seine <- function(fields, plan) {
-  check_section_names(fields)
-  check_wing_ends(fields)
-  check_middle_bridle(fields)
   if (is.null(plan$warps$segments)) {
     plan$warps$segments <- ceiling(fields$warps$length / rope_segment)
   }
-  net <- bottom_trawl_net(fields, plan)
-  ends <- paste0("warp_end_", trawl_sides)
-  rig <- list(
-    points = c(
-      towing_points(paste0("block_", trawl_sides), fields$warps$spacing),
-      stats::setNames(list(nothing, nothing), ends)
-    ),
-    ropes = trawl_warps(plan, to = "warp_end")
-  )
-  rig <- trawl_legs(plan, fields, rig, ends)
-  out <- shared_fields(plan, fields)
-  out$points <- c(rig$points, net$points)
-  out$ropes <- c(rig$ropes, net$ropes)
-  out$panels <- net$panels
-  out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
+  out <- rigged_net(fields, plan, boardless_rig(fields, plan, fields$warps$spacing))
   corners <- lapply(trawl_sides, function(side) first_of(plan$laying[[side]], list()))
   out$laid <- list(
     net = plan$laying$net, ropes = stats::setNames(corners, paste0("warp_", trawl_sides))

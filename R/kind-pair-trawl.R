@@ -3,19 +3,7 @@
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_pair_trawl <- function(fields, plan) {
-  check_section_names(fields)
-  check_wing_ends(fields)
-  check_middle_bridle(fields)
-  net <- bottom_trawl_net(fields, plan)
-  ends <- paste0("warp_end_", trawl_sides)
-  rig <- list(
-    points = c(
-      towing_points(paste0("block_", trawl_sides), fields$vessels$distance),
-      stats::setNames(list(nothing, nothing), ends)
-    ),
-    ropes = trawl_warps(plan, to = "warp_end")
-  )
-  rig <- trawl_legs(plan, fields, rig, ends)
+  rig <- boardless_rig(fields, plan, fields$vessels$distance)
   if (!is.null(plan$weights)) {
     for (side in trawl_sides) {
       rig$pieces[[paste0("weight_", side)]] <- c(
@@ -23,12 +11,7 @@ expand_pair_trawl <- function(fields, plan) {
       )
     }
   }
-  out <- shared_fields(plan, fields)
-  out$points <- c(rig$points, net$points)
-  out$ropes <- c(rig$ropes, net$ropes)
-  out$panels <- net$panels
-  out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
+  out <- rigged_net(fields, plan, rig)
   out$measures <- bottom_trawl_measures(fields, NULL, "warp_end", "warp_end_spread")
   out
 }

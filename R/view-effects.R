@@ -13,12 +13,16 @@
 #'   ropes.cable.length = c("400 m", "700 m"))
 #' plot(main_effects(found, c("total_drag_kN", "greatest_depth_m")))
 plot.codend_effects <- function(x, file = NULL, width = 10, height = NULL, ...) {
+  plot_series(effects_figures(x), effects_title(x, "Main effects"), NULL, file, width, height)
+  invisible(x)
+}
+
+effects_figures <- function(x, measures = NULL) {
   pairs <- unique(as.data.frame(unclass(x)[c("measure", "field")]))
-  figures <- lapply(seq_len(nrow(pairs)), function(k) {
+  pairs <- pairs[pairs$measure %in% chosen_some(measures, unique(x$measure)), ]
+  lapply(seq_len(nrow(pairs)), function(k) {
     effects_figure(x, x$measure == pairs$measure[k] & x$field == pairs$field[k])
   })
-  plot_series(figures, effects_title(x, "Main effects"), NULL, file, width, height)
-  invisible(x)
 }
 
 effects_figure <- function(x, rows) {

@@ -76,53 +76,14 @@ autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), colour = 
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
-  series <- trajectory_series(object, measures)
-  minutes <- max(object$time) > 180
-  data <- do.call(rbind, lapply(series, function(one) {
-    data.frame(
-      time = one$time / if (minutes) 60 else 1, value = one$value,
-      measure = words_and_unit(one$words, one$unit)
-    )
-  }))
-  data$measure <- factor(data$measure, unique(data$measure))
-  ggplot2::ggplot(data, ggplot2::aes(.data[["time"]], .data[["value"]])) +
-    ggplot2::geom_line(colour = water_colour) +
-    ggplot2::facet_wrap("measure", scales = "free_y") +
-    ggplot2::labs(
-      title = paste("Tow of", object$gear$plan$name), y = NULL,
-      x = if (minutes) "time (min)" else "time (s)"
-    ) + gg_theme()
+  gg_series(lapply(trajectory_series(object, measures), time_figure), tow_title(object))
 }
 
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_variations <- function(object, measures = NULL, ...) {
-  if (has_response_curves(object)) return(gg_responses(object, measures))
-  study <- variations_study(object, measures)
-  n <- length(study$group_labels)
-  at <- if (is.null(study$ticks)) study$at else factor(study$ticks[study$at], study$ticks)
-  data <- do.call(rbind, lapply(study$measures, function(name) {
-    unit <- variations_unit(object, name)
-    data.frame(
-      at = at, value = object[[name]], measure = words_and_unit(words_of(name, unit), unit),
-      group = factor(study$group_labels[study$group], study$group_labels)
-    )
-  }))
-  data$measure <- factor(data$measure, unique(data$measure))
-  data <- data[!is.na(data$value), ]
-  mapping <- ggplot2::aes(
-    .data[["at"]], .data[["value"]], colour = .data[["group"]], shape = .data[["group"]],
-    group = .data[["group"]]
-  )
-  ggplot2::ggplot(data, mapping) + ggplot2::geom_line() + ggplot2::geom_point() +
-    ggplot2::facet_wrap("measure", scales = "free_y") +
-    ggplot2::scale_colour_manual(values = series_colours(n)) +
-    ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
-    ggplot2::labs(
-      title = variations_title(object), y = NULL, colour = study$groups_title,
-      shape = study$groups_title,
-      x = field_words(object, study$field)
-    ) + gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+  drawn <- variations_drawn(object, measures)
+  gg_series(drawn$figures, variations_title(object), drawn$key, has_response_curves(object))
 }
 
 #' @rdname codend_autoplot
@@ -155,63 +116,17 @@ autoplot.codend_rope_tensions <- function(object, ...) {
     gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
 }
 
-gg_responses <- function(object, measures) {
-  found <- response_points(object, measures)
-  data <- found$points[!is.na(found$points$value), ]
-  each <- split(data, data[c("measure", "field")], drop = TRUE)
-  smooth <- do.call(rbind, lapply(each, function(rows) {
-    lines <- response_lines(rows, found$single, is.null(found$ticks[[rows$field[1L]]]))
-    line <- Filter(function(line) line$joined, lines)
-    if (!length(line)) return(NULL)
-    data.frame(measure = rows$measure[1L], field = rows$field[1L], at = line[[1L]]$x,
-      value = line[[1L]]$y)
-  }))
-  gg_by_field(object, list(
-    ggplot2::geom_point(gg_at(), gg_facets(object, data), colour = water_colour, alpha = 0.35),
-    if (!is.null(smooth)) {
-      ggplot2::geom_line(gg_at(), gg_facets(object, smooth), colour = water_colour)
-    }
-  ), variations_title(object))
-}
-
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_effects <- function(object, measures = NULL, ...) {
-  rows <- object$measure %in% chosen_some(measures, unique(object$measure))
-  data <- data.frame(measure = object$measure, field = object$field, at = object$value,
-    value = object$mean)[rows, ]
-  number <- suppressWarnings(as.double(data$at))
-  if (!anyNA(number)) data$at <- number
-  data <- gg_facets(object, data)
-  gg_by_field(object, list(
-    ggplot2::geom_line(gg_at(), data, colour = water_colour),
-    ggplot2::geom_point(gg_at(), data, colour = water_colour)
-  ), effects_title(object, "Main effects"))
+  gg_series(effects_figures(object, measures), effects_title(object, "Main effects"), grid = TRUE)
 }
 
 #' @rdname codend_autoplot
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_pair_effects <- function(object, measures = NULL, ...) {
-  figures <- lapply(chosen_pairs(object, measures, 6), function(row) {
-    figure <- pair_figure(object, row)
-    do.call(rbind, lapply(figure$lines, function(line) {
-      data.frame(
-        figure = paste0(words_and_unit(figure$words, figure$unit), "\nby ", figure$across),
-        at = line$x, value = line$y, group = sub(".*: ", "", figure$groups[line$group]),
-        other = sub(": .*", "", figure$groups[1L])
-      )
-    }))
-  })
-  data <- do.call(rbind, figures)
-  data$line <- paste(data$other, data$group, sep = " = ")
-  data$line <- factor(data$line, unique(data$line))
-  data$figure <- factor(data$figure, unique(data$figure))
-  mapping <- ggplot2::aes(.data[["at"]], .data[["value"]], colour = .data[["line"]])
-  ggplot2::ggplot(data, mapping) + ggplot2::geom_line() + ggplot2::geom_point() +
-    ggplot2::facet_wrap("figure", scales = "free") +
-    ggplot2::scale_colour_manual(values = series_colours(nlevels(data$line))) +
-    ggplot2::labs(title = effects_title(object, "Effects of pairs"), x = NULL, y = NULL,
-      colour = NULL) + gg_theme()
+  figures <- lapply(chosen_pairs(object, measures, 6), function(row) pair_figure(object, row))
+  gg_series(figures, effects_title(object, "Effects of pairs"))
 }
 
 #' @rdname codend_autoplot
@@ -239,22 +154,60 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
       y = NULL, shape = NULL) + gg_theme()
 }
 
-gg_at <- function() ggplot2::aes(.data[["at"]], .data[["value"]])
+# ---- small figures -------------------------------------------------------------------------------
 
-# Data of measure and field with the words that facets say.
-gg_facets <- function(object, data) {
-  units <- vapply(data$measure, variations_unit, "", x = object)
-  measure <- words_and_unit(words_of(data$measure, units), units)
-  field <- vapply(data$field, field_words, "", x = object)
-  data$measure <- factor(measure, unique(measure))
-  data$field <- factor(field, unique(field))
-  data
+# The figures of plot_series() as facets, a measure a row and a field a column where they are a
+# grid.
+gg_series <- function(figures, title, key = NULL, grid = FALSE) {
+  lines <- unlist(lapply(figures, `[[`, "lines"), recursive = FALSE)
+  # curves need numbers
+  text <- !all(lengths(lapply(figures, `[[`, "ticks")) == 0L) &&
+    all(vapply(lines, `[[`, NA, "symbols"))
+  data <- do.call(rbind, lapply(figures, gg_figure, key, text))
+  ordered <- c("at"[text], "measure", "across", "group")
+  data[ordered] <- lapply(data[ordered], function(value) factor(value, unique(value)))
+  alone <- nlevels(data$across) == 1L
+  if (!grid && !alone) {
+    figure <- paste0(data$measure, "\nby ", data$across)
+    data$measure <- factor(figure, unique(figure))
+  }
+  n <- nlevels(data$group)
+  mapping <- ggplot2::aes(.data[["at"]], .data[["value"]], colour = .data[["group"]],
+    shape = .data[["group"]], group = .data[["group"]])
+  marked <- data[data$symbols, ]
+  layers <- list(
+    if (any(data$joined)) ggplot2::geom_line(data = data[data$joined, ]),
+    if (nrow(marked)) ggplot2::geom_point(data = marked, alpha = ifelse(marked$joined, 1, 0.35))
+  )
+  ggplot2::ggplot(data, mapping) + unlist_layers(layers) +
+    (if (grid) {
+      ggplot2::facet_grid(measure ~ across, scales = "free")
+    } else {
+      ggplot2::facet_wrap("measure", scales = if (alone) "free_y" else "free")
+    }) +
+    ggplot2::scale_colour_manual(values = if (n > 1L) series_colours(n) else water_colour) +
+    ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
+    ggplot2::labs(
+      title = title, y = NULL, colour = key$title, shape = key$title,
+      x = if (alone && !grid) levels(data$across)
+    ) + gg_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
 }
 
-gg_by_field <- function(object, layers, title) {
-  ggplot2::ggplot() + unlist_layers(layers) +
-    ggplot2::facet_grid(measure ~ field, scales = "free") +
-    ggplot2::labs(title = title, x = NULL, y = NULL) + gg_theme()
+# The points of a figure's lines, a row each.
+gg_figure <- function(figure, key, text) {
+  labels <- first_of(key$labels, "")
+  if (!is.null(figure$groups)) {
+    labels <- paste(sub(": .*", "", figure$groups[1L]), sub(".*: ", "", figure$groups), sep = " = ")
+  }
+  do.call(rbind, lapply(figure$lines, function(line) {
+    at <- line$x
+    if (text) at <- if (is.null(figure$ticks)) as_shown(at) else figure$ticks[at]
+    data.frame(
+      at = at, value = line$y, measure = words_and_unit(figure$words, figure$unit),
+      across = figure$across, group = labels[line$group], symbols = line$symbols,
+      joined = !isFALSE(line$joined)
+    )
+  }))
 }
 
 # ---- what they share ----------------------------------------------------------------------------

@@ -18,9 +18,11 @@
 plot.codend_trajectory <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
   figures <- lapply(trajectory_series(x, measures), time_figure)
-  plot_series(figures, paste("Tow of", x$gear$plan$name), NULL, file, width, height)
+  plot_series(figures, tow_title(x), NULL, file, width, height)
   invisible(x)
 }
+
+tow_title <- function(x) paste("Tow of", x$gear$plan$name)
 
 # A series against time, in minutes where it is long.
 time_figure <- function(series) {

@@ -21,20 +21,22 @@
 #' plot(found, measures = c("total_drag_kN", "greatest_depth_m"))
 plot.codend_variations <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
+  drawn <- variations_drawn(x, measures)
+  plot_series(drawn$figures, variations_title(x), drawn$key, file, width, height)
+  invisible(x)
+}
+
+# list(figures, key) as plot_series() takes them.
+variations_drawn <- function(x, measures) {
+  missing <- if (!all(x$settled)) "did not settle"
   if (has_response_curves(x)) {
-    figures <- response_figures(x, measures)
-    key <- if (!all(x$settled)) list(missing = "did not settle")
-    plot_series(figures, variations_title(x), key, file, width, height)
-    return(invisible(x))
+    return(list(figures = response_figures(x, measures), key = list(missing = missing)))
   }
   study <- variations_study(x, measures)
-  figures <- lapply(study$measures, function(name) variations_figure(x, study, name))
-  key <- list(
-    title = study$groups_title, labels = study$group_labels,
-    missing = if (!all(x$settled)) "did not settle"
+  list(
+    figures = lapply(study$measures, function(name) variations_figure(x, study, name)),
+    key = list(title = study$groups_title, labels = study$group_labels, missing = missing)
   )
-  plot_series(figures, variations_title(x), key, file, width, height)
-  invisible(x)
 }
 
 variations_title <- function(x) {

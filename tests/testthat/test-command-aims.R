@@ -2,7 +2,6 @@
 
 test_that("an optimum is found and written from the command line", {
   skip_if_not_installed("nloptr")
-  skip_if_not_installed("optparse")
   out <- tempfile(fileext = ".yaml")
   said <- capture.output(status <- suppressMessages(run_command(c(
     "optimise", "--minimise", "total_drag_kN", "--keep", "body_depth >= '450 m'",
@@ -15,7 +14,6 @@ test_that("an optimum is found and written from the command line", {
 })
 
 test_that("hauls of a CSV file calibrate from the command line", {
-  skip_if_not_installed("optparse")
   data <- tempfile(fileext = ".csv")
   writeLines(c("towing.speed,Depth", "3 knot,590", "4 knot,503", "5 knot,430", "6 knot,370"), data)
   out <- tempfile(fileext = ".yaml")
@@ -29,7 +27,6 @@ test_that("hauls of a CSV file calibrate from the command line", {
 })
 
 test_that("a calibration predicts other hauls and says what its misfit points at", {
-  skip_if_not_installed("optparse")
   data <- tempfile(fileext = ".csv")
   others <- tempfile(fileext = ".csv")
   out <- tempfile(fileext = ".csv")
@@ -49,7 +46,6 @@ test_that("a calibration predicts other hauls and says what its misfit points at
 
 test_that("a trade-off and slopes come from the command line as CSV", {
   skip_if_not_installed("nloptr")
-  skip_if_not_installed("optparse")
   curve <- tempfile(fileext = ".csv")
   status <- suppressMessages(run_command(c(
     "optimise", "--minimise", "total_drag_kN", "--and=-body_depth_m", "--points", "3",
@@ -71,7 +67,6 @@ test_that("a trade-off and slopes come from the command line as CSV", {
 
 test_that("a study of ranges is made, run, read and drawn from the command line", {
   skip_if_not_installed("RNetCDF")
-  skip_if_not_installed("optparse")
   skip_if_not_installed("spacefillr")
   store <- file.path(test_folder(), "cable.study")
   run <- function(...) {
@@ -99,7 +94,6 @@ test_that("a study of ranges is made, run, read and drawn from the command line"
 })
 
 test_that("wrong options are one message", {
-  skip_if_not_installed("optparse")
   wrong <- function(...) suppressMessages(capture.output(
     status <- run_command(c(...)), type = "message"
   ))

@@ -1,6 +1,5 @@
 # `codend export` as a shell runs it; the files are tested where they are written.
 
-skip_if_not_installed("optparse")
 skip_if_not_installed("RNetCDF")
 
 export <- function(..., command = "export") {

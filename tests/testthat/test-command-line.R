@@ -1,8 +1,6 @@
 # Runs exec/codend as a shell does. Its numbers are tested where they are computed; here counts what
 # reaches the shell: exit status, both outputs, files.
 
-skip_if_not_installed("optparse")
-
 script <- system.file("exec", "codend", package = "codend")
 libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
 

@@ -1,8 +1,6 @@
 # The commands without a shell: status, both outputs, files. What a shell adds is tested in
 # test-command-line.R.
 
-skip_if_not_installed("optparse")
-
 ran <- function(...) {
   said <- tempfile()
   connection <- file(said, "w")
@@ -18,21 +16,27 @@ ran <- function(...) {
 
 test_that("the help of every command says how it is used", {
   usage <- ran("--help")$out
-  for (name in names(commands())) {
+  expect_setequal(names(command_words()), names(command_runs()))
+  for (name in names(command_words())) {
     help <- ran(name, "--help")
     expect_identical(help$status, 0L)
     expect_match(help$out[1], paste("Usage: codend", name), fixed = TRUE)
     expect_true(any(startsWith(usage, paste0("  ", name, " ")) &
-      endsWith(usage, commands()[[name]]()$does)))
+      endsWith(usage, command_words()[[name]]$does)))
   }
 })
 
 test_that("the last of two values for a field counts, and text is read as in a plan", {
-  taken <- take_sets(c("a", "--set", "x=1", "b", "--set=y=yes", "--set", "x=2.5e3", "--set=z=3 m"))
-  expect_identical(taken$rest, c("a", "b"))
-  expect_identical(taken$set, list(y = TRUE, x = 2500, z = "3 m"))
-  expect_error(take_sets("--set"), class = "codend_error_usage")
-  expect_error(take_sets(c("--set", "x")), class = "codend_error_usage")
+  words <- command_words()$settle
+  taken <- parse_command("settle", words, c("a", "--set", "x=1", "--set=y=yes", "--uncertainty",
+    "--set", "x=2.5e3", "--set=z=3 m", "--nodes", "5", "--nodes=-6"))
+  expect_identical(taken$plan, "a")
+  expect_identical(taken$options$set, list(y = TRUE, x = 2500, z = "3 m"))
+  expect_true(taken$options$uncertainty)
+  expect_identical(taken$options$nodes, "-6")
+  for (wrong in list("--set", c("--set", "x"), "--uncertainty=yes", "--nod", "-s", character())) {
+    expect_error(parse_command("settle", words, wrong), class = "codend_error_usage")
+  }
 })
 
 test_that("status and message tell a wrong use from a wrong plan", {

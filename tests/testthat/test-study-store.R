@@ -163,7 +163,6 @@ test_that("another study does not go on in a store", {
 })
 
 test_that("a study runs from the shell", {
-  skip_if_not_installed("optparse")
   folder <- test_folder()
   file <- file.path(folder, "designs.csv")
   writeLines(c("towing.speed,ropes.cable.length", "3 knot,300 m", ",500 m", "5 knot,"), file)
