@@ -7,20 +7,15 @@
 namespace codend {
 namespace {
 
-// Pseudo time steps (s): a tenth to ten tell apart motions that grow at 20 /s to 0.002 /s, as those
-// that water drives do. What stiffness drives grows faster: shorter ones, down to about its own.
-constexpr double longest_step = 10.0, shortest_of_water = 0.1, shortest_of_all = 1e-9;
+// Pseudo time steps (s): the longest tells of motions that grow at 0.002 /s and faster; shorter ones,
+// by tenths, down to about the time of what drives them.
+constexpr double longest_step = 10.0, shortest_step = 1e-9;
 // Motions that the largest eigenvalue is sought among, and how many more each time that these do not do.
 constexpr int most_motions = 40, more_motions = 8;
 // An eigenvector is found when applying the matrix leaves it but for this share.
 constexpr double tolerance = 0.005;
 // Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
 constexpr double clear_growth = 1.02;
-// Slack netting that drifts carries other elements with it by less than this share of its own way.
-constexpr double least_share = 0.1;
-constexpr double solve_tolerance = 1e-5;
-// Compression (of the length) that is more than rounding.
-constexpr double least_compression = 1e-9;
 
 // Where two bars that push meet, and nothing but other lines holds them in line: a pole that is
 // divided and has no stiffness against bending.
@@ -40,7 +35,7 @@ std::vector<PressedJoint> pressed_joints(const Assembly& assembly) {
   for (int b = 0; b < model.bars.count(); ++b) {
     const Line<2> bar = model.bars.line(b);
     if (!model.material(bar).strut) continue;
-    const bool pressed = a.strain[b] < -least_compression;
+    const bool pressed = a.strain[b] < 0.0;
     const double driven = a.multiplicity[b] * std::abs(a.tension[b]) / bar.rest;
     for (const int node : {bar.nodes[0], bar.nodes[1]}) {
       if (node >= model.nodes) continue;
@@ -207,11 +202,11 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     if (kind->unstable_size(assembly.field()) <= 0.0) continue;
     stiffest = std::max(stiffest, kind->unstable_stiffness());
   }
-  double shortest = shortest_of_water;
+  double shortest = longest_step;
   for (const int i : tried) {
     shortest = std::min(shortest, damping[static_cast<std::size_t>(i)] / stiffest);
   }
-  shortest = std::max(shortest, shortest_of_all);
+  shortest = std::max(shortest, shortest_step);
   for (double h = longest_step; h > 0.3 * shortest; h *= 0.1) {
     std::vector<double> per_step(damping);
     for (double& d : per_step) d /= h;
@@ -220,15 +215,14 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     if (!lu.factorise(values.data())) continue;
     const LargestEigenvalue largest = largest_eigenvalue(first, [&](const double* y, double* next) {
       for (std::size_t k = 0; k < 3 * n; ++k) right[k] = per_step[k / 3] * y[k];
-      lu.solve_refined(assembly.pattern(), values.data(), right.data(), solve_tolerance, next);
+      lu.solve_refined(assembly.pattern(), values.data(), right.data(), tolerance, next);
     });
     if (!largest.found || std::abs(largest.value) <= clear_growth) continue;
     const double* y = largest.vector.data();
-    double most = 0.0, most_tried = 0.0;
-    for (std::size_t i = 0; i < n; ++i) most = std::max(most, at(y, static_cast<int>(i)).norm());
+    double most_tried = 0.0;
     for (const int i : tried) most_tried = std::max(most_tried, at(y, i).norm());
     const double rate = (1.0 - 1.0 / largest.value) / h;
-    if (most_tried > least_share * most && rate > out.rate) {
+    if (most_tried > 0.0 && rate > out.rate) {
       out.found = true;
       out.rate = rate;
       out.motion.assign(y, y + 3 * n);
