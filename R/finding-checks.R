@@ -38,25 +38,49 @@ finding_field <- function(plan, place, field) {
 }
 
 # Where a plan describes a part of the gear: by its name in an assembly, else by the words of its
-# name, of which the first are the group's ("hand_ropes.upper" for hand_rope_upper_port).
+# name, of which the first are the group's ("hand_ropes.upper" for hand_rope_upper_port), or later
+# ones ("square" for back_square), or those of a field within a group ("rings.bridles").
 part_field <- function(plan, name, has) {
   name <- gsub(" ", "_", name)
   for (group in names(plan)) {
     if (name %in% names(plan[[group]])) return(paste(group, name, sep = "."))
   }
   words <- strsplit(name, "_", fixed = TRUE)[[1L]]
+  begins <- described_at(plan, words, has)
+  if (!is.null(begins)) return(begins)
+  # panels are named by where they are and then by their section
+  section <- Filter(function(one) endsWith(name, paste0("_", one)), names(plan$sections))
+  if (length(section)) return(paste0("sections.", section[1L]))
+  for (first in seq_along(words)[-1L]) {
+    later <- described_at(plan, words[first:length(words)], has)
+    if (!is.null(later)) return(later)
+  }
+  other <- intersect(described_as[[words[1L]]], names(plan))
+  if (length(other)) return(other[1L])
+  # its last word tells panels apart, its first one ropes; sides of the gear tell neither
+  told <- setdiff(words, c("port", "starboard"))
+  ends <- told[c(length(told), 1L)]
+  for (group in names(plan)) {
+    within <- intersect(c(ends, paste0(ends, "s")), names(plan[[group]]))
+    if (length(within)) return(paste(group, within[1L], sep = "."))
+  }
+  NULL
+}
+
+# Parts by the first word of their name whose group has another.
+described_as <- list(brace = c("beam", "collar"), strut = "beam", collar = "frame")
+
+# The group of a plan that words begin with, or its field that the next word names; NULL: none.
+described_at <- function(plan, words, has) {
   for (first in rev(seq_along(words))) {
     head <- paste(words[seq_len(first)], collapse = "_")
     for (group in paste0(head, c("s", ""))) {
-      if (!group %in% names(plan)) next
+      # a plan's own name is no part
+      if (!is.list(plan[[group]])) next
       inner <- words[-seq_len(first)]
       path <- if (length(inner)) paste(group, inner[1L], sep = ".")
       return(if (!is.null(path) && has(path)) path else group)
     }
   }
-  # panels are named by where they are and then by their section
-  section <- Filter(function(one) endsWith(name, paste0("_", one)), names(plan$sections))
-  if (length(section)) return(paste0("sections.", section[1L]))
-  if (grepl("_wing", name) && "wings" %in% names(plan)) return("wings")
   NULL
 }

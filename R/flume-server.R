@@ -315,6 +315,15 @@ flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_work
   })
 }
 
+# The plan's field of a part or a support: where the plan names it, else of a rope that ends there.
+clicked_field <- function(gear, name) {
+  path <- finding_field(gear$plan, name, NULL)
+  if (!is.na(path)) return(path)
+  ends_there <- Filter(function(rope) name %in% c(rope$from, rope$to), gear_si(gear)$ropes)
+  if (!length(ends_there)) return(NA_character_)
+  finding_field(gear$plan, names(ends_there)[1L], NULL)
+}
+
 # Tables and texts of what is on screen.
 flume_shown <- function(input, output, tank, said, say) {
   of_state <- function(make) {
@@ -359,7 +368,7 @@ flume_shown <- function(input, output, tank, said, say) {
   shiny::observeEvent(input$part_wanted, {
     name <- as.list(input$part_wanted)$name
     if (is.null(tank$gear) || !is_text(name) || nchar(name) > most_name) return()
-    path <- finding_field(tank$gear$plan, name, NULL)
+    path <- clicked_field(tank$gear, name)
     if (!is.na(path)) said("flume_part", path = path)
   })
   shiny::observe({

@@ -183,6 +183,28 @@ test_that("a part that is clicked in the picture is found in the plan", {
   })
 })
 
+test_that("every part and support of the shipped gears is found in its plan", {
+  for (gear in names(shipped_plans())) {
+    gear <- read_gear(gear)
+    si <- gear_si(gear)
+    held <- names(Filter(function(point) is_given(point$held), si$points))
+    parts <- c(names(si$ropes), names(si$panels), names(si$pieces), names(si$otter_boards), held)
+    for (part in unique(parts)) {
+      path <- clicked_field(gear, part)
+      if (is.na(path) || is.null(plan_field(gear$plan, path))) fail(paste(gear$plan$name, part))
+    }
+  }
+  place <- function(gear, part) clicked_field(read_gear(gear), part)
+  expect_identical(place("beam_trawl", "brace_lower_port"), "beam")
+  expect_identical(place("cage", "anchor_8"), "moorings")
+  expect_identical(place("demersal_seine", "block_port"), "warps")
+  expect_identical(place("dip_net", "collar"), "frame")
+  expect_identical(place("pair_trawl", "back_square"), "square")
+  expect_identical(place("poly_noreastern_trawl", "side_port_jib"), "wings.jib")
+  expect_identical(place("purse_seine", "bridle_40"), "rings.bridles")
+  expect_identical(place("purse_seine", "davit_last"), "purse_wire")
+})
+
 test_that("a wrong value is kept in the draft and told of, and the last shape stays", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
