@@ -1,7 +1,7 @@
 # Where a page of the flume tank begins: all gears that codend ships, a new one, a plan of one's
 # own.
 
-flume_gallery <- function(say) {
+flume_gallery <- function(say, shares) {
   tags <- shiny::tags
   tags$main(
     id = "gallery", `aria-labelledby` = "gallery_heading", hidden = NA,
@@ -17,7 +17,8 @@ flume_gallery <- function(say) {
       tags$section(
         class = "panel", `aria-labelledby` = "own_heading",
         tags$h2(id = "own_heading", say("own_heading")), open_plan_field(say)
-      )
+      ),
+      if (shares) tags$section(class = "panel", shared_list(say))
     )
   )
 }

@@ -1,7 +1,8 @@
 # The flume tank's page.
 
-# opens: whether a gear is on screen at once, not the gallery; say: as of new_say(), here and below.
-flume_page <- function(opens = TRUE, say = new_say()) {
+# opens: whether a gear is on screen at once, not the gallery; say: as of new_say(), here and below;
+# shares: whether there is a folder of shared designs.
+flume_page <- function(opens = TRUE, say = new_say(), shares = FALSE) {
   tags <- shiny::tags
   asset <- function(name) paste0("codend-app/", name)
   of_viewer <- function(name) paste0("codend-view/", name)
@@ -19,10 +20,10 @@ flume_page <- function(opens = TRUE, say = new_say()) {
     tags$a(class = "skip-link", href = "#controls", say("skip")),
     tags$div(
       id = "flume", class = if (opens) "opens",
-      flume_header(say), flume_waiting(say), flume_gallery(say),
+      flume_header(say), flume_waiting(say), flume_gallery(say, shares),
       tags$main(
         id = "design", class = "flume-grid", hidden = if (!opens) NA,
-        flume_tank(say), flume_controls(say), flume_measures(say), flume_tabs(say)
+        flume_tank(say), flume_controls(say), flume_measures(say), flume_tabs(say, shares)
       ),
       tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite"),
       tags$script(type = "application/json", id = "catalogue",
@@ -213,7 +214,7 @@ flume_more_of <- function(say) {
   )
 }
 
-flume_tabs <- function(say) {
+flume_tabs <- function(say, shares) {
   tags <- shiny::tags
   tab <- function(value, title, ...) shiny::tabPanel(title, value = value, ...)
   plane <- function(name, words) {
@@ -233,7 +234,8 @@ flume_tabs <- function(say) {
       tab("Slopes", say("tab_slopes"), flume_slopes_tab(say)),
       tab("Vary", say("tab_vary"), flume_vary_tab(say)),
       tab("Tow", say("tab_tow"), flume_tow_tab(say)),
-      tab("Designs", say("tab_designs"), tags$div(id = "kept_designs"), shiny::uiOutput("designs")),
+      tab("Designs", say("tab_designs"), tags$div(id = "kept_designs"), shiny::uiOutput("designs"),
+        if (shares) shared_form(say)),
       tab("Changes", say("tab_changes"), shiny::uiOutput("differences")),
       tab("Plan", say("tab_plan"), flume_plan_editor(say)),
       tab("R code", say("tab_code"), shiny::tags$p(say("code_settles")),

@@ -17,9 +17,7 @@ flume_saves <- function(output, tank, clerk) {
   }
   output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
   output$save_all <- save("-designs", "json", function(file) {
-    write_text(c(as.character(jsonlite::toJSON(
-      c(list(codend_designs = 1), tank$words()), auto_unbox = TRUE, digits = NA, null = "null"
-    )), ""), file)
+    write_text(c(design_json(tank$words()), ""), file)
   })
   output$save_measures <- save("-measures", "csv", table(function() {
     measure_changes(tank$measures, tank$kept[[1L]]$measures)

@@ -9,9 +9,11 @@ rest_pause <- 0.08
 rest_every <- 0.5
 
 # start: list(gear, state, notes) to open with, or NULL; new_worker: a function(seconds, late) that
-# gives a worker.
-flume_server <- function(start, marked, nodes, new_worker = process_worker) {
+# gives a worker; folder: of shared designs, or NULL.
+flume_server <- function(start, marked, nodes, new_worker = process_worker, folder = NULL) {
   pages <- 0L
+  shared <- if (!is.null(folder)) new_shared(folder)
+  shared_changed <- shiny::reactiveVal(0L)
   function(input, output, session) {
     said <- function(what, ...) session$sendCustomMessage(what, list(...))
     request <- session$request
@@ -227,7 +229,12 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker) {
       if (!is.null(tank$gear)) tank$count_picture()
     })
 
-    flume_keeping(input, tank, clerk, show, show_draft, trying, ask_worker, session)
+    open_words <- flume_keeping(
+      input, tank, clerk, show, show_draft, trying, ask_worker, said, session
+    )
+    if (!is.null(shared)) {
+      flume_shares(input, tank, shared, shared_changed, said, trying, open_words)
+    }
     flume_shown(input, output, tank, said, say)
     flume_draws(input, tank, ask_clerk, said)
     flume_slopes(input, output, session, tank, ask_clerk, said, say)
@@ -254,8 +261,15 @@ same_origin <- function(request) {
 }
 
 # Designs that are kept: input$keep = list(name), input$kept = list(id, act, name), and the words of
-# an address.
-flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_worker, session) {
+# an address. Returns the function(words, number) that opens what an address says.
+flume_keeping <- function(
+  input, tank, clerk, show, show_draft, trying, ask_worker, said, session
+) {
+  # rows of the catalogue, as they are kept
+  take_own <- function(rows) {
+    if (trying("own", tank$own <- own_rows(rows))) said("flume_own", rows = tank$own)
+  }
+  shiny::observeEvent(input$own, take_own(as.list(input$own)$rows))
   shiny::observeEvent(input$keep, {
     if (!is.null(tank$gear) && trying("keep", tank$keep(as.list(input$keep)$name))) show()
   })
@@ -280,11 +294,11 @@ flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_work
   })
   # An address opens its design, then settles those that it keeps, one after the other. They are
   # asked for as they are told, and a design that somebody opens meanwhile ends it.
-  shiny::observeEvent(input$words, {
-    asked <- as.list(input$words)
-    others <- utils::head(as.list(as.list(asked$asked)$kept), most_kept)
-    first_words <- as.list(as.list(asked$asked)$now)
-    draft <- as.list(as.list(asked$asked)$draft)$plan
+  open_words <- function(words, number) {
+    others <- utils::head(as.list(words$kept), most_kept)
+    first_words <- as.list(words$now)
+    draft <- as.list(words$draft)$plan
+    if (length(words$own)) take_own(c(tank$own, words$own))
     begun <- FALSE
     settle_next <- function(opened) {
       if (!length(others) || session$isClosed() || !identical(tank$loaded, opened)) {
@@ -307,12 +321,16 @@ flume_keeping <- function(input, tank, clerk, show, show_draft, trying, ask_work
         }
       )
     }
-    number <- if (is.numeric(asked$number)) asked$number[1] else 0
     ask_worker("words", first_words, number, then = function() {
       if (is_text(draft)) ask_worker("plan_text", draft)
       settle_next(tank$loaded)
     })
+  }
+  shiny::observeEvent(input$words, {
+    asked <- as.list(input$words)
+    open_words(as.list(asked$asked), if (is.numeric(asked$number)) asked$number[1] else 0)
   })
+  open_words
 }
 
 # The plan's field of a part or a support: where the plan names it, else of a rope that ends there.

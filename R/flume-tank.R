@@ -5,6 +5,7 @@
 # with it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the
 # pictures, `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and
 # `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
+# `own` are the user's own rows of the catalogue.
 # The first of the designs that are kept is the one that others are compared with.
 
 # start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery; say:
@@ -19,6 +20,7 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   tank$gesture <- -1
   tank$ids <- 0L
   tank$kept <- list()
+  tank$own <- list()
   tank$changed <- shiny::reactiveVal(0L)
   tank$kept_changed <- shiny::reactiveVal(0L)
   tank$slopes_changed <- shiny::reactiveVal(0L)
@@ -167,7 +169,10 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   tank$words <- function() {
     named <- lapply(tank$kept, function(kept) c(list(name = kept$name), design_words(kept$design)))
     draft <- if (length(tank$problems)) list(plan = draft_text(tank$draft))
-    list(now = design_words(design_of(tank$gear)), kept = named, draft = draft)
+    c(
+      list(now = design_words(design_of(tank$gear)), kept = named, draft = draft),
+      if (length(tank$own)) list(own = tank$own)
+    )
   }
 
   if (!is.null(start)) tank$take("shipped", with_picture(start))

@@ -63,6 +63,11 @@
 #' its own, which a process of its own settles; it waits for its last answer before it asks again,
 #' with the latest values. That process ends when the browser leaves.
 #'
+#' Rows of one's own can be added to what the catalogue ([catalogue()]) offers; they go with the
+#' page's address and with designs that are saved or shared. With a `folder`, the page lists the
+#' designs in it. Everybody may open a copy of each; to put one there takes an author's name and a
+#' word, without which nobody changes or removes that author's designs.
+#'
 #' @section As a server for others: There is no password, and `codend flume` answers this computer
 #'   alone. `vignette("serve-the-tank")` says how to let others in, and what bounds each of them:
 #'   sizes of plans, designs and messages, times, memory, and how many come in at a time.
@@ -74,6 +79,7 @@
 #'   several paths is one control that changes them together; names are labels. A field is a number,
 #'   one of several words, or yes and no.
 #' @param nodes About how many nodes the model should have; see [settle()].
+#' @param folder A folder in which all who see the page share designs, or `NULL` for none.
 #' @return A Shiny app, which runs when printed. A wrong argument is an error of class
 #'   `codend_error_argument`, a wrong plan one of class `codend_error_plan`, a gear that does not
 #'   settle one of class `codend_error_not_converged`, and a missing package one of class
@@ -85,8 +91,14 @@
 #'   "Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")
 #' ))
 #' @export
-flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
+flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL) {
   check_flume_packages()
+  if (!is.null(folder)) {
+    if (!is_text(folder) || !dir.exists(folder) || file.access(folder, 2L) != 0L) {
+      abort_argument("{.arg folder} must be the name of a folder that can be written to, or NULL.")
+    }
+    check_package("digest", "A folder of shared designs")
+  }
   start <- NULL
   if (is.null(gear)) {
     check_settle_arguments(read_gear("towed_cable"), nodes, NULL)
@@ -98,9 +110,9 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
     marked <- check_marked(first_of(fields, character()), gear$plan)
     start <- settled_start(gear, nodes)
   }
-  for (folder in c("app", "view")) {
+  for (of in c("app", "view")) {
     shiny::addResourcePath(
-      paste0("codend-", folder), system.file(folder, package = "codend", mustWork = TRUE)
+      paste0("codend-", of), system.file(of, package = "codend", mustWork = TRUE)
     )
   }
   if (has_measures_guide()) {
@@ -109,9 +121,9 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500) {
   shiny::shinyApp(
     ui = function(request) {
       language <- page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE)
-      flume_page(!is.null(start), new_say(language))
+      flume_page(!is.null(start), new_say(language), !is.null(folder))
     },
-    server = flume_server(start, marked, nodes),
+    server = flume_server(start, marked, nodes, folder = folder),
     onStart = function() {
       kept <- options(shiny.maxRequestSize = plan_bytes_limit)
       shiny::onStop(function() options(kept))

@@ -1,7 +1,8 @@
 // What the flume tank's page keeps: designs beside each other, steps back and on, and the address,
 // which carries them all.
 //
-// codendDesigns.open(words) opens what an address or a file says; .show(kept) lists what R keeps;
+// codendDesigns.open(words) opens what an address or a file says; .show(kept) lists what R keeps,
+// .shared(designs) what is in the folder that all share;
 // .moved() tells that something changed; .words(words) takes what R says of the designs.
 window.codendDesigns = (function () {
   'use strict';
@@ -58,12 +59,12 @@ window.codendDesigns = (function () {
   }
   window.addEventListener('hashchange', read);
 
-  // words: {now, kept: [...], draft, units}.
+  // words: {now, kept: [...], draft, own, units}.
   function open(words) {
     if (words && words.units) window.codendPage.prefer(words.units);
     window.codendTalk.ask('words', {
       now: (words && words.now) || {}, kept: (words && Array.isArray(words.kept)) ? words.kept : [],
-      draft: (words && words.draft) || {}
+      draft: (words && words.draft) || {}, own: (words && Array.isArray(words.own)) ? words.own : []
     });
   }
 
@@ -151,5 +152,43 @@ window.codendDesigns = (function () {
     moved();
   }
 
-  return { open: open, read: read, moved: moved, words: words, show: show };
+  // ---- the folder that all share ------------------------------------------------------------------
+
+  function share(what, name, author) {
+    window.codendPage.tell('shared_error', '');
+    window.codendTalk.tell('shared', { number: Date.now(), act: what, name: name, author: author,
+      word: find('shared_word').value });
+  }
+  function shared(designs) {
+    document.querySelectorAll('.shared-list').forEach(function (list) {
+      list.textContent = '';
+      if (!designs.length) list.appendChild(element('li', 'note', say('shared_none')));
+      designs.forEach(function (one) {
+        var item = element('li'), its = { name: one.name + ', ' + one.author };
+        function button(key, act) {
+          var made = element('button', 'btn btn-outline-secondary btn-sm', say(key),
+            { type: 'button', 'aria-label': say('of_design', { act: say(key), name: its.name }) });
+          made.addEventListener('click', act);
+          item.appendChild(made);
+        }
+        item.appendChild(element('span', '', one.name));
+        item.appendChild(element('span', 'note', one.author + ', ' + one.changed));
+        button('open_copy', function () {
+          window.codendTalk.ask('shared_open', { author: one.author, name: one.name });
+        });
+        // what takes the author's word stands beside it
+        if (list.closest('#shared')) {
+          button('remove', function () { share('take_out', one.name, one.author); });
+        }
+        list.appendChild(item);
+      });
+    });
+  }
+  document.addEventListener('click', function (event) {
+    if (event.target.id === 'shared_put') {
+      share('put', find('shared_name').value, find('shared_author').value);
+    }
+  });
+
+  return { open: open, read: read, moved: moved, words: words, show: show, shared: shared };
 }());

@@ -198,12 +198,54 @@ window.codendForm = (function () {
 
   // ---- the catalogue ------------------------------------------------------------------------------
 
-  var things = null;
+  var known = null, own = [], listed = null;
+  // Rows of one's own that R keeps, and what lists them anew.
+  function take_own(rows) {
+    own = rows || [];
+    if (listed) listed();
+    window.codendDesigns.moved();
+  }
+  function tell_own(rows) {
+    window.codendPage.tell('own_error', '');
+    window.codendTalk.tell('own', { number: Date.now(), rows: rows });
+  }
+
+  // Asks for the figures of a row of one's own.
+  function own_form(kind) {
+    var box = element('details', 'own-row'), fields = known.fields[kind], inputs = {};
+    box.appendChild(element('summary', '', say('own_row')));
+    function ask(name, label) {
+      var line = element('label', '', label);
+      inputs[name] = element('input', 'form-control form-control-sm', undefined,
+        { type: 'text', autocomplete: 'off', maxlength: 60, 'data-own': name });
+      line.appendChild(inputs[name]);
+      box.appendChild(line);
+    }
+    ask('title', say('own_name'));
+    Object.keys(fields).forEach(function (name) {
+      ask(name, say.field(name) + (fields[name] ? ' (' + say.unit(fields[name]) + ')' : ''));
+    });
+    var add = element('button', 'btn btn-primary btn-sm own-add', say('own_add'), { type: 'button' });
+    add.addEventListener('click', function () {
+      var values = {};
+      Object.keys(fields).forEach(function (name) { values[name] = inputs[name].value; });
+      tell_own(own.concat([{ 'class': kind, title: inputs.title.value, values: values }]));
+    });
+    box.appendChild(add);
+    box.appendChild(element('p', 'field-error', '', { id: 'own_error', role: 'alert', hidden: '' }));
+    return box;
+  }
+
   // Opens, in place of its button, what of the catalogue fits a part; `found` at most are shown.
   function pick_from(button) {
     var found = 40, path = button.dataset.path, classes = button.dataset.classes.split(' ');
-    things = things || JSON.parse(find('catalogue').textContent);
-    var fits = things.filter(function (thing) { return classes.indexOf(thing['class']) >= 0; });
+    known = known || JSON.parse(find('catalogue').textContent);
+    // one list at a time
+    if (listed) listed.close();
+    function fitting(things) {
+      return things.filter(function (thing) { return classes.indexOf(thing['class']) >= 0; });
+    }
+    var fits = fitting(known.things);
     var box = element('div', 'picks'), input = element('input', 'form-control form-control-sm', undefined,
       { type: 'search', 'aria-label': say('find_in_catalogue'), placeholder: say('find_such_as',
         { word: fits[0] ? fits[0].title.split(' ')[0] : '' }), autocomplete: 'off' });
@@ -214,33 +256,49 @@ window.codendForm = (function () {
       });
       var item = element('li'), one = element('button', 'btn btn-link btn-sm', thing.title, { type: 'button' });
       item.appendChild(one);
+      if (own.indexOf(thing) >= 0) {
+        var out = element('button', 'take-out', '\u00d7', { type: 'button',
+          'aria-label': say('take_out', { label: thing.title }) });
+        out.addEventListener('click', function (event) {
+          event.stopPropagation();
+          tell_own(own.filter(function (each) { return each !== thing; }));
+        });
+        item.appendChild(out);
+      }
       item.appendChild(element('span', 'note', facts.join(', ') + (thing.says ? '. ' + thing.says : '') +
-        '. ' + say('source', { source: thing.source })));
+        '. ' + say('source', { source: thing.source === 'own' ? say('own_source') : thing.source })));
       one.addEventListener('click', function () {
         var all = {};
         Object.keys(thing.values).forEach(function (name) {
           all[path + '.' + name] = { value: thing.values[name], unit: '' };
         });
         edits(all);
-        box.replaceWith(button);
+        close();
       });
       return [item, (thing.title + ' ' + facts.join(' ') + ' ' + thing.says).toLowerCase()];
+    }
+    function close() {
+      listed = null;
+      box.replaceWith(button);
     }
     var rows = fits.map(row);
     function narrow() {
       var words = input.value.trim().toLowerCase().replace(',', '.').split(/\s+/).filter(Boolean);
       list.textContent = '';
-      rows.filter(function (one) {
+      fitting(own).map(row).concat(rows).filter(function (one) {
         return words.every(function (word) { return one[1].indexOf(word) >= 0; });
       }).slice(0, found).forEach(function (one) { list.appendChild(one[0]); });
       if (!list.childNodes.length) list.appendChild(element('li', 'note', say('nothing_here')));
     }
     input.addEventListener('input', narrow);
     box.addEventListener('keydown', function (event) {
-      if (event.key === 'Escape') { box.replaceWith(button); button.focus(); }
+      if (event.key === 'Escape') { close(); button.focus(); }
     });
     box.appendChild(input);
     box.appendChild(list);
+    box.appendChild(own_form(classes[0]));
+    listed = narrow;
+    listed.close = close;
     narrow();
     button.replaceWith(box);
     input.focus();
@@ -722,6 +780,7 @@ window.codendForm = (function () {
     open: open,
     draft: draft,
     edit: edit,
+    own: take_own,
     turn: function () { return form ? form.turn : null; },
     // The field of a path as R describes it, with the unit that it is shown in, or null.
     field: function (path) {

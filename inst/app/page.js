@@ -133,7 +133,8 @@ window.codendPage = (function () {
         shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
       };
       var own = {
-        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error'
+        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error',
+        own: 'own_error', shared: 'shared_error'
       }[message.where];
       var stays = opened ? ' ' + say('gear_stays') : '';
       if (own) {
@@ -182,6 +183,13 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_words', function (message) {
       window.codendDesigns.words(message.words);
     });
+    Shiny.addCustomMessageHandler('flume_own', function (message) {
+      window.codendForm.own(message.rows);
+    });
+    Shiny.addCustomMessageHandler('flume_shared', function (message) {
+      window.codendDesigns.shared(message.designs || []);
+    });
+    Shiny.addCustomMessageHandler('flume_shared_done', function (message) { tell('shared_error', message.none); });
     Shiny.addCustomMessageHandler('flume_clerk', function (message) {
       if (message.busy) window.codendTalk.busy('clerk ' + message.what, say('busy.' + message.what));
       else window.codendTalk.free('clerk ' + message.what);

@@ -10,7 +10,10 @@ const { serve, launch, visit, open, control, measure } = require('./tank');
 let tank, browser, folder;
 before(async () => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), 'flume-'));
-  [tank, browser] = await Promise.all([serve('midwater_trawl'), launch()]);
+  fs.mkdirSync(path.join(folder, 'shared'));
+  [tank, browser] = await Promise.all([
+    serve('midwater_trawl', '--folder', path.join(folder, 'shared')), launch()
+  ]);
 });
 after(async () => {
   await browser?.close();
@@ -688,6 +691,75 @@ test('the page speaks the language of its address or browser, with no word left 
   assert.equal(await page.textContent('#undo'), 'Deshacer');
   clean(page);
   await page.close();
+});
+
+test('a row of one\'s own and a shared design: picked, put, opened on a phone, guarded by a word', async () => {
+  const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+  const page = await open(browser, tank.url);
+  const pick = async (at) => {
+    await at.evaluate(() => window.codendForm.open('otter_boards'));
+    await at.locator('#form [data-path="otter_boards"].pick').click();
+  };
+  await pick(page);
+  await page.click('.own-row summary');
+  await page.fill('[data-own="title"]', 'Loft 7 <b>board</b>');
+  await page.fill('[data-own="mass"]', 'heavy');
+  await page.click('.own-add');
+  await page.waitForSelector('#own_error:not([hidden])', patience);
+  await page.fill('[data-own="mass"]', '1234,5');
+  await page.click('.own-add');
+  const row = page.locator('.pick-list li', { hasText: 'Loft 7 <b>board</b>' });
+  await row.waitFor(patience);
+  assert.match(await row.textContent(), /mass 1234\.5 kg.*Source: own/);
+  await page.evaluate(axe);
+  const finds = async (at, where) => {
+    const found = await at.evaluate(() => window.axe.run(document));
+    assert.deepEqual(found.violations.map((one) => one.id), [], where);
+  };
+  await finds(page, 'own row');
+  if (process.env.PICTURES) await page.screenshot({ path: path.join(process.env.PICTURES, 'own.png') });
+  await row.locator('.btn-link').click();
+  await page.waitForFunction(() => document.querySelector('[data-paths~="otter_boards.mass"] .number').value === '1234.5',
+    null, patience);
+  await tab(page, 'Designs');
+  const share = async (at, author, word, name) => {
+    await at.fill('#shared_author', author);
+    await at.fill('#shared_word', word);
+    await at.fill('#shared_name', name);
+    await at.click('#shared_put');
+  };
+  await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
+  await share(page, 'Anna', 'tall ship', '../../Heavy boards');
+  await page.waitForSelector('#shared .shared-list li >> text=../../Heavy boards', patience);
+  await finds(page, 'shared');
+  if (process.env.PICTURES) await page.locator('#shared').screenshot({ path: path.join(process.env.PICTURES, 'shared.png') });
+
+  // another opens a copy, and cannot change it
+  const phone = await open(browser, tank.url, { width: 390, height: 844 });
+  await phone.click('#gears');
+  await phone.locator('#gallery .shared-list').getByRole('button', { name: /Heavy boards/ }).click();
+  await phone.waitForFunction(() => String(window.codendForm.field('otter_boards.mass')?.value) === '1234.5' &&
+    !window.codendTalk.waits() && document.getElementById('gallery').hidden, null, patience);
+  await tab(phone, 'Designs');
+  await share(phone, 'Anna', 'short ship', '../../Heavy boards');
+  await phone.waitForSelector('#shared_error:not([hidden])', patience);
+  assert.match(await phone.textContent('#shared_error'), /not the word/);
+  await phone.evaluate(axe);
+  await finds(phone, 'shared on a phone');
+  assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
+  // the row came with the copy, and a reload keeps it
+  await phone.waitForFunction(() => /^#d=/.test(window.location.hash), null, patience);
+  await phone.waitForTimeout(2000);
+  await phone.reload();
+  await phone.waitForFunction(() => String(window.codendForm.field('otter_boards.mass')?.value) === '1234.5',
+    null, patience);
+  await pick(phone);
+  await phone.locator('.pick-list li', { hasText: 'Loft 7' }).waitFor(patience);
+  if (process.env.PICTURES) await phone.screenshot({ path: path.join(process.env.PICTURES, 'phone.png') });
+  clean(page);
+  clean(phone);
+  await page.close();
+  await phone.close();
 });
 
 test('two browsers have a gear each, and one that leaves in mid-solve harms nobody', async () => {

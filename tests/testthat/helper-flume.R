@@ -1,7 +1,9 @@
 # A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear
 # (NULL: with the gallery).
 # sent() gives the messages of a type that the page has been sent since it was last asked.
-in_flume <- function(gear, test, fields = list(), nodes = 300, new_worker = direct_worker) {
+in_flume <- function(
+  gear, test, fields = list(), nodes = 300, new_worker = direct_worker, folder = NULL
+) {
   if (is.character(gear)) gear <- read_gear(gear)
   start <- if (!is.null(gear)) list(gear = gear, state = settle(gear, nodes = nodes))
   session <- shiny::MockShinySession$new()
@@ -20,7 +22,7 @@ in_flume <- function(gear, test, fields = list(), nodes = 300, new_worker = dire
     found
   }
   shiny::testServer(
-    flume_server(start, as.list(fields), nodes, new_worker),
+    flume_server(start, as.list(fields), nodes, new_worker, folder),
     {
       session$flushReact()
       test(session, sent, tank)

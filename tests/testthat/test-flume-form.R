@@ -133,6 +133,49 @@ test_that("what the catalogue has fits its parts, and a pick gives a gear", {
   expect_true("otter_boards.polar" %in% unlist(lapply(parts, `[[`, "absent")))
 })
 
+test_that("own rows of the catalogue are kept with the designs, each checked", {
+  given <- list(
+    list(class = "float", title = " My\nfloat", values = list(diameter = "8 in", buoyancy = "2,9")),
+    list(class = "rope", title = "Rope", values = list(strength = "50", material = "nylon")),
+    list(class = "rope", title = "Rope", values = list(strength = "60", diameter = " ", no = "x"))
+  )
+  rows <- own_rows(given)
+  expect_length(rows, 2L)
+  expect_identical(rows[[1]][c("title", "source")], list(title = "My float", source = "own"))
+  expect_identical(rows[[1]]$values, list(diameter = "8 in", buoyancy = "2.9 kgf"))
+  expect_identical(rows[[2]]$values, list(strength = "60 kN"))
+  expect_identical(own_rows(rows), rows)
+  wrong <- function(message, ...) {
+    row <- utils::modifyList(list(class = "float", title = "F", values = list(diameter = "8 in")),
+      list(...))
+    expect_error(own_rows(list(row)), message, class = "codend_error_argument")
+  }
+  wrong("one of", class = "boat")
+  wrong("name", title = "")
+  wrong("figure", values = list(diameter = NULL))
+  wrong("diameter is", values = list(diameter = "8 kg"))
+  wrong("diameter is", values = list(diameter = "-8 in"))
+  wrong("short text", values = list(diameter = 8))
+  many <- lapply(1:101, function(k) utils::modifyList(given[[1]], list(title = paste(k))))
+  expect_error(own_rows(many), "at most")
+
+  words <- NULL
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(own = list(number = 1, rows = given))
+    expect_identical(sent("flume_own")[[1]]$rows, rows)
+    words <<- tank$words()
+    expect_identical(words$own, rows)
+    session$setInputs(own = list(number = 2, rows = list(list(class = "boat"))))
+    expect_identical(sent("flume_refused")[[1]]$where, "own")
+    expect_identical(tank$own, rows)
+  })
+  # as the address says them, on another page
+  in_flume(NULL, function(session, sent, tank) {
+    session$setInputs(words = list(number = 3, asked = words))
+    expect_identical(tank$own, rows)
+  })
+})
+
 test_that("a bare number of a field with an example has its unit", {
   expect_identical(typed_quantity("15,6", "25 m"), "15.6 m")
   expect_identical(typed_quantity("11 fm", "25 m"), "11 fm")
