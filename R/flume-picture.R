@@ -13,7 +13,7 @@ flume_drawing <- function(state, shape = flume_shape(state)) {
   shape <- with_meshes(shape)
   c(
     list(fixed = scene_fixed(shape), moved = scene_moved(list(shape))),
-    shape[c("ropes", "u", "v", "opening", "angle", "drag", "kind")]
+    shape[c("ropes", "rope_part", "u", "v", "opening", "angle", "drag", "kind")]
   )
 }
 

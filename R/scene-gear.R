@@ -5,19 +5,26 @@
 # Lines and cells that one scene shows at most.
 scene_limit <- 12000L
 
-# What of a state a scene shows: list(fixed, points (3 x n, m), ropes, u, v = tensions (N), drag =
+# What of a state a scene shows: list(fixed, points (3 x n, m), ropes (after them seams, of the
+# part of their netting: rope_part), u, v = tensions (N), drag =
 # of every part over its size (N/m of ropes, N/m2 of netting), places (3 x marks, m), boards (3 x 4
 # per board, m)).
 scene_shape <- function(state, limit = scene_limit) {
   points <- state_points(state)
   ropes <- rope_lines(state, points, limit)
   netting <- netting_surfaces(state, limit)
+  seams <- seams_of_bars(state, netting_of_bars(state))
+  if (length(seams$nodes)) {
+    k <- ceiling(sum(lengths(seams$nodes)) / limit)
+    ropes <- join_lines(list(ropes, seam_lines(state, points, netting_parts(state), seams, k)))
+  }
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
   list(
     fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
-    points = points[, drawn, drop = FALSE], ropes = ropes$tension, u = netting$u, v = netting$v,
+    points = points[, drawn, drop = FALSE], ropes = ropes$tension,
+    rope_part = ropes$part, u = netting$u, v = netting$v,
     drag = part_drag_over_size(state), kind = state$lattice$parts$kind,
     places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
   )
@@ -162,13 +169,14 @@ scene_moved <- function(shapes) {
 scene_scales <- function(shapes) {
   all <- function(field) unlist(lapply(shapes, `[[`, field), use.names = FALSE)
   drag <- function(kind) as.double(unlist(lapply(shapes, function(s) s$drag[s$kind == kind])))
-  tension <- c(all("u"), all("v"))
+  of_seam <- unlist(lapply(shapes, function(s) s$kind[s$rope_part] == "netting"))
+  tension <- c(all("u"), all("v"), all("ropes")[of_seam])
   meshes <- function(field, colour) {
     list(netting = scale_told(mesh_scale(all(field), colour), "netting"))
   }
   list(
     tension = list(
-      rope = scale_told(tension_scale(all("ropes"), "rope"), "rope"),
+      rope = scale_told(tension_scale(all("ropes")[!of_seam], "rope"), "rope"),
       netting = scale_told(tension_scale(tension[!is.na(tension)], "netting"), "netting")
     ),
     mesh_opening = meshes("opening", "mesh_opening"), mesh_angle = meshes("angle", "mesh_angle"),

@@ -68,7 +68,7 @@ rope_lines <- function(state, points, limit) {
 netting_lines <- function(state, points, limit) {
   panels <- state$lattice$panels
   part <- netting_parts(state)
-  of_bars <- vapply(panels, function(p) p$netting == "bars", NA)
+  of_bars <- netting_of_bars(state)
   bars <- sum(state$lattice$bar_part %in% part[of_bars])
   grids <- lapply(panels[!of_bars], `[[`, "grid")
   seams <- seams_of_bars(state, of_bars)
@@ -85,6 +85,10 @@ netting_lines <- function(state, points, limit) {
   })
   drawn <- if (joined) seam_lines(state, points, part, seams, ceiling(total / limit))
   join_lines(c(lines, list(drawn)))
+}
+
+netting_of_bars <- function(state) {
+  vapply(state$lattice$panels, function(p) p$netting == "bars", NA)
 }
 
 # The nodes of the seams of panels of bars in order, a vector for each edge: list(nodes, panel).

@@ -7,7 +7,7 @@
 netting_to_draw <- function(state, limit) {
   drawn <- state$lattice$panels
   part <- netting_parts(state)
-  of_bars <- vapply(drawn, function(p) p$netting == "bars", NA)
+  of_bars <- netting_of_bars(state)
   block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
   places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
   clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)

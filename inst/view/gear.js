@@ -607,14 +607,16 @@ window.codendView.gear = function (materials) {
     var drag = gear.drag = gear.values.drag.of(k);
     for (var l = 0; l < ropes.part.length; l++) {
       var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.values.colour;
+      // a seam is coloured as its netting is
+      var of = told.parts.kind[ropes.part[l]] === 'netting' ? 'netting' : 'rope';
       var slack = shows && tension[l] === 0;
       ropes.values.about[3 * l + 1] = (slack ? 1 : 0) + 2 * told.parts.form[ropes.part[l]];
       if (slack) put(loose, out, 3 * l);
       // a beam or a strut
       else if (shows && tension[l] < 0) put(quiet, out, 3 * l);
       else if (mode === 'slack') put(taut, out, 3 * l);
-      else if (!scales.rope) put(quiet, out, 3 * l);
-      else paint(gear.stops.rope, shareOn(scales.rope, value), out, 3 * l);
+      else if (!scales.rope || !scales[of]) put(quiet, out, 3 * l);
+      else paint(gear.stops[of], shareOn(scales[of], value), out, 3 * l);
     }
     ropes.tell(['colour', 'about']);
 

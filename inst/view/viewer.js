@@ -828,13 +828,13 @@ window.codendView.viewer = function (host, options) {
     } else if (found.kind === 'rope') {
       var part = gear.ropes.part[k], tension = gear.rope_tension[k];
       heading = plain(parts.name[part]);
-      note = plain(parts.role[part] || 'rope');
+      note = parts.kind[part] === 'netting' ? 'seam' : plain(parts.role[part] || 'rope');
       row('tension', tension > 0 ? force(tension) : tension < 0 ? 'pushes ' + force(-tension) : 'slack');
       if (tension > 0 && parts.strength[part]) {
         row('of breaking load', three(100 * tension / parts.strength[part]) + ' %');
       }
       if (parts.thickness[part]) row('diameter', thick(parts.thickness[part]));
-      if (gear.drag[part]) row('drag', three(gear.drag[part]) + ' N/m');
+      if (gear.drag[part] && note !== 'seam') row('drag', three(gear.drag[part]) + ' N/m');
       var a = gear.ropes.ends[2 * k], b = gear.ropes.ends[2 * k + 1];
       z = gear.points[3 * a + 2] + found.share * (gear.points[3 * b + 2] - gear.points[3 * a + 2]);
       row('depth', three(-z) + ' m');
