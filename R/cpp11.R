@@ -64,6 +64,10 @@ engine_settle <- function(lattice, start, from, strain, part, tolerance, iterati
   .Call(`_codend_engine_settle`, lattice, start, from, strain, part, tolerance, iterations, watch)
 }
 
+engine_settle_gear <- function(numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built) {
+  .Call(`_codend_engine_settle_gear`, numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built)
+}
+
 engine_body_modes <- function(lattice, position, velocity) {
   .Call(`_codend_engine_body_modes`, lattice, position, velocity)
 }

@@ -11,17 +11,17 @@ add_catch <- function(si, lattice, bag) {
     drag_coefficient = first_of(si$catch$drag_coefficient, 0)
   )
   if (is.null(si$catch)) return(lattice)
-  if (!bag$encloses) {
-    abort_plan(
-      "The netting around the catch encloses nothing; all panels in `catch.panels` must be joined.",
-      "catch.panels", si$catch$panels
-    )
-  }
   lattice$catch <- c(
     list(cell = replace(bag$cell, bag$cell == 0L, NA)),
     lapply(bag[c("node", "depth", "across")], matrix, 3L), bag[c("real", "weight")]
   )
-  set_catch_front(lattice, if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked)
+  set_catch_front(lattice, planned_front(si))
+}
+
+# Meshes behind the front that the plan gives, or a first guess; 0 without a catch.
+planned_front <- function(si) {
+  if (is.null(si$catch)) return(0)
+  if (is.na(si$catch$blocked)) 0.3 * si$catch$deep else si$catch$blocked
 }
 
 # The lattice with the catch's front `blocked` meshes from the lower edges.

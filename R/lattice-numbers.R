@@ -185,6 +185,18 @@ model_numbers <- function(si, like = NULL) {
   )
 }
 
+# Both with components of force multiplied, list(gear, model). What a gear has in common with the
+# last one is taken from there.
+lattice_numbers <- function(si, netting) {
+  like <- if (identical(netting, last_numbers$netting)) last_numbers$own
+  own <- list(si = si, gear = gear_numbers(si, netting, like), model = model_numbers(si, like))
+  last_numbers$own <- own
+  last_numbers$netting <- netting
+  multiplied_numbers(own[c("gear", "model")], si)
+}
+
+last_numbers <- new.env(parent = emptyenv())
+
 # The engine's water: the current as the gear meets it, which is towed along -x.
 engine_water <- function(si) {
   water <- list(

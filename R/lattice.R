@@ -18,23 +18,36 @@
 # on a line its nodes, their fraction of its length and the names of its two points (between),
 # panels = what the views draw of each panel).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
-  # 1500L asks for what 1500 does
-  nodes <- as.double(nodes)
-  bars <- panels_of_bars(si, netting)
-  panels <- panel_table(si$panels)
-  asked <- list(nodes = nodes, bars = bars, meshes = panels[c(side_fields, "orientation")])
+  asked <- asked_division(si, nodes, netting)
   alike <- identical(asked, from$lattice$counts$asked)
   if (alike && differ_in_conditions(si, from$settled)) return(lattice_in(si, from))
-  numbers <- multiplied_numbers(
-    list(gear = gear_numbers(si, netting), model = model_numbers(si)), si
-  )
+  numbers <- lattice_numbers(si, netting)
   found <- engine_lattice(
-    numbers$gear, nodes, if (alike) from$lattice$counts[lattice_counts],
+    numbers$gear, asked$nodes, if (alike) from$lattice$counts[lattice_counts],
     if (!is.null(from) && !alike) part_map(si, from$lattice), as.double(from$position), alike
   )
-  check_totals(si, panels, found$twine)
+  check_lattice(si, found$twine, found$bag$encloses, found$division)
+  lattice <- new_lattice(si, asked, numbers$model, found)
+  # the same sheets of netting in the place of the last shape slow the water as they did
+  if (alike && identical(lattice$engine$wake_sheets, from$lattice$engine$wake_sheets)) {
+    lattice$engine$wake <- from$lattice$engine$wake
+  }
+  lattice
+}
+
+# How a lattice is to be divided: about so many nodes, which panels are of bars, and their meshes.
+asked_division <- function(si, nodes, netting) {
+  # 1500L asks for what 1500 does
+  list(
+    nodes = as.double(nodes), bars = panels_of_bars(si, netting),
+    meshes = panel_table(si$panels)[c(side_fields, "orientation")]
+  )
+}
+
+# A lattice by names, from what the engine found of it; model: the numbers of its model.
+new_lattice <- function(si, asked, model, found) {
   lattice <- c(
-    list(engine = engine_numbers(si, numbers$model, found), parts = part_table(si)),
+    list(engine = engine_numbers(si, model, found), parts = part_table(si)),
     found[c("nodes", "bar_part", "cell_part", "sphere_part", "lift_part")],
     list(
       board_part = length(si$ropes) + length(si$panels) + length(si$pieces) +
@@ -49,14 +62,22 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     list(start = matrix(found$start, 3L))
   )
   class(lattice) <- "codend_lattice"
-  check_held_edges(si, lattice)
-  # the same sheets of netting in the place of the last shape slow the water as they did
-  if (alike && identical(lattice$engine$wake_sheets, from$lattice$engine$wake_sheets)) {
-    lattice$engine$wake <- from$lattice$engine$wake
-  }
   lattice <- add_catch(si, lattice, found$bag)
   if (!is.null(si$shooting)) lattice$hung <- matrix(found$hung, 3L)
   lattice
+}
+
+# Stops where a lattice is not its gear's. twine: m of every panel's; encloses: whether a bag does;
+# division: see division.hpp.
+check_lattice <- function(si, twine, encloses, division) {
+  check_totals(si, panel_table(si$panels), twine)
+  check_held_edges(si, division)
+  if (!is.null(si$catch) && !encloses) {
+    abort_plan(
+      "The netting around the catch encloses nothing; all panels in `catch.panels` must be joined.",
+      "catch.panels", si$catch$panels
+    )
+  }
 }
 
 # What of a lattice's counts divides it.
@@ -196,10 +217,11 @@ part_map <- function(si, lattice) {
 }
 
 # Stops where a seam is held on a line through a place that is held already.
-check_held_edges <- function(si, lattice) {
-  held <- lattice$points[!is.na(vapply(si$points, `[[`, "", "held"))]
-  for (name in names(lattice$held_edges)) {
-    edge <- lattice$held_edges[[name]]
+check_held_edges <- function(si, division) {
+  of_points <- division$places[seq_along(si$points)]
+  held <- of_points[!is.na(vapply(si$points, `[[`, "", "held"))]
+  for (edge in division$held_edges) {
+    name <- names(si$seams)[edge$seam + 1L]
     node <- edge$node[-c(1L, length(edge$node))]
     if (any(node %in% held)) {
       path <- paste0("seams.", name, ".held_between")
@@ -211,7 +233,7 @@ check_held_edges <- function(si, lattice) {
           ),
           path
         ),
-        path, edge$between
+        path, si$seams[[name]]$held_between
       )
     }
     held <- c(held, node)

@@ -55,6 +55,13 @@ state_values <- function(state) {
   list(values = values[applies], kinds = kinds[applies], light = light)
 }
 
+# The engine's answers (SI) to all that is asked of a gear, as shown, by name.
+shown_answers <- function(si, answers) {
+  kinds <- measured_kinds(si)
+  applies <- !is.nan(answers) | seq_along(answers) <= length(si$measures)
+  shown_numbers(setNames(answers, names(kinds))[applies], measure_units(kinds[applies]))
+}
+
 # What measures are of by name, with units: what the plan asks for, then the standard ones.
 measured_kinds <- function(si) {
   own <- vapply(si$measures, `[[`, "", "column")

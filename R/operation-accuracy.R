@@ -8,15 +8,13 @@ least_growth <- 2
 # settled where these say too little, when their errors are first asked for: a change of a gear that
 # is looked at once needs neither.
 #
-# found: as settle_level() gives it, through levels of this gear; netting: as in settle(); from: the
+# levels: coarser ones of this gear that it was settled through; netting: as in settle(); from: the
 # state it began from, or NULL.
 # Returns list(own = function() that gives them coarse to fine, as list(nodes, values), extra =
 # function() that gives the one more, a state, or NULL) and, where they are another gear's, values =
 # function() that gives its measures. See levels_of().
-state_levels <- function(state, found, netting, from) {
-  if (!is.null(found$from$si) || is.null(from$levels)) {
-    return(levels_through(state, found$from, netting))
-  }
+state_levels <- function(state, levels, netting, from) {
+  if (length(levels) || is.null(from$levels)) return(levels_through(state, levels, netting))
   growth <- state$lattice$nodes / from$lattice$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
     return(levels_and(from))
@@ -24,44 +22,31 @@ state_levels <- function(state, found, netting, from) {
   list(own = from$levels$own, values = first_of(from$levels$values, values_of(from)))
 }
 
-# shape: the last of the coarser levels, each with the one before.
-levels_through <- function(state, shape, netting) {
-  gear <- state$gear
+# levels: the coarser ones, list(nodes, values) each.
+levels_through <- function(state, levels, netting) {
   nodes <- state$lattice$nodes
-  shapes <- list()
-  while (!is.null(shape$si)) {
-    shapes <- c(list(shape), shapes)
-    shape <- shape$coarser
-  }
-  state_of <- function(shape) {
-    new_state(gear, shape$si, shape$lattice,
-      as.vector(shape$position[, seq_len(shape$lattice$nodes)]), list(converged = TRUE))
-  }
-  level_of <- function(state) {
-    list(nodes = state$lattice$nodes, values = plain_measures(measures(state)))
-  }
-  many <- nodes > many_nodes
-  # such a lattice is neither kept nor settled once more
-  wanted <- if (!many) extra_nodes(state$si, nodes, vapply(shapes, level_nodes, 0))
-  whole <- if (length(wanted)) list(si = state$si, shape = state_shape(state))
-  rm(state, shape)
+  gear <- state$gear
+  # such a lattice is not settled once more
+  wanted <- if (nodes <= many_nodes) extra_nodes(state$si, nodes, vapply(levels, `[[`, 0, "nodes"))
+  free <- if (length(wanted)) undivided(state$si)
+  shape <- if (length(wanted)) state_shape(state)
+  rm(state)
   extra <- once(function() {
-    found <- if (length(wanted)) extra_level(whole$si, wanted, netting, whole$shape)
-    whole <<- NULL
-    if (!is.null(found)) state_of(found)
+    found <- if (length(wanted)) extra_level(free, wanted, netting, shape)
+    shape <<- NULL
+    if (is.null(found)) return(NULL)
+    new_state(gear, free, found$lattice, found$position, list(converged = TRUE))
   })
   own <- once(function() {
-    levels <- lapply(shapes, function(shape) level_of(state_of(shape)))
-    shapes <<- NULL
     one_more <- extra()
-    if (!is.null(one_more)) levels <- c(levels, list(level_of(one_more)))
+    if (!is.null(one_more)) {
+      values <- plain_measures(measures(one_more))
+      levels <- c(levels, list(list(nodes = one_more$lattice$nodes, values = values)))
+    }
     levels[order(vapply(levels, `[[`, 0, "nodes"))]
   })
-  if (many) own()
   list(own = own, extra = extra)
 }
-
-level_nodes <- function(level) as.double(level$lattice$nodes)
 
 # Nodes of the lattice that is settled to know the error of one of so many, in the order in which
 # they are tried; none where the levels that there are do. Coarser lattices of netting share what
@@ -80,16 +65,16 @@ enough_nodes <- 1200
 most_made_finer <- 2500
 extra_ratio <- 2.6
 
-# The first of lattices of so many nodes that settles, from a shape: as coarse_shape() gives it, or
+# The first of lattices of so many nodes that settles from a shape, as settle_numbers() gives it, or
 # NULL.
 extra_level <- function(si, wanted, netting, shape) {
   for (nodes in wanted) {
     found <- tryCatch(
-      coarse_shape(si, nodes, netting, settle_progress(), shape, nodes),
+      settle_numbers(si, nodes, netting, shape, through_levels = FALSE),
       codend_error = function(e) NULL
     )
-    if (is.null(found$si)) next
-    ratio <- level_nodes(found) / level_nodes(shape)
+    if (!isTRUE(found$report$converged)) next
+    ratio <- found$lattice$nodes / shape$lattice$nodes
     if (max(ratio, 1 / ratio) >= least_ratio) return(found)
   }
 }

@@ -99,11 +99,11 @@ settled_state <- function(gear, nodes, netting, from) {
   progress <- settle_progress()
   found <- NULL
   if (!is.null(from) && !has_other_catch(si, from$si)) {
-    found <- settle_level(si, nodes, netting, state_shape(from), progress)
+    found <- settle_numbers(si, nodes, netting, state_shape(from), FALSE, progress)
   }
   if (!isTRUE(found$report$converged)) {
     found <- if (is.null(si$shooting)) {
-      settle_from_coarse(si, nodes, netting, progress)
+      settle_numbers(si, nodes, netting, progress = progress)
     } else {
       settle_shot(gear, si, nodes, netting, progress)
     }
@@ -115,16 +115,8 @@ settled_state <- function(gear, nodes, netting, from) {
     abort_unsettled(report, found$lattice, found$position, advice)
   }
   state <- new_state(gear, si, found$lattice, found$position, report)
-  state$levels <- state_levels(state, found, netting, from)
+  state$levels <- state_levels(state, found$levels, netting, from)
   state
-}
-
-# Settles a gear from its coarser levels, where it is not coarse itself.
-settle_from_coarse <- function(si, nodes, netting, progress) {
-  coarse <- if (min(nodes, fixed_nodes(si, netting)) > 2 * coarsest_nodes) {
-    coarse_shape(si, nodes, netting, progress)
-  }
-  settle_level(si, nodes, netting, coarse, progress)
 }
 
 check_settle_arguments <- function(gear, nodes, netting) {

@@ -5,29 +5,23 @@
 # too: fine slack netting flutters, which costs a march thousands of steps and leaves nothing behind
 # in a shape at rest.
 
-# It sinks for so long (s) at a time, at most so often; steps may err by this (m).
+# It sinks for so long (s) at a time, at most so often, with so many nodes; steps may err by this (m).
 sinking_time <- 900
 most_sinkings <- 2L
+sinking_nodes <- 250
 sinking_accuracy <- 0.5
 
-# As settle_level(), of the last of its trials.
+# As settle_numbers(), of the last of its trials.
 settle_shot <- function(gear, si, nodes, netting, progress) {
-  free <- undivided(si)
-  coarse <- min(nodes, coarsest_nodes)
-  settle_from <- function(shape) {
-    found <- settle_level(free, coarse, "cells", shape, progress)
-    if (!found$report$converged) return(found)
-    shape <- list(lattice = found$lattice, position = lattice_points(found$lattice, found$position))
-    settle_level(
-      si, nodes, netting, coarse_shape(si, nodes, netting, progress, shape), progress
-    )
-  }
+  settle_from <- function(shape) settle_numbers(si, nodes, netting, shape, progress = progress)
   found <- settle_from(NULL)
   if (found$report$converged) return(found)
   shot <- si$ropes[[si$shooting$rope]]$length / si$shooting$speed
   until <- shot + seq_len(most_sinkings) * sinking_time
   # without a schedule: what is hauled in its plan's operation stays out
-  sinking <- shot_trajectory(gear, free, list(), until[most_sinkings], coarse, "cells")
+  sinking <- shot_trajectory(
+    gear, undivided(si), list(), until[most_sinkings], min(nodes, sinking_nodes), "cells"
+  )
   for (time in until) {
     sinking <- tryCatch(
       march_trajectory(sinking, time, time, tow_method("bdf2", sinking_accuracy, NULL)),

@@ -331,9 +331,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   }
   # A warp that is still short has few bars of its own: its shape is carried over to all of them.
   progress <- settle_progress()
-  found <- settle_level(
-    first, nodes, netting, coarse_shape(first, nodes, netting, progress), progress
-  )
+  found <- settle_numbers(first, nodes, netting, progress = progress)
   if (found$report$converged) {
     found$lattice$counts <- NULL
     shape <- list(

@@ -3,7 +3,7 @@
 # Share of a netting's twines that are slack from which on this is named as the likely cause.
 much_slack <- 0.5
 
-# found: as settle_level() gives it. Returns sentences that name the fields to change, the most
+# found: as settle_numbers() gives it. Returns sentences that name the fields to change, the most
 # telling first; one at least.
 unsettled_advice <- function(gear, si, found) {
   advice <- c(slack_advice(gear, si, found), odd_plan(gear))

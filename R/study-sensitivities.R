@@ -247,7 +247,8 @@ near_numbers <- function(work, si, by = unlist(si$multipliers)) {
   c(multiplied_numbers(own, si, by), list(
     questions = near_questions(work, si),
     blocked = if (is.null(si$catch)) 0 else
-      first_of(si$catch$blocked[!is.na(si$catch$blocked)], work$state$lattice$catch$blocked)
+      first_of(si$catch$blocked[!is.na(si$catch$blocked)], work$state$lattice$catch$blocked),
+    volume = 0
   ))
 }
 
@@ -374,8 +375,8 @@ settled_change <- function(work, field, share) {
 settled_values <- function(work, gear) {
   si <- gear_si(gear)
   shape <- state_shape(work$state)
-  found <- settle_level(
-    si, work$nodes, work$netting, shape, function(iteration, residual) NULL
+  found <- settle_numbers(
+    si, work$nodes, work$netting, shape, FALSE, function(iteration, residual) NULL
   )
   work$cost$factorisations <- work$cost$factorisations + found$report$factorisations
   if (!found$report$converged || !settled_alike(found$lattice, shape)) return(NULL)

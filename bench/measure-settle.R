@@ -16,11 +16,10 @@ before <- memory("VmRSS")
 
 # Reports of the levels that settle() goes through, which a state keeps of the finest alone.
 levels <- NULL
-settle_level <- codend:::settle_level
-utils::assignInNamespace("settle_level", function(...) {
-  list(...)  # a coarser level may hide in an argument that nobody has looked at yet
-  whole <- cpu(found <- settle_level(...))
-  levels <<- c(levels, list(c(found$report, whole = whole)))
+settle_gear <- codend:::engine_settle_gear
+utils::assignInNamespace("engine_settle_gear", function(...) {
+  found <- settle_gear(...)
+  levels <<- c(levels, found$levels, list(found))
   found
 }, "codend")
 
@@ -40,10 +39,14 @@ costs_of <- function(levels, whole) {
   known <- vapply(parts, function(part) {
     sum(vapply(levels, `[[`, 0, paste0("seconds_", part)))
   }, 0)
-  c(settle = whole, known, rest = whole - sum(known), coarse = whole_of(levels[-length(levels)]))
+  c(settle = whole, known, rest = whole - sum(known), coarse = coarse_of(levels))
 }
 
-whole_of <- function(levels) sum(vapply(levels, `[[`, 0, "whole"))
+# Of all levels but the finest.
+coarse_of <- function(levels) {
+  seconds <- function(level) sum(unlist(level[startsWith(names(level), "seconds_")]))
+  sum(vapply(levels[-length(levels)], seconds, 0))
+}
 
 steps_of <- function(levels) sum(vapply(levels, `[[`, 0L, "factorisations"))
 

@@ -49,7 +49,10 @@ for (netting in c("bars", "cells")) {
 
 # Tangled starts: every node of the crude layout 10 m (standard deviation) off in each direction,
 # and no coarser levels, which would leave little of a tangle.
-utils::assignInNamespace("coarse_shape", function(...) NULL, "codend")
+settle_numbers <- codend:::settle_numbers
+utils::assignInNamespace("settle_numbers", function(..., through_levels) {
+  settle_numbers(..., through_levels = FALSE)
+}, "codend")
 trawl <- read_gear("midwater_trawl")
 answer <- as.vector(settle(trawl, nodes, "bars")$position)
 for (number in seq_len(min(30L, count))) {

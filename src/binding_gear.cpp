@@ -1,8 +1,6 @@
 // Lattices of gears for R.
-#include "binding_list.h"
+#include "binding_framed.h"
 #include "binding_model.h"
-#include "engine/gear/lattice.hpp"
-#include "engine/measure/frame.hpp"
 #include "engine/solve/layout.hpp"
 
 using namespace binding;
@@ -21,18 +19,6 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     return true;
   });
 }
-
-// A lattice with what measures take of it.
-struct Framed {
-  codend::Lattice lattice;
-  codend::MeasureFrame frame;
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    lattice.fields(visit);
-    visit.group("frame", frame);
-  }
-};
 
 }  // namespace
 

@@ -1,11 +1,62 @@
 // Equilibria for R.
 #include <algorithm>
 
+#include "binding_framed.h"
 #include "binding_model.h"
+#include "engine/measure/settled_gear.hpp"
 #include "engine/solve/body_modes.hpp"
 #include "engine/solve/settle.hpp"
 
 using namespace binding;
+
+namespace {
+
+// What R checks of a lattice.
+struct CheckedLattice {
+  std::vector<double> twine;
+  bool encloses;
+  codend::Division division;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.list("twine", twine);
+    visit("encloses", encloses);
+    visit.group("division", division);
+  }
+};
+
+list settled_list(const codend::SettleReport& report, const std::vector<double>& position,
+                  const std::vector<double>& strain, const std::vector<double>& wake) {
+  const codend::SettleControl control;
+  return writable::list({
+      "position"_nm = as_doubles(position),
+      "strain"_nm = as_doubles(strain),
+      "converged"_nm = report.converged,
+      "iterations"_nm = report.iterations,
+      "factorisations"_nm = report.factorisations,
+      "residual"_nm = report.residual,
+      "largest_tension"_nm = report.largest_tension,
+      "wake_renewals"_nm = report.wake_renewals,
+      "perturbations"_nm = report.perturbations,
+      "unstable"_nm = report.unstable,
+      "wake_change"_nm = report.wake_change,
+      "wake"_nm = as_doubles(wake),
+      "worst_node"_nm = report.worst_node + 1,
+      "worst_force"_nm = report.worst_force,
+      "part_residual"_nm = report.parts.residual,
+      "part_tolerance"_nm = control.part_tolerance,
+      "worst_part"_nm = report.parts.part + 1,
+      "part_rounding"_nm = report.parts.rounding,
+      "greatest_rounding"_nm = control.greatest_rounding,
+      "rounding_part"_nm = report.parts.rounding_part + 1,
+      "seconds_forces"_nm = report.seconds_forces,
+      "seconds_jacobian"_nm = report.seconds_jacobian,
+      "seconds_linear"_nm = report.seconds_linear,
+      "seconds_analysis"_nm = report.seconds_analysis,
+  });
+}
+
+}  // namespace
 
 // from: what the start is, a name of codend::Start; part: of every line, counted from 1, or empty.
 [[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
@@ -45,32 +96,69 @@ using namespace binding;
     std::vector<double> line_strain;
     assembly.strain(line_strain);
     line_strain.resize(static_cast<std::size_t>(model.lines()));
-    return writable::list({
-        "position"_nm = as_doubles(x),
-        "strain"_nm = as_doubles(line_strain),
-        "converged"_nm = report.converged,
-        "iterations"_nm = report.iterations,
-        "factorisations"_nm = report.factorisations,
-        "residual"_nm = report.residual,
-        "largest_tension"_nm = report.largest_tension,
-        "wake_renewals"_nm = report.wake_renewals,
-        "perturbations"_nm = report.perturbations,
-        "unstable"_nm = report.unstable,
-        "wake_change"_nm = report.wake_change,
-        "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
-        "worst_node"_nm = report.worst_node + 1,
-        "worst_force"_nm = report.worst_force,
-        "part_residual"_nm = report.parts.residual,
-        "part_tolerance"_nm = control.part_tolerance,
-        "worst_part"_nm = report.parts.part + 1,
-        "part_rounding"_nm = report.parts.rounding,
-        "greatest_rounding"_nm = control.greatest_rounding,
-        "rounding_part"_nm = report.parts.rounding_part + 1,
-        "seconds_forces"_nm = report.seconds_forces,
-        "seconds_jacobian"_nm = report.seconds_jacobian,
-        "seconds_linear"_nm = report.seconds_linear,
-        "seconds_analysis"_nm = report.seconds_analysis,
-    });
+    return settled_list(report, x, line_strain,
+                        assembly.has_wake() ? assembly.wake() : std::vector<double>());
+  });
+}
+
+// Settles a gear from its numbers (measure/settled_gear.hpp). from: list as BegunShape has it, or NULL;
+// told: whether the lattice is wanted; built: a function of what is checked of every lattice. Returns
+// what engine_settle() does, levels = list(nodes, measures (SI), steps and seconds) of each, lattice = as
+// engine_lattice() has it or NULL, seconds_lattice, blocked, full_bag.
+[[cpp11::register]] list engine_settle_gear(list numbers, double nodes, SEXP from,
+                                            bool through_levels, bool told, double tolerance,
+                                            int iterations, function watch, function built) {
+  return guarded([&]() -> list {
+    const auto read = codend::read_fields<codend::GearNumbers>(ListSource(numbers));
+    read.gear.check();
+    codend::GearSettling how;
+    codend::BegunShape begun;
+    if (!Rf_isNull(from)) {
+      begun = codend::read_fields<codend::BegunShape>(ListSource(from));
+      how.from = &begun;
+    }
+    how.nodes = nodes;
+    how.through_levels = through_levels;
+    how.tolerance = tolerance;
+    how.iterations = iterations;
+    how.watch = [&](const codend::SettleProgress& progress) {
+      check_user_interrupt();
+      watch(progress.iteration, progress.residual);
+      return true;
+    };
+    how.pause = [] { check_user_interrupt(); };
+    how.built = [&](const codend::Lattice& lattice) {
+      CheckedLattice checked{lattice.twine, lattice.bag.encloses, lattice.division};
+      built(ListWriter::written(checked));
+    };
+    codend::SettledGear found = codend::settle_gear(read, how);
+    writable::list levels;
+    for (const codend::SettledLevel& level : found.levels) {
+      levels.push_back(writable::list({"nodes"_nm = static_cast<double>(level.nodes),
+                                       "measures"_nm = as_doubles(level.measures),
+                                       "iterations"_nm = level.report.iterations,
+                                       "factorisations"_nm = level.report.factorisations,
+                                       "seconds_forces"_nm = level.report.seconds_forces,
+                                       "seconds_jacobian"_nm = level.report.seconds_jacobian,
+                                       "seconds_linear"_nm = level.report.seconds_linear,
+                                       "seconds_analysis"_nm = level.report.seconds_analysis,
+                                       "seconds_lattice"_nm = level.seconds_lattice}));
+    }
+    writable::list out =
+        settled_list(found.report, found.position, found.strain, found.gear.model.wake);
+    const auto add = [&](const char* name, SEXP value) {
+      out.push_back(cpp11::named_arg(name) = value);
+    };
+    add("levels", levels);
+    add("seconds_lattice", cpp11::as_sexp(found.seconds_lattice));
+    add("blocked", cpp11::as_sexp(found.gear.bag.blocked));
+    add("full_bag", cpp11::as_sexp(found.full_bag));
+    if (told) {
+      Framed framed{std::move(found.gear.lattice), {}};
+      framed.frame = codend::measure_frame(read.gear, framed.lattice);
+      add("lattice", ListWriter::written(framed));
+    }
+    return out;
   });
 }
 

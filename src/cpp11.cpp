@@ -118,6 +118,13 @@ extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP 
   END_CPP11
 }
 // binding_settle.cpp
+list engine_settle_gear(list numbers, double nodes, SEXP from, bool through_levels, bool told, double tolerance, int iterations, function watch, function built);
+extern "C" SEXP _codend_engine_settle_gear(SEXP numbers, SEXP nodes, SEXP from, SEXP through_levels, SEXP told, SEXP tolerance, SEXP iterations, SEXP watch, SEXP built) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_settle_gear(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(from), cpp11::as_cpp<cpp11::decay_t<bool>>(through_levels), cpp11::as_cpp<cpp11::decay_t<bool>>(told), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch), cpp11::as_cpp<cpp11::decay_t<function>>(built)));
+  END_CPP11
+}
+// binding_settle.cpp
 list engine_body_modes(list lattice, doubles position, doubles velocity);
 extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velocity) {
   BEGIN_CPP11
@@ -248,6 +255,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
     {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
     {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          8},
+    {"_codend_engine_settle_gear",     (DL_FUNC) &_codend_engine_settle_gear,     9},
     {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
     {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
     {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},

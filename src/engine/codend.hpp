@@ -10,7 +10,9 @@
 // in the same way, built, settled and measured (programs/settle_gear.cpp):
 //
 //   const auto numbers = codend::read_fields<codend::GearNumbers>(codend::TextSource(text));
-//   const codend::SettledGear found = codend::settle_gear(numbers, 500);
+//   codend::GearSettling how;
+//   how.nodes = 1500;
+//   const codend::SettledGear found = codend::settle_gear(numbers, how);
 //   for (const double value : found.measures) std::printf("%.17g\n", value);
 //
 // SI units. x aft, y to starboard, z up, 0 at the surface. What makes no sense throws InputError.

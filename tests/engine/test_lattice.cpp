@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hanging_panel.hpp"
+#include "measure/settled_gear.hpp"
 
 namespace {
 
@@ -92,6 +93,49 @@ TEST_CASE("shapes linear in mesh coordinates are carried exactly, whatever the n
       CHECK(off < (to_bars ? 1e-6 : 1e-11));
     }
   }
+}
+
+TEST_CASE("strains linear along and across each family are carried, and others held at the ends") {
+  for (const bool from_bars : {false, true}) {
+    for (const bool to_bars : {false, true}) {
+      const Gear old_gear = hanging_panel(from_bars, MeshOrientation::diamond, NettingDrag::twines);
+      const Gear new_gear = hanging_panel(to_bars, MeshOrientation::diamond, NettingDrag::twines);
+      const Lattice coarse = lattice_of(old_gear, 400), fine = lattice_of(new_gear, 2000);
+      const auto map = [](const Gear& gear, const Lattice& lattice) {
+        return part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+      };
+      const LineMap from = line_map(old_gear, coarse), to = line_map(new_gear, fine);
+      const PartMap from_map = map(old_gear, coarse), to_map = map(new_gear, fine);
+      const auto linear = [](const LinePlace& place) {
+        return place.family + place.s - 2 * place.t;
+      };
+      std::vector<double> strain;
+      for (const LinePlace& place : line_places(old_gear, from_map, from)) {
+        strain.push_back(linear(place));
+      }
+      const auto carried = carry_strains(new_gear, to_map, to, from_map, from, strain);
+      const auto places = line_places(new_gear, to_map, to);
+      REQUIRE(carried.size() == places.size());
+      int inner = 0;
+      double off = 0.0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        if (std::abs(places[k].s - 0.5) > 0.3) continue;
+        if (places[k].t != 0 && std::abs(places[k].t - 0.5) > 0.4) continue;
+        ++inner;
+        off = std::max(off, std::abs(carried[k] - linear(places[k])));
+      }
+      CHECK(inner > 500);
+      // Depths are told apart to 1e-6 of the panel's.
+      CHECK(off < 3e-6);
+    }
+  }
+}
+
+TEST_CASE("levels grow by the ratio from the coarsest") {
+  CHECK(coarse_levels(300).empty());
+  CHECK(coarse_levels(501) == std::vector<double>{250});
+  CHECK(coarse_levels(1e4) == std::vector<double>{250, 1e4 / 7});
+  CHECK(coarse_levels(1e5) == std::vector<double>{250, 1e5 / 49, 1e5 / 7});
 }
 
 TEST_CASE("what does not fit a gear is refused by name") {

@@ -103,7 +103,7 @@ test_that("a seine settles where it would if it had sunk, and ends where it find
   start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "cells")
   method <- codend:::tow_method("bdf2", 0.5, NULL)
   sunk <- codend:::last_shape(codend:::march_trajectory(start, 900, 900, method))
-  found <- codend:::settle_level(si, 300, NULL, sunk, function(...) NULL)
+  found <- codend:::settle_numbers(si, 300, NULL, sunk, through_levels = FALSE)
   expect_true(found$report$converged)
   sunk <- codend:::new_state(gear, si, found$lattice, found$position, found$report)
   tight <- c("lead_line_depth_middle_m", "enclosed_volume_m3", "end_rope_first_tension_kN")

@@ -1,16 +1,9 @@
 # Coarse to fine, and from a state.
 
-test_that("levels grow by the ratio from the coarsest", {
-  expect_identical(coarse_levels(300), numeric())
-  expect_identical(coarse_levels(501), 250)
-  expect_equal(coarse_levels(1e5), c(250, 1e5 / 7^2, 1e5 / 7))
-  expect_equal(coarse_levels(1e4), c(250, 1e4 / 7))
-})
-
 test_that("coarse to fine ends where the crude start ends", {
   gear <- read_gear("midwater_trawl")
   state <- settle(gear, nodes = 1500, netting = "bars")
-  crude <- settle_level(gear_si(gear), 1500, "bars", NULL, function(...) NULL)
+  crude <- settle_numbers(gear_si(gear), 1500, "bars", through_levels = FALSE)
   expect_true(crude$report$converged)
   # Forces in balance to 1e-8 of the largest tension; slack twine has little to hold it in place.
   expect_equal(crude$position, as.vector(state$position), tolerance = 1e-6)
@@ -31,7 +24,7 @@ test_that("a state is the start of another speed, warp or finer lattice", {
     near <- settle(faster, nodes = 500, from = state)
     anew <- settle(faster, nodes = 500)
     expect_equal(measures(near), measures(anew), tolerance = 1e-5)
-    crude <- settle_level(gear_si(faster), 500, NULL, NULL, function(...) NULL)
+    crude <- settle_numbers(gear_si(faster), 500, NULL, through_levels = FALSE)
     expect_lt(near$report$factorisations, share[[speed]] * crude$report$factorisations)
   }
 

@@ -108,7 +108,7 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
   shape <- state_shape(state)
   tightly <- function(gear) {
     si <- gear_si(gear)
-    near <- settle_level(si, 1500, NULL, shape, quiet)
+    near <- settle_numbers(si, 1500, NULL, shape, FALSE, quiet)
     tight <- engine_settle(near$lattice$engine, as.double(near$position), "settled",
       as.double(near$strain), integer(), 1e-13, 200L, quiet)
     codend:::values_at(work, gear, si, near$lattice, tight$position)[of]

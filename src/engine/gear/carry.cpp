@@ -69,7 +69,8 @@ Between along_edge(const EdgeNodes& edges, int edge, double x) {
           clamped_share(x, edges.fraction[cell], edges.fraction[cell + 1])};
 }
 
-// Places of the nodes of grids, the panels of cells.
+}  // namespace
+
 void add_grid_places(std::vector<PanelPlace>& out, const PartMap& map) {
   for (std::size_t p = 0; p < map.grids.size(); ++p) {
     const std::vector<int>& node = map.grids[p].node;
@@ -83,7 +84,6 @@ void add_grid_places(std::vector<PanelPlace>& out, const PartMap& map) {
   }
 }
 
-// Of a knot or the middle of a bar.
 PanelPlace bar_place(const Gear& gear, const PartMap& map, int p, std::size_t k) {
   const GearPanel& panel = gear.panels[p];
   const DrawnPanel& drawn = map.panels[p];
@@ -92,6 +92,8 @@ PanelPlace bar_place(const Gear& gear, const PartMap& map, int p, std::size_t k)
   const double s = (drawn.i[k] - left) / width;
   return {map.point(drawn.node[k]), p, std::min(std::max(s, 0.0), 1.0), drawn.j[k] / panel.deep};
 }
+
+namespace {
 
 struct RowPlace {
   int panel;
@@ -174,21 +176,33 @@ PanelRows panel_rows(const Gear& gear, const PartMap& map) {
     const RowPlace& place = all[k];
     const double key = 2.0 * (place.panel + 1) + place.t;
     if (out.row.empty() || key - last > 1e-9) {
-      out.panel.push_back(place.panel);
-      out.t.push_back(place.t);
-      out.t_key.push_back(key);
+      out.add_row(place.panel, place.t);
     }
     last = key;
-    out.row.push_back(static_cast<int>(out.t.size()) - 1);
-    out.s.push_back(place.s);
-    out.s_key.push_back(2.0 * (out.row.back() + 1) + place.s);
+    out.add_place(place.s);
     out.at.push_back(place.at);
   }
   return out;
 }
 
-Beside PanelRows::beside(int of_row, double x) const {
-  return values_beside(of_row, x, row, s, s_key);
+void PlaceRows::add_row(int of_group, double deep) {
+  group.push_back(of_group);
+  t.push_back(deep);
+  t_key.push_back(2.0 * (of_group + 1) + deep);
+}
+
+void PlaceRows::add_place(double across) {
+  row.push_back(static_cast<int>(t.size()) - 1);
+  s.push_back(across);
+  s_key.push_back(2.0 * (row.back() + 1) + across);
+}
+
+Beside PlaceRows::rows_beside(int of_group, double deep) const {
+  return values_beside(of_group, deep, group, t, t_key);
+}
+
+Beside PlaceRows::beside(int of_row, double across) const {
+  return values_beside(of_row, across, row, s, s_key);
 }
 
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map) {
@@ -239,7 +253,7 @@ std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const P
     return low + (rows.at[on.high](position.data()) - low) * on.share;
   };
   for (const PanelPlace& place : panel_places(gear, to)) {
-    const Beside on = values_beside(place.panel, place.t, rows.panel, rows.t, rows.t_key);
+    const Beside on = rows.rows_beside(place.panel, place.t);
     const Vector first = along(on.low, place.s);
     at(start.data(), place.node) = first + (along(on.high, place.s) - first) * on.share;
   }

@@ -44,6 +44,10 @@ struct PanelPlace {
   double s, t;
 };
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map);
+// Those of the nodes of grids, the panels of cells, at the end of `out`.
+void add_grid_places(std::vector<PanelPlace>& out, const PartMap& map);
+// That of the k-th knot or middle of a bar of a panel of bars; its node as a number among all points.
+PanelPlace bar_place(const Gear& gear, const PartMap& map, int panel, std::size_t k);
 
 // A place on the straight line between two points.
 struct Between {
@@ -62,17 +66,26 @@ struct Beside {
   double share;
 };
 
-// The shape of panels as rows of places, each running from the left edge to the right edge: the rows
-// of a grid, or those of knots. Rows and the places of a row follow each other.
-struct PanelRows {
-  std::vector<int> panel;        // of every row
+// Rows of places, row after row: of a group each, by group and how deep they are, their places by how far
+// across.
+struct PlaceRows {
+  std::vector<int> group;        // of every row
   std::vector<double> t, t_key;  // and how deep it is
   std::vector<int> row;          // of every place
   std::vector<double> s, s_key;  // and how far across
-  std::vector<Between> at;
 
-  // The places next to a share across in a row.
-  Beside beside(int row, double s) const;
+  void add_row(int of_group, double deep);
+  // To the last row.
+  void add_place(double across);
+  // The rows of a group next to a depth, and the places of a row next to a share across.
+  Beside rows_beside(int of_group, double deep) const;
+  Beside beside(int of_row, double across) const;
+};
+
+// The shape of panels as such rows, each from the left edge to the right edge: the rows of a grid, or those
+// of knots.
+struct PanelRows : PlaceRows {
+  std::vector<Between> at;
 };
 PanelRows panel_rows(const Gear& gear, const PartMap& map);
 

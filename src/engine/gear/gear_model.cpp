@@ -1,5 +1,7 @@
 #include "gear_model.hpp"
 
+#include "carry_strains.hpp"
+
 namespace codend {
 
 Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& numbers) {
@@ -53,15 +55,8 @@ Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& number
 }
 
 std::vector<int> line_parts(const Lattice& lattice) {
-  std::vector<int> out = lattice.bar_part;
-  const auto add = [&](bool hexagonal) {
-    for (std::size_t c = 0; c < lattice.cell_part.size(); ++c) {
-      if ((lattice.cells.straight[c] > 0) == hexagonal) out.push_back(lattice.cell_part[c]);
-    }
-  };
-  for (int family = 0; family < 2; ++family) add(false);
-  for (int family = 0; family < 3; ++family) add(true);
-  return out;
+  const std::vector<int>& cells = lattice.cell_part;
+  return in_line_order(lattice.cells.straight, lattice.bar_part, cells, cells, cells);
 }
 
 }  // namespace codend

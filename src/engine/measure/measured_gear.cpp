@@ -5,11 +5,13 @@
 namespace codend {
 
 MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
-                           const FromShape& from) {
+                           const FromShape& from, const std::function<void()>& pause) {
   MeasuredGear out;
-  out.lattice = build_lattice(gear, fineness, from, [](const Strings& strings, double* x) {
-    lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x,
-            [] { return true; });
+  out.lattice = build_lattice(gear, fineness, from, [&](const Strings& strings, double* x) {
+    lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x, [&] {
+      if (pause) pause();
+      return true;
+    });
   });
   out.model = model_of(gear, out.lattice, numbers.model);
   if (gear.has_bag) {

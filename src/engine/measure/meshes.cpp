@@ -71,15 +71,15 @@ MeshFrame mesh_frame(const Gear& gear, const PartMap& map) {
     out.turned.push_back(panel.orientation == MeshOrientation::turned);
   }
   const PanelRows rows = panel_rows(gear, map);
-  out.row_panel = rows.panel;
+  out.row_panel = rows.group;
   out.row_t = rows.t;
   out.row = rows.row;
   out.s = rows.s;
-  const int last_row = static_cast<int>(rows.panel.size()) - 1;
+  const int last_row = static_cast<int>(rows.group.size()) - 1;
   const int last_place = static_cast<int>(rows.row.size()) - 1;
   for (int k = 0; k <= last_place; ++k) {
     const int row = rows.row[k];
-    const GearPanel& panel = gear.panels[rows.panel[row]];
+    const GearPanel& panel = gear.panels[rows.group[row]];
     out.from.push_back(rows.at[k].from);
     out.to.push_back(rows.at[k].to);
     out.share.push_back(rows.at[k].share);
@@ -87,8 +87,8 @@ MeshFrame mesh_frame(const Gear& gear, const PartMap& map) {
     const double across = panel.upper + (panel.lower - panel.upper) * t;
     const double before = k > 0 && rows.row[k - 1] == row ? rows.s[k - 1] : s;
     const double after = k < last_place && rows.row[k + 1] == row ? rows.s[k + 1] : s;
-    const int above = row > 0 && rows.panel[row - 1] == rows.panel[row] ? row - 1 : row;
-    const int below = row < last_row && rows.panel[row + 1] == rows.panel[row] ? row + 1 : row;
+    const int above = row > 0 && rows.group[row - 1] == rows.group[row] ? row - 1 : row;
+    const int below = row < last_row && rows.group[row + 1] == rows.group[row] ? row + 1 : row;
     const Beside up = rows.beside(above, s), down = rows.beside(below, s);
     out.above.push_back(up.low);
     out.above_next.push_back(up.high);

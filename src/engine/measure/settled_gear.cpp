@@ -1,76 +1,294 @@
 #include "settled_gear.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "../gear/sums.hpp"
+#include "../solve/stopwatch.hpp"
 
 namespace codend {
 
 namespace {
 
-// Nodes of the coarsest level, and between how many there is one.
-constexpr double coarsest_nodes = 250;
-constexpr double too_many_nodes = 4 * coarsest_nodes;
-// Steps of a level from a crude start, at most, of the last and of those before.
-constexpr int last_steps = 600, coarse_steps = 200;
+// Nodes of the coarsest level, and how many times as many the next finer one has.
+constexpr double coarsest_nodes = 250, level_ratio = 7;
 
-// The gear with nothing said of how finely it is divided, its netting as cells. Poles keep their
-// segments: divided otherwise they would kink.
+// Share of a catch's volume within which it is met, and fronts that are tried.
+constexpr double catch_tolerance = 1e-6;
+constexpr int most_fronts = 40;
+// A front within this of one that is settled, in the logarithm of meshes, is settled from there.
+constexpr double near_front = 0.2;
+
+// The gear with nothing said of how finely it is divided. Poles keep their segments: divided otherwise
+// they would kink.
 Gear undivided(Gear gear) {
   for (GearRope& rope : gear.ropes) {
     if (!rope.strut) rope.segments = 0;
   }
-  for (GearPanel& panel : gear.panels) {
-    panel.columns = panel.rows = 0;
-    panel.bars = false;
-  }
+  for (GearPanel& panel : gear.panels) panel.columns = panel.rows = 0;
   return gear;
 }
 
-SettledGear settle_level(const GearNumbers& numbers, const Gear& gear, double nodes,
-                         const FromShape& from, int steps) {
-  SettledGear out;
-  Fineness fineness;
-  fineness.nodes = nodes;
-  out.gear = measured_gear(numbers, gear, fineness, from);
-  Assembly assembly(out.gear.model);
-  SettleControl control;
-  control.start = from.given ? Start::near : Start::crude;
-  control.part = line_parts(out.gear.lattice);
-  control.tolerance = 1e-8;
-  control.iterations = steps;
-  out.position = out.gear.lattice.start;
-  const std::vector<double> still(out.position.size(), 0.0);
-  out.report = settle(assembly, control, still.data(), out.position.data());
-  if (assembly.has_wake()) out.gear.model.wake = assembly.wake();
+Gear of_cells(Gear gear) {
+  for (GearPanel& panel : gear.panels) panel.bars = false;
+  return gear;
+}
+
+std::vector<char> bars_of(const Gear& gear) {
+  std::vector<char> out;
+  for (const GearPanel& panel : gear.panels) out.push_back(panel.bars);
   return out;
+}
+
+// The same sheets in the place of a shape slow the water as they did.
+bool same_sheets(const WakeSheets& a, const WakeSheets& b) {
+  return a.node == b.node && a.twine_area == b.twine_area && a.overlap == b.overlap &&
+         a.law == b.law;
+}
+
+struct Front {
+  double front, off;  // in the logarithms of meshes and of volume
+};
+
+// The volume grows with a power of the meshes behind the front that changes slowly: a secant through the
+// last two fronts, or that of a power of 1 from the first, kept between those known to enclose too little
+// and too much.
+double next_front(const Front& here, const std::optional<Front>& before,
+                  const std::optional<Front>& low, const std::optional<Front>& high, double end) {
+  double slope = 1.0;
+  if (before) slope = (here.off - before->off) / (here.front - before->front);
+  const double guess = here.front - here.off / slope;
+  const double most = high ? high->front : std::min(here.front + 1, end);
+  const double least = low ? low->front : here.front - 1;
+  if (std::isfinite(guess) && guess > least && guess < most) return guess;
+  return !low ? least : !high ? most : (least + most) / 2;
+}
+
+class LevelSettler {
+ public:
+  LevelSettler(const GearNumbers& numbers, const Gear& gear, const GearSettling& how, double nodes,
+               const BegunShape* from)
+      : numbers_(numbers), gear_(gear), how_(how), from_(from) {
+    {
+      const Stopwatch watch(out_.seconds_lattice);
+      build(nodes);
+    }
+    if (from_ && !from_->strain.empty()) {
+      const PartMap map = part_map_of();
+      strain_ = carry_strains(gear_, map, line_map(gear_, lattice()), from_->map, from_->lines,
+                              from_->strain);
+      for (double& strain : strain_) strain *= from_->drag_growth;
+    }
+  }
+
+  SettledGear settled() {
+    if (gear_.has_bag && numbers_.volume > 0) {
+      find_front();
+    } else {
+      settle_once(nullptr);
+    }
+    out_.gear.model.wake = wake_;
+    return std::move(out_);
+  }
+
+ private:
+  const Lattice& lattice() const { return out_.gear.lattice; }
+  PartMap part_map_of() const {
+    return part_map(gear_, lattice().division, lattice().nodes, lattice().panels);
+  }
+
+  void build(double nodes) {
+    Fineness fineness;
+    fineness.nodes = nodes;
+    FromShape shape;
+    if (from_) {
+      shape.given = true;
+      shape.alike = from_->same_meshes && from_->nodes == nodes && from_->bars == bars_of(gear_);
+      shape.position = from_->position;
+      if (shape.alike) {
+        fineness.counts = &from_->counts;
+      } else {
+        shape.map = from_->map;
+      }
+    }
+    out_.gear = measured_gear(numbers_, gear_, fineness, shape, how_.pause);
+    if (how_.built) how_.built(lattice());
+    if (shape.alike && same_sheets(out_.gear.model.wake_sheets, from_->wake_sheets)) {
+      out_.gear.model.wake = from_->wake;
+    }
+    start_ = !from_ ? Start::crude : Start::near;
+    if (from_ && from_->settled && lattice().nodes == from_->map.nodes &&
+        line_map(gear_, lattice()).alike(from_->lines)) {
+      start_ = Start::settled;
+    }
+  }
+
+  struct Shape {
+    std::vector<double> position, strain;
+  };
+
+  // From its own start, or from a shape of it that is settled.
+  void settle_once(const Shape* shape) {
+    Assembly assembly(out_.gear.model);
+    SettleControl control;
+    control.start = shape ? Start::settled : start_;
+    control.strain = shape ? shape->strain : strain_;
+    control.part = line_parts(lattice());
+    control.tolerance = how_.tolerance;
+    control.iterations = how_.iterations;
+    control.watch = how_.watch;
+    control.pause = how_.pause;
+    out_.position = shape ? shape->position : lattice().start;
+    const std::vector<double> still(out_.position.size(), 0.0);
+    out_.report = settle_from(assembly, control, still.data(), out_.position.data());
+    assembly.strain(out_.strain);
+    out_.strain.resize(static_cast<std::size_t>(out_.gear.model.lines()));
+    wake_ = assembly.has_wake() ? assembly.wake() : std::vector<double>();
+  }
+
+  void set_front(double blocked) {
+    out_.gear.bag.blocked = blocked;
+    out_.gear.model.pressure.weight = pressure_weights(out_.gear.bag);
+  }
+
+  void find_front() {
+    const double wanted = std::log(numbers_.volume), end = std::log(gear_.bag.deep);
+    const bool known = from_ && from_->blocked > 0;
+    double front = std::log(known ? from_->blocked : out_.gear.bag.blocked);
+    std::optional<Front> low, high, before;
+    Shape shape;
+    int iterations = 0, factorisations = 0;
+    for (int tried = 0; tried < most_fronts; ++tried) {
+      set_front(std::exp(front));
+      // From the first start: a shape settled far off leads the path astray. From near by: slack netting
+      // before the front may balance in several ways, and the volume is to follow one of them.
+      const bool near = before && std::abs(front - before->front) < near_front;
+      const Shape* const nothing = nullptr;
+      for (const Shape* from : {near ? &std::as_const(shape) : nothing, nothing}) {
+        settle_once(from);
+        iterations += out_.report.iterations;
+        factorisations += out_.report.factorisations;
+        if (out_.report.converged || !from) break;
+      }
+      out_.report.iterations = iterations;
+      out_.report.factorisations = factorisations;
+      if (!out_.report.converged) return;
+      const double volume = bag_volume(out_.gear.bag, all_points(out_.gear.model, out_.position));
+      const double off =
+          volume > 0 ? std::log(volume) - wanted : -std::numeric_limits<double>::infinity();
+      if (std::abs(off) < catch_tolerance) return;
+      if (off < 0 && front >= end) {
+        out_.full_bag = volume;
+        break;
+      }
+      const Front here{front, off};
+      (off < 0 ? low : high) = here;
+      front = next_front(here, before, low, high, end);
+      before = here;
+      shape = {out_.position, out_.strain};
+    }
+    out_.report.converged = false;
+  }
+
+  const GearNumbers& numbers_;
+  const Gear& gear_;
+  const GearSettling& how_;
+  const BegunShape* from_;
+  Start start_ = Start::crude;
+  std::vector<double> strain_, wake_;
+  SettledGear out_;
+};
+
+// A settled level as the next one's start.
+BegunShape shape_of(const SettledGear& found, const Gear& gear, double nodes) {
+  const Lattice& lattice = found.gear.lattice;
+  BegunShape out;
+  out.position = all_points(found.gear.model, found.position);
+  out.strain = found.strain;
+  out.map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+  out.lines = line_map(gear, lattice);
+  out.nodes = nodes;
+  out.counts = lattice.counts;
+  out.bars = bars_of(gear);
+  out.wake_sheets = found.gear.model.wake_sheets;
+  out.wake = found.gear.model.wake;
+  if (gear.has_bag) out.blocked = found.gear.bag.blocked;
+  return out;
+}
+
+std::vector<double> measures_of(const GearNumbers& numbers, const Gear& gear,
+                                const SettledGear& found) {
+  Assembly assembly(found.gear.model);
+  return measures_at(numbers, gear, found.gear, assembly, found.position);
 }
 
 }  // namespace
 
-SettledGear settle_gear(const GearNumbers& numbers, double nodes) {
+std::vector<double> coarse_levels(double nodes) {
+  std::vector<double> out;
+  for (double by = level_ratio; nodes / by > 2 * coarsest_nodes; by *= level_ratio) {
+    out.insert(out.begin(), nodes / by);
+  }
+  if (out.empty() && nodes >= 4 * coarsest_nodes) out.push_back(std::sqrt(nodes * coarsest_nodes));
+  if (nodes > 2 * coarsest_nodes) out.insert(out.begin(), coarsest_nodes);
+  return out;
+}
+
+SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
   const Gear& gear = numbers.gear;
-  if (nodes >= too_many_nodes) throw InputError("nodes", "nodes must be below 1000");
-  if (gear.shot_along >= 0) throw InputError("shot_along", "a gear that is let go is not settled");
-  if (gear.has_bag && !(numbers.blocked > 0))
+  const auto settle_level = [&](const Gear& of, double nodes, const BegunShape* from) {
+    return LevelSettler(numbers, of, how, nodes, from).settled();
+  };
+  if (gear.has_bag && !(numbers.blocked > 0)) {
     throw InputError("blocked", "blocked must be positive");
-  const NodeCounts count = count_nodes(gear, 1);
-  const double fixed = count.divided ? std::accumulate(count.nodes.begin(), count.nodes.end(), 0.0)
-                                     : std::numeric_limits<double>::infinity();
-  FromShape from;
-  if (!gear.panels.empty() && std::min(nodes, fixed) > 2 * coarsest_nodes) {
-    const Gear free = undivided(gear);
-    const SettledGear coarse = settle_level(numbers, free, coarsest_nodes, {}, coarse_steps);
-    if (coarse.report.converged) {
-      from.given = true;
-      from.map = part_map(free, coarse.gear.lattice.division, coarse.gear.lattice.nodes,
-                          coarse.gear.lattice.panels);
-      from.position = all_points(coarse.gear.model, coarse.position);
+  }
+  if (how.from) {
+    how.from->map.check(gear, how.from->position.size() / 3);
+    how.from->lines.check(gear);
+  }
+  const BegunShape* from = how.from;
+  std::vector<SettledLevel> levels;
+  BegunShape shape;
+  if (how.through_levels) {
+    const Gear free = undivided(gear), cells = of_cells(free);
+    const bool shot = gear.shot_along >= 0;
+    if (shot) {
+      const double nodes = std::min(how.nodes, coarsest_nodes);
+      SettledGear first = settle_level(cells, nodes, from);
+      if (!first.report.converged) return first;
+      shape = shape_of(first, cells, nodes);
+      // The coarsest lattice's are of no use.
+      shape.strain.clear();
+      from = &shape;
+    }
+    const NodeCounts count = count_nodes(gear, 1);
+    const double nodes = count.divided ? std::min(how.nodes, exact_sum(count.nodes)) : how.nodes;
+    std::vector<double> below;
+    if (!gear.panels.empty()) {
+      below = coarse_levels(nodes);
+    } else if (shot || nodes > 2 * coarsest_nodes) {
+      below.push_back(nodes / 4);
+    }
+    for (const double level : below) {
+      const Gear& of = level == coarsest_nodes ? cells : free;
+      const SettledGear found = settle_level(of, level, from);
+      if (found.full_bag > 0) return found;
+      if (!found.report.converged) continue;
+      levels.push_back({found.gear.lattice.nodes, measures_of(numbers, of, found), found.report,
+                        found.seconds_lattice});
+      shape = shape_of(found, of, level);
+      if (level <= coarsest_nodes) shape.strain.clear();
+      from = &shape;
     }
   }
-  SettledGear out = settle_level(numbers, gear, nodes, from, last_steps);
-  Assembly assembly(out.gear.model);
-  out.measures = measures_at(numbers, gear, out.gear, assembly, out.position);
+  SettledGear out = settle_level(gear, how.nodes, from);
+  out.levels = std::move(levels);
+  if (out.report.converged && !numbers.questions.measures.empty()) {
+    out.measures = measures_of(numbers, gear, out);
+  }
   return out;
 }
 

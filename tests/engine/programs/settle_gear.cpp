@@ -22,7 +22,9 @@ int main(int count, char** arguments) {
     if (!file) throw codend::InputError("", std::string(arguments[1]) + " cannot be opened");
     const std::string text(std::istreambuf_iterator<char>(file), {});
     const auto numbers = codend::read_fields<codend::GearNumbers>(codend::TextSource(text));
-    const codend::SettledGear found = codend::settle_gear(numbers, std::atof(arguments[2]));
+    codend::GearSettling how;
+    how.nodes = std::atof(arguments[2]);
+    const codend::SettledGear found = codend::settle_gear(numbers, how);
     std::printf("converged mark 1 %d\nmeasures number %zu\n", found.report.converged,
                 found.measures.size());
     for (const double value : found.measures) std::printf("%.17g\n", value);

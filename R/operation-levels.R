@@ -1,0 +1,63 @@
+# Settling in the engine (src/engine/measure/settled_gear.hpp): a gear through coarser levels of it, or
+# from a shape.
+
+# Settles a gear. from: a shape to begin from, list(lattice, position = 3 x points, strain = of every
+# line or NULL, settled = the gear's numbers where it is a balance), or NULL; through_levels: whether
+# coarser levels are settled before. Returns list(lattice, position, strain, report, levels =
+# list(nodes, values = measures as shown) of the coarser levels).
+settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRUE,
+                           progress = settle_progress()) {
+  numbers <- lattice_numbers(si, netting)
+  asked <- asked_division(si, nodes, netting)
+  # where the water alone is another one the lattice is known
+  known <- !through_levels && identical(asked, from$lattice$counts$asked) &&
+    differ_in_conditions(si, from$settled)
+  measured <- if (through_levels) asked_of(si)
+  numbers <- c(numbers, list(
+    questions = questions_of(si, list(parts = part_table(si)), measured),
+    blocked = planned_front(si), volume = max(0, si$catch$volume, na.rm = TRUE)
+  ))
+  report <- engine_settle_gear(
+    numbers, asked$nodes, if (!is.null(from)) begun_shape(si, asked, from), through_levels, !known,
+    settle_tolerance, settle_iterations, progress,
+    function(found) check_lattice(si, found$twine, found$encloses, found$division)
+  )
+  if (report$full_bag > 0) abort_catch_volume(si, report$full_bag)
+  lattice <- if (known) {
+    lattice_in(si, from)
+  } else {
+    new_lattice(si, asked, numbers$model, report$lattice)
+  }
+  if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
+  lattice$engine$wake <- report$wake
+  levels <- lapply(report$levels, function(level) {
+    list(nodes = level$nodes, values = shown_answers(si, level$measures))
+  })
+  found <- list(
+    lattice = lattice, position = report$position, strain = report$strain, levels = levels
+  )
+  told <- c("position", "strain", "wake", "levels", "lattice", "blocked", "full_bag")
+  c(found, list(report = name_parts(report[setdiff(names(report), told)], lattice)))
+}
+
+# A shape to begin from as the engine reads it, for a gear that is to be divided as asked.
+begun_shape <- function(si, asked, from) {
+  lattice <- from$lattice
+  engine <- lattice$engine
+  before <- lattice$counts$asked
+  list(
+    position = as.double(from$position), strain = as.double(from$strain),
+    map = part_map(si, lattice),
+    lines = list(
+      part_count = nrow(lattice$parts), bar_node = engine$bars$node,
+      cell_node = engine$cells$node, bar_part = lattice$bar_part, cell_part = lattice$cell_part,
+      bar_rest = engine$bars$rest, cell_straight = engine$cells$straight
+    ),
+    nodes = first_of(before$nodes, 0),
+    counts = if (!is.null(before)) lattice$counts[lattice_counts],
+    bars = as.logical(before$bars), same_meshes = identical(asked$meshes, before$meshes),
+    wake_sheets = engine$wake_sheets, wake = as.double(engine$wake),
+    blocked = as.double(first_of(lattice$catch$blocked, 0)), settled = !is.null(from$settled),
+    drag_growth = drag_growth(si, from$settled)
+  )
+}
