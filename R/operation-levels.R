@@ -1,10 +1,10 @@
-# Settling in the engine (src/engine/measure/settled_gear.hpp): a gear through coarser levels of it, or
-# from a shape.
+# Settling in the engine (src/engine/measure/settled_gear.hpp): a gear through coarser levels of
+# it, or from a shape.
 
-# Settles a gear. from: a shape to begin from, list(lattice, position = 3 x points, strain = of every
-# line or NULL, settled = the gear's numbers where it is a balance), or NULL; through_levels: whether
-# coarser levels are settled before. Returns list(lattice, position, strain, report, levels =
-# list(nodes, values = measures as shown) of the coarser levels).
+# Settles a gear. from: a shape to begin from, list(lattice, position = 3 x points, strain = of
+# every line or NULL, settled = the gear's numbers where it is a balance), or NULL; through_levels:
+# whether coarser levels are settled before. Returns list(lattice, position, strain, report, levels
+# = list(nodes, values = measures as shown) of the coarser levels).
 settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRUE,
                            progress = settle_progress()) {
   numbers <- lattice_numbers(si, netting)

@@ -5,7 +5,8 @@
 # too: fine slack netting flutters, which costs a march thousands of steps and leaves nothing behind
 # in a shape at rest.
 
-# It sinks for so long (s) at a time, at most so often, with so many nodes; steps may err by this (m).
+# It sinks for so long (s) at a time, at most so often, with so many nodes; steps may err by this
+# (m).
 sinking_time <- 900
 most_sinkings <- 2L
 sinking_nodes <- 250

@@ -87,7 +87,8 @@ std::vector<LinePlace> cell_places(const Gear& gear, const PartMap& map, const L
       s += at->second->s;
       t += at->second->t;
     }
-    out.push_back({family_of(lines.cell_part[c]), static_cast<double>(s / 4), static_cast<double>(t / 4)});
+    out.push_back(
+        {family_of(lines.cell_part[c]), static_cast<double>(s / 4), static_cast<double>(t / 4)});
   }
   return out;
 }
