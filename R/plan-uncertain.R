@@ -65,20 +65,26 @@ uncertain_number <- function(map, path) {
     ends <- unlist(map$range)
     if (length(ends) != 2L || !is.null(map$uncertainty)) abort_field(path, map, allowed)
     value <- map$value
+    ends <- said_text(ends)
     if (is.null(value)) {
-      parts <- lapply(as.character(ends), split_quantity)
+      parts <- lapply(ends, split_quantity)
       if (any(lengths(parts) != 2L) || !identical(parts[[1L]][2L], parts[[2L]][2L])) {
         abort_field(path, map, "two numbers of one unit, or given with a `value`")
       }
       middle <- mean(vapply(parts, function(part) as.double(part[1L]), 0))
       unit <- parts[[1L]][2L]
-      value <- if (nzchar(unit)) paste(format(middle, digits = 15), unit) else middle
+      value <- if (nzchar(unit)) paste(said_text(middle), unit) else middle
     }
-    return(list(value = value, said = paste(as.character(ends), collapse = " to ")))
+    return(list(value = value, said = paste(ends, collapse = " to ")))
   }
   said <- map$uncertainty
   if (is.null(map$value) || length(said) != 1L || is.list(said)) abort_field(path, map, allowed)
-  list(value = map$value, said = as.character(said))
+  list(value = map$value, said = said_text(said))
+}
+
+# Texts and numbers as texts.
+said_text <- function(said) {
+  with_plain_numbers(vapply(said, format, "", digits = 15, USE.NAMES = FALSE))
 }
 
 at_path <- function(tree, steps) {

@@ -14,8 +14,9 @@ test_that("what is wrong in a part is told of the field that became the part", {
     "sections.body.belly.twine.material", "Did you mean `PES`?")
   expect_written("material: steel_chain", "material: chain", "footrope.material",
     "Did you mean `steel_chain`?")
-  expect_written("{length: 54.9 m, diameter: 16 mm, material: steel_wire}",
-    "{length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.lower.material",
+  expect_written(
+    "lower: {length: 54.9 m, diameter: {value: 16 mm, uncertainty: 10 %}, material: steel_wire}",
+    "lower: {length: 54.9 m, diameter: 16 mm, material: steel_rod}", "bridles.lower.material",
     "steel_wire")
   expect_written("{value: 1.4 mm, uncertainty: 15 %}", "14 cm",
     "sections.codend.twine.diameter", "less than half the mesh size")
