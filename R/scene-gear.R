@@ -107,11 +107,11 @@ scene_parts <- function(state) {
   list(
     name = I(parts$name), kind = I(parts$kind), role = I(ifelse(is.na(parts$role), "", parts$role)),
     thickness = I(thickness), strength = I(strength), mesh = I(mesh), bar = I(bar),
-    form = I(c(unname(vapply(si$ropes, rope_form, 0L)), integer(n - length(rope))))
+    form = I(c(unname(vapply(si$ropes, rope_form, 0L)), rep(4L, n - length(rope))))
   )
 }
 
-# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe.
+# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe; 4: a seam.
 rope_form <- function(rope) {
   if (identical(rope$role, "ground_gear")) return(2L)
   if (rope$strut) return(3L)

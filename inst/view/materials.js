@@ -128,7 +128,7 @@ window.codendView.materials = function () {
   });
 
   // Ropes: a tube along each line, at least some pixels thick; dashes where slack. Near by a rope
-  // shows its lay, a chain its links, ground gear its discs.
+  // shows its lay, a chain its links, ground gear its discs; seams are as thin as twine.
   var ropeMaterial = material([
     // about: radius, whether slack and twice its form, metres along
     'attribute vec3 from, to, wayFrom, wayTo, colour, about;',
@@ -140,7 +140,7 @@ window.codendView.materials = function () {
     '  float size = pixel * (flat_ > 0.5 ? 1.0 : max(vWhere.x, 0.0));',
     '  vSlack = mod(about.y, 2.0); vForm = floor(about.y / 2.0);',
     '  float own = about.x * (vForm == 1.0 ? 1.7 : 1.0);',
-    '  float radius = max(own, (vSlack > 0.5 ? 0.8 : 1.35) * ratio * size);',
+    '  float radius = max(own, (vForm == 4.0 ? 0.5 : vSlack > 0.5 ? 0.8 : 1.35) * ratio * size);',
     '  vec3 eye = flat_ > 0.5 ? -ahead : cameraPosition - p;',
     '  vec3 side = cross(way, eye);',
     '  if (dot(side, side) < 1e-10 * dot(eye, eye)) side = cross(way, vec3(0.31, 0.72, 0.62));',
