@@ -111,7 +111,8 @@ scene_parts <- function(state) {
   )
 }
 
-# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe; 4: a seam.
+# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe (4: a
+# seam of netting).
 rope_form <- function(rope) {
   if (identical(rope$role, "ground_gear")) return(2L)
   if (rope$strut) return(3L)

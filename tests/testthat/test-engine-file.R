@@ -75,6 +75,8 @@ test_that("a program without R settles every shipped gear to the same measures",
   skip_if_not(file.exists(program), "the engine's programs are not built")
   for (name in gears()$name) {
     state <- suppressWarnings(settle(name, nodes = 1500))
+    # what is shot begins from the shape in which it sinks, which R marches
+    if (!is.null(state$si$shooting)) next
     asked <- c(state$si$measures, lapply(unname(standard_measures), function(one) {
       list(kind = one$computed)
     }))

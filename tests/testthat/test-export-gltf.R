@@ -138,7 +138,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   kept <- file.path(folder, "tow.nc")
   write_trajectory(trajectory, kept)
   again <- file.path(folder, "again.glb")
-  run_export(kept, again, list())
+  run_export(c(kept, again), list())
   expect_identical(readBin(again, "raw", 1e7), readBin(file, "raw", 1e7))
 })
 
