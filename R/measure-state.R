@@ -46,20 +46,18 @@ measures <- function(state) {
 # its drag is little next to its weights).
 state_values <- function(state) {
   check_enclosing(state, state$si$measures)
-  kinds <- measured_kinds(state$si)
   drag <- list(list(kind = "total_drag"))
   values <- measure_values(state, c(asked_of(state$si), drag))
   light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
-  values <- setNames(values[-length(values)], names(kinds))
-  applies <- !is.nan(values) | seq_along(values) <= length(state$si$measures)
-  list(values = values[applies], kinds = kinds[applies], light = light)
+  c(told_answers(state$si, values[-length(values)]), light = light)
 }
 
-# The engine's answers (SI) to all that is asked of a gear, as shown, by name.
-shown_answers <- function(si, answers) {
+# The engine's answers (SI) to asked_of() a gear, those of the standard ones that apply to it:
+# list(values by name, kinds).
+told_answers <- function(si, answers) {
   kinds <- measured_kinds(si)
   applies <- !is.nan(answers) | seq_along(answers) <= length(si$measures)
-  shown_numbers(setNames(answers, names(kinds))[applies], measure_units(kinds[applies]))
+  list(values = setNames(answers, names(kinds))[applies], kinds = kinds[applies])
 }
 
 # What measures are of by name, with units: what the plan asks for, then the standard ones.

@@ -31,7 +31,8 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
   lattice$engine$wake <- report$wake
   levels <- lapply(report$levels, function(level) {
-    list(nodes = level$nodes, values = shown_answers(si, level$measures))
+    told <- told_answers(si, level$measures)
+    list(nodes = level$nodes, values = shown_numbers(told$values, measure_units(told$kinds)))
   })
   found <- list(
     lattice = lattice, position = report$position, strain = report$strain, levels = levels

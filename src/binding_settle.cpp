@@ -25,6 +25,17 @@ struct CheckedLattice {
   }
 };
 
+// Tells R of every step, and stops where R is interrupted. how: SettleControl or GearSettling.
+template <class Control>
+void report_to(const function& watch, Control& how) {
+  how.watch = [&watch](const codend::SettleProgress& progress) {
+    check_user_interrupt();
+    watch(progress.iteration, progress.residual);
+    return true;
+  };
+  how.pause = [] { check_user_interrupt(); };
+}
+
 list settled_list(const codend::SettleReport& report, const std::vector<double>& position,
                   const std::vector<double>& strain, const std::vector<double>& wake) {
   const codend::SettleControl control;
@@ -86,12 +97,7 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     }
     control.tolerance = tolerance;
     control.iterations = iterations;
-    control.watch = [&](const codend::SettleProgress& progress) {
-      check_user_interrupt();
-      watch(progress.iteration, progress.residual);
-      return true;
-    };
-    control.pause = [] { check_user_interrupt(); };
+    report_to(watch, control);
     const codend::SettleReport report = codend::settle_from(assembly, control, v.data(), x.data());
     std::vector<double> line_strain;
     assembly.strain(line_strain);
@@ -121,12 +127,7 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     how.through_levels = through_levels;
     how.tolerance = tolerance;
     how.iterations = iterations;
-    how.watch = [&](const codend::SettleProgress& progress) {
-      check_user_interrupt();
-      watch(progress.iteration, progress.residual);
-      return true;
-    };
-    how.pause = [] { check_user_interrupt(); };
+    report_to(watch, how);
     how.built = [&](const codend::Lattice& lattice) {
       CheckedLattice checked{lattice.twine, lattice.bag.encloses, lattice.division};
       built(ListWriter::written(checked));
