@@ -1,56 +1,20 @@
 # Plans to begin with.
 
-# What each kind is asked for, as it is taken where nobody says: a text with a unit. make: of its
-# text from SI numbers; or like: the shipped plan that it begins with, and scale: the fields that
-# these numbers change in it (without it they are asked for by path). usual: what is usual for the
-# numbers that are given, where that is not always the same.
-new_plan_kinds <- function() {
-  trawl <- c(head_line = "25 m", mesh_size = "100 mm", codend_mesh_size = "80 mm",
-    speed = "3 knot", depth = "100 m")
-  list(
-    bottom_trawl = list(asks = trawl, make = new_bottom_trawl, usual = usual_bottom_meshes),
-    midwater_trawl = list(
-      asks = c(head_line = "50 m", mesh_size = "4 m", codend_mesh_size = "40 mm",
-        speed = "4 knot", depth = "150 m"),
-      make = new_midwater_trawl, usual = usual_midwater_meshes
-    ),
-    beam_trawl = list(
-      asks = c(beam = "4 m", mesh_size = "100 mm", codend_mesh_size = "80 mm", speed = "4 knot",
-        depth = "30 m"),
-      make = new_beam_trawl
-    ),
-    pair_trawl = list(
-      asks = replace(trawl, "depth", "60 m"), make = new_pair_trawl, usual = usual_bottom_meshes
-    ),
-    demersal_seine = list(
-      asks = c(head_line = "36 m", mesh_size = "120 mm", codend_mesh_size = "100 mm",
-        rope = "1760 m", speed = "2 knot", depth = "80 m"),
-      make = new_demersal_seine, usual = usual_seine_meshes
-    ),
-    cage = list(
-      asks = c(diameter = "40 m", depth = "15 m", mesh_size = "50 mm", current = "0.5 m/s"),
-      like = "cage", scale = scaled_cage
-    ),
-    gillnet = list(
-      asks = c(length = "50 m", height = "3.2 m", mesh_size = "150 mm", depth = "40 m",
-        current = "0.15 m/s"),
-      like = "gillnet", scale = scaled_gillnet
-    ),
-    longline = list(
-      asks = c(baskets = "3", branch_lines = "15", main_line = "800 m", branch_line = "15 m"),
-      like = "longline", scale = scaled_longline
-    ),
-    purse_seine = list(
-      asks = c(length = "300 m", depth = "50 m", mesh_size = "25.4 mm"),
-      like = "purse_seine", scale = scaled_purse_seine
-    ),
-    stow_net = list(
-      asks = c(width = "8 m", height = "5 m", mesh_size = "200 mm", codend_mesh_size = "30 mm",
-        current = "0.8 m/s"),
-      like = "stow_net", scale = scaled_stow_net
-    ),
-    dip_net = list(asks = character(), like = "dip_net")
-  )
+# By kind, of inst/new_plans.yaml, which says what stands there: asks (texts by name), usual (a
+# function of the head line, m), numbers and scale (expressions by name), plan (its text), like.
+new_plan_kinds <- remembered(read_new_plans)
+
+read_new_plans <- function() {
+  said <- yaml::read_yaml(system.file("new_plans.yaml", package = "codend"))
+  lapply(said[names(said) != "shared"], function(kind) {
+    usual <- kind$usual
+    kind$asks <- vapply(kind$asks, identity, "")
+    kind$numbers <- unlist(kind$numbers)
+    kind$usual <- if (!is.null(usual)) function(h) {
+      vapply(usual, function(text) eval(str2lang(text), list(h = h)), "")
+    }
+    kind
+  })
 }
 
 #' A plan to begin with
@@ -104,7 +68,7 @@ new_plan <- function(kind, ..., file = NULL, ask = FALSE) {
   if (!is.null(file)) check_file_path(file)
   about <- kinds[[kind]]
   if (ask) given <- asked_values(about$asks, given, usual = about$usual)
-  new <- if (is.null(about$make)) new_from_shipped else new_from_numbers
+  new <- if (is.null(about$plan)) new_from_shipped else new_from_numbers
   gear <- new(about, given)
   if (is.null(file)) return(gear)
   write_gear(gear, file)
@@ -162,7 +126,7 @@ answer_with_unit <- function(typed, usual) {
   paste(typed, split_quantity(usual)[2])
 }
 
-# about: of new_plan_kinds(), with a maker.
+# about: of new_plan_kinds(), with a text.
 new_from_numbers <- function(about, given) {
   check_asked(about, given)
   si <- asked_numbers(about, given)
@@ -178,7 +142,46 @@ new_from_numbers <- function(about, given) {
       "{.arg mesh_size}, {.val {si$shown$mesh_size}}."
     ))
   }
-  gear_of_bytes(charToRaw(enc2utf8(with_plain_numbers(about$make(si)))), "new plan")
+  if (!is.null(si$rope) && si$rope < 6 * si$depth) {
+    abort_argument(paste(
+      "{.arg rope} is {.val {si$shown$rope}}; it must be at least six times the depth of the",
+      "sea bed, {.val {si$shown$depth}}."
+    ))
+  }
+  text <- paste(about$plan, collapse = "")
+  text <- with_plain_numbers(filled_text(text, known_numbers(about, si)))
+  gear_of_bytes(charToRaw(enc2utf8(text)), "new plan")
+}
+
+# What a kind's expressions are evaluated in: the numbers that it is asked for (SI), and what
+# follows from these.
+known_numbers <- function(about, si) {
+  known <- list2env(si, parent = topenv())
+  for (name in names(about$numbers)) {
+    assign(name, eval(str2lang(about$numbers[[name]]), known), known)
+  }
+  known
+}
+
+# A text with the values of the expressions between its backticks, and its remarks in a column where
+# there is room.
+filled_text <- function(text, known) {
+  lines <- strsplit(text, "\n", fixed = TRUE)[[1L]]
+  values <- lapply(strsplit(lines, "`", fixed = TRUE), function(pieces) {
+    of <- seq_along(pieces) %% 2L == 0L
+    values <- lapply(pieces[of], function(text) eval(str2lang(text), known))
+    if (any(lengths(values) == 0L)) return(NULL)
+    pieces[of] <- vapply(values, function(value) {
+      if (is.numeric(value)) shortest_decimal(value) else value
+    }, "")
+    paste(pieces, collapse = "")
+  })
+  lines <- unlist(strsplit(paste(unlist(values), collapse = "\n"), "\n", fixed = TRUE))
+  remark <- regexpr("(?<=[^ ])  # ", lines, perl = TRUE)
+  has <- remark > 0L
+  field <- sprintf("%-40s", substr(lines, 1L, remark - 1L))
+  lines[has] <- paste0(field, substring(lines, remark))[has]
+  paste0(paste(lines, collapse = "\n"), "\n")
 }
 
 check_asked <- function(about, given) {
@@ -225,8 +228,10 @@ new_from_shipped <- function(about, given) {
   numbers <- given[names(given) %in% names(about$asks)]
   if (length(numbers)) {
     si <- asked_numbers(about, numbers)
-    scaled <- about$scale(si, plan)
-    for (path in names(scaled)) plan <- set_plan_field(plan, path, scaled[[path]])
+    known <- known_numbers(about, si)
+    for (path in names(about$scale)) {
+      plan <- set_plan_field(plan, path, eval(str2lang(about$scale[[path]]), known))
+    }
   }
   for (path in setdiff(names(given), names(numbers))) {
     plan <- set_plan_field(plan, path, given[[path]])
@@ -237,4 +242,75 @@ new_from_shipped <- function(about, given) {
       "`; marks such as [usual] are of that plan's values.\n", text)
   }
   gear_of_bytes(charToRaw(enc2utf8(text)), "new plan")
+}
+
+# ---- words of their numbers ----------------------------------------------------------------------
+
+# A speed over what is usual for a head line (m).
+speed_over_usual <- function(speed, h) speed / from_unit(3, "knot") / (h / 25)^0.15
+
+thick_rope <- function(diameter, material = "steel_wire") {
+  sprintf("diameter: %s, material: %s", millimetres(diameter), material)
+}
+
+metres <- function(x, step = 0.5) {
+  paste(shortest_decimal(sign(x) * max(step, round(abs(x) / step) * step)), "m")
+}
+
+millimetres <- function(x) paste(shortest_decimal(2 * round(x / 2)), "mm")
+
+with_figures <- function(x, unit, figures = 2) paste(shortest_decimal(signif(x, figures)), unit)
+
+# A mesh size (m) as loose meshes are ordered: 2 m, 400 mm.
+round_mesh <- function(x) if (x >= 1) round(x, 1) else round(x, 2)
+
+shown_mesh_size <- function(x) {
+  if (x >= 1) paste(shortest_decimal(x), "m") else paste(shortest_decimal(x * 1000), "mm")
+}
+
+twine_field <- function(diameter, material, double = FALSE) {
+  sprintf("twine: {diameter: %s mm, material: %s%s}", shortest_decimal(round(diameter, 1)),
+    material, if (double) ", double: yes" else "")
+}
+
+# Polyethylene no thicker than a fifth of its bars, nor thinner than twines that are sold.
+pe_twine <- function(diameter, mesh, double = FALSE) {
+  twine_field(max(1.2, min(diameter, 100 * mesh)), "PE", double)
+}
+
+# Floats that together lift some kgf, of the sizes that are sold (305 mm: 10.2 kgf, as on the Poly
+# Nor'Eastern trawl).
+float_fields <- function(lift) {
+  sizes <- data.frame(diameter = c(100, 150, 200, 305), lift = c(0.35, 1.2, 2.7, 10.2))
+  # no more than about two in a metre of what a head line of this lift is long
+  fits <- which(lift / sizes$lift <= 2.1 * sqrt(lift / 0.22))
+  size <- sizes[if (length(fits)) fits[1L] else nrow(sizes), ]
+  sprintf("number: %d, buoyancy: %s kgf, diameter: %s mm", max(2, round(lift / size$lift)),
+    shortest_decimal(size$lift), shortest_decimal(size$diameter))
+}
+
+# Sections of a midwater trawl's panel, whose meshes halve from the front's to the codend's (m).
+# front: stretched width there, m; narrow: the codend's as a share of it; size: head line over 50 m.
+midwater_sections <- function(mesh_size, codend, size, front, narrow) {
+  sizes <- mesh_size
+  while (utils::tail(sizes, 1L) / 2.2 > codend) {
+    sizes <- c(sizes, round_mesh(utils::tail(sizes, 1L) / 2))
+  }
+  # large nets are short for their mouth, as the shipped one is, and sections of large meshes are
+  # longer, by that one's depths
+  deep <- sizes^0.2 / sum(sizes^0.2)
+  wide <- front * (1 - (1 - narrow) * c(0, cumsum(deep)))
+  rows <- pmax(2, round(1.2 * front * size^-0.25 * deep / sizes))
+  # ropes of hmpe in the largest, which the shipped trawl of 2048 m has at 14 mm in meshes of 32 m
+  twine <- vapply(sizes, function(mesh) {
+    if (mesh >= 12) return(twine_field(14 * sqrt(mesh / 32), "hmpe"))
+    twine_field(max(1.4, 7 * sqrt(mesh / 4) * size^0.15), "PA")
+  }, "")
+  n <- length(sizes)
+  sections <- sprintf(
+    "  section_%d: {mesh_size: %s, meshes: {upper: %d, lower: %d, deep: %d}, %s%s}", seq_len(n),
+    vapply(sizes, shown_mesh_size, ""), pmax(2, round(wide[-n - 1L] / sizes)),
+    pmax(2, round(wide[-1L] / sizes)), rows, twine, ifelse(sizes > 0.8, ", knotted: no", "")
+  )
+  paste(sections, collapse = "\n")
 }

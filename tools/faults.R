@@ -5,8 +5,8 @@
 # `file` has `from` once, in the place of which `to` is put. A fault of the engine meets the
 # engine's own tests, then as one of R the package tests of `tests`, one file after another until
 # one fails; FAULTS=all goes on with all other files. Works in a temporary folder, with the codend
-# that is installed, whose R code is put in place anew for a fault of R and which is compiled anew
-# for one of the engine. Fails where a fault survives.
+# that is installed, whose R code is put in place anew for a fault of R and which is installed anew
+# for any other. Fails where a fault survives.
 
 faults <- utils::read.csv("tools/faults.csv")
 rows <- unlist(lapply(commandArgs(TRUE), function(one) eval(str2lang(one))))
@@ -58,11 +58,11 @@ found <- as.data.frame(testthat::test_file(given[2], package = "codend",
 quit(status = any(found$failed > 0 | found$error))
 )", run)
 
-# Whether a file of package tests passes in the copy.
-passes <- function(name, engine) {
+# Whether a file of package tests passes in the copy, or as it was installed from there.
+passes <- function(name, installed) {
   file <- file.path(copy, "tests", "testthat", paste0("test-", name, ".R"))
-  own <- if (engine) paste0("R_LIBS=", library, ":", paste(.libPaths(), collapse = ":"))
-  quietly(file.path(R.home("bin"), "Rscript"), c(run, copy, file, !engine),
+  own <- if (installed) paste0("R_LIBS=", library, ":", paste(.libPaths(), collapse = ":"))
+  quietly(file.path(R.home("bin"), "Rscript"), c(run, copy, file, !installed),
     env = c(own, "NOT_CRAN=true"))
 }
 
@@ -78,8 +78,9 @@ noticed_by <- function(fault) {
     files <- union(files, every)
   }
   if (!length(files)) return(NA)
-  if (engine && !install()) stop("codend with the fault ", fault$to, " could not be installed")
-  for (name in files) if (!passes(name, engine)) return(name)
+  installed <- !startsWith(fault$file, "R/")
+  if (installed && !install()) stop("codend with the fault ", fault$to, " could not be installed")
+  for (name in files) if (!passes(name, installed)) return(name)
   NA
 }
 

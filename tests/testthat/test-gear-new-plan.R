@@ -63,7 +63,7 @@ test_that("bottom trawls are scaled from one of 25 m, which is towed at 3 knot",
   plan <- new_plan("bottom_trawl", head_line = "25 m")$plan
   expect_identical(plan$towing$speed, "3 knot")
   expect_identical(plan$otter_boards$lift_coefficient, 1.2)
-  expect_equal(faster(list(speed = 3 * 1852 / 3600, head_line = 25)), 1)
+  expect_equal(speed_over_usual(3 * 1852 / 3600, 25), 1)
 })
 
 test_that("a new midwater trawl of every size is in the bands that are published, and none warns", {
