@@ -22,10 +22,10 @@ mesh_number <- function(meshes) {
 }
 
 # "2 x 4 PE", the twine of a panel by its diameter in millimetres and its material.
-twine_words <- function(panel, unit = "") {
+twine_words <- function(panel) {
   paste0(
     if (panel$twine_count > 1) paste0(panel$twine_count, " x "),
-    short_number(in_unit(panel$twine_diameter, "mm")), unit,
+    short_number(in_unit(panel$twine_diameter, "mm")),
     if (!is.na(panel$material)) paste0(" ", material_words(panel$material))
   )
 }

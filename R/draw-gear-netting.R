@@ -226,21 +226,14 @@ least_width <- function(columns, scale, look) {
     outer <- (if (right) p$ur + p$lr else -p$ul - p$ll) / 2
     inner <- if (nzchar(column$half)) 0 else max(-column$panels[c("ul", "ll")])
     if (column$wall) return(scale[1] * (max(outer) + inner))
-    rows <- if (column$rows) 2 * look$gap + sum(row_widths(column$words[, told], look)) +
-      3 * 2 * look$gap
+    rows <- if (column$rows) {
+      8 * look$gap + sum(column_widths(column$words[, told, drop = FALSE], panel_columns$heading, look))
+    }
     max(scale[1] * outer + look$gap + text_width(p$outer_rate, look$t)) + sum(rows) +
       scale[1] * inner
   }, 0)
   joined <- vapply(columns, `[[`, NA, "joined")
   sum(each) + 4 * look$gap * sum(!joined[-1L])
-}
-
-# Widths of the columns beside panels, by their words (a row for each).
-row_widths <- function(words, look) {
-  words <- matrix(words, 4L)
-  vapply(seq_len(4L), function(c) {
-    max(text_width(c(panel_columns$heading[c], words[c, ]), look$t))
-  }, 0)
 }
 
 columns_height <- function(columns) {
@@ -484,21 +477,14 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
 # The columns beside panels: part, meshes deep, mesh size and twine.
 put_rows <- function(sheet, column, rows, y, top, near, look) {
   words <- column$words[, rows, drop = FALSE]
-  wide <- row_widths(words, look)
-  total <- sum(wide) + 3 * 2 * look$gap
-  left <- if (column$outer == "left") near - total else near
-  start <- left + cumsum(c(0, wide[-4L] + 2 * look$gap))
-  at <- start + panel_columns$across * wide
-  for (c in seq_len(4L)) {
-    on_sheet(sheet, component = "heading", layer = "TABLES",
-      draw = sheet_text(sheet, at[c], top + 1.2 * look$line, panel_columns$heading[c], look$t,
-        panel_columns$across[c], italic = TRUE))
-    for (k in seq_along(rows)) {
-      ref <- paste0("panels.", column$panels$name[rows[k]], panel_columns$field[c])
-      on_sheet(sheet, component = panel_columns$component[c], ref = ref, layer = "TABLES",
-        draw = sheet_text(sheet, at[c], y[k], words[c, k], look$t, panel_columns$across[c]))
-    }
-  }
+  wide <- column_widths(words, panel_columns$heading, look)
+  left <- if (column$outer == "left") near - sum(wide) - 6 * look$gap else near
+  at <- left + cumsum(c(0, wide[-4L] + 2 * look$gap)) + panel_columns$across * wide
+  on_sheet(sheet, component = "heading", layer = "TABLES", draw = for (c in seq_len(4L)) {
+    sheet_text(sheet, at[c], top + 1.2 * look$line, panel_columns$heading[c], look$t,
+      panel_columns$across[c], italic = TRUE)
+  })
+  put_words(sheet, words, panel_columns, paste0("panels.", column$panels$name[rows]), at, y, look)
 }
 
 # ---- walls ---------------------------------------------------------------------------------------

@@ -58,111 +58,111 @@ best_draft <- function(figure, columns, size, look, true_size, least = 0) {
 # Blocks in the order in which they stand: list(wide, high (mm), grows, draw = function(sheet, left,
 # top, wide, high)).
 info_blocks <- function(figure, columns, look) {
-  out <- list()
-  add <- function(wide, high, grows, draw) {
-    out[[length(out) + 1L]] <<- list(wide = wide, high = high, grows = grows, draw = draw)
-  }
   straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
-  if (length(straight)) {
-    each <- vapply(straight, straight_height, 0, look = look)
-    add(straight_width(look), sum(each), FALSE,
-      function(sheet, left, top, wide, high) {
-        for (k in seq_along(straight)) {
-          draw_straight(sheet, straight[[k]], figure, left, top, wide, look)
-          top <- top - each[k]
-        }
-      })
-  }
-  if (!is.null(figure$rigging)) {
-    size <- rigging_size(figure$rigging, look)
-    add(size[1], size[2], TRUE, function(sheet, left, top, wide, high) {
-      draw_rigging(sheet, figure, c(left, top - high, left + wide, top), look)
-    })
-  }
-  if (length(columns) && columns[[1L]]$named) {
-    table <- netting_list(netting_items(columns), look)
-    add(table$wide, table$high, FALSE, table$draw)
-  }
-  for (rows in chunks(NROW(figure$ropes), 20L)) {
-    table <- rope_list(figure, rows, look)
-    add(table$wide, table$high, FALSE, table$draw)
-  }
-  for (rows in chunks(NROW(figure$pieces), 12L)) {
-    table <- piece_list(figure, rows, look)
-    add(table$wide, table$high, FALSE, table$draw)
-  }
-  out
+  blocks <- list(
+    if (length(straight)) straight_block(straight, look),
+    if (!is.null(figure$rigging)) rigging_block(figure, look),
+    if (length(columns) && columns[[1L]]$named) netting_list(netting_items(columns), look)
+  )
+  ropes <- lapply(chunks(NROW(figure$ropes), 20L), rope_list, figure, look)
+  pieces <- lapply(chunks(NROW(figure$pieces), 12L), piece_list, figure, look)
+  Filter(length, c(blocks, ropes, pieces))
 }
 
 chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most))
 
-rope_list <- function(figure, rows, look) {
-  items <- figure$ropes[rows, ]
-  words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
-  hung <- any(nzchar(words["hanging", ]))
-  heading <- c("Ropes", "length m", "\u00d8 mm", if (hung) "E" else "")
-  wide <- vapply(seq_len(4L), function(c) {
-    max(text_width(c(heading[c], words[c, ]), look$t, c == 1L))
-  }, 0)
-  gap <- 1.5 * look$gap
-  first <- 2 * look$balloon + look$gap
-  pitch <- 2 * look$balloon + 0.6
+straight_block <- function(straight, look) {
+  each <- vapply(straight, straight_height, 0, look = look)
   list(
-    wide = first + sum(wide) + 3 * gap, high = look$line + pitch * nrow(items) + 0.5 * look$line,
-    draw = function(sheet, left, top, wide_given, high) {
-      start <- left + first + cumsum(c(0, wide[-4L] + gap))
-      across <- c(0, 1, 0, 0)
-      at <- start + across * wide
-      on_sheet(sheet, component = "heading", layer = "TABLES", draw = {
-        for (c in 1:4) {
-          sheet_text(sheet, if (c == 1L) left else at[c], top - look$line / 2, heading[c], look$t,
-            across[c], bold = c == 1L, italic = c > 1L)
-        }
-      })
-      for (k in seq_len(nrow(items))) {
-        y <- top - look$line - (k - 0.5) * pitch
-        ref <- paste0("ropes.", items$first[k])
-        on_sheet(sheet, component = "rope", ref = ref, layer = "TABLES", draw = {
-          draw_balloon(sheet, left + look$balloon, y, items$item[k], look)
-          sheet_text(sheet, at[1], y, words[1, k], look$t)
-        })
-        fields <- c("", "length", "diameter", "hanging_ratio")
-        for (c in 2:4) {
-          on_sheet(sheet, component = fields[c], ref = paste(ref, fields[c], sep = "."),
-            layer = "TABLES", draw = sheet_text(sheet, at[c], y, words[c, k], look$t, across[c]))
-        }
-      }
+    wide = straight_width(look), high = sum(each), grows = FALSE,
+    draw = function(sheet, left, top, wide, high) {
+      tops <- top - cumsum(c(0, each))
+      for (k in seq_along(straight)) draw_straight(sheet, straight[[k]], left, tops[k], wide, look)
     }
   )
+}
+
+rigging_block <- function(figure, look) {
+  size <- rigging_size(figure$rigging, look)
+  list(
+    wide = size[1], high = size[2], grows = TRUE,
+    draw = function(sheet, left, top, wide, high) {
+      draw_rigging(sheet, figure, c(left, top - high, left + wide, top), look)
+    }
+  )
+}
+
+# Widths of columns, by their words (a row for each). bold: whether the first is.
+column_widths <- function(words, heading, look, bold = FALSE) {
+  vapply(seq_along(heading), function(c) {
+    max(text_width(c(heading[c], words[c, ]), look$t, bold && c == 1L))
+  }, 0)
+}
+
+# Words in columns (a row for each) of items at heights y; columns: data frame of component, field
+# and across, as panel_columns; refs: whose fields these are; mark: draws what else shows item k.
+put_words <- function(sheet, words, columns, refs, at, y, look, mark = function(k) NULL) {
+  for (k in seq_along(y)) {
+    for (c in seq_len(nrow(columns))) {
+      on_sheet(sheet, component = columns$component[c], ref = paste0(refs[k], columns$field[c]),
+        layer = "TABLES", draw = {
+          if (c == 1L) mark(k)
+          sheet_text(sheet, at[c], y[k], words[c, k], look$t, columns$across[c])
+        })
+    }
+  }
+}
+
+# A list of such words as a block. pitch: mm from item to item; first: mm before the words, in which
+# mark(sheet, x, y, k) draws.
+words_block <- function(words, columns, refs, look, pitch = look$line, first = 0, mark = NULL) {
+  wide <- column_widths(words, columns$heading, look, bold = TRUE)
+  gap <- 1.5 * look$gap
+  n <- length(wide)
+  list(
+    wide = first + sum(wide) + (n - 1) * gap, high = 1.5 * look$line + pitch * ncol(words),
+    grows = FALSE,
+    draw = function(sheet, left, top, wide_given, high) {
+      at <- left + first + cumsum(c(0, wide[-n] + gap)) + columns$across * wide
+      on_sheet(sheet, component = "heading", layer = "TABLES", draw = {
+        for (c in seq_len(n)) {
+          sheet_text(sheet, if (c == 1L) left else at[c], top - look$line / 2, columns$heading[c],
+            look$t, columns$across[c], bold = c == 1L, italic = c > 1L)
+        }
+      })
+      y <- top - look$line - (seq_len(ncol(words)) - 0.5) * pitch
+      put_words(sheet, words, columns, refs, at, y, look, function(k) {
+        if (!is.null(mark)) mark(sheet, left, y[k], k)
+      })
+    }
+  )
+}
+
+rope_list_columns <- data.frame(
+  heading = c("Ropes", "length m", "\u00d8 mm", "E"),
+  component = c("rope", "length", "diameter", "hanging_ratio"),
+  field = c("", ".length", ".diameter", ".hanging_ratio"), across = c(0, 1, 0, 0)
+)
+
+rope_list <- function(rows, figure, look) {
+  items <- figure$ropes[rows, ]
+  words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
+  columns <- rope_list_columns
+  if (!any(nzchar(words["hanging", ]))) columns$heading[4L] <- ""
+  words_block(words, columns, paste0("ropes.", items$first), look, 2 * look$balloon + 0.6,
+    2 * look$balloon + look$gap, function(sheet, x, y, k) {
+      draw_balloon(sheet, x + look$balloon, y, items$item[k], look)
+    })
 }
 
 netting_list <- function(items, look) {
-  words <- rbind(items$name, items$deep, items$mesh, items$twine)
-  heading <- c("Netting", panel_columns$heading[-1L])
-  wide <- vapply(seq_len(4L), function(c) {
-    max(text_width(c(heading[c], words[c, ]), look$t, c == 1L))
-  }, 0)
-  gap <- 1.5 * look$gap
-  list(
-    wide = sum(wide) + 3 * gap, high = (nrow(items) + 1.5) * look$line,
-    draw = function(sheet, left, top, wide_given, high) {
-      at <- left + cumsum(c(0, wide[-4L] + gap)) + panel_columns$across * wide
-      for (c in 1:4) {
-        across <- panel_columns$across[c]
-        on_sheet(sheet, component = "heading", layer = "TABLES", draw = sheet_text(sheet, at[c],
-          top - look$line / 2, heading[c], look$t, across, bold = c == 1L, italic = c > 1L))
-        for (k in seq_len(nrow(items))) {
-          on_sheet(sheet, component = panel_columns$component[c],
-            ref = paste0("panels.", items$panel[k], panel_columns$field[c]), layer = "TABLES",
-            draw = sheet_text(sheet, at[c], top - (k + 0.5) * look$line, words[c, k], look$t,
-              across))
-        }
-      }
-    }
-  )
+  columns <- panel_columns
+  columns$heading[1L] <- "Netting"
+  words_block(t(as.matrix(items[c("name", "deep", "mesh", "twine")])), columns,
+    paste0("panels.", items$panel), look)
 }
 
-piece_list <- function(figure, rows, look) {
+piece_list <- function(rows, figure, look) {
   items <- figure$pieces[rows, ]
   first <- 2 * look$balloon + look$gap
   wide <- 42 * look$t
@@ -173,19 +173,15 @@ piece_list <- function(figure, rows, look) {
   })
   pitch <- pmax(lengths(lines) * look$line, 2 * look$balloon) + 0.6
   list(
-    wide = wide, high = look$line + sum(pitch) + 0.5 * look$line,
+    wide = wide, high = 1.5 * look$line + sum(pitch), grows = FALSE,
     draw = function(sheet, left, top, wide_given, high) {
       on_sheet(sheet, component = "heading", layer = "TABLES", draw = sheet_text(sheet, left,
         top - look$line / 2, "Floats, weights, boards (of each)", look$t, bold = TRUE))
-      y <- top - look$line - c(0, cumsum(pitch))
+      y <- top - look$line - look$balloon - 0.2 - c(0, cumsum(pitch))
       for (k in seq_along(lines)) {
         on_sheet(sheet, component = "piece", ref = items$ref[k], layer = "TABLES", draw = {
-          draw_balloon(sheet, left + look$balloon, y[k] - look$balloon - 0.2, items$item[k], look,
-            square = TRUE)
-          for (l in seq_along(lines[[k]])) {
-            sheet_text(sheet, left + first, y[k] - look$balloon - 0.2 - (l - 1) * look$line,
-              lines[[k]][l], look$t)
-          }
+          draw_balloon(sheet, left + look$balloon, y[k], items$item[k], look, square = TRUE)
+          sheet_lines(sheet, left + first, y[k], lines[[k]], look)
         })
       }
     }
@@ -367,10 +363,8 @@ draw_foot <- function(sheet, figure, draft) {
   top <- frame[2] + foot_title_height(look)
   lines <- legend_lines(figure, frame, look)
   on_sheet(sheet, component = "legend", layer = "TITLE", draw = {
-    for (k in seq_along(lines)) {
-      sheet_text(sheet, frame[1] + 2, top + 0.5 + (length(lines) - k + 0.5) * look$line, lines[k],
-        t, italic = TRUE)
-    }
+    sheet_lines(sheet, frame[1] + 2, top + 0.5 + (length(lines) - 0.5) * look$line, lines, look,
+      italic = TRUE)
     sheet_line(sheet, frame[c(1, 3)], c(top, top), sheet_width[["middle"]])
   })
   wide <- frame[3] - frame[1]

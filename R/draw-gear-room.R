@@ -57,16 +57,24 @@ crossed_span <- function(from, to, low, high) {
 }
 
 # Places (n x 2) in order of liking: the first that a box of this size (width, height) around it
-# leaves free, which is then taken; NULL where none is.
-find_room <- function(use, places, size, lines = TRUE) {
+# leaves free, which is then taken; NULL where none is. from: points, of which a line from the nearest
+# to the place must cross no box.
+find_room <- function(use, places, size, lines = TRUE, from = NULL) {
   for (k in seq_len(nrow(places))) {
-    box <- c(places[k, ] - size / 2, places[k, ] + size / 2)
-    if (is_free(use, box, lines)) {
-      take_box(use, box)
-      return(places[k, ])
-    }
+    at <- places[k, ]
+    box <- c(at - size / 2, at + size / 2)
+    if (!is_free(use, box, lines)) next
+    led <- is.null(from) ||
+      !any(lines_cross_box(matrix(c(nearest_point(from, at), at), 1L), use$boxes))
+    if (!led) next
+    take_box(use, box)
+    return(at)
   }
   NULL
+}
+
+nearest_point <- function(points, to) {
+  points[which.min((points[, 1] - to[1])^2 + (points[, 2] - to[2])^2), ]
 }
 
 # Heights of labels that want to be at y and keep this distance between bottom and top: those with
@@ -81,13 +89,13 @@ spread_labels <- function(y, distance, bottom, top) {
 }
 
 # A text as lines no wider than a width (mm).
-wrap_words <- function(text, width, size, bold = FALSE) {
+wrap_words <- function(text, width, size) {
   words <- strsplit(text, " ", fixed = TRUE)[[1L]]
   lines <- character()
   line <- ""
   for (word in words) {
     longer <- if (nzchar(line)) paste(line, word) else word
-    if (nzchar(line) && text_width(longer, size, bold) > width) {
+    if (nzchar(line) && text_width(longer, size) > width) {
       lines <- c(lines, line)
       line <- word
     } else {

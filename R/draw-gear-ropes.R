@@ -74,9 +74,9 @@ place_balloons <- function(sheet, lines, look, use) {
       away <- do.call(rbind, lapply(1:3, function(m) {
         do.call(rbind, lapply(1:4, function(d) on + rep(m * far[d, ], each = nrow(on))))
       }))
-      at <- find_led_room(use, on, away, size)
+      at <- find_room(use, away, size, from = on)
       if (is.null(at)) next
-      near <- on[which.min((on[, 1] - at[1])^2 + (on[, 2] - at[2])^2), ]
+      near <- nearest_point(on, at)
       on_sheet(sheet, component = "leader", layer = "NAMES",
         draw = sheet_line(sheet, c(near[1], at[1]), c(near[2], at[2])))
     }
@@ -86,21 +86,6 @@ place_balloons <- function(sheet, lines, look, use) {
       layer = if (square) "PIECES" else "ROPES",
       draw = draw_balloon(sheet, at[1], at[2], label, look, square))
   }
-}
-
-# find_room() where a line from the nearest of some points must cross no text either.
-find_led_room <- function(use, from, places, size) {
-  for (k in seq_len(nrow(places))) {
-    at <- places[k, ]
-    box <- c(at - size / 2, at + size / 2)
-    if (!is_free(use, box)) next
-    near <- from[which.min((from[, 1] - at[1])^2 + (from[, 2] - at[2])^2), ]
-    line <- matrix(c(near, at), 1L)
-    if (any(lines_cross_box(line, use$boxes))) next
-    take_box(use, box)
-    return(at)
-  }
-  NULL
 }
 
 # ---- ropes laid straight -------------------------------------------------------------------------
@@ -175,7 +160,7 @@ straight_height <- function(rope, look) {
 }
 
 # One rope laid straight, from x on, `wide` long, under y = top.
-draw_straight <- function(sheet, rope, figure, x, top, wide, look) {
+draw_straight <- function(sheet, rope, x, top, wide, look) {
   on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
     draw_balloon(sheet, x + look$balloon, top - look$line / 2, rope$item$item, look)
     sheet_text(sheet, x + 2 * look$balloon + look$gap, top - look$line / 2,
@@ -244,11 +229,8 @@ draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
     })
   }
   lines <- piece_lines(rope, wide, look)
-  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES", draw = {
-    for (l in seq_along(lines)) {
-      sheet_text(sheet, x, y - (0.3 + l) * look$line, lines[l], look$t)
-    }
-  })
+  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES",
+    draw = sheet_lines(sheet, x, y - 1.3 * look$line, lines, look))
 }
 
 # The shares of a rope between pieces along it: from end to end, or each in the middle of its own,

@@ -91,13 +91,10 @@ dxf_item <- function(item, scale) {
 }
 
 dxf_text <- function(item, head, scale) {
-  turned <- if (item$up) 90 else 0
-  at <- scale * if (item$up) c(item$x + item$size / 2, item$y) else {
-    c(item$x, item$y - item$size / 2)
-  }
+  at <- scale * c(item$x, item$y - item$size / 2)
   c(
     head("TEXT"), dxf_codes(10, at[1], 20, at[2], 30, 0, 40, item$size * scale, 1,
-      dxf_string(item$text), 50, turned, 7, if (item$bold) "TEXT_BOLD" else "TEXT"),
+      dxf_string(item$text), 50, 0, 7, if (item$bold) "TEXT_BOLD" else "TEXT"),
     if (item$italic) dxf_codes(51, 12),
     if (item$across > 0) {
       dxf_codes(72, if (item$across == 1) 2 else 1, 11, at[1], 21, at[2], 31, 0)

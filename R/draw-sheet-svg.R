@@ -45,19 +45,15 @@ svg_number <- function(x) {
 svg_item <- function(item, high) {
   n <- svg_number
   if (item$kind == "text") {
-    at <- if (item$up) c(item$x + item$size / 2, high - item$y) else {
-      c(item$x, high - item$y + item$size / 2)
-    }
     # the width as it was laid out, whatever font there is
     return(paste0(
-      "<text x=\"", n(at[1]), "\" y=\"", n(at[2]), "\" font-size=\"", n(item$size / capital_height),
-      "\" textLength=\"", n(item$wide), "\" lengthAdjust=\"spacingAndGlyphs\" fill=\"", item$ink,
+      "<text x=\"", n(item$x), "\" y=\"", n(high - item$y + item$size / 2), "\" font-size=\"",
+      n(item$size / capital_height), "\" textLength=\"", n(item$wide), "\" lengthAdjust=\"spacingAndGlyphs\" fill=\"", item$ink,
       "\"",
       if (item$across > 0) {
         paste0(" text-anchor=\"", if (item$across == 1) "end" else "middle", "\"")
       },
       if (item$bold) " font-weight=\"bold\"", if (item$italic) " font-style=\"italic\"",
-      if (item$up) sprintf(" transform=\"rotate(-90 %s %s)\"", n(at[1]), n(at[2])),
       ">", escape_markup(item$text), "</text>"
     ))
   }

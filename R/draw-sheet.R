@@ -38,12 +38,12 @@ add_item <- function(sheet, ...) {
 }
 
 # A line through points; dash: lengths of strokes and gaps, mm.
-sheet_line <- function(sheet, x, y, width = sheet_width[["thin"]], dash = NULL, ink = sheet_ink) {
+sheet_line <- function(sheet, x, y, width = sheet_width[["thin"]], dash = NULL) {
   # as on a device, a place that is not known is not drawn: no SVG may say NA
   known <- is.finite(x) & is.finite(y)
   if (sum(known) < 2L) return(invisible())
-  add_item(sheet, kind = "line", x = x[known], y = y[known], width = width, dash = dash, ink = ink,
-    fill = NA)
+  add_item(sheet, kind = "line", x = x[known], y = y[known], width = width, dash = dash,
+    ink = sheet_ink, fill = NA)
 }
 
 # border NA: none.
@@ -53,21 +53,25 @@ sheet_polygon <- function(sheet, x, y, fill = NA, border = sheet_ink,
     fill = fill)
 }
 
-sheet_circle <- function(sheet, x, y, radius, fill = "white", width = sheet_width[["thin"]]) {
-  add_item(sheet, kind = "circle", x = x, y = y, radius = radius, width = width, dash = NULL,
-    ink = sheet_ink, fill = fill)
+sheet_circle <- function(sheet, x, y, radius, fill = "white") {
+  add_item(sheet, kind = "circle", x = x, y = y, radius = radius, width = sheet_width[["thin"]],
+    dash = NULL, ink = sheet_ink, fill = fill)
 }
 
 # Text on one line. size: height of its capitals, mm (ISO 3098); across: where x is of the text, 0
-# left to 1 right; y: the middle of its capitals; up: written upwards, x its middle line then and y
-# where `across` says.
-sheet_text <- function(sheet, x, y, text, size, across = 0, bold = FALSE, italic = FALSE,
-                       up = FALSE, ink = sheet_ink) {
+# left to 1 right; y: the middle of its capitals.
+sheet_text <- function(sheet, x, y, text, size, across = 0, bold = FALSE, italic = FALSE) {
   text <- as.character(text)
   if (is.na(text) || !nzchar(text)) return(invisible(sheet))
   add_item(sheet, kind = "text", x = x, y = y, text = text, size = size, across = across,
-    bold = bold, italic = italic, up = up, ink = ink, fill = NA,
-    wide = text_width(text, size, bold))
+    bold = bold, italic = italic, ink = sheet_ink, fill = NA, wide = text_width(text, size, bold))
+}
+
+# Texts one below the other, the first at y.
+sheet_lines <- function(sheet, x, y, lines, look, italic = FALSE) {
+  for (l in seq_along(lines)) {
+    sheet_text(sheet, x, y - (l - 1) * look$line, lines[l], look$t, italic = italic)
+  }
 }
 
 # ---- metrics -------------------------------------------------------------------------------------
@@ -119,9 +123,6 @@ item_box <- function(item) {
     across <- item$size * c(-0.5, 0.5)
     # descenders of Helvetica: 0.207 of its size
     if (grepl("[gjpqy,;()Q]", item$text)) across[1] <- across[1] - 0.207 / 0.718 * item$size
-    if (item$up) {
-      return(c(item$x - across[2], item$y + along[1], item$x - across[1], item$y + along[2]))
-    }
     return(c(item$x + along[1], item$y + across[1], item$x + along[2], item$y + across[2]))
   }
   if (item$kind == "circle") return(c(item$x - item$radius, item$y - item$radius,
@@ -152,9 +153,8 @@ paint_item <- function(item, small, line_width) {
     drawn <- graphics::strwidth(item$text, cex = cex, font = font)
     cex <- cex * min(1, item$wide / drawn)
     # text() counts a height from the line that it stands on
-    at <- if (item$up) c(item$x + item$size / 2, item$y) else c(item$x, item$y - item$size / 2)
-    graphics::text(at[1], at[2], item$text, adj = c(item$across, 0), cex = cex, font = font,
-      srt = if (item$up) 90 else 0, col = item$ink)
+    graphics::text(item$x, item$y - item$size / 2, item$text, adj = c(item$across, 0), cex = cex,
+      font = font, col = item$ink)
     return(invisible())
   }
   lwd <- line_width(item$width)
