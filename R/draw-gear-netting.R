@@ -227,7 +227,8 @@ least_width <- function(columns, scale, look) {
     inner <- if (nzchar(column$half)) 0 else max(-column$panels[c("ul", "ll")])
     if (column$wall) return(scale[1] * (max(outer) + inner))
     rows <- if (column$rows) {
-      8 * look$gap + sum(column_widths(column$words[, told, drop = FALSE], panel_columns$heading, look))
+      words <- column$words[, told, drop = FALSE]
+      8 * look$gap + sum(column_widths(words, panel_columns$heading, look))
     }
     max(scale[1] * outer + look$gap + text_width(p$outer_rate, look$t)) + sum(rows) +
       scale[1] * inner

@@ -57,8 +57,8 @@ crossed_span <- function(from, to, low, high) {
 }
 
 # Places (n x 2) in order of liking: the first that a box of this size (width, height) around it
-# leaves free, which is then taken; NULL where none is. from: points, of which a line from the nearest
-# to the place must cross no box.
+# leaves free, which is then taken; NULL where none is. from: points; a line from the nearest of
+# them to the place must cross no box.
 find_room <- function(use, places, size, lines = TRUE, from = NULL) {
   for (k in seq_len(nrow(places))) {
     at <- places[k, ]

@@ -48,7 +48,8 @@ svg_item <- function(item, high) {
     # the width as it was laid out, whatever font there is
     return(paste0(
       "<text x=\"", n(item$x), "\" y=\"", n(high - item$y + item$size / 2), "\" font-size=\"",
-      n(item$size / capital_height), "\" textLength=\"", n(item$wide), "\" lengthAdjust=\"spacingAndGlyphs\" fill=\"", item$ink,
+      n(item$size / capital_height), "\" textLength=\"", n(item$wide),
+      "\" lengthAdjust=\"spacingAndGlyphs\" fill=\"", item$ink,
       "\"",
       if (item$across > 0) {
         paste0(" text-anchor=\"", if (item$across == 1) "end" else "middle", "\"")
