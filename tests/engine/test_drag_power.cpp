@@ -93,38 +93,20 @@ TEST_CASE("drag in still water takes energy from every line") {
   });
 }
 
-TEST_CASE("drag in still water takes energy from bodies and knots") {
+TEST_CASE("drag in still water takes energy from bodies, knots, screens and blended netting") {
   Random random(20260422);
-  for (int repeat = 0; repeat < 20; ++repeat) {
-    Ingredients wanted = still_water();
-    wanted.bodies = repeat % 2;
-    wanted.knots = 1 - repeat % 2;
-    Specimen s(random, wanted);
-    CHECK(power(s).total < 0.0);
-  }
-}
-
-TEST_CASE("netting screens in still water take energy") {
-  Random random(20260425);
-  for (const NettingScreenLaw law : {NettingScreenLaw::loland, NettingScreenLaw::aarsnes,
-                                     NettingScreenLaw::kristiansen_faltinsen}) {
-    for (int repeat = 0; repeat < 20; ++repeat) {
-      Ingredients wanted = still_water();
-      wanted.screens = 1;
-      wanted.screen_law = law;
-      Specimen s(random, wanted);
-      CHECK(power(s).total < 0.0);
+  for (int Ingredients::*kind :
+       {&Ingredients::bodies, &Ingredients::knots, &Ingredients::screens, &Ingredients::blended}) {
+    for (const NettingScreenLaw law : {NettingScreenLaw::loland, NettingScreenLaw::aarsnes,
+                                       NettingScreenLaw::kristiansen_faltinsen}) {
+      for (int repeat = 0; repeat < 20; ++repeat) {
+        Ingredients wanted = still_water();
+        wanted.*kind = 1;
+        wanted.screen_law = law;
+        Specimen s(random, wanted);
+        CHECK(power(s).total < 0.0);
+      }
     }
-  }
-}
-
-TEST_CASE("blended netting in still water takes energy") {
-  Random random(20260426);
-  for (int repeat = 0; repeat < 40; ++repeat) {
-    Ingredients wanted = still_water();
-    wanted.blended = 1;
-    Specimen s(random, wanted);
-    CHECK(power(s).total < 0.0);
   }
 }
 

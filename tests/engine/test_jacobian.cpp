@@ -195,38 +195,23 @@ TEST_CASE("derivatives of damped bars that are paid out") {
         tolerance);
 }
 
-TEST_CASE("derivatives of bodies and knots") {
-  SUBCASE("bodies") {
-    check_points([](Ingredients& i) -> int& { return i.bodies; });
+TEST_CASE("derivatives of points, pressure, openings, bends and contacts") {
+  const std::pair<int Ingredients::*, double> kinds[] = {
+      {&Ingredients::bodies, 1.0},
+      {&Ingredients::knots, 1.0},
+      {&Ingredients::smooth_spheres, 1.0},
+      {&Ingredients::lifts_up, 1.0},
+      {&Ingredients::lifts_sideways, 1.0},
+      {&Ingredients::pressed, 1.0},
+      {&Ingredients::openings, 1.0},
+      {&Ingredients::contacts, 1.0},
+      // Between points tied to the same two nodes nearly all of a bend's stiffness cancels.
+      {&Ingredients::bends, 3.0}};
+  for (const auto& [kind, additions] : kinds) {
+    const auto count = kind;
+    check_points([count](Ingredients& i) -> int& { return i.*count; },
+                 additions* order_of_additions);
   }
-  SUBCASE("knots") {
-    check_points([](Ingredients& i) -> int& { return i.knots; });
-  }
-  SUBCASE("smooth spheres") {
-    check_points([](Ingredients& i) -> int& { return i.smooth_spheres; });
-  }
-}
-
-TEST_CASE("derivatives of lifting surfaces") {
-  SUBCASE("up") {
-    check_points([](Ingredients& i) -> int& { return i.lifts_up; });
-  }
-  SUBCASE("sideways") {
-    check_points([](Ingredients& i) -> int& { return i.lifts_sideways; });
-  }
-}
-
-TEST_CASE("derivatives of the catch's pressure") {
-  check_points([](Ingredients& i) -> int& { return i.pressed; });
-}
-
-TEST_CASE("derivatives of mesh openings") {
-  check_points([](Ingredients& i) -> int& { return i.openings; });
-}
-
-TEST_CASE("derivatives of bends") {
-  // Between points tied to the same two nodes nearly all of a bend's stiffness cancels.
-  check_points([](Ingredients& i) -> int& { return i.bends; }, 3.0 * order_of_additions);
 }
 
 TEST_CASE("derivatives of netting screens") {
@@ -259,10 +244,6 @@ TEST_CASE("derivatives of lifting plates, level or on the ground") {
       return i.plates;
     });
   }
-}
-
-TEST_CASE("derivatives of contacts with the ground") {
-  check_points([](Ingredients& i) -> int& { return i.contacts; });
 }
 
 TEST_CASE("derivatives of what sticks to the ground, or slips there") {

@@ -55,46 +55,6 @@ TEST_CASE("sheets between bars have the area of their panel") {
   CHECK(sum(lattice.screens.twine_area) == doctest::Approx(area).epsilon(1e-9));
 }
 
-TEST_CASE("shapes linear in mesh coordinates are carried exactly, whatever the netting") {
-  for (const bool from_bars : {false, true}) {
-    for (const bool to_bars : {false, true}) {
-      const Gear coarse_gear =
-          hanging_panel(from_bars, MeshOrientation::diamond, NettingDrag::twines);
-      const Gear fine_gear = hanging_panel(to_bars, MeshOrientation::diamond, NettingDrag::twines);
-      const Lattice coarse = lattice_of(coarse_gear, 80), target = lattice_of(fine_gear, 900);
-      const auto drawn = [](const Gear& gear, const Lattice& lattice) {
-        std::vector<double> x(3 * static_cast<std::size_t>(lattice.nodes), 0.0);
-        const PartMap map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
-        for (const PanelPlace& place : panel_places(gear, map)) {
-          const GearPanel& panel = gear.panels[0];
-          const double j = place.t * panel.deep, left = panel.left(j);
-          const double i = left + place.s * (panel.right(j) - left);
-          at(x.data(), place.node) = Vector(2 * i - j, i + 3 * j, 0.5 * j);
-        }
-        return x;
-      };
-      FromShape from;
-      from.given = true;
-      from.map = part_map(coarse_gear, coarse.division, coarse.nodes, coarse.panels);
-      from.position = drawn(coarse_gear, coarse);
-      for (std::size_t t = 0; t < coarse.ties.share.size(); ++t) {
-        const double s = coarse.ties.share[t];
-        const Vector x = (1 - s) * at(from.position.data(), coarse.ties.first[t]) +
-                         s * at(from.position.data(), coarse.ties.second[t]);
-        from.position.insert(from.position.end(), x.data(), x.data() + 3);
-      }
-      const Lattice fine = lattice_of(fine_gear, 900, from);
-      const std::vector<double> wanted = drawn(fine_gear, target);
-      double off = 0.0;
-      for (std::size_t k = 0; k < wanted.size(); ++k) {
-        if (!fine.held[k / 3]) off = std::max(off, std::abs(fine.start[k] - wanted[k]));
-      }
-      // Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.
-      CHECK(off < (to_bars ? 1e-6 : 1e-11));
-    }
-  }
-}
-
 TEST_CASE("strains linear along and across each family are carried, and others held at the ends") {
   for (const bool from_bars : {false, true}) {
     for (const bool to_bars : {false, true}) {

@@ -75,34 +75,6 @@ std::string complaint(const Schedule& schedule) {
 
 }  // namespace
 
-TEST_CASE("held nodes follow a body that moves and turns") {
-  Weights weights;
-  Schedule schedule;
-  PrescribedMotion& body = schedule.motion;
-  body.node = {0};
-  body.place = {Vector(3.0, 4.0, -1.0)};
-  body.x = ramp(0.0, -20.0, 10.0);
-  body.y = constant(5.0);
-  body.z = ramp(0.0, 1.0, 10.0);
-  body.heading = ramp(0.0, 1.5, 10.0);
-  Assembly assembly(weights.model);
-  ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
-  Motion motion = weights.start, later = weights.start;
-  conditions.to_time(4.0, Side::before, motion);
-  // Clockwise from above, where y is to starboard of x aft: x turns towards -y.
-  const double turn = 0.6, c = std::cos(turn), s = std::sin(turn);
-  CHECK(motion.x[0] == doctest::Approx(-8.0 + 3.0 * c + 4.0 * s).epsilon(1e-12));
-  CHECK(motion.x[1] == doctest::Approx(5.0 - 3.0 * s + 4.0 * c).epsilon(1e-12));
-  CHECK(motion.x[2] == doctest::Approx(0.4 - 1.0).epsilon(1e-12));
-  // Velocities are those of the positions: second order in 1e-4 s, at 0.15 rad/s and 5 m 1e-10 m/s;
-  // rounding of 8 m over 2e-4 s makes 1e-11.
-  conditions.to_time(4.0 - 1e-4, Side::before, motion);
-  conditions.to_time(4.0 + 1e-4, Side::before, later);
-  const Values slope = (later.x - motion.x) / 2e-4;
-  conditions.to_time(4.0, Side::before, motion);
-  CHECK((slope - motion.v).norm() < 1e-9);
-}
-
 TEST_CASE("a vessel swings with the waves and by its own record") {
   Weights weights;
   Waves& waves = weights.model.water.waves;

@@ -70,7 +70,7 @@ Cost settle_and_count(int n) {
 
 }  // namespace
 
-TEST_CASE("a square net settles in few steps, however large") {
+TEST_CASE("a square net settles in few steps that allocate nothing, however large") {
   for (const int n : {8, 16, 32}) {
     CAPTURE(n);
     const Cost cost = settle_and_count(n);
@@ -78,14 +78,6 @@ TEST_CASE("a square net settles in few steps, however large") {
     // 14, 15 and 18 when this was written, and half as many again as room.
     CHECK(cost.report.iterations <= 27);
     CHECK(cost.report.factorisations <= cost.report.iterations);
-  }
-}
-
-TEST_CASE("steps of settle() allocate nothing, however many there are") {
-  for (const int n : {8, 16, 32}) {
-    CAPTURE(n);
-    const Cost cost = settle_and_count(n);
-    REQUIRE(cost.report.converged);
     REQUIRE(cost.allocations.size() > 4);
     // The first step analyses the matrix and sizes a work space. So does the first step on the law
     // itself, for its work space alone, and no other.

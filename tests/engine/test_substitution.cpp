@@ -28,22 +28,6 @@ struct Oscillator {
   }
 };
 
-struct Sinker {
-  Model model;
-  std::vector<double> x = std::vector<double>(3, 0.0), v = std::vector<double>(3, 0.0);
-
-  Sinker() { make_sinker(model); }
-  Sinker(const Sinker&) = delete;
-
-  // Speed after one second.
-  double sink(int steps) {
-    Assembly assembly(model);
-    REQUIRE(march_by_substitution(assembly, 1.0 / steps, steps, 1e-14, 200, x.data(), v.data())
-                .converged);
-    return -v[2];
-  }
-};
-
 }  // namespace
 
 TEST_CASE("the converged trapezoid keeps an oscillator's energy and has its known frequency") {
@@ -99,14 +83,6 @@ TEST_CASE("a march that is given too few substitutions ends with the last step f
   REQUIRE(reference.march(0.02, 1).converged);
   CHECK(o.x == reference.x);
   CHECK(o.v == reference.v);
-}
-
-TEST_CASE("a sinking sphere gathers speed as tanh, to second order in the step") {
-  const double exact = 2.8180971 * std::tanh(1.0 / 0.74026701);  // v_t, tau to eight digits
-  Sinker coarse, fine;
-  const double first = coarse.sink(20) - exact, second = fine.sink(40) - exact;
-  CHECK(first / second == doctest::Approx(4.0).epsilon(0.02));  // h^4 terms: h/tau = 0.07
-  CHECK(std::abs(second) < 1e-3 * exact);
 }
 
 TEST_CASE("held nodes keep their velocity and pull the rest along") {

@@ -47,3 +47,7 @@ expect_plan_error <- function(old, new, path, message, plan = small_plan) {
   expect_identical(error$path, path)
   expect_match(error$message, message, fixed = TRUE)
 }
+
+# A plan, or an argument, that is refused with these words.
+expect_refused <- function(code, ...) expect_error(code, ..., class = "codend_error_plan")
+expect_wrong <- function(code, ...) expect_error(code, ..., class = "codend_error_argument")

@@ -83,3 +83,10 @@ values_at <- function(told, k) {
   root <- ifelse(root > 32767, root - 65536, root)
   ifelse(root == -32768, NA, sign(root) * told$top * (root / 4095)^2)
 }
+
+# Draws x by plot(x, ...) to a file that is more than empty, and gives x back.
+expect_drawn <- function(x, ...) {
+  file <- tempfile(fileext = ".png")
+  expect_identical(plot(x, ..., file = file), x)
+  expect_gt(file.size(file), 5000)
+}

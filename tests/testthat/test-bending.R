@@ -13,8 +13,7 @@ test_that("a pole bends as a beam does", {
   # P L^3 / (48 B), and with n = 40 straight bars between hinges (1 + 2 / n^2) times that. Its ends
   # cannot move inward: stretch carries a share of about EA sag^2 / (32 B) = 1e-5.
   state <- settle(pole(length = "4 m", bending_stiffness = "10000 N m2"))
-  expect_equal(measures(state)[["sag_m"]], 10 * 4^3 / (48 * 1e4) * (1 + 2 / 40^2),
-    tolerance = 1e-4)
+  expect_equal(measures(state)[["sag_m"]], 10 * 4^3 / (48 * 1e4) * (1 + 2 / 40^2), tolerance = 1e-4)
 })
 
 test_that("a rope that pushes is a strut", {
@@ -38,11 +37,11 @@ test_that("a rope that pushes is a strut", {
 })
 
 test_that("a point is near a place or held at one", {
-  expect_error(
+  expect_refused(
     gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed", near = c(0, 0, 1)),
       b = gear_point(),
       r = rope("a", "b", length = 1, diameter = 0.01, material = "PA")),
-    "points.a.near", class = "codend_error_plan"
+    "points.a.near"
   )
 })
 
@@ -83,28 +82,6 @@ test_that("what is too stiff to have a tension does not settle", {
   error <- expect_error(settle(cable), "rounding of places.*cable",
     class = "codend_error_not_converged")
   expect_gt(error$report$part_rounding, 1e-3)
-})
-
-test_that("a pole that is divided and has no bending stiffness gives way when it is pressed", {
-  # Two hinged halves between supports 10 mm nearer than their length: straight they would push with
-  # 2.5 kN, and nothing holds the joint but 1 kg that hangs from it, which bends them down.
-  pole <- gear("A pole", water = list(density = 0),
-    left = gear_point(position = c(0, 0, 0), held = "fixed"),
-    right = gear_point(position = c(3.99, 0, 0), held = "fixed"),
-    weight = piece(at = "pole.middle", mass = "1 kg", volume = 0, diameter = "10 mm",
-      drag_coefficient = 0),
-    pole = rope("left", "right", length = "4 m", diameter = "40 mm", axial_stiffness = "1 MN",
-      mass_per_length = "1e-6 kg/m", segments = 2, pushes = TRUE))
-  state <- settle(pole)
-  expect_false(state$report$unstable)
-  # It hangs as a string does: each half pulls with half the weight over the sine of its slope.
-  pull <- function(sag) gear_gravity / 2 * sqrt(1.995^2 + sag^2) / sag
-  stretched <- function(sag) 1e6 * (sqrt(1.995^2 + sag^2) / 2 - 1)
-  sag <- uniroot(function(sag) pull(sag) - stretched(sag), c(0.1, 0.2), tol = 1e-12)$root
-  expect_equal(-min(state$position[3, ]), sag, tolerance = 1e-6)
-  # the bars weigh 4e-5 N
-  expect_equal(1000 * as.data.frame(state, what = "tensions")$tension_kN, rep(pull(sag), 2),
-    tolerance = 1e-5)
 })
 
 test_that("a report tells how well every part is in balance", {

@@ -54,18 +54,6 @@ test_that("a new field whose name begins with another's changes nothing of any s
   }
 })
 
-test_that("a rope field `torsional_stiffness` is not taken for `to`", {
-  trawl <- read_gear("midwater_trawl")
-  changed <- plan_schema
-  rope <- changed$kinds$assembly$properties$ropes$additionalProperties
-  rope$properties$torsional_stiffness <- list(shape = "number")
-  rope$defaults$torsional_stiffness <- 0
-  changed$kinds$assembly$properties$ropes$additionalProperties <- rope
-  with <- under_schema(changed, as_gear(trawl$plan))
-  expect_identical(gear_fields(with)$ropes[[1]]$torsional_stiffness, 0)
-  expect_identical(gear_si(with), gear_si(trawl))
-})
-
 test_that("a script reads plans, gears and SI numbers exactly", {
   # scripts find R's `$`, tests that of the package
   script <- function(code, ...) eval(substitute(code), list(...), globalenv())

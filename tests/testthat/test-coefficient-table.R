@@ -129,5 +129,5 @@ test_that("coefficients are drawn to a file", {
   table <- force_coefficients()
   expect_identical(plot(table, file = file), table)
   expect_gt(file.size(file), 1e5)
-  expect_error(plot(table, force = "boards"), class = "codend_error_argument")
+  expect_wrong(plot(table, force = "boards"))
 })

@@ -19,9 +19,7 @@ run_program <- function(text, program = engine_program, ...) {
   file <- tempfile(fileext = ".txt")
   on.exit(unlink(file))
   writeLines(text, file)
-  said <- suppressWarnings(
-    system2(program, c(shQuote(file), ...), stdout = TRUE, stderr = TRUE)
-  )
+  said <- suppressWarnings(system2(program, c(shQuote(file), ...), stdout = TRUE, stderr = TRUE))
   list(said = said, status = c(attr(said, "status"), 0L)[1])
 }
 
@@ -38,9 +36,7 @@ test_that("the engine settles a gear from a file as settle() does", {
     state <- if (name == "midwater_trawl") settled(name, nodes = 400) else settled(name)
     lattice <- state$lattice
     from <- as.double(lattice$start)
-    run <- run_program(c(
-      model_text(lattice$engine, "model"), model_text(from, "start")
-    ))
+    run <- run_program(c(model_text(lattice$engine, "model"), model_text(from, "start")))
     expect_identical(run$status, 0L, info = name)
     expect_identical(array_of(run$said, "converged"), 1)
     found <- matrix(array_of(run$said, "position"), 3L)

@@ -66,18 +66,3 @@ test_that("a trawl with little warp out swims at the surface", {
   # the floats, which hold the head line up, leave the water over 0.305 m
   expect_lt(abs(measures(state)[["headline_depth_m"]]), 0.305 / 2)
 })
-
-test_that("a free surface far above changes nothing", {
-  cable <- read_gear("crossing_cables")
-  deep <- update(cable, water.free_surface = TRUE)
-  if (max(settle(cable)$position[3, ]) < -0.1) {
-    expect_identical(settle(deep)$position, settle(cable)$position)
-  }
-  chain <- gear("deep",
-    top = gear_point(position = c(0, 0, -50), held = "fixed"), end = gear_point(),
-    rope = rope("top", "end", length = "10 m", diameter = "10 mm", material = "steel_wire"),
-    water = list(current = list(speed = "1 m/s", toward = "0 deg"))
-  )
-  expect_equal(settle(update(chain, water.free_surface = TRUE))$position, settle(chain)$position,
-    tolerance = 1e-12)
-})

@@ -10,7 +10,7 @@ test_that("every thing of the catalogue has a source, figures and a material tha
   expect_identical(setdiff(stats::na.omit(table$material), known), character())
   expect_identical(catalogue("wire"), catalogue()[table$class == "wire", ], ignore_attr = TRUE)
   for (wrong in list("hook", NA_character_, 3, c("wire", "hook"))) {
-    expect_error(catalogue(wrong), "one or several of", class = "codend_error_argument")
+    expect_wrong(catalogue(wrong), "one or several of")
   }
 })
 

@@ -39,17 +39,14 @@ test_that("a rope leads somewhere else", {
   e <- expect_plan_error
   e("to: knot", "to: ship", "ropes.warp.to", "the same place as its start")
   e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same place as its start")
-  e(
-    "to: knot", "to: knot\n    along: net.left", "ropes.warp", "exactly one of: `from`; `along`"
-  )
+  e("to: knot", "to: knot\n    along: net.left", "ropes.warp", "exactly one of: `from`; `along`")
 })
 
 test_that("everything hangs on something held", {
   e <- expect_plan_error
   e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "is not held")
   e(", gathered_at: knot", "", "seams.top.edges", "has one chain")
-  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net",
-    "is not held")
+  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net", "is not held")
 })
 
 two_panels <- paste0(sub("seams:.*", "", small_plan), "  mat:

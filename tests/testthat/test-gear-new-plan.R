@@ -115,18 +115,13 @@ test_that("what a new plan is asked for is checked by name", {
   text <- new_text("bottom_trawl", head_line = "31 m", depth = 77)
   expect_true(any(grepl("depth: 77 m,", text, fixed = TRUE)))
   expect_true(any(startsWith(text, "head_line: {length: 31 m")))
-  expect_error(new_plan("bottom_trawl", headline = "3 m"), "Did you mean `head_line`",
-    class = "codend_error_argument")
-  expect_error(new_plan("bottom_trawl", depth = "3 kg"), "must be a length",
-    class = "codend_error_argument")
-  expect_error(new_plan("botom_trawl"), "Did you mean \"bottom_trawl\"",
-    class = "codend_error_argument")
-  expect_error(new_plan("bottom_trawl", mesh_size = "20 m"), "quarter",
-    class = "codend_error_argument")
-  expect_error(new_plan("gillnet", wall.mesh_sise = "1 m"), class = "codend_error_plan")
+  expect_wrong(new_plan("bottom_trawl", headline = "3 m"), "Did you mean `head_line`")
+  expect_wrong(new_plan("bottom_trawl", depth = "3 kg"), "must be a length")
+  expect_wrong(new_plan("botom_trawl"), "Did you mean \"bottom_trawl\"")
+  expect_wrong(new_plan("bottom_trawl", mesh_size = "20 m"), "quarter")
+  expect_refused(new_plan("gillnet", wall.mesh_sise = "1 m"))
   expect_identical(new_plan("cage", diameter = "30 m")$plan$diameter, "30 m")
-  expect_error(new_plan("stow_net", width = "3 kg"), "must be a length",
-    class = "codend_error_argument")
+  expect_wrong(new_plan("stow_net", width = "3 kg"), "must be a length")
   # other fields by their path
   expect_identical(new_plan("gillnet", wall.twine.diameter = "0.4 mm")$plan$wall$twine$diameter,
     "0.4 mm")

@@ -31,32 +31,39 @@ test_that("the constructors take every field of the schema", {
 
 test_that("a gear that was changed is checked to what its plan gives anew", {
   changes <- list(
-    list(towing.speed = "1.1 knot"), list(name = "Another name"),
-    list(water.density = 1010), list(warps.length = "123 m"), list(head_line.length = NULL),
-    list(sections.intermediate.meshes.deep = 20), list(towing = NULL)
+    list(towing.speed = "1.1 knot"), list(name = "Another name"), list(water.density = 1010),
+    list(warps.length = "123 m"), list(head_line.length = NULL), list(notes = list()),
+    list(sections.intermediate.meshes.deep = 20), list(towing.speed = 1), list(canvas = NULL),
+    list(coefficients = "wan"), list(sections.codend.rows = 3), list(measures = NULL),
+    list(ropes.cable.length = "800 m"), list(ropes.cable.material = "polyester"),
+    list(water.current = list(speed = 0.7, toward = "45 deg")), list(depth = "11 m"),
+    list(towing = NULL)
   )
   # one of each kind
   table <- gears()
+  taken <- 0
   for (name in table$name[!duplicated(table$kind)]) {
-    gear <- read_gear(name)
+    gear <- chained <- read_gear(name)
     for (change in changes) {
       # some gears have no such field
-      changed <- tryCatch(do.call(update, c(list(gear), change)), codend_error = function(e) NULL)
+      changed <- tryCatch(do.call(update, c(list(chained), change)), codend_error = function(e) NULL)
       if (is.null(changed)) next
-      expect_identical(changed$checked, as_gear(changed$plan)$checked,
+      taken <- taken + 1
+      chained <- changed
+      expect_identical(chained$checked, as_gear(chained$plan)$checked,
         label = paste(name, names(change)))
-      # and where only what is handed on has changed since
-      again <- tryCatch(update(changed, towing.speed = 1), codend_error = function(e) NULL)
-      if (is.null(again)) next
-      expect_identical(again$checked, as_gear(again$plan)$checked, label = paste(name, "again"))
+    }
+    for (like in list(chained, read_gear("gillnet"))) {
+      expect_identical(as_gear(gear$plan, like = like)$checked, gear$checked, label = name)
     }
   }
+  expect_gt(taken, 5 * sum(!duplicated(table$kind)))
 })
 
 test_that("two components of one name are an error", {
-  expect_error(
+  expect_refused(
     gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed"), a = gear_point()),
-    "given twice", class = "codend_error_plan"
+    "given twice"
   )
 })
 
@@ -77,9 +84,9 @@ test_that("update changes, adds and takes out fields by path, and checks again",
   moved <- set_field(gear, "points.ship.position.3", "-5 m")
   expect_identical(gear_si(moved)$points$ship$position, c(0, 0, -5))
 
-  expect_error(update(gear, ropes.cabel.length = 1), "cable", class = "codend_error_plan")
-  expect_error(update(gear, towing.speed.x = 1), class = "codend_error_plan")
-  expect_error(update(gear, water.current.1.speed = 1), class = "codend_error_plan")
+  expect_refused(update(gear, ropes.cabel.length = 1), "cable")
+  expect_refused(update(gear, towing.speed.x = 1))
+  expect_refused(update(gear, water.current.1.speed = 1))
 })
 
 test_that("printing takes few lines and says what there is", {
@@ -92,7 +99,7 @@ test_that("printing takes few lines and says what there is", {
 test_that("an assembly stands for itself", {
   gear <- read_gear("towed_cable")
   expect_identical(assembly(gear), gear)
-  expect_error(assembly(list()), class = "codend_error_argument")
+  expect_wrong(assembly(list()))
 })
 
 test_that("shipped plans are listed", {
@@ -101,39 +108,11 @@ test_that("shipped plans are listed", {
   expect_named(listed, c("name", "title", "kind"))
 })
 
-test_that("a changed gear holds just what a check of its whole plan gives", {
-  changes <- list(
-    midwater_trawl = list(
-      list(towing.speed = 2), list(warps.length = "310 m"), list(sections.codend.rows = 3),
-      list(coefficients = "wan"), list(canvas = NULL), list(notes = list())
-    ),
-    towed_cable = list(
-      list(towing.speed = "5 knot"), list(ropes.cable.length = "800 m"),
-      list(ropes.cable.material = "polyester"), list(measures = NULL)
-    ),
-    cage = list(list(water.current = list(speed = 0.7, toward = "45 deg")), list(depth = "11 m"))
-  )
-  for (name in names(changes)) {
-    gear <- read_gear(name)
-    chained <- gear
-    for (change in changes[[name]]) {
-      chained <- do.call(update, c(list(chained), change))
-      expect_identical(chained$checked, as_gear(chained$plan)$checked,
-        label = paste(name, names(change)))
-    }
-    expect_identical(as_gear(gear$plan, like = chained)$checked, gear$checked)
-    expect_identical(as_gear(gear$plan, like = read_gear("gillnet"))$checked, gear$checked)
-  }
-})
-
 test_that("a wrong change after a right one is found", {
   gear <- update(read_gear("midwater_trawl"), towing.speed = 2)
-  expect_error(update(gear, warps.length = "-3 m"), class = "codend_error_plan")
-  expect_error(update(gear, towing = NULL), class = "codend_error_plan")
-  expect_error(
-    update(read_gear("towed_cable"), ropes.cable.to = "nowhere"), "there is no point",
-    class = "codend_error_plan"
-  )
+  expect_refused(update(gear, warps.length = "-3 m"))
+  expect_refused(update(gear, towing = NULL))
+  expect_refused(update(read_gear("towed_cable"), ropes.cable.to = "nowhere"), "there is no point")
 })
 
 test_that("a plan that was changed by hand is checked again", {
@@ -141,7 +120,7 @@ test_that("a plan that was changed by hand is checked again", {
   gear$plan$towing$speed <- 1.5
   expect_identical(gear_si(gear)$towing$speed, 1.5)
   gear$plan$towing$speed <- -1
-  expect_error(gear_si(gear), class = "codend_error_plan")
+  expect_refused(gear_si(gear))
 })
 
 test_that("places and edges of a gear know its panels by their shape alone", {

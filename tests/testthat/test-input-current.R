@@ -93,9 +93,8 @@ test_that("what a file does not have is one error that says so", {
   writeLines("no file of NetCDF", text)
   refused("is no NetCDF file", text, 5, 60, "2026-05-03 14:00")
   refused("does not exist", "nowhere.nc", 5, 60, "2026-05-03 14:00")
-  expect_error(read_currents(file, 5, 95, "2026-05-03"), "latitude",
-    class = "codend_error_argument")
-  expect_error(read_currents(file, 5, 60, "soon"), "one moment", class = "codend_error_argument")
+  expect_wrong(read_currents(file, 5, 95, "2026-05-03"), "latitude")
+  expect_wrong(read_currents(file, 5, 60, "soon"), "one moment")
 })
 
 test_that("a profile is turned into the gear's axes", {
@@ -124,15 +123,11 @@ test_that("readings of a depth are averaged as vectors, and few of them do not c
   found <- current_profile(log, course = "180 deg", least = 2)
   expect_identical(vapply(found, `[[`, "", "speed"), c("0.3 m/s", "1 m/s"))
   expect_identical(vapply(found, `[[`, "", "toward"), c("-90 deg", "-90 deg"))
-  expect_error(current_profile(log, least = 3), "no depth with 3",
-    class = "codend_error_argument")
+  expect_wrong(current_profile(log, least = 3), "no depth with 3")
   fast <- data.frame(depth = 10, eastward = 30, northward = 0)
-  expect_error(current_profile(fast), "in row 1 30.00 m/s",
-    class = "codend_error_argument")
-  expect_error(current_profile(log[c("depth", "eastward")]), "northward",
-    class = "codend_error_argument")
-  expect_error(current_profile(log, course = "3 knot"), "clockwise from north",
-    class = "codend_error_argument")
+  expect_wrong(current_profile(fast), "in row 1 30.00 m/s")
+  expect_wrong(current_profile(log[c("depth", "eastward")]), "northward")
+  expect_wrong(current_profile(log, course = "3 knot"), "clockwise from north")
 })
 
 test_that("a gear feels the current of a file", {
@@ -196,7 +191,7 @@ test_that("the bed along a track is the plane of its depths", {
 test_that("a log without positions, or in degrees, is refused", {
   log <- circling(0)
   refused <- function(said, ...) {
-    expect_error(track_schedule(...), said, class = "codend_error_argument")
+    expect_wrong(track_schedule(...), said)
   }
   refused("longitude", log["time"], 0, 60)
   refused("0 positions", log, 9000, 9600)

@@ -53,9 +53,9 @@ test_that("a wrong log is one error", {
   columns$door$column <- "c"
   expect_error(read_sensor_log(file, columns), "\"c\".*a, b", class = "codend_error_file")
   columns$door$unit <- "parsec"
-  expect_error(read_sensor_log(file, columns), "door.*parsec", class = "codend_error_argument")
-  expect_error(read_sensor_log(file, list()), "time", class = "codend_error_argument")
-  expect_error(read_sensor_log(file, columns, window = 4), "odd", class = "codend_error_argument")
+  expect_wrong(read_sensor_log(file, columns), "door.*parsec")
+  expect_wrong(read_sensor_log(file, list()), "time")
+  expect_wrong(read_sensor_log(file, columns, window = 4), "odd")
   log <- data.frame(time = 0:10, door = 1)
-  expect_error(haul_means(log, 5, 1), "begin before", class = "codend_error_argument")
+  expect_wrong(haul_means(log, 5, 1), "begin before")
 })

@@ -92,7 +92,7 @@ test_that("a beam trawl that slows down ends as it settles at that speed", {
 test_that("what a beam trawl cannot have is told", {
   trawl <- read_gear("beam_trawl")
   refused <- function(pattern, ...) {
-    expect_error(update(trawl, ...), pattern, class = "codend_error_plan")
+    expect_refused(update(trawl, ...), pattern)
   }
   refused("warp.length.*more than the depth of the sea bed, 30 m", warp.length = "25 m")
   refused("bridles.outer.length.*half the length of the beam", bridles.outer.length = "1.5 m")

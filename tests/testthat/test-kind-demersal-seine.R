@@ -92,8 +92,7 @@ test_that("a haul closes, balances and ends at the speed of vessel and winch", {
 test_that("a wrong demersal seine is told by its field", {
   gear <- read_gear("demersal_seine")
   wrong <- function(path, value, says = path) {
-    expect_error(codend:::set_field(gear, path, value), says, fixed = TRUE,
-      class = "codend_error_plan")
+    expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
   }
   wrong("laying", NULL)
   wrong("laying.net", list("100 m"))

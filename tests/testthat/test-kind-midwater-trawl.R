@@ -44,13 +44,6 @@ test_that("the short form stands for nets of 2, 4 and 6 panels, and each settles
   }
 })
 
-test_that("the assembly of a short form is the same gear", {
-  trawl <- read_gear("midwater_trawl")
-  expect_identical(
-    settle(trawl, nodes = 500)$position, settle(assembly(trawl), nodes = 500)$position
-  )
-})
-
 # 3 % of bars, which the paper has, and 5 % of the other netting, at every size: the plan was found
 # with 1,500 nodes of bars.
 test_that("the shipped trawl meets the three published figures with both kinds of netting", {
@@ -60,8 +53,7 @@ test_that("the shipped trawl meets the three published figures with both kinds o
     for (netting in c("bars", "cells")) {
       found <- measures(settle(gear, nodes = nodes, netting = netting))
       off <- unlist(as.list(found)[names(paper)]) / paper - 1
-      expect_lt(max(abs(off)), if (netting == "bars") 0.03 else 0.05,
-        label = paste(netting, nodes))
+      expect_lt(max(abs(off)), if (netting == "bars") 0.03 else 0.05, label = paste(netting, nodes))
     }
   }
 })
@@ -95,17 +87,17 @@ test_that("the shipped trawl settles at half and twice its speed and warp length
 })
 
 test_that("what a trawl lacks or names wrongly is told", {
-  expect_error(small_trawl(4, side_lines = NULL), "side_lines", class = "codend_error_plan")
+  expect_refused(small_trawl(4, side_lines = NULL), "side_lines")
   line <- list(length = "12 m", diameter = "14 mm", material = "hmpe")
-  expect_error(small_trawl(2, side_lines = line), "side_lines", class = "codend_error_plan")
-  expect_error(
+  expect_refused(small_trawl(2, side_lines = line), "side_lines")
+  expect_refused(
     small_trawl(4, cross_ropes = list(a = list(behind = "fronts", hanging_ratio = 0.4,
       diameter = "8 mm", material = "PE"))),
-    "cross_ropes.a.behind.*front", class = "codend_error_plan"
+    "cross_ropes.a.behind.*front"
   )
   wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 20, deep = 4),
     twine = list(diameter = "4 mm", material = "PE"))
-  expect_error(small_trawl(4, wings = wings), "wings.meshes.base", class = "codend_error_plan")
+  expect_refused(small_trawl(4, wings = wings), "wings.meshes.base")
 })
 
 test_that("head line, footrope and side lines are hung edge by edge", {
@@ -126,10 +118,10 @@ test_that("head line, footrope and side lines are hung edge by edge", {
   sides$plan$side_lines <- c(list(length = "30 m", bosom = "6 m"), sides$plan$side_lines[-1])
   side <- gear_si(sides)$ropes$side_line_port
   expect_equal(side$shares, c(12, 6, 12) / 30)
-  expect_error(small_trawl(4, head_line = line(hanging_ratio = 0.8, bosom_hanging_ratio = 0.4)),
-    "head_line.bosom_hanging_ratio", class = "codend_error_plan")
-  expect_error(small_trawl(4, wings = wings, head_line = line(length = "30 m",
-    bosom_hanging_ratio = 0.4)), "hanging_ratio", class = "codend_error_plan")
+  expect_refused(small_trawl(4, head_line = line(hanging_ratio = 0.8, bosom_hanging_ratio = 0.4)),
+    "head_line.bosom_hanging_ratio")
+  expect_refused(small_trawl(4, wings = wings, head_line = line(length = "30 m",
+    bosom_hanging_ratio = 0.4)), "hanging_ratio")
 })
 
 test_that("fixed boards lift upwards too", {
@@ -148,7 +140,7 @@ test_that("fixed boards lift upwards too", {
   expect_equal(board - c(0, 0, -50), 10 * c(0.6, -1.2, 0.25) / sqrt(0.6^2 + 1.2^2 + 0.25^2),
     tolerance = 1e-3)
   plan$pieces$board$lift_direction <- "up"
-  expect_error(as_gear(plan), "vertical_lift_coefficient", class = "codend_error_plan")
+  expect_refused(as_gear(plan), "vertical_lift_coefficient")
 })
 
 test_that("what bars and cells differ by is that 16 m of twine bow, which cells hold straight", {

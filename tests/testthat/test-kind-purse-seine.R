@@ -32,8 +32,7 @@ test_that("a line without a length is hung by its ratio on the edges of all pane
 test_that("a wrong purse seine is told by its field", {
   gear <- read_gear("purse_seine")
   wrong <- function(path, value, says = path) {
-    expect_error(codend:::set_field(gear, path, value), says, fixed = TRUE,
-      class = "codend_error_plan")
+    expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
   }
   wrong("rings", NULL)
   wrong("rings.number", 0)
@@ -66,8 +65,7 @@ test_that("the enclosed volume is that of a prism", {
     as.vector(rbind(48 * cos(angle), 48 * sin(angle), -deep)), list(converged = TRUE))
   at <- angle[lead]
   area <- sum(48^2 * sin(diff(c(at, at[1] + 2 * pi))) / 2)
-  found <- codend:::measure_values(state,
-    list(list(kind = "enclosed_volume", rope = "lead_line")))
+  found <- codend:::measure_values(state, list(list(kind = "enclosed_volume", rope = "lead_line")))
   # corners of the netting between lie up to half a column, some 1/40 of the circle, beside those of
   # the lead line: polygons of 40 corners are 4e-3 smaller than the circle
   expect_equal(found, area * 30, tolerance = 4e-3)

@@ -20,8 +20,8 @@ test_that("floats stand at their spacing, in groups", {
   expect_equal(si$pieces$floats_1$share, 0.25 + c(-0.5, 0.5) * 13.5 / 27.2)
   expect_identical(si$pieces$floats_2$number, 4)
   expect_equal(si$pieces$floats_2$share, c(0.6, 0.9))
-  expect_error(changed_trawl(floats = list(number = 40, buoyancy = "3 kgf", spacing = "1 m")),
-    "at most 0.697", class = "codend_error_plan")
+  expect_refused(changed_trawl(floats = list(number = 40, buoyancy = "3 kgf", spacing = "1 m")),
+    "at most 0.697")
 })
 
 test_that("a buoyancy in groups lifts as the same in one", {
@@ -103,15 +103,12 @@ test_that("danlenos and weights at the wing ends hang where they are fastened, o
 test_that("what does not fit is refused with the meshes that would", {
   gear <- read_gear("poly_noreastern_trawl")
   # a jib must reach past what the side wings lack: 80 + 45 - 46 meshes less 56
-  expect_error(update(gear, wings.jib.deep = 20), "(23 meshes)", fixed = TRUE,
-    class = "codend_error_plan")
-  expect_error(update(gear, wings.jib = NULL, bridles.middle = NULL), "(79 meshes", fixed = TRUE,
-    class = "codend_error_plan")
+  expect_refused(update(gear, wings.jib.deep = 20), "(23 meshes)", fixed = TRUE)
+  expect_refused(update(gear, wings.jib = NULL, bridles.middle = NULL), "(79 meshes", fixed = TRUE)
   # as deep as they may be with these meshes
   fits <- update(gear, wings.jib = NULL, bridles.middle = NULL, wings.side.meshes.deep = 79,
     wings.lower.meshes.deep = 99)
   expect_s3_class(fits, "codend_gear")
   middle <- list(length = "54.9 m", diameter = "16 mm", material = "steel_wire")
-  expect_error(update(fits, bridles.middle = middle), "such as `jib: {deep:", fixed = TRUE,
-    class = "codend_error_plan")
+  expect_refused(update(fits, bridles.middle = middle), "such as `jib: {deep:", fixed = TRUE)
 })

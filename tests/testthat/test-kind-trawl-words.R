@@ -66,11 +66,11 @@ test_that("a chafer lies on the belly alone, and a half mesh is a mesh", {
   expect_true("belly_codend_chafer" %in% names(panels))
   expect_false("back_codend_chafer" %in% names(panels))
   expect_identical(panels$belly_codend_chafer$meshes$upper, 30.5)
-  expect_error(
+  expect_refused(
     words_trawl(sections.body.covers = list(chafer = list(
       mesh_size = "120 mm", meshes = list(upper = 30, lower = 30, deep = 45),
       twine = list(diameter = "4 mm", material = "PE")
-    ))), "first section", class = "codend_error_plan"
+    ))), "first section"
   )
 })
 
@@ -82,8 +82,8 @@ test_that("a grid has its weight in water and its drag, around the section's rea
   expect_equal(weight_of(state, "nordmore"), 40 * (1 - 1025 / 7850) * 9.81 / 1000, tolerance = 1e-3)
   piece <- state$si$pieces$nordmore
   expect_equal(piece$drag_area * piece$number, 0.72)
-  expect_error(words_trawl(grids = list(grid = list(behind = "tunnel", drag_area = "1 m2"))),
-    "tunnel", class = "codend_error_plan")
+  expect_refused(words_trawl(grids = list(grid = list(behind = "tunnel", drag_area = "1 m2"))),
+    "tunnel")
 })
 
 test_that("words that a plan has not are answered with how to say them, or that it cannot", {

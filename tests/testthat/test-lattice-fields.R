@@ -50,14 +50,6 @@ test_that("an array of the wrong length, place or kind is named", {
   expect_match(complaint(lost)[2], "mass[3] must be a finite number", fixed = TRUE)
 })
 
-test_that("an unknown law is an error, not the first one", {
-  engine <- engine_of("midwater_trawl")
-  engine$materials$law[2] <- "hoerner"
-  expect_identical(complaint(engine)[1], "materials.law")
-  expect_match(complaint(engine)[2], "must be constant, takagi, choo_casarella or cifuentes_kim")
-  expect_error(engine_speed_reduction("lolland", 0.2, 1), class = "codend_error_engine")
-})
-
 test_that("positions of another lattice are refused", {
   engine <- engine_of("beam_trawl")
   expect_error(engine_evaluate(engine, numeric(3), numeric(3)), "position has 3 values",

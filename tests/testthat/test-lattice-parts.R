@@ -78,9 +78,7 @@ test_that("four edges held on a frame hold all but the inside", {
     panels = list(net = list(
       mesh_size = 0.1, meshes = list(upper = 20, lower = 20, deep = 20), orientation = "square",
       # as heavy as water
-      twine = list(
-        diameter = 0.002, axial_stiffness = 4000, mass_per_length = 1025 * pi * 0.001^2
-      ),
+      twine = list(diameter = 0.002, axial_stiffness = 4000, mass_per_length = 1025 * pi * 0.001^2),
       knotted = FALSE, netting = "bars", columns = 8, bar_segments = 1
     )),
     seams = list(

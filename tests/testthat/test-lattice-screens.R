@@ -71,8 +71,7 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
       u <- c(0.7, 0, 0)
       u_t <- sum(u * axis) * axis
       u_n <- u - u_t
-      0.5 * 1025 * 0.002 * length *
-        (1.2 * sqrt(sum(u_n^2)) * u_n + 0.1 * sqrt(sum(u_t^2)) * u_t)
+      0.5 * 1025 * 0.002 * length * (1.2 * sqrt(sum(u_n^2)) * u_n + 0.1 * sqrt(sum(u_t^2)) * u_t)
     }
     wanted <- cells * (bar(along, straight) +
       bar(cos(pi / 6) * along + sin(pi / 6) * aside, oblique) +
@@ -239,7 +238,7 @@ test_that("hexagons are summed over their twines where the plan is blended", {
   }
   expect_identical(plan(""), "twines")
   expect_identical(plan("", "loland"), "loland")
-  expect_error(plan("\n    netting_drag: blended"), "netting_drag", class = "codend_error_plan")
+  expect_refused(plan("\n    netting_drag: blended"), "netting_drag")
 })
 
 test_that("fields of hexagons are refused where they mean nothing", {

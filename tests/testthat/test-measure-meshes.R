@@ -49,7 +49,7 @@ test_that("opening and angle of flat netting are those of its meshes", {
     expect_equal(found$opening_percent, rep(100, nrow(found)), tolerance = 1e-9)
     expect_equal(range(found$mesh_angle_deg), c(angle, angle), tolerance = 1e-9)
   }
-  expect_error(mesh_openings(square$state, "wing"), "codend", class = "codend_error_argument")
+  expect_wrong(mesh_openings(square$state, "wing"), "codend")
 })
 
 test_that("a codend's meshes and their pictures", {
@@ -58,12 +58,10 @@ test_that("a codend's meshes and their pictures", {
   # twine is taut or slack, so that a mesh is at most as wide as it is long, stretched a little
   expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
   expect_gt(max(found$mesh_opening_mm), 0)
-  file <- file.path(test_folder(), "made.png")
-  plot(found, file = file)
-  expect_gt(file.size(file), 1000)
+  expect_drawn(found)
   lines <- coloured_drawing(state, "mesh_opening")
   value <- lines$drawing$netting$tension
   expect_length(value, length(state_drawing(state)$netting$tension))
   expect_true(all(value > 0 & value < 105))
-  expect_error(plot(state, colour = "red"), "mesh_angle", class = "codend_error_argument")
+  expect_wrong(plot(state, colour = "red"), "mesh_angle")
 })

@@ -30,21 +30,18 @@ test_that("named boards have the published coefficients at the published angles"
 })
 
 test_that("a board without two angles, or a wrong name, is refused", {
-  expect_error(board_polar("suberkrub"), class = "codend_error_argument")
-  expect_error(
-    board_polar(data.frame(attack = 20, lift = 1, drag = 0.3)), class = "codend_error_argument"
-  )
-  expect_error(
+  expect_wrong(board_polar("suberkrub"))
+  expect_wrong(board_polar(data.frame(attack = 20, lift = 1, drag = 0.3)))
+  expect_refused(
     towed_board(otter_boards.otter_board.polar = list(list(attack = "95 deg", lift = 1, drag = 1),
-      list(attack = "10 deg", lift = 1, drag = 1))),
-    class = "codend_error_plan"
+      list(attack = "10 deg", lift = 1, drag = 1)))
   )
-  expect_error(
+  expect_refused(
     towed_board(otter_boards.otter_board.attachments = list(
       board = list(aft = 0.5, up = 0), upper = list(aft = 0.5, up = 1),
       lower = list(aft = 0.5, up = -1)
     )),
-    "not in one line", class = "codend_error_plan"
+    "not in one line"
   )
 })
 
@@ -276,10 +273,9 @@ test_that("a trawl's boards may be free, and need their places then", {
   free <- update(trawl, otter_boards = boards)
   expect_named(assembly(free)$plan$otter_boards, c("otter_board_port", "otter_board_starboard"))
   boards$warp_at <- NULL
-  expect_error(update(trawl, otter_boards = boards), class = "codend_error_plan")
-  expect_error(
-    update(trawl, otter_boards.polar = "krill_cambered"), "left out where the attitude is fixed",
-    class = "codend_error_plan"
+  expect_refused(update(trawl, otter_boards = boards))
+  expect_refused(
+    update(trawl, otter_boards.polar = "krill_cambered"), "left out where the attitude is fixed"
   )
 })
 

@@ -46,8 +46,7 @@ test_that("the engine holds each screen at the ends of the range that findings g
 test_that("a word that is no netting is refused", {
   expect_error(settle(read_gear("flat_panel"), nodes = 100, netting = "triangles"),
     "it must be .*cells.*bars", class = "codend_error")
-  expect_error(update(read_gear("flat_panel"), netting = "triangles"), "one of cells, bars",
-    class = "codend_error_plan")
+  expect_refused(update(read_gear("flat_panel"), netting = "triangles"), "one of cells, bars")
 })
 
 test_that("the schema says of each measure what its definition says", {

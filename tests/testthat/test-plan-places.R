@@ -4,8 +4,7 @@ read_part <- function(text, places, k) {
   lines <- strsplit(substr(text, 1, places$to[k]), "\n", fixed = TRUE)[[1]]
   from <- places$from[k]
   before <- nchar(sub(".*\n", "", substr(text, 1, from - 1)))
-  yaml::yaml.load(paste0(strrep(" ", before), substr(text, from, places$to[k])),
-    eval.expr = FALSE)
+  yaml::yaml.load(paste0(strrep(" ", before), substr(text, from, places$to[k])), eval.expr = FALSE)
 }
 
 expect_places <- function(text, label) {

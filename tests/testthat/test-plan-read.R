@@ -35,9 +35,9 @@ test_that("a merge key is refused wherever it is, and a text with its sign is no
 test_that("quantities beyond all gear are refused before anything is computed", {
   long <- plan_error("length: 100 m\n", "length: 1e308 m\n")$message
   expect_match(long, "must be at most 1e+07 m", fixed = TRUE)
-  expect_error(update(read_gear("towed_cable"), towing.speed = "1e308 knot"),
+  expect_refused(update(read_gear("towed_cable"), towing.speed = "1e308 knot"),
     "`towing.speed` is 1e308 knot; it must be at most 1.94384e+12 knot",
-    fixed = TRUE, class = "codend_error_plan")
+    fixed = TRUE)
 })
 
 test_that("aliases that multiply are refused", {
@@ -70,21 +70,19 @@ test_that("an edge's mesh range inside brackets asks for quotes", {
 })
 
 test_that("a folder is no plan, and a file without its ending is found", {
-  expect_error(read_gear(tempdir()), class = "codend_error_plan")
+  expect_refused(read_gear(tempdir()))
   # a file without its ending
   file <- tempfile("trawl", fileext = ".yaml")
   on.exit(unlink(file))
   writeLines("codend: 1", file)
-  expect_error(read_gear(sub("[.]yaml$", "", file)), paste0("did you mean `", file, "`"),
-    fixed = TRUE, class = "codend_error_plan")
+  expect_refused(read_gear(sub("[.]yaml$", "", file)), paste0("did you mean `", file, "`"),
+    fixed = TRUE)
 })
 
 test_that("a plan file is one document", {
   text <- paste(readLines(shipped_plans()[["towed_cable"]]), collapse = "\n")
-  expect_error(read_text(paste0(text, "\n---\nname: Another\n")), "several YAML documents",
-    class = "codend_error_plan")
-  expect_error(read_text(paste0("---\nname: Another\n---\n", text)), "several YAML documents",
-    class = "codend_error_plan")
+  expect_refused(read_text(paste0(text, "\n---\nname: Another\n")), "several YAML documents")
+  expect_refused(read_text(paste0("---\nname: Another\n---\n", text)), "several YAML documents")
   expect_identical(read_text(paste0("%YAML 1.1\n# one\n---\n", text, "\n...\n"))$plan,
     read_gear("towed_cable")$plan)
 })
@@ -117,7 +115,7 @@ test_that("only regular files are opened", {
   pipe <- tempfile()
   system2("mkfifo", pipe)
   setTimeLimit(elapsed = 10, transient = TRUE)
-  expect_error(read_gear(pipe), "is not a plan file", class = "codend_error_plan")
+  expect_refused(read_gear(pipe), "is not a plan file")
   skip_if_not_installed("RNetCDF")
   expect_error(read_state(pipe), "no regular file", class = "codend_error_file")
   setTimeLimit()

@@ -133,5 +133,5 @@ test_that("a report tells what more of a field would do, where slopes are given"
   report(state, file, slopes)
   # expect_match() takes a minute to lay out a whole page, even where it matches
   expect_true(any(grepl("What more would do", readLines(file, warn = FALSE), fixed = TRUE)))
-  expect_error(report(state, file, slopes = 1), class = "codend_error_argument")
+  expect_wrong(report(state, file, slopes = 1))
 })

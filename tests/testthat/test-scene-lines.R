@@ -91,9 +91,7 @@ test_that("twines of square meshes run along the cells, of diamond meshes across
   }
   cells <- function(name) dim(panel_of(state, name)$grid) - 1
   square <- cells("middle")
-  expect_length(
-    lines("middle")$tension, square[1] * (square[2] + 1) + square[2] * (square[1] + 1)
-  )
+  expect_length(lines("middle")$tension, square[1] * (square[2] + 1) + square[2] * (square[1] + 1))
   expect_length(lines("top")$tension, 2 * prod(cells("top")))
 })
 

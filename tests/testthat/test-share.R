@@ -38,8 +38,7 @@ test_that("a length and a weight per length meet in a cross term", {
 
 test_that("fields that cannot be sliders are refused by name", {
   gear <- read_gear("towed_cable")
-  expect_error(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments",
-    class = "codend_error_argument")
+  expect_wrong(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments")
   # what divides the gear otherwise changes more than numbers
   base <- list(model.bars.node = 1:4, model.bars.rest = c(1, 2))
   odd <- function(...) odd_array(list(...), base, "rest")
@@ -100,7 +99,7 @@ test_that("a page runs no script of a plan's words; without an engine there is n
   file <- tempfile(fileext = ".html")
   on.exit(unlink(file))
   if (!can_share()) {
-    expect_error(share(state, file), "make wasm", class = "codend_error_argument")
+    expect_wrong(share(state, file), "make wasm")
     skip("the engine for pages is not made")
   }
   expect_identical(withVisible(share(state, file)), list(value = file, visible = FALSE))

@@ -70,7 +70,7 @@ test_that("shielding is per panel and off unless asked for", {
   expect_equal(none[1], none[2], tolerance = 1e-6)
   own <- drag_of(settle(sheets("loland", shielding = "none"), nodes = 400))
   expect_equal(own, none)
-  expect_error(sheets("some"), class = "codend_error_plan")
+  expect_refused(sheets("some"))
 })
 
 test_that("shielded states are in balance and repeat to the bit", {
@@ -97,9 +97,7 @@ test_that("a shielded state stays as it is while it is towed", {
 
 test_that("the wake follows a current that changes, to the gear that settles in it", {
   gear <- update(sheets("loland"), water.current.toward = "15 deg")
-  turning <- list(
-    speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg"))
-  )
+  turning <- list(speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg")))
   found <- tow(sheets("loland"), until = 200, every = 20, nodes = 200, current = turning)
   expected <- settle(gear, nodes = 200)
   # the second sheet comes out of the shadow of the first, 4 m and 15 deg, by half

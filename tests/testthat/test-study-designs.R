@@ -113,7 +113,7 @@ test_that("ranges and distributions are told in the plan's words", {
 
 test_that("wrong arguments are told", {
   wrong <- function(expr, message) {
-    expect_error(expr, message, class = "codend_error_argument")
+    expect_wrong(expr, message)
   }
   wrong(designs(), "at least one field")
   wrong(designs(1:3), "named by its path")

@@ -57,5 +57,5 @@ test_that("few draws are warned of, wrong arguments refused", {
   expect_warning(draws <- sample_posterior(fit, draws = 20, begin = 5),
     class = "codend_warning_few_draws")
   expect_identical(dim(draws), c(20L, 1L))
-  expect_error(sample_posterior(fit, draws = 0), "draws", class = "codend_error_argument")
+  expect_wrong(sample_posterior(fit, draws = 0), "draws")
 })

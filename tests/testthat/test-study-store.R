@@ -157,7 +157,7 @@ test_that("another study does not go on in a store", {
   expect_error(write_study("towed_cable", small_study(), store), "exists",
     class = "codend_error_file")
   expect_error(read_study(tempdir()), "is no study", class = "codend_error_file")
-  expect_error(run_study(store, 3, 2), class = "codend_error_argument")
+  expect_wrong(run_study(store, 3, 2))
   writeLines("{\"codend_study\": 99}", file.path(store, "study.json"))
   expect_error(study_status(store), "another format", class = "codend_error_file")
 })
@@ -194,6 +194,5 @@ test_that("a store that cannot be is one error that names it", {
   wrong("", "`store`", "codend_error_argument")
   wrong(file.path(tempfile("nowhere"), "a.study"), "no folder that can be written",
     "codend_error_file")
-  expect_error(write_study("towed_cable", data.frame(), tempfile()), "`designs`",
-    class = "codend_error_argument")
+  expect_wrong(write_study("towed_cable", data.frame(), tempfile()), "`designs`")
 })

@@ -133,8 +133,7 @@ test_that("no name of a plan can end or hide what follows it in a page", {
     perl = TRUE))
   inner <- sub("</script>$", "", sub("^<script[^>]*>", "", data))
   expect_no_match(inner, "<", fixed = TRUE)
-  expect_identical(jsonlite::fromJSON(inner)$x$scene$name,
-    plan$name)
+  expect_identical(jsonlite::fromJSON(inner)$x$scene$name, plan$name)
 })
 
 test_that("a catch, chains, ground gear and pieces are drawn as what they are", {

@@ -42,7 +42,7 @@ test_that("the same state gives the same picture", {
 test_that("wrong arguments are one clear error and leave nothing", {
   state <- unsettled("crossing_cables")
   folder <- test_folder()
-  wrong <- function(...) expect_error(plot(state, ...), class = "codend_error_argument")
+  wrong <- function(...) expect_wrong(plot(state, ...))
   expect_match(conditionMessage(wrong(planes = "zz")), "zz.*xy.*xz.*yz")
   wrong(planes = character())
   wrong_file <- function(...) expect_error(plot(state, ...), class = "codend_error_file")
