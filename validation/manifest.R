@@ -65,6 +65,7 @@ use_tests <- function(name, into = parent.frame()) {
 }
 test_path <- function(...) file.path("tests/testthat", ...)
 use_tests("helper-lattice")
+use_tests("helper-bag")
 
 # Rows of a case. A row that a value of the gear was tuned on says so, and does not count.
 compared <- function(quantity, at, measured, computed, tuned = FALSE) {

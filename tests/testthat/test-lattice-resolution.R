@@ -1,12 +1,3 @@
-test_that("the end of a cable of 48 segments lies where it does with four times as many", {
-  cable <- function(n) settle(update(read_gear("towed_cable"), ropes.cable.segments = n))
-  coarse <- cable(48)
-  fine <- cable(192)
-  length <- coarse$si$ropes$cable$length
-  end <- function(state) state$position[, state$lattice$place("cable.end")]
-  # of second order, see resolution.cpp, which gives ropes next to netting no more than that
-  expect_lt(sqrt(sum((end(coarse) - end(fine))^2)), length / 48^2)
-})
 
 test_that("lattices have about as many nodes as are asked for", {
   for (name in c("pair_trawl", "poly_noreastern_trawl", "model_cage")) {

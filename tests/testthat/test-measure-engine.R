@@ -40,29 +40,15 @@ test_that("the speed that a power tows is that at which the drag is what the ves
     # the speed is found to 1e-4; the pull that is used grows faster than its square
     expect_equal(found[["engine_power_kW"]], if (is.null(power)) 1000 else 400, tolerance = 2e-3)
   }
-  expect_error(tow_speed("towed_cable"), "vessel", class = "codend_error_argument")
-  expect_error(tow_speed(gear, "2 MW"), "at most", class = "codend_error_argument")
+  expect_wrong(tow_speed("towed_cable"), "vessel")
+  expect_wrong(tow_speed(gear, "2 MW"), "at most")
 })
 
 test_that("a vessel's table that cannot be is told", {
   bad <- function(...) {
-    expect_error(update(read_gear("towed_cable"), vessel = list(power = "1 MW", pull = list(...))),
-      "vessel.pull", class = "codend_error_plan")
+    expect_refused(update(read_gear("towed_cable"), vessel = list(power = "1 MW", pull = list(...))),
+      "vessel.pull")
   }
   bad(list(speed = 3, pull = 10), list(speed = 1, pull = 5))
   bad(list(speed = 0, pull = 10), list(speed = 1, pull = 15))
-})
-
-test_that("what a tow swept is the integral of its measures", {
-  trawl <- settle("beam_trawl", nodes = 200)
-  found <- tow(trawl, until = 20, every = 10, accuracy = 0.1)
-  swept <- as.data.frame(found, what = "swept")
-  expect_equal(swept$time_s, c(0, 10, 20))
-  speed <- trawl$si$towing$speed
-  expect_equal(swept$distance_m, speed * c(0, 10, 20), tolerance = 1e-6)
-  # a beam holds its width: what it passes over is that times the way; its shoes sway by less than
-  # 1 %
-  width <- measures(trawl)[["wing_end_spread_m"]]
-  expect_equal(swept$swept_area_m2[3], width * speed * 20, tolerance = 0.01)
-  expect_true(all(is.na(swept$swept_volume_m3)) || all(diff(swept$swept_volume_m3) > 0))
 })

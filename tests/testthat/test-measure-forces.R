@@ -209,14 +209,3 @@ test_that("a held gear meets the flow along the fastest current of its profile",
   si$towing$speed <- 1
   expect_identical(flow_axes(si)[, "flow"], c(1, 0, 0))
 })
-
-test_that("the supports of a held edge carry the net's weight in air, half each", {
-  plan <- hung_panel_plan
-  plan$points <- list(left = list(position = c(0, 0, 0), held = "fixed"),
-    right = list(position = c(0, 2, 0), held = "fixed"))
-  plan$seams$top <- list(edges = list("net.upper"), held_between = c("left", "right"))
-  state <- settle(as_gear(plan), nodes = 100)
-  weight <- sum(as.data.frame(state, what = "drag")$weight_in_water_kN)
-  # settled to 1e-8 of the largest tension
-  expect_equal(reaction_table(state)$z_kN, rep(weight / 2, 2), tolerance = 1e-6)
-})

@@ -39,8 +39,7 @@ test_that("a midwater trawl has the field's measures", {
 })
 
 test_that("a measure of the plan hides the general one of its name", {
-  gear <- update(read_gear("crossing_cables"),
-    measures.greatest_depth = list(depth = "west_south"))
+  gear <- update(read_gear("crossing_cables"), measures.greatest_depth = list(depth = "west_south"))
   expect_equal(sum(names(measures(settle(gear))) == "greatest_depth_m"), 1)
   expect_equal(measures(settle(gear))[["greatest_depth_m"]], 0)
 })

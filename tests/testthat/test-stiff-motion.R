@@ -36,8 +36,7 @@ test_that("an accuracy may name position and tension", {
   loose <- tow(gear, until = 3, accuracy = list(position = 0.1))
   strict <- tow(gear, until = 3, accuracy = list(position = "10 cm", tension = 1e-4))
   expect_gt(strict$report$steps, 2 * loose$report$steps)
-  expect_error(tow(gear, until = 1, accuracy = list(speed = 1)), "`accuracy` must be",
-    class = "codend_error_argument")
+  expect_wrong(tow(gear, until = 1, accuracy = list(speed = 1)), "`accuracy` must be")
 })
 
 test_that("a scheme that does not hold three times its accuracy says so", {

@@ -46,8 +46,7 @@ test_that("a trajectory that is read is the one that was written", {
 
 test_that("a trajectory knows the straight bars of hexagonal netting, in its file too", {
   plan <- panel_in_current_plan
-  plan$panels$net[c("orientation", "straight_bar", "netting")] <-
-    list("hexagonal", 0.02, "cells")
+  plan$panels$net[c("orientation", "straight_bar", "netting")] <- list("hexagonal", 0.02, "cells")
   trajectory <- tow(as_gear(plan), until = 0.2, every = 0.1, nodes = 100)
   state <- state_at(trajectory, 0.2)
   # recomputed from places and velocities that are turned into the vessel's axes and back
@@ -163,8 +162,7 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
-  expect_error(tow(found, until = 30), "`control` was a function.*give it again",
-    class = "codend_error_argument")
+  expect_wrong(tow(found, until = 30), "`control` was a function.*give it again")
   control <- function(measures, time) 0.1
   on <- tow(found, until = 30, control = control, file = file)
   same <- setdiff(names(whole), c("report", "given"))

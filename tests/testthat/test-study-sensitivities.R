@@ -180,21 +180,19 @@ test_that("a field of whole numbers changes by one", {
 
 test_that("a tornado is drawn, to a file whole or not at all", {
   found <- sensitivities(settle(as_gear(towed_sphere)), secants = FALSE)
-  file <- file.path(test_folder(), "made.png")
-  expect_identical(plot(found, file = file), found)
-  expect_gt(file.size(file), 5000)
-  expect_error(plot(found, measures = "none"), class = "codend_error_argument")
+  expect_drawn(found)
+  expect_wrong(plot(found, measures = "none"))
 })
 
 test_that("wrong arguments are told", {
   state <- settle(as_gear(towed_sphere))
-  wrong <- function(...) expect_error(sensitivities(...), class = "codend_error_argument")
+  wrong <- function(...) expect_wrong(sensitivities(...))
   wrong(state, to = "none.at.all")
   wrong(state, to = "points.ship.held")
   wrong(state, to = list(c("towing.speed", "ropes.line.length")))
-  expect_error(
+  expect_wrong(
     sensitivities(settle("towed_cable"), to = "ropes.cable.segments"),
-    "ropes.cable.segments.*only divides the gear", class = "codend_error_argument"
+    "ropes.cable.segments.*only divides the gear"
   )
   wrong(settle(update(as_gear(towed_sphere), ropes.line.mass_per_length = 0)),
     to = "ropes.line.mass_per_length")

@@ -64,18 +64,6 @@ test_that("a chain approaches the elastic catenary as segments^-2", {
   expect_lt(max(abs(errors[4:5, 4])), 0.005)
 })
 
-test_that("the catenary's lowest point is where the closed form has it", {
-  state <- hanging_catenary(128)
-  x <- state$position[, along_rope(state, "chain")$node]
-  k <- which.min(x[3, ])
-  fit <- stats::lm(z ~ x + I(x^2), data.frame(x = x[1, k + (-1:1)], z = x[3, k + (-1:1)]))
-  b <- unname(stats::coef(fit))
-  at <- -b[2] / (2 * b[3])
-  # second order again: the same 5 mm as at the middle
-  expect_lt(abs(at - benchmark("elastic_catenary", "lowest_x")), 0.005)
-  expect_lt(abs(b[1] + b[2] * at + b[3] * at^2 - benchmark("elastic_catenary", "lowest_z")), 0.005)
-})
-
 # Where the loaded point of an isolated cable lies (m); load: N.
 isolated_cable <- function(load) {
   part <- function(from, to, length) {

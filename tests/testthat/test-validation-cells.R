@@ -61,30 +61,13 @@ test_that("hexagonal netting of stiff twine does not lock", {
 # A closed tube of diamond netting, `around` meshes around in strips of `each`, filled with catch
 # over most of its length, its entrance held on a circle of radius r.
 full_tube <- function(around, deep, filled, speed, size, radius, stiffness = 1e5, each = 1) {
-  strips <- around / each
-  names <- paste0("net_", seq_len(strips))
-  ring <- lapply(seq_len(strips), function(k) {
-    angle <- 2 * pi * (k - 1) / strips
-    list(position = c(0, radius * cos(angle), radius * sin(angle) - 10), held = "moved",
-      at = paste0(names[k], ".upper_left"))
-  })
   net <- list(
     mesh_size = size, meshes = list(upper = each, lower = each, deep = deep), knotted = FALSE,
     columns = 1, rows = deep / each,
     twine = list(diameter = 0.003, axial_stiffness = stiffness, mass_per_length = 0.0072453)
   )
-  sides <- lapply(seq_len(strips), function(k) {
-    list(edges = list(paste0(names[k], ".right"), paste0(names[k %% strips + 1], ".left")))
-  })
-  as_gear(list(
-    codend = 1, name = "Tube", towing = list(speed = speed), coefficients = list(normal = 0),
-    points = c(setNames(ring, paste0("ring_", seq_len(strips))), list(codline = list())),
-    panels = setNames(rep(list(net), strips), names),
-    seams = c(setNames(sides, paste0("side_", seq_len(strips))), list(
-      codline = list(edges = as.list(paste0(names, ".lower")), gathered_at = "codline")
-    )),
-    catch = list(panels = names, blocked_meshes = filled)
-  ))
+  as_gear(bag_plan(net, circle_of_corners(around / each, radius, -10),
+    list(blocked_meshes = filled), coefficients = list(normal = 0), speed = speed))
 }
 
 # Tensions of netting well behind the front and before the closed end, N.

@@ -44,7 +44,7 @@ test_that("figures go to a device or a file, and wrong arguments are clear error
   plot(trajectory, file = file.path(folder, "a.png"))
   plot(trajectory, measures = "total_drag_kN", file = file.path(folder, "b.svg"))
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), c("a.png", "b.svg"))
-  wrong <- function(...) expect_error(plot(trajectory, ...), class = "codend_error_argument")
+  wrong <- function(...) expect_wrong(plot(trajectory, ...))
   expect_match(conditionMessage(wrong(measures = "drag")), "total_drag_kN")
   expect_error(plot(trajectory, file = file.path(folder, "c.txt")), class = "codend_error_file")
   wrong(width = 3, height = 3, file = file.path(folder, "c.png"))

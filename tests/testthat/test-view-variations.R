@@ -49,12 +49,11 @@ test_that("pictures are written, and too small a page is told", {
     expect_identical(plot(x, file = file), x)
     expect_gt(file.size(file), 1000)
   }
-  expect_error(plot(x, measures = "speed"), "must be any of", class = "codend_error_argument")
+  expect_wrong(plot(x, measures = "speed"), "must be any of")
   many <- x[c(1:5, rep(6, 60))]
   names(many)[-(1:5)] <- paste0("m", 1:60, "_m")
   class(many) <- class(x)
-  expect_error(plot(many, file = file.path(folder, "b.png"), height = 3), "too small",
-    class = "codend_error_argument")
+  expect_wrong(plot(many, file = file.path(folder, "b.png"), height = 3), "too small")
 })
 
 test_that("keys wrap within the page", {
