@@ -173,21 +173,15 @@ void check_kernels(const FrontKernels<Real>& kernels) {
 
 }  // namespace
 
-TEST_CASE("portable front kernels agree with dense algebra") {
-  SUBCASE("double precision") { check_kernels(codend::portable_front_kernels().in_double); }
-  SUBCASE("single precision") { check_kernels(codend::portable_front_kernels().in_single); }
-}
-
-TEST_CASE("AVX2 front kernels agree with dense algebra") {
-  if (!codend::avx2_front_kernels()) return;
-  SUBCASE("double precision") { check_kernels(codend::avx2_front_kernels()->in_double); }
-  SUBCASE("single precision") { check_kernels(codend::avx2_front_kernels()->in_single); }
-}
-
-TEST_CASE("AVX-512 front kernels agree with dense algebra") {
-  if (!codend::avx512_front_kernels()) return;
-  SUBCASE("double precision") { check_kernels(codend::avx512_front_kernels()->in_double); }
-  SUBCASE("single precision") { check_kernels(codend::avx512_front_kernels()->in_single); }
+TEST_CASE("front kernels agree with dense algebra") {
+  auto check = [](const FrontKernelSet* set) {
+    if (!set) return;
+    check_kernels(set->in_double);
+    check_kernels(set->in_single);
+  };
+  SUBCASE("portable") { check(&codend::portable_front_kernels()); }
+  SUBCASE("AVX2") { check(codend::avx2_front_kernels()); }
+  SUBCASE("AVX-512") { check(codend::avx512_front_kernels()); }
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // Derivatives of every kind of element against differences of its forces, through the assembly.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 #include "random_model.hpp"
@@ -139,18 +140,28 @@ void check_lines(int bars, int cells, int hexagons) {
   }
 }
 
-template <class Count>
-void check_points(Count count, double additions = order_of_additions) {
-  Random random(20260402);
-  for (const bool layered : {false, true}) {
-    for (int repeat = 0; repeat < 5; ++repeat) {
-      CAPTURE(layered);
-      Ingredients wanted;
-      wanted.layered = layered;
-      count(wanted) = 12;
-      check_derivatives(random, wanted, tolerance, additions);
-    }
+// Of models that `set` gives what they are made of, which it tells apart by their number.
+template <class Set>
+void check_models(std::uint64_t seed, int models, Set set, double within = tolerance,
+                  double additions = order_of_additions) {
+  Random random(seed);
+  for (int k = 0; k < models; ++k) {
+    CAPTURE(k);
+    Ingredients wanted;
+    set(wanted, k);
+    check_derivatives(random, wanted, within, additions);
   }
+}
+
+// Of twelve elements of a kind, in a uniform current and in a layered one.
+void check_points(int Ingredients::*kind, Ingredients wanted = {},
+                  double additions = order_of_additions) {
+  wanted.*kind = 12;
+  auto set = [&](Ingredients& i, int k) {
+    i = wanted;
+    i.layered = k >= 5;
+  };
+  check_models(20260402, 10, set, tolerance, additions);
 }
 
 }  // namespace
@@ -163,17 +174,13 @@ TEST_CASE("derivatives of hexagonal triangles") { check_lines(0, 0, 8); }
 
 // Speeds of 0.5 m/s and lines of 1 m: the damper pulls or loosens by as much as the stretch.
 TEST_CASE("derivatives of lines with damping") {
-  Random random(20260404);
-  for (int repeat = 0; repeat < 10; ++repeat) {
-    CAPTURE(repeat);
-    Ingredients wanted;
-    wanted.bars = repeat % 2 ? 20 : 0;
-    wanted.cells = repeat % 2 ? 0 : 10;
-    wanted.hexagons = repeat % 2 ? 0 : 5;
-    wanted.damping = 0.5;
-    wanted.layered = repeat % 3 == 0;
-    check_derivatives(random, wanted);
-  }
+  check_models(20260404, 10, [](Ingredients& i, int k) {
+    i.bars = k % 2 ? 20 : 0;
+    i.cells = k % 2 ? 0 : 10;
+    i.hexagons = k % 2 ? 0 : 5;
+    i.damping = 0.5;
+    i.layered = k % 3 == 0;
+  });
 }
 
 TEST_CASE("derivatives of damped bars that are paid out") {
@@ -195,23 +202,18 @@ TEST_CASE("derivatives of damped bars that are paid out") {
         tolerance);
 }
 
-TEST_CASE("derivatives of points, pressure, openings, bends and contacts") {
-  const std::pair<int Ingredients::*, double> kinds[] = {
-      {&Ingredients::bodies, 1.0},
-      {&Ingredients::knots, 1.0},
-      {&Ingredients::smooth_spheres, 1.0},
-      {&Ingredients::lifts_up, 1.0},
-      {&Ingredients::lifts_sideways, 1.0},
-      {&Ingredients::pressed, 1.0},
-      {&Ingredients::openings, 1.0},
-      {&Ingredients::contacts, 1.0},
-      // Between points tied to the same two nodes nearly all of a bend's stiffness cancels.
-      {&Ingredients::bends, 3.0}};
-  for (const auto& [kind, additions] : kinds) {
-    const auto count = kind;
-    check_points([count](Ingredients& i) -> int& { return i.*count; },
-                 additions* order_of_additions);
-  }
+TEST_CASE("derivatives of elements at points") {
+  SUBCASE("bodies") { check_points(&Ingredients::bodies); }
+  SUBCASE("knots") { check_points(&Ingredients::knots); }
+  SUBCASE("smooth spheres") { check_points(&Ingredients::smooth_spheres); }
+  SUBCASE("lifting surfaces, up") { check_points(&Ingredients::lifts_up); }
+  SUBCASE("lifting surfaces, sideways") { check_points(&Ingredients::lifts_sideways); }
+  SUBCASE("the catch's pressure") { check_points(&Ingredients::pressed); }
+  SUBCASE("mesh openings") { check_points(&Ingredients::openings); }
+  SUBCASE("contacts with the ground") { check_points(&Ingredients::contacts); }
+  // Between points tied to the same two nodes nearly all of a bend's stiffness cancels.
+  SUBCASE("bends") { check_points(&Ingredients::bends, {}, 3.0 * order_of_additions); }
+  SUBCASE("lifting plates on the ground") { check_points(&Ingredients::plates); }
 }
 
 TEST_CASE("derivatives of netting screens") {
@@ -236,55 +238,34 @@ TEST_CASE("derivatives of netting screens") {
   }
 }
 
-TEST_CASE("derivatives of lifting plates, level or on the ground") {
-  for (const bool surface : {false, true}) {
-    CAPTURE(surface);
-    check_points([surface](Ingredients& i) -> int& {
-      i.free_surface = surface;
-      return i.plates;
-    });
-  }
-}
-
 TEST_CASE("derivatives of what sticks to the ground, or slips there") {
-  for (const double give : {0.01, 10.0}) {
-    CAPTURE(give);
-    SUBCASE("contacts") {
-      check_points([give](Ingredients& i) -> int& {
-        i.slip_distance = give;
-        return i.contacts;
-      });
+  auto check = [](int Ingredients::*kind) {
+    Ingredients wanted;
+    for (const double give : {0.01, 10.0}) {
+      CAPTURE(give);
+      wanted.slip_distance = give;
+      check_points(kind, wanted);
     }
-    SUBCASE("shoes of plates") {
-      check_points([give](Ingredients& i) -> int& {
-        i.slip_distance = give;
-        return i.plates;
-      });
-    }
-  }
+  };
+  SUBCASE("contacts") { check(&Ingredients::contacts); }
+  SUBCASE("shoes of plates") { check(&Ingredients::plates); }
 }
 
 TEST_CASE("derivatives at the surface") {
-  auto at_surface = [](int Ingredients::*kind) {
-    check_points([kind](Ingredients& i) -> int& {
-      i.free_surface = true;
-      return i.*kind;
-    });
-  };
-  SUBCASE("volumes") { at_surface(&Ingredients::volumes); }
-  SUBCASE("bodies") { at_surface(&Ingredients::bodies); }
-  SUBCASE("lifting surfaces") { at_surface(&Ingredients::lifts_up); }
+  Ingredients wanted;
+  wanted.free_surface = true;
+  SUBCASE("volumes") { check_points(&Ingredients::volumes, wanted); }
+  SUBCASE("bodies") { check_points(&Ingredients::bodies, wanted); }
+  SUBCASE("lifting surfaces") { check_points(&Ingredients::lifts_up, wanted); }
+  SUBCASE("plates") { check_points(&Ingredients::plates, wanted); }
   SUBCASE("lines") {
-    Random random(20260409);
-    for (int repeat = 0; repeat < 5; ++repeat) {
-      Ingredients wanted;
-      wanted.bars = wanted.cells = 12;
-      wanted.free_surface = true;
-      wanted.layered = repeat % 2;
-      wanted.diameter = 1.5;  // much drag
-      wanted.axial_stiffness = 500.0;
-      check_derivatives(random, wanted);
-    }
+    wanted.bars = wanted.cells = 12;
+    wanted.diameter = 1.5;  // much drag
+    wanted.axial_stiffness = 500.0;
+    check_models(20260409, 5, [&](Ingredients& i, int k) {
+      i = wanted;
+      i.layered = k % 2;
+    });
   }
 }
 
@@ -307,46 +288,35 @@ TEST_CASE("derivatives of blended netting") {
     }
   }
   // Twine so thin that it is hardly a screen.
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    Ingredients wanted;
-    wanted.blended = 8;
-    wanted.diameter = 0.0003;
-    check_derivatives(random, wanted, 1.7e-7);
-  }
+  Ingredients thin;
+  thin.blended = 8;
+  thin.diameter = 0.0003;
+  for (int repeat = 0; repeat < 5; ++repeat) check_derivatives(random, thin, 1.7e-7);
 }
 
 TEST_CASE("derivatives in a wake") {
   // Of this seed no element lies within four steps of a join of the current's layers.
-  Random random(20260411);
-  for (const bool layered : {false, true}) {
-    Ingredients wanted;
-    wanted.bars = wanted.cells = wanted.knots = wanted.bodies = wanted.lifts_up = 8;
-    wanted.hexagons = wanted.pressed = wanted.screens = wanted.blended = 4;
-    wanted.wake = true;
-    wanted.layered = wanted.free_surface = layered;
-    check_derivatives(random, wanted);
-  }
+  check_models(20260411, 2, [](Ingredients& i, int k) {
+    i.bars = i.cells = i.knots = i.bodies = i.lifts_up = 8;
+    i.hexagons = i.pressed = i.screens = i.blended = 4;
+    i.wake = true;
+    i.layered = i.free_surface = k == 1;
+  });
 }
 
 TEST_CASE("derivatives of struts") {
-  Random random(20260408);
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    Ingredients wanted;
-    wanted.bars = 12;
-    wanted.struts = true;
-    check_derivatives(random, wanted);
-  }
+  check_models(20260408, 5, [](Ingredients& i, int) {
+    i.bars = 12;
+    i.struts = true;
+  });
 }
 
 TEST_CASE("derivatives of sliding ropes") {
-  Random random(20260420);
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    Ingredients wanted;
-    wanted.sliding = 6;
-    wanted.axial_stiffness = 1e3;
-    wanted.layered = repeat % 2;
-    check_derivatives(random, wanted);
-  }
+  check_models(20260420, 5, [](Ingredients& i, int k) {
+    i.sliding = 6;
+    i.axial_stiffness = 1e3;
+    i.layered = k % 2;
+  });
 }
 
 TEST_CASE("derivatives of tensions that a solver carries") {
@@ -464,8 +434,8 @@ TEST_CASE("derivatives with multipliers of components of force") {
 
 // Forces of drag are linear in every multiplier, and their components make up the whole.
 TEST_CASE("multipliers scale the forces that they are of, and no other") {
-  auto forces = [](double normal, double blended, double drag, double lift, double friction,
-                   double tangential) {
+  // of the normal law, blended netting, a screen's drag, lift and friction, and the tangential law
+  auto forces = [](const std::array<double, 6>& of) {
     Random random(20260413);
     Ingredients wanted;
     wanted.bars = 6;
@@ -473,13 +443,13 @@ TEST_CASE("multipliers scale the forces that they are of, and no other") {
     wanted.blended = 4;
     wanted.axial_stiffness = 1e-15;
     wanted.law = cylinder_laws().back();
-    wanted.law.tangential_share = tangential;
+    wanted.law.tangential_share = of[5];
     Specimen s(random, wanted);
-    s.model.multipliers.normal.assign(s.model.materials.size(), normal);
-    s.model.multipliers.blended_normal = blended;
-    s.model.multipliers.screen_drag = drag;
-    s.model.multipliers.screen_lift = lift;
-    s.model.multipliers.screen_friction = friction;
+    s.model.multipliers.normal.assign(s.model.materials.size(), of[0]);
+    s.model.multipliers.blended_normal = of[1];
+    s.model.multipliers.screen_drag = of[2];
+    s.model.multipliers.screen_lift = of[3];
+    s.model.multipliers.screen_friction = of[4];
     s.model.load.assign(s.model.load.size(), 0.0);
     s.model.prepare();
     Assembly assembly(s.model);
@@ -488,16 +458,16 @@ TEST_CASE("multipliers scale the forces that they are of, and no other") {
     assembly.residual(out.data());
     return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<int>(out.size())));
   };
-  const Eigen::VectorXd one = forces(1, 1, 1, 1, 1, 1), two = forces(2, 2, 2, 2, 2, 2);
+  const Eigen::VectorXd one = forces({1, 1, 1, 1, 1, 1}), two = forces({2, 2, 2, 2, 2, 2});
   const double size = one.cwiseAbs().maxCoeff();
   REQUIRE(size > 0.0);
   // rounding of sums of some hundred terms; the pull of bars of 1e-15 N is far below it
   CHECK((two - 2.0 * one).cwiseAbs().maxCoeff() < 1e-12 * size);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(one.size());
-  for (int k = 0; k < 6; ++k) {
-    double m[6] = {1, 1, 1, 1, 1, 1};
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::array<double, 6> m = {1, 1, 1, 1, 1, 1};
     m[k] = 2.0;
-    const Eigen::VectorXd component = forces(m[0], m[1], m[2], m[3], m[4], m[5]) - one;
+    const Eigen::VectorXd component = forces(m) - one;
     if (k != 5) CHECK(component.cwiseAbs().maxCoeff() > 1e-6 * size);
     sum += component;
   }

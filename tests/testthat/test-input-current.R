@@ -15,6 +15,10 @@ changed_currents <- function(...) {
   file
 }
 
+refused <- function(said, ...) {
+  expect_error(read_currents(...), said, class = "codend_error_file")
+}
+
 test_that("a model's current is that of the nearest water, between two hours", {
   found <- read_currents(example_currents(), 5.12, 60.3, "2026-05-03 14:30")
   expect_equal(found$depth, c(0, 10, 25, 50))
@@ -66,9 +70,6 @@ test_that("other calendars have their own days", {
   # 27 to 30 February, March and April of 30 days
   expect_equal(read("360_day", 4 + 30 + 30 + 2), common)
   expect_equal(read("all_leap", 3 + 31 + 30 + 2), common)
-  refused <- function(said, ...) {
-    expect_error(read_currents(...), said, class = "codend_error_file")
-  }
   refused("runs from 2026-05-03 13:00 to 2026-05-03 15:00 UTC, and has nothing at 2026-05-04 00:00",
     counted("360_day", 24 * 66), 5, 60, "2026-05-04")
   refused("calendar \"360_day\", which has no 2026-05-31 00:00", counted("360_day", 24 * 66), 5, 60,
@@ -78,9 +79,6 @@ test_that("other calendars have their own days", {
 
 test_that("what a file does not have is one error that says so", {
   file <- example_currents()
-  refused <- function(said, ...) {
-    expect_error(read_currents(...), said, class = "codend_error_file")
-  }
   refused("runs from 2026-05-03 13:00 to 2026-05-03 15:00 UTC", file, 5, 60, "2026-05-04")
   refused("no cell within 20 km", file, 9, 60, "2026-05-03 14:00")
   refused("no water within 5 km", file, 5.25, 60, "2026-05-03 14:00", farthest = 5000)

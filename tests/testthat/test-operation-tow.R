@@ -277,7 +277,6 @@ test_that("wrong arguments are named", {
     expect_wrong(tow(gear, ...), message)
   }
   wrong("`until`")
-  wrong("`until` is 10 kg", until = "10 kg")
   wrong("`scheme` is \"rk5\"", until = 1, scheme = "rk5")
   wrong("`course` must be 0 at the start", until = 1, course = 1)
   wrong("`warp_out` falls below", until = 1, warp_out = 0.5)

@@ -127,6 +127,13 @@ without_flutter <- function(code) {
   withCallingHandlers(code, codend_warning_board_flutter = muffle)
 }
 
+# Towed by a warp so far aft that it stalls, of which is told.
+stalled_board <- function(aft) {
+  gear <- towed_board(otter_boards.otter_board.attachments.board.aft = aft)
+  expect_warning(state <- without_flutter(settle(gear)), class = "codend_warning_board_stalled")
+  state
+}
+
 test_that("a board swings with the period of boards at sea, and rests within some seconds", {
   state <- settle(towed_board())
   modes <- board_modes(state)
@@ -165,26 +172,13 @@ test_that("a board whose swings grow is told of, and so it does", {
 })
 
 test_that("a board stands as one beside it does, and not on its side", {
-  expect_warning(
-    state <- without_flutter(
-      settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.82 m"))),
-    class = "codend_warning_board_stalled"
-  )
+  state <- stalled_board("0.82 m")
   expect_false(state$report$unstable)
-  expect_warning(
-    beside <- without_flutter(
-      settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m"))),
-    class = "codend_warning_board_stalled"
-  )
-  expect_lt(abs(state$boards$heel - beside$boards$heel) * 180 / pi, 5)
+  expect_lt(abs(state$boards$heel - stalled_board("0.75 m")$boards$heel) * 180 / pi, 5)
 })
 
 test_that("stalled and fallen boards are told of", {
-  expect_warning(
-    state <- without_flutter(
-      settle(towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m"))),
-    class = "codend_warning_board_stalled"
-  )
+  state <- stalled_board("0.75 m")
   table <- board_table(state)
   expect_equal(table$condition, "stalled")
   expect_gt(table$attack_deg, table$stall_deg)

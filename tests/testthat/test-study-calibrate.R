@@ -126,7 +126,6 @@ test_that("wrong data, matches and errors are one error that names them", {
                     class = "codend_error_argument") {
     expect_error(calibrate(towed_sphere, data, change, match, ...), words, class = class)
   }
-  wrong("data.*row per haul", data = 3)
   wrong("data.*towing.sped.*no field.*towing.speed", data = data.frame(towing.sped = 1, Drag = 1))
   wrong("data.*towing.speed.*row 2", data = data.frame(towing.speed = c(1, NA), Drag = 1))
   wrong("Row 1 of the data.*towing.speed.*-3", data = data.frame(towing.speed = -3, Drag = 1:3),
