@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "filled_model.hpp"
 #include "random_model.hpp"
 
 namespace {
@@ -231,16 +232,12 @@ TEST_CASE("added mass does not jump where a line goes slack, and has no directio
   material.volume_per_length = 3e-4;
   material.added_mass_normal = 1.0;
   material.added_mass_tangential = 0.1;
-  Model model;
-  model.nodes = 2;
-  model.held = {0, 0};
-  model.load.assign(6, 0.0);
-  model.mass = {0.0, 0.0};
+  FilledModel line;
+  Model& model = line.model;
+  model.water = Water();
   model.materials = {material};
-  model.bars.node = {0, 1};
-  model.bars.rest = {2.0};
-  model.bars.multiplicity = {1.0};
-  model.bars.material = {0};
+  const int from = line.node(Vector::Zero()), to = line.node(Vector::Zero());
+  line.bar(from, to, 2.0, 0);
   model.prepare();
   // Of one end: half of what the line displaces.
   const double water = 0.5 * 2.0 * material.volume_per_length * model.water.density;

@@ -1,11 +1,11 @@
-// What is read of a model by name, and what is refused.
+// What is read of a model by name, and what is refused, from a text of its arrays.
 #include <doctest/doctest.h>
 
 #include <map>
+#include <string>
 
 #include "base/between.hpp"
-#include "base/field_table.hpp"
-#include "base/read_fields.hpp"
+#include "codend.hpp"
 #include "gear/gear.hpp"
 #include "model/evaluate.hpp"
 
@@ -13,93 +13,59 @@ namespace {
 
 using namespace codend;
 
-// Named arrays and groups; places count from 1.
-struct Group {
-  static constexpr int first_place = 1;
-  std::map<std::string, std::vector<double>> arrays;
-  std::map<std::string, std::vector<std::string>> texts;
-  std::map<std::string, Group> groups;
-  std::map<std::string, std::vector<Group>> lists;
+// Lines of a text by the arrays that they name: the type, how many values, and these.
+using Lines = std::map<std::string, std::string>;
 
-  std::vector<std::string> names() const {
-    std::vector<std::string> out;
-    for (const auto& entry : arrays) out.push_back(entry.first);
-    for (const auto& entry : texts) out.push_back(entry.first);
-    for (const auto& entry : groups) out.push_back(entry.first);
-    for (const auto& entry : lists) out.push_back(entry.first);
-    return out;
-  }
-  std::vector<double> numbers(const char* name) const {
-    if (!arrays.count(name)) throw std::invalid_argument("must be numbers");
-    return arrays.at(name);
-  }
-  std::vector<int> whole_numbers(const char* name) const {
-    const std::vector<double> values = numbers(name);
-    return std::vector<int>(values.begin(), values.end());
-  }
-  std::vector<std::string> words(const char* name) const { return texts.at(name); }
-  Group group(const char* name) const { return groups.at(name); }
-  std::vector<Group> items(const char* name) const { return lists.at(name); }
-};
-
-// All fields of a model with nothing in it, as the table has them.
-Group empty_model() {
-  Group model;
-  model.lists["plates"] = {};
-  model.lists["sliding"] = {};
+// A weight of 100 N on a rope of 2 m and 5000 N, in vacuum; all other arrays are empty.
+Lines weight_on_rope() {
+  Lines lines = {{"nodes", "whole 1 2"},
+                 {"held", "mark 2 1 0"},
+                 {"load", "number 6 0 0 0 0 0 -100"},
+                 {"mass", "number 2 0 10"},
+                 {"wake", "number 0"},
+                 {"slack_twine", "name 1 curved"},
+                 {"ties.first", "whole 0"},
+                 {"ties.second", "whole 0"},
+                 {"ties.share", "number 0"},
+                 {"water.density", "number 1 0"},
+                 {"water.viscosity", "number 1 1e-6"},
+                 {"water.free_surface", "mark 1 0"},
+                 {"water.depth", "number 1 0"},
+                 {"water.x", "number 1 0.8"},
+                 {"water.y", "number 1 0.1"},
+                 {"materials.axial_stiffness", "number 1 5000"},
+                 {"plates", "list 0"},
+                 {"sliding", "list 0"}};
   for (const FieldRow& row : field_table<Model>()) {
-    Group* group = &model;
-    std::string rest = row.kind;
-    const std::string first = rest.substr(0, rest.find('.'));
-    if (first == "plates" || first == "sliding") continue;
-    // groups that a model may go without
-    if (first == "ground" || first == "multipliers") continue;
-    while (!rest.empty()) {
-      const std::size_t dot = rest.find('.');
-      group = &group->groups[rest.substr(0, dot)];
-      rest = dot == std::string::npos ? "" : rest.substr(dot + 1);
+    // groups that a model may go without, and those above
+    if (row.kind.empty() || row.kind == "ties" || row.kind == "water" || row.kind == "ground" ||
+        row.kind == "plates" || row.kind == "plates.polar" || row.kind == "sliding") {
+      continue;
     }
-    if (row.type == "name") {
-      group->texts[row.name] = {};
-    } else {
-      group->arrays[row.name] = {};
+    std::string values = " 0";
+    if (row.kind == "materials") {
+      values = row.name == "law" ? " 1 takagi" : row.name == "diameter" ? " 1 0.01" : " 1 0";
+    } else if (row.kind == "bars") {
+      values = row.name == "node" ? " 2 1 2" : row.name == "rest" ? " 1 2" : " 1 1";
+    } else if (row.per == "group") {
+      values = row.type == "name" ? "" : " 1 0";
     }
+    lines.insert({row.kind + "." + row.name, row.type + values});
   }
-  model.arrays["nodes"] = {0.0};
-  model.texts["slack_twine"] = {"curved"};
-  Group& water = model.groups["water"];
-  water.arrays = {{"density", {1025.0}}, {"viscosity", {1e-6}}, {"free_surface", {0.0}},
-                  {"depth", {0.0}},      {"x", {0.8}},          {"y", {0.1}}};
-  for (const char* field : {"depth", "rising", "time"}) {
-    water.groups["waves"].arrays[field] = {0.0};
-  }
-  model.groups["pressure"].arrays["drag_coefficient"] = {1.4};
-  return model;
+  return lines;
 }
 
-// A bar of 2 m between a held node and a free one.
-Group one_bar() {
-  Group model = empty_model();
-  model.arrays["nodes"] = {2.0};
-  model.arrays["held"] = {1.0, 0.0};
-  model.arrays["load"] = {0.0, 0.0, 0.0, 0.0, 0.0, -3.0};
-  model.arrays["mass"] = {0.5, 0.5};
-  Group& material = model.groups["materials"];
-  for (auto& column : material.arrays) column.second = {0.0};
-  material.arrays["axial_stiffness"] = {1e4};
-  material.texts["law"] = {"takagi"};
-  model.groups["bars"].arrays = {{"node", {1.0, 2.0}},
-                                 {"rest", {2.0}},
-                                 {"multiplicity", {1.0}},
-                                 {"height", {0.1}},
-                                 {"material", {1.0}}};
-  return model;
+Model read(const Lines& lines) {
+  std::string text;
+  for (const auto& [name, values] : lines) text += name + " " + values + "\n";
+  return read_fields<Model>(TextSource(text));
 }
 
-// What reading says of a group, and of which field; "" of one that is read.
-std::string complaint(const Group& group, std::string* field = nullptr) {
+// What reading says, and of which field; "" where all is read.
+template <class Read>
+std::string said_by(Read read, std::string* field = nullptr) {
   try {
-    read_fields<Model>(group);
+    read();
   } catch (const InputError& error) {
     if (field) *field = error.field();
     return error.what();
@@ -107,74 +73,80 @@ std::string complaint(const Group& group, std::string* field = nullptr) {
   return "";
 }
 
+// The same of the weight on its rope with some lines changed; a line without values is taken out.
+std::string complaint(const Lines& changes, std::string* field = nullptr) {
+  Lines lines = weight_on_rope();
+  for (const auto& [name, values] : changes) {
+    if (values.empty()) {
+      lines.erase(name);
+    } else {
+      lines[name] = values;
+    }
+  }
+  return said_by([&] { read(lines); }, field);
+}
+
+std::string complaint_of(const std::string& text) {
+  return said_by([&] { read_fields<Model>(TextSource(text)); });
+}
+
 }  // namespace
 
 TEST_CASE("a model is read by the names of its fields") {
-  const Model model = read_fields<Model>(one_bar());
+  const Model model = read(weight_on_rope());
   CHECK(model.nodes == 2);
   CHECK(model.held == std::vector<char>{1, 0});
   CHECK(model.water.current[0] == Vector(0.8, 0.1, 0.0));
   CHECK(!model.ground.present);
   CHECK(model.bars.node == std::vector<int>{0, 1});
   CHECK(model.bars.rest == std::vector<double>{2.0});
-  CHECK(model.materials.at(0).axial_stiffness == 1e4);
+  CHECK(model.materials.at(0).axial_stiffness == 5000);
   CHECK(model.materials.at(0).law.kind == CylinderLawKind::takagi);
   CHECK(!model.materials.at(0).strut);
 }
 
 TEST_CASE("every field that is missing, too short or too long is named") {
-  for (const char* name : {"node", "rest", "multiplicity", "height", "material"}) {
+  for (const std::string name : {"node", "rest", "multiplicity", "height", "material"}) {
     CAPTURE(name);
-    Group model = one_bar();
+    const std::string whole = "bars." + name;
     std::string field;
-    model.groups["bars"].arrays.erase(name);
-    CHECK(complaint(model, &field) == "bars." + std::string(name) + " is missing");
-    CHECK(field == "bars." + std::string(name));
-    model = one_bar();
-    model.groups["bars"].arrays[name].push_back(1.0);
-    CHECK(complaint(model).find("bars." + std::string(name) + " has ") == 0);
+    CHECK(complaint({{whole, ""}}, &field) == whole + " is missing");
+    CHECK(field == whole);
+    const bool places = name == "node" || name == "material";
+    CHECK(complaint({{whole, places ? "whole 3 1 2 1" : "number 3 1 1 1"}}).find(whole + " has ") ==
+          0);
   }
-  Group model = one_bar();
-  model.groups["bars"].arrays["rest"] = {2.0, 2.0};
-  CHECK(complaint(model) == "bars.rest has 2 values, must have 1 (1 per element)");
-  model = one_bar();
-  model.arrays["load"].pop_back();
-  CHECK(complaint(model) == "load has 5 values, must have 6 (3 per point)");
-  model = one_bar();
-  model.groups["bars"].arrays["breadth"] = {1.0};
-  CHECK(complaint(model) == "bars.breadth is not a field of the model");
+  CHECK(complaint({{"bars.rest", "number 2 2 2"}}) ==
+        "bars.rest has 2 values, must have 1 (1 per element)");
+  CHECK(complaint({{"load", "number 5 0 0 0 0 0"}}) ==
+        "load has 5 values, must have 6 (3 per point)");
+  CHECK(complaint({{"bars.breadth", "number 1 1"}}) == "bars.breadth is not a field of the model");
+  CHECK(complaint({{"mass", "name 2 0 10"}}) == "mass must be numbers");
+  CHECK(complaint({{"plates", "list 1000000000"}}) == "plates has 0 groups, must have 1000000000");
 }
 
 TEST_CASE("places that do not exist and numbers that are none are named") {
   // the last is the least that an int holds, which is R's missing value too
-  for (const double place : {0.0, 3.0, -7.0, -2147483648.0}) {
-    Group model = one_bar();
-    model.groups["bars"].arrays["node"][1] = place;
-    CHECK(complaint(model) == "bars.node[2] is " + std::to_string(static_cast<int>(place)) +
-                                  ", must be from 1 to 2 (points)");
+  for (const std::string place : {"0", "3", "-7", "-2147483648"}) {
+    CHECK(complaint({{"bars.node", "whole 2 1 " + place}}) ==
+          "bars.node[2] is " + place + ", must be from 1 to 2 (points)");
   }
-  Group model = one_bar();
-  model.groups["bars"].arrays["material"] = {2.0};
-  CHECK(complaint(model) == "bars.material[1] is 2, must be from 1 to 1 (materials)");
-  model = one_bar();
-  model.groups["bars"].arrays["rest"] = {std::nan("")};
-  CHECK(complaint(model) == "bars.rest[1] must be a finite number");
+  CHECK(complaint({{"bars.material", "whole 1 2"}}) ==
+        "bars.material[1] is 2, must be from 1 to 1 (materials)");
+  CHECK(complaint({{"bars.rest", "number 1 nan"}}) == "bars.rest[1] must be a finite number");
 }
 
 TEST_CASE("laws go by name, and an unknown one is none") {
-  Group model = one_bar();
-  model.groups["materials"].texts["law"] = {"hoerner"};
-  CHECK(complaint(model) ==
+  CHECK(complaint({{"materials.law", "name 1 hoerner"}}) ==
         "materials.law is \"hoerner\", must be constant, takagi, choo_casarella or cifuentes_kim");
-  model = one_bar();
-  model.texts["slack_twine"] = {"loose"};
-  CHECK(complaint(model) == "slack_twine is \"loose\", must be curved or straight");
+  CHECK(complaint({{"slack_twine", "name 1 loose"}}) ==
+        "slack_twine is \"loose\", must be curved or straight");
 }
 
 TEST_CASE("copies of a model are whole") {
   Model copy;
   {
-    Model model = read_fields<Model>(one_bar());
+    Model model = read(weight_on_rope());
     model.prepare();
     copy = model;
     model.materials[0].axial_stiffness = 0.0;
@@ -183,12 +155,12 @@ TEST_CASE("copies of a model are whole") {
   Assembly assembly(copy);
   const double x[6] = {0.0, 0.0, 0.0, 0.0, 0.0, -2.2}, v[6] = {};
   const Evaluation found = evaluate(assembly, x, v);
-  // 1e4 N at a strain of 0.1; the strain is a difference of numbers of the size of 1.
-  CHECK(found.bar_tension[0] == doctest::Approx(1e3).epsilon(1e-14));
+  // 5000 N at a strain of 0.1; the strain is a difference of numbers of the size of 1.
+  CHECK(found.bar_tension[0] == doctest::Approx(500.0).epsilon(1e-14));
 }
 
 TEST_CASE("every reported force is of a kind of the model, with three numbers per element") {
-  const Model model = read_fields<Model>(one_bar());
+  const Model model = read(weight_on_rope());
   const std::vector<FieldRow> fields = field_table<Model>();
   for (const ReportedForce& force : reported_forces()) {
     CAPTURE(force.name);
@@ -203,6 +175,21 @@ TEST_CASE("every reported force is of a kind of the model, with three numbers pe
   CHECK(found.forces.size() == reported_forces().size());
   CHECK(found.reported("bar_drag").size() == 3);
   CHECK(found.reported("sphere_drag").empty());
+}
+
+TEST_CASE("a text that is not of arrays is refused with its line") {
+  CHECK(complaint_of("nodes whole 1 2\nnodes whole 1 2") == "line 2: nodes stands twice");
+  CHECK(complaint_of("nodes whole 1") == "line 1: nodes has 0 values, must have 1");
+  CHECK(complaint_of("nodes whole -1") ==
+        "line 1: nodes must say how many values it has, 0 or more");
+  CHECK(complaint_of("nodes whole 99999999999") ==
+        "line 1: nodes must say how many values it has, 0 or more");
+  CHECK(complaint_of("nodes whole 1 2.5") == "line 1: nodes[1] is \"2.5\", must be a whole number");
+  CHECK(complaint_of("\n\nnodes integer 1 2") ==
+        "line 3: nodes has the type \"integer\", must have number, whole, mark, name or list");
+  CHECK(complaint_of("a..b number 0") ==
+        "line 1: a name of an array must stand here, not \"a..b\"");
+  CHECK(complaint_of("") == "nodes is missing");
 }
 
 TEST_CASE("numbers between two gears lie on their line, and all else must be the same") {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "differences.hpp"
 #include "random_model.hpp"
 
 namespace {
@@ -14,54 +15,7 @@ using namespace codend;
 // rounding leaves 1.5 x 2.2e-16 |F| / h = 1.7e-11 |F|, some ten times that where terms of F cancel,
 // and truncation h^4/30 f^(5), below 1e-10 of f' where F changes over 0.02 m or m/s or more; the
 // least distances in these models are of that size. 1e-8 leaves room for both.
-constexpr double difference = 2e-5;
 constexpr double tolerance = 1e-8;
-
-using Dense = Eigen::MatrixXd;
-
-Dense dense(const Assembly& assembly, const std::vector<double>& values) {
-  const BlockPattern& pattern = assembly.pattern();
-  Dense out = Dense::Zero(3 * pattern.n, 3 * pattern.n);
-  for (int row = 0; row < pattern.n; ++row) {
-    for (int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
-      out.block<3, 3>(3 * row, 3 * pattern.column[static_cast<std::size_t>(k)]) =
-          Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(k)]);
-    }
-  }
-  return out;
-}
-
-// -dF/dy on the free nodes by differences; y is x or v, force(F) fills 3 per node.
-template <class Force>
-Dense by_differences(const Assembly& assembly, std::vector<double>& y, Force force) {
-  const std::vector<int>& free = assembly.free_nodes();
-  const std::size_t size = y.size();
-  Dense out(3 * free.size(), 3 * free.size());
-  std::vector<double> f[4] = {std::vector<double>(size), std::vector<double>(size),
-                              std::vector<double>(size), std::vector<double>(size)};
-  const double steps[4] = {1.0, -1.0, 2.0, -2.0}, weights[4] = {8.0, -8.0, -1.0, 1.0};
-  for (std::size_t j = 0; j < free.size(); ++j) {
-    for (int c = 0; c < 3; ++c) {
-      double& moved = y[3 * static_cast<std::size_t>(free[j]) + c];
-      const double before = moved;
-      for (int k = 0; k < 4; ++k) {
-        moved = before + steps[k] * difference;
-        force(f[k]);
-      }
-      moved = before;
-      for (std::size_t i = 0; i < free.size(); ++i) {
-        for (int r = 0; r < 3; ++r) {
-          double sum = 0.0;
-          for (int k = 0; k < 4; ++k) {
-            sum += weights[k] * f[k][3 * static_cast<std::size_t>(free[i]) + r];
-          }
-          out(3 * i + r, 3 * j + c) = -sum / (12.0 * difference);
-        }
-      }
-    }
-  }
-  return out;
-}
 
 // Largest error of any column, over the column's largest entry and the largest force per metre.
 double error(const Dense& found, const Dense& expected, double force) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "filled_model.hpp"
 #include "march/march.hpp"
 #include "march/schemes.hpp"
 #include "moving_models.hpp"
@@ -54,36 +55,21 @@ Motion march(const Model& model, const Motion& start, const Scheme& scheme, doub
   return march.now();
 }
 
-}  // namespace
-
-namespace {
-
 // A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
 // end of a bar; in vacuum unless told.
-struct String {
-  Model model;
+struct String : FilledModel {
   Motion start;
   String(int bars, double length, double axial_stiffness, double mass_per_length) {
     const double rest = length / bars;
-    model.nodes = bars + 1;
-    model.held.assign(model.nodes, 0);
-    model.water.density = 0.0;
-    model.load.assign(3 * static_cast<std::size_t>(model.nodes), 0.0);
-    model.mass.assign(model.nodes, rest * mass_per_length);
-    model.mass.front() = model.mass.back() = 0.5 * rest * mass_per_length;
-    TwineMaterial material;
-    material.axial_stiffness = axial_stiffness;
-    model.materials = {material};
-    for (int b = 0; b < bars; ++b) {
-      model.bars.node.push_back(b);
-      model.bars.node.push_back(b + 1);
+    material(axial_stiffness);
+    for (int n = 0; n <= bars; ++n) {
+      node({0.0, 0.0, n * rest});
+      model.mass.back() = (n % bars ? 1.0 : 0.5) * rest * mass_per_length;
+      if (n > 0) bar(n - 1, n, rest, 0);
     }
-    model.bars.rest.assign(bars, rest);
-    model.bars.multiplicity.assign(bars, 1.0);
-    model.bars.material.assign(bars, 0);
     model.prepare();
-    start.x = start.v = Values::Zero(3 * model.nodes);
-    for (int n = 0; n < model.nodes; ++n) at(start.x.data(), n).z() = n * rest;
+    start.x = Eigen::Map<const Values>(x.data(), 3 * model.nodes);
+    start.v = Values::Zero(3 * model.nodes);
   }
   String(const String&) = delete;
 
@@ -191,13 +177,7 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
                                 0.8 * Vector(-std::sin(turn), std::cos(turn), 0.0) +
                                 random.vector(0.05);
   }
-  for (const int other : {3, 6, 9}) {
-    net.model.bars.node.push_back(0);
-    net.model.bars.node.push_back(other);
-    net.model.bars.rest.push_back(6.0);
-    net.model.bars.multiplicity.push_back(1.0);
-    net.model.bars.material.push_back(0);
-  }
+  for (const int other : {3, 6, 9}) net.bar(0, other, 6.0, 0);
   net.model.prepare();
   const Vector before = momentum(net.model, net.start);
   const double energy = net.energy(net.start);

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "differences.hpp"
 #include "march/energy_account.hpp"
 #include "march/explicit_step.hpp"
 #include "march/march.hpp"
@@ -319,30 +320,6 @@ TEST_CASE("the account of energy holds for a plate that swings in a stream") {
 
 namespace {
 
-// -dF/dy by central differences, y is x or v.
-Eigen::MatrixXd by_differences(Assembly& assembly, Specimen& s, std::vector<double>& y) {
-  constexpr double h = 1e-5;
-  const std::vector<int>& free = assembly.free_nodes();
-  const Eigen::Index size = 3 * static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd out(size, size);
-  std::vector<double> up(s.x.size()), down(s.x.size());
-  for (Eigen::Index j = 0; j < size; ++j) {
-    double& moved = y[static_cast<std::size_t>(3 * free[static_cast<std::size_t>(j / 3)] + j % 3)];
-    const double before = moved;
-    for (auto* force : {&up, &down}) {
-      moved = before + (force == &up ? h : -h);
-      assembly.move_to(s.x.data(), s.v.data());
-      assembly.residual(force->data());
-    }
-    moved = before;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const auto k = static_cast<std::size_t>(3 * free[static_cast<std::size_t>(i / 3)] + i % 3);
-      out(i, j) = -(up[k] - down[k]) / (2.0 * h);
-    }
-  }
-  return out;
-}
-
 Eigen::MatrixXd dense_mass(Assembly& assembly, Specimen& s) {
   const std::vector<int>& free = assembly.free_nodes();
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(free.size());
@@ -385,9 +362,12 @@ TEST_CASE("modes of bodies are eigenvalues of the gear's matrices, and none of t
     }
     s.model.prepare();
     Assembly assembly(s.model);
-    const Eigen::MatrixXd stiffness = by_differences(assembly, s, s.x),
-                          damping = by_differences(assembly, s, s.v),
-                          mass = dense_mass(assembly, s);
+    auto force = [&](std::vector<double>& out) {
+      assembly.move_to(s.x.data(), s.v.data());
+      assembly.residual(out.data());
+    };
+    const Dense stiffness = by_differences(assembly, s.x, force),
+                damping = by_differences(assembly, s.v, force), mass = dense_mass(assembly, s);
     CHECK((mass - mass.transpose()).norm() < 1e-12 * mass.norm());
     const Eigen::Index n = mass.rows();
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "filled_model.hpp"
 #include "march/check_schedule.hpp"
 #include "march/explicit_step.hpp"
 #include "march/march.hpp"
@@ -23,26 +24,21 @@ Curve constant(double value) { return {{0.0, 1.0}, {value}, {value}, {0.0}, {0.0
 
 // Weights of 2 kg (nodes 1 and 2) one below the other on two bars of 1 m, held at node 0, in vacuum;
 // a bar of 1e5 N and 1 m stretches by 4e-4 m under both.
-struct Weights {
-  Model model;
+struct Weights : FilledModel {
   Motion start;
   Weights() {
-    model.nodes = 3;
-    model.held = {1, 0, 0};
-    model.water.density = 0.0;
-    model.mass = {0.0, 2.0, 2.0};
-    model.load = {0.0, 0.0, 0.0, 0.0, 0.0, -2.0 * gravity, 0.0, 0.0, -2.0 * gravity};
-    TwineMaterial material;
-    material.axial_stiffness = stiffness;
-    model.materials = {material};
-    model.bars.node = {0, 1, 1, 2};
-    model.bars.rest = {1.0, 1.0};
-    model.bars.multiplicity = {1.0, 1.0};
-    model.bars.material = {0, 0};
+    const double first = -(1.0 + 4.0 * gravity / stiffness);
+    material(stiffness);
+    for (const double z : {0.0, first, first - (1.0 + 2.0 * gravity / stiffness)}) {
+      const int one = node({0.0, 0.0, z}, z == 0.0);
+      if (one == 0) continue;
+      model.mass.back() = 2.0;
+      model.load.back() = -2.0 * gravity;
+      bar(one - 1, one, 1.0, 0);
+    }
     model.prepare();
-    start.x = start.v = Values::Zero(9);
-    start.x[5] = -(1.0 + 4.0 * gravity / stiffness);
-    start.x[8] = start.x[5] - (1.0 + 2.0 * gravity / stiffness);
+    start.x = Eigen::Map<const Values>(x.data(), 9);
+    start.v = Values::Zero(9);
   }
   Weights(const Weights&) = delete;
   static constexpr double stiffness = 1e5;

@@ -48,11 +48,6 @@ bool is_finite(const Structure& s) {
   return std::isfinite(s.report.residual) && std::isfinite(s.report.worst_force);
 }
 
-// Forces on the lower and the upper end of the elastic catenary below.
-struct Ends {
-  Vector lower, upper;
-};
-
 // A rope ladder: columns hang from a held row and carry loads, and rungs are too long to help.
 Structure ladder(Random& random, double disorder) {
   Structure s;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "allocation_count.hpp"
+#include "filled_model.hpp"
 #include "model/assembly.hpp"
 #include "solve/settle.hpp"
 
@@ -13,38 +14,23 @@ using namespace codend;
 
 // Square netting of n x n knots 0.5 m apart in a current of 0.5 m/s, held by its upper row, with a
 // load of 8.5 N on each knot of the lowest; flat and upright at first, as between two poles.
-struct SquareNet {
-  Model model;
-  std::vector<double> x;
-
+struct SquareNet : FilledModel {
   explicit SquareNet(int n) {
+    model.water = Water();
     model.water.current = {Vector(0.5, 0.0, 0.0)};
-    TwineMaterial twine;
-    twine.axial_stiffness = 1.2e4;
-    twine.diameter = 0.004;
-    twine.law = {CylinderLawKind::constant, 1.2, 0.0314, 0.0, 0.0};
-    model.materials = {twine};
-    model.nodes = n * n;
+    const int twine = material(1.2e4);
+    model.materials[0].diameter = 0.004;
+    model.materials[0].law = {CylinderLawKind::constant, 1.2, 0.0314, 0.0, 0.0};
     for (int row = 0; row < n; ++row) {
       for (int column = 0; column < n; ++column) {
-        const int node = row * n + column;
-        x.insert(x.end(), {0.0, 0.5 * column, -0.5 * row});
-        model.held.push_back(row == 0 ? 1 : 0);
-        model.mass.push_back(0.03);
-        model.load.insert(model.load.end(), {0.0, 0.0, row == n - 1 ? -8.5 : -0.02});
-        if (row > 0) bar(node - n, node);
-        if (row > 0 && column > 0) bar(node - 1, node);
+        const int knot = node({0.0, 0.5 * column, -0.5 * row}, row == 0);
+        model.mass.back() = 0.03;
+        model.load.back() = row == n - 1 ? -8.5 : -0.02;
+        if (row > 0) bar(knot - n, knot, 0.5, twine);
+        if (row > 0 && column > 0) bar(knot - 1, knot, 0.5, twine);
       }
     }
     model.prepare();
-  }
-
- private:
-  void bar(int a, int b) {
-    model.bars.node.insert(model.bars.node.end(), {a, b});
-    model.bars.rest.push_back(0.5);
-    model.bars.multiplicity.push_back(1.0);
-    model.bars.material.push_back(0);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "filled_model.hpp"
 #include "march/march.hpp"
 #include "march/newton_step.hpp"
 #include "random_model.hpp"
@@ -22,31 +23,24 @@ Ingredients ropes(int count) {
 
 // A weight that slides on a weightless rope of length `rest` between two held points `span` apart,
 // the second `drop` lower.
-struct Ellipse {
-  double span = 8.0, drop = 0.0, rest = 10.0, weight = 100.0;
-  Model model;
-  std::vector<double> x, v = std::vector<double>(9, 0.0);
+struct Ellipse : FilledModel {
+  double span = 8.0, rest = 10.0, weight = 100.0;
+  std::vector<double> v = std::vector<double>(9, 0.0);
 
-  Ellipse(double drop_by, double stiffness, double bend) : drop(drop_by) {
-    model.nodes = 3;
-    model.held = {1, 0, 1};
-    model.water.density = 0.0;
-    model.load = {0, 0, 0, 0, 0, -weight, 0, 0, 0};
-    model.mass = {0, weight / 9.81, 0};
-    TwineMaterial material;
-    material.diameter = 0.01;
-    model.materials = {material};
-    model.bars.node = {0, 1, 1, 2};
-    model.bars.rest = {0.5 * rest, 0.5 * rest};
-    model.bars.multiplicity = {1.0, 1.0};
-    model.bars.material = {0, 0};
+  Ellipse(double drop, double stiffness, double bend) {
+    node({0, 0, 0}, true);
+    node({2.0, 0.5, -1.0});
+    node({span, 0, -drop}, true);
+    model.load[5] = -weight;
+    model.mass[1] = weight / 9.81;
+    const int slack = material(0.0);
+    model.materials[0].diameter = 0.01;
     SlidingRope rope;
-    rope.bar = {0, 1};
+    rope.bar = {bar(0, 1, 0.5 * rest, slack), bar(1, 2, 0.5 * rest, slack)};
     rope.axial_stiffness = stiffness;
     rope.bend = bend;
     model.sliding = {rope};
     model.prepare();
-    x = {0, 0, 0, 2.0, 0.5, -1.0, span, 0, -drop};
   }
 };
 

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "differences.hpp"
 #include "random_model.hpp"
 #include "solve/stability.hpp"
 
@@ -28,14 +29,7 @@ TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that
     std::vector<double> values(9 * pattern.column.size()), damping(n), places;
     assembly.jacobian({1.0, 0.0}, values.data());
     assembly.pseudo_damping(damping.data());
-    Eigen::MatrixXd k = Eigen::MatrixXd::Zero(3 * pattern.n, 3 * pattern.n);
-    for (int row = 0; row < pattern.n; ++row) {
-      for (int64_t b = pattern.row_start[row]; b < pattern.row_start[row + 1]; ++b) {
-        k.block<3, 3>(3 * row, 3 * pattern.column[static_cast<std::size_t>(b)]) =
-            Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(b)]);
-      }
-    }
-    Eigen::MatrixXd rates = -k;
+    Dense rates = -dense(assembly, values);
     for (int row = 0; row < 3 * pattern.n; ++row) {
       rates.row(row) /= damping[static_cast<std::size_t>(row / 3)];
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "filled_model.hpp"
 #include "random_model.hpp"
 #include "solve/tangent.hpp"
 
@@ -13,25 +14,14 @@ using namespace codend;
 
 // Two bars of 1 m and EA 1e4 N between points 2 m apart, their middle (node 2) pulled down by P N:
 // it sags by h with P = 2 EA (L - 1) h / L, L = sqrt(1 + h^2).
-struct Truss {
-  Model model;
-  std::vector<double> x{-1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-
+struct Truss : FilledModel {
   explicit Truss(double sag, double pull) {
-    model.nodes = 3;
-    model.held = {1, 1, 0};
-    model.water.density = 0.0;
-    model.mass = {0.0, 0.0, 0.0};
-    model.load = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -pull};
-    TwineMaterial material;
-    material.axial_stiffness = stiffness;
-    model.materials = {material};
-    model.bars.node = {0, 2, 2, 1};
-    model.bars.rest = {1.0, 1.0};
-    model.bars.multiplicity = {1.0, 1.0};
-    model.bars.material = {0, 0};
+    const int left = node({-1.0, 0.0, 0.0}, true), right = node({1.0, 0.0, 0.0}, true);
+    const int middle = node({0.0, 0.0, -sag});
+    at(model.load.data(), middle).z() = -pull;
+    bar(left, middle, 1.0, material(stiffness));
+    bar(middle, right, 1.0, 0);
     model.prepare();
-    x[8] = -sag;
   }
 
   static constexpr double stiffness = 1e4;

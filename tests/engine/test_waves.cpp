@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filled_model.hpp"
 #include "march/explicit_step.hpp"
 #include "march/march.hpp"
 #include "march/newton_step.hpp"
@@ -175,27 +176,21 @@ TEST_CASE("waves are stretched to their surface and end at the bottom") {
 TEST_CASE("the force of waves on a fixed pile is Morison's") {
   const double depth = 10.0, diameter = 0.4, amplitude = 1e-3, period = 5.0;
   const int bars = 400;
-  Model model;
-  model.nodes = bars + 1;
-  model.held.assign(static_cast<std::size_t>(model.nodes), 1);
-  model.load.assign(3 * static_cast<std::size_t>(model.nodes), 0.0);
-  model.mass.assign(static_cast<std::size_t>(model.nodes), 0.0);
-  TwineMaterial pile;
-  pile.axial_stiffness = 1e9;
+  FilledModel filled;
+  Model& model = filled.model;
+  const std::vector<double>& x = filled.x;
+  model.water = Water();
+  filled.material(1e9);
+  TwineMaterial& pile = model.materials[0];
   pile.diameter = diameter;
   pile.volume_per_length = pi / 4.0 * diameter * diameter;
   pile.added_mass_normal = 0.9;
   pile.added_mass_tangential = 0.0;
   pile.law.normal = 1.05;
-  model.materials = {pile};
-  std::vector<double> x;
   const double long_one = depth / bars;
-  for (int k = 0; k <= bars; ++k) x.insert(x.end(), {0.0, 0.0, -long_one * k});
+  for (int k = 0; k <= bars; ++k) filled.node({0.0, 0.0, -long_one * k}, true);
   for (int k = 0; k < bars; ++k) {
-    model.bars.node.insert(model.bars.node.end(), {k, k + 1});
-    model.bars.rest.push_back(long_one);
-    model.bars.multiplicity.push_back(1.0);
-    model.bars.material.push_back(0);
+    filled.bar(k, k + 1, long_one, 0);
     for (const int node : {k, k + 1}) {
       model.volumes.node.push_back(node);
       model.volumes.buoyancy.push_back(1025.0 * gravity * 0.5 * long_one * pile.volume_per_length);
