@@ -21,7 +21,7 @@ options(device = function(...) grDevices::pdf(NULL, ...))
 # Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start
 # R.
 slow <- c(
-  "command", "command-line", "command-line-export", "draw-gear", "finding", "flume",
+  "command", "command-line", "draw-gear", "finding", "flume",
   "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
   "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "readme",
   "report",

@@ -71,7 +71,7 @@ std::string complaint(const Schedule& schedule) {
 
 }  // namespace
 
-TEST_CASE("a vessel swings with the waves and by its own record") {
+TEST_CASE("a vessel moves and turns, and swings with the waves and by its own record") {
   Weights weights;
   Waves& waves = weights.model.water.waves;
   waves.amplitude = {0.8};
@@ -92,16 +92,24 @@ TEST_CASE("a vessel swings with the waves and by its own record") {
   body.swing.even = {0.3, 0.2, 0.5, 0.05, 0.04, 0.03};
   body.swing.odd = {-0.1, 0.4, 0.2, 0.02, -0.03, 0.01};
   for (int j = 0; j < 6; ++j) body.swing.by_time.push_back(ramp(0.0, 0.1 + 0.02 * j, 10.0));
+  const double c = std::cos(1.2), s = std::sin(1.2);  // at 8 s
   Assembly assembly(weights.model);
-  ScheduledConditions conditions(weights.model, assembly, schedule, weights.start);
   Motion motion = weights.start, sooner = motion, later = motion;
-  for (const double time : {4.0, 8.0}) {
-    // Velocities are those of the positions: second order in 1e-4 s, at 1.1 rad/s and 40 m.
-    conditions.to_time(time - 1e-4, Side::before, sooner);
-    conditions.to_time(time + 1e-4, Side::before, later);
-    conditions.to_time(time, Side::before, motion);
-    const Values slope = (later.x - sooner.x) / 2e-4;
-    CHECK((slope - motion.v).norm() < 1e-7);
+  for (const bool swings : {false, true}) {
+    Schedule run = schedule;
+    if (!swings) run.motion.swing = {};
+    ScheduledConditions conditions(weights.model, assembly, run, weights.start);
+    for (const double time : {4.0, 8.0}) {
+      // Velocities are those of the positions: second order in 1e-4 s, at 1.1 rad/s and 40 m.
+      conditions.to_time(time - 1e-4, Side::before, sooner);
+      conditions.to_time(time + 1e-4, Side::before, later);
+      conditions.to_time(time, Side::before, motion);
+      const Values slope = (later.x - sooner.x) / 2e-4;
+      CHECK((slope - motion.v).norm() < (swings ? 1e-7 : 1e-8));
+    }
+    if (swings) continue;
+    const Vector turned(-16.0 + 30.0 * c + 4.0 * s, 5.0 - 30.0 * s + 4.0 * c, 6.0);
+    CHECK((motion.x.head<3>() - turned).norm() < 1e-12);
   }
   // Turned by its parts one after the other, about the centre, at 8 s.
   const double q =
@@ -123,7 +131,6 @@ TEST_CASE("a vessel swings with the waves and by its own record") {
   x += -10.0 - by[0];
   y += by[1];
   z += 2.0 + by[2];
-  const double c = std::cos(1.2), s = std::sin(1.2);
   CHECK(motion.x[0] == doctest::Approx(-16.0 + x * c + y * s).epsilon(1e-12));
   CHECK(motion.x[1] == doctest::Approx(5.0 - x * s + y * c).epsilon(1e-12));
   CHECK(motion.x[2] == doctest::Approx(z).epsilon(1e-12));

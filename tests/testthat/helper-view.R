@@ -85,7 +85,7 @@ values_at <- function(told, k) {
 }
 
 # Draws x by plot(x, ...) to a file that is more than empty, and gives x back.
-expect_drawn <- function(x, ...) {
+expect_picture <- function(x, ...) {
   file <- tempfile(fileext = ".png")
   expect_identical(plot(x, ..., file = file), x)
   expect_gt(file.size(file), 5000)

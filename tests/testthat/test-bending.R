@@ -83,11 +83,3 @@ test_that("what is too stiff to have a tension does not settle", {
     class = "codend_error_not_converged")
   expect_gt(error$report$part_rounding, 1e-3)
 })
-
-test_that("a report tells how well every part is in balance", {
-  state <- settle("poly_noreastern_trawl", nodes = 300)
-  report <- state$report
-  expect_lte(report$part_residual, 1e-6)
-  expect_true(is.na(report$worst_part) || report$worst_part %in% state$lattice$parts$name)
-  expect_gt(report$part_rounding, 0)
-})

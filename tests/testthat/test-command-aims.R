@@ -13,32 +13,22 @@ test_that("an optimum is found and written from the command line", {
     tolerance = 1e-3)
 })
 
-test_that("hauls of a CSV file calibrate from the command line", {
-  data <- tempfile(fileext = ".csv")
-  writeLines(c("towing.speed,Depth", "3 knot,590", "4 knot,503", "5 knot,430", "6 knot,370"), data)
-  out <- tempfile(fileext = ".yaml")
-  said <- capture.output(status <- suppressMessages(run_command(c(
-    "calibrate", "--data", data, "--match", "Depth ~ body_depth_m", "--nodes", "50",
-    "--change", "ropes.cable.coefficients.normal = 0.5 .. 3", "--out", out, "towed_cable"
-  ))))
-  expect_identical(status, 0L)
-  expect_true(any(grepl("Depth +4 hauls", said)))
-  expect_true(file.exists(out))
-})
-
-test_that("a calibration predicts other hauls and says what its misfit points at", {
+test_that("hauls of a CSV file calibrate, predict others and say what their misfit points at", {
   data <- tempfile(fileext = ".csv")
   others <- tempfile(fileext = ".csv")
+  plan <- tempfile(fileext = ".yaml")
   out <- tempfile(fileext = ".csv")
   writeLines(c("towing.speed,Depth", "3 knot,590", "4 knot,503", "5 knot,430", "6 knot,370"), data)
   writeLines(c("towing.speed,Depth", "3.5 knot,545"), others)
   said <- capture.output(status <- suppressMessages(run_command(c(
     "calibrate", "--data", data, "--match", "Depth ~ body_depth_m", "--nodes", "50",
-    "--change", "ropes.cable.coefficients.normal = 0.5 .. 3", "--explain", "--predict", others,
-    "--predicted", out, "towed_cable"
+    "--change", "ropes.cable.coefficients.normal = 0.5 .. 3", "--out", plan, "--explain",
+    "--predict", others, "--predicted", out, "towed_cable"
   ))))
   expect_identical(status, 0L)
+  expect_match(said, "Depth +4 hauls", all = FALSE)
   expect_match(said, "pieces.sphere", all = FALSE)
+  expect_true(file.exists(plan))
   found <- utils::read.csv(out)
   expect_identical(found$measured, 545L)
   expect_true(found$low < found$fit && found$fit < found$high)

@@ -75,10 +75,6 @@ test_that("check, gears and expand show plans", {
   expect_match(command("check", "towed_cable")$out[1], "Towed cable with a sphere")
   changed <- command("check", "towed_cable", "--set", "name=Another")
   expect_match(changed$out[1], "Another")
-  expect_one_message(
-    command("check", "towed_cable", "--set", "ropes.cable.length=-5 m"), 1L,
-    "`ropes.cable.length` is -5 m"
-  )
   shown <- command("gears")$out
   for (name in gears()$name) expect_true(any(startsWith(shown, name)))
   plan <- tempfile(fileext = ".yaml")
@@ -133,12 +129,6 @@ test_that("settle writes pictures and tables", {
   for (plane in c("xy.png", "xz.png", "yz.png")) {
     expect_identical(readBin(file.path(out, plane), "raw", 4L), as.raw(c(0x89, 0x50, 0x4e, 0x47)))
   }
-  state <- settle(read_gear("crossing_cables"))
-  # CSV holds 15 significant digits
-  expect_equal(
-    utils::read.csv(file.path(out, "tensions.csv"))$tension_kN,
-    as.data.frame(state, what = "tensions")$tension_kN, tolerance = 1e-13
-  )
   expect_match(paste(ran$out, collapse = "\n"), "Measures")
 })
 

@@ -81,6 +81,42 @@ test_that("export writes every format of a state, each as its writer does", {
     tolerance = 1e-13)
 })
 
+test_that("a kept state is exported as its plan is, and a wrong use settles nothing", {
+  skip_if_not_installed("RNetCDF")
+  folder <- test_folder()
+  at <- function(name) file.path(folder, name)
+  made <- ran("export", "towed_cable", at("cable.vtu"), at("cable.nc"), "--set", "towing.speed=2")
+  expect_identical(made$status, 0L)
+  expect_identical(read_state(at("cable.nc"))$si$towing$speed, 2)
+  expect_identical(ran("export", at("cable.nc"), at("again.vtu"))$status, 0L)
+  expect_identical(unname(tools::md5sum(at("again.vtu"))), unname(tools::md5sum(at("cable.vtu"))))
+  wrong <- function(...) {
+    found <- ran("export", ...)
+    expect_identical(found$status, 2L)
+    paste(found$err, collapse = " ")
+  }
+  wrong("towed_cable")
+  expect_match(wrong("towed_cable", at("cable.obj")), "must end in one of .vtu")
+  wrong("towed_cable", at("cable.pvd"))
+  wrong("towed_cable", file.path(tempfile(), "cable.vtu"))
+  wrong("kept.nc", "--nodes", "9", at("a.vtu"))
+})
+
+test_that("a plan is drawn in every format, on the sheet that is asked for", {
+  files <- file.path(test_folder(), c("net.svg", "net.dxf", "net.jpg"))
+  drawn <- ran("draw", "gillnet", files[1:2], "--page", "A3", "--set", "wall.mesh_size=140 mm")
+  expect_identical(drawn$status, 0L)
+  expect_true(all(file.exists(files[1:2])))
+  svg <- paste(readLines(files[1]), collapse = "")
+  expect_match(svg, "width=\"420mm\"", fixed = TRUE)
+  expect_match(svg, ">140<", fixed = TRUE)
+  wrong <- ran("draw", "gillnet", files[3])
+  expect_identical(wrong$status, 2L)
+  expect_match(paste(wrong$err, collapse = " "), "must end in one of .svg, .pdf, .png, .dxf",
+    fixed = TRUE)
+  expect_identical(ran("draw", "gillnet", files[1], "--page", "B4")$status, 2L)
+})
+
 test_that("no two formats share a name or an extension", {
   expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "name")) > 0)
   expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "extension")) > 0)

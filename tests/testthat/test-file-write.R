@@ -8,7 +8,10 @@ test_that("a file is replaced at once, and nothing else is left", {
   expect_identical(write_text("new", file), file)
   expect_identical(readLines(file, warn = FALSE), "new")
   expect_error(
-    write_file(file, function(path) stop("no ink.")), "no ink", class = "codend_error_file"
+    write_file(file, function(path) {
+      writeLines("half", path)
+      stop("no ink.")
+    }), "no ink", class = "codend_error_file"
   )
   expect_error(write_file(file, function(path) NULL), "No such file", class = "codend_error_file")
   expect_identical(readLines(file, warn = FALSE), "new")

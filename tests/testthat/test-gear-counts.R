@@ -37,16 +37,6 @@ test_that("rates of the two edges share the loss as they are cut", {
   expect_identical(panel_rates(gear_si(gear)$panels$net), c(left = "AB", right = "1N2B"))
 })
 
-test_that("a rate that is written out reads back as the slope that it was made of", {
-  for (lost in c(3, 7, 10.5, 24, 33)) {
-    for (deep in c(12, 33, 41)) {
-      rate <- cutting_rate(lost, deep)
-      if (startsWith(rate, "~")) next
-      expect_equal(cutting_slope(rate, "x"), lost / deep, label = rate)
-    }
-  }
-})
-
 test_that("counts and rate that do not agree are refused, with a rate that does", {
   error <- function(...) {
     tryCatch(cut_panel(...), codend_error_plan = function(e) {

@@ -102,12 +102,6 @@ test_that("an assembly stands for itself", {
   expect_wrong(assembly(list()))
 })
 
-test_that("shipped plans are listed", {
-  listed <- gears()
-  expect_true(all(c("towed_cable", "crossing_cables") %in% listed$name))
-  expect_named(listed, c("name", "title", "kind"))
-})
-
 test_that("a wrong change after a right one is found", {
   gear <- update(read_gear("midwater_trawl"), towing.speed = 2)
   expect_refused(update(gear, warps.length = "-3 m"))

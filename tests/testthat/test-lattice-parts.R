@@ -163,24 +163,3 @@ test_that("knotted netting weighs what the published table says, with both kinds
   square <- function(knotted) mass(plan(50, 2, knotted, "square"), "bars")
   expect_equal(square(TRUE) / square(FALSE), 1 + 16 * 2 / 50, tolerance = 1e-10)
 })
-
-test_that("the drag table weighs knots with their panel", {
-  held <- function(knotted) {
-    settle(as_gear(list(
-      codend = 1, name = "Netting", panels = list(net = list(
-        mesh_size = 0.1, meshes = list(upper = 12, lower = 12, deep = 10), knotted = knotted,
-        twine = list(diameter = 0.002, material = "polyamide")
-      )), points = list(
-        nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed"),
-        other = list(at = "net.upper_right", position = c(0, 0.6, 0), held = "fixed")
-      )
-    )), nodes = 200)
-  }
-  for (knotted in c(TRUE, FALSE)) {
-    state <- held(knotted)
-    table <- as.data.frame(state, what = "drag")
-    # still water: the supports carry the weight of what hangs from them
-    pull <- sum(as.data.frame(state, what = "reactions")$z_kN)
-    expect_equal(pull, sum(table$weight_in_water_kN), tolerance = 1e-7)
-  }
-})

@@ -58,7 +58,7 @@ test_that("a codend's meshes and their pictures", {
   # twine is taut or slack, so that a mesh is at most as wide as it is long, stretched a little
   expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
   expect_gt(max(found$mesh_opening_mm), 0)
-  expect_drawn(found)
+  expect_picture(found)
   lines <- coloured_drawing(state, "mesh_opening")
   value <- lines$drawing$netting$tension
   expect_length(value, length(state_drawing(state)$netting$tension))

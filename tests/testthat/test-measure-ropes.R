@@ -39,7 +39,7 @@ test_that("ropes are chosen by name and by role, and both sides are neighbours",
   labels <- unique(drawn[drawn$heading == "hand rope", c("group", "label")])
   expect_identical(labels$label[order(labels$group)],
     c("upper port", "upper starboard", "lower port", "lower starboard"))
-  expect_drawn(some)
+  expect_picture(some)
 })
 
 test_that("ropes of one role that follow each other are one line", {

@@ -112,15 +112,6 @@ test_that("colours have one scale for the whole tow", {
   expect_equal(as.double(told$limits), tension_scale(all, "rope")$limits)
 })
 
-test_that("the page of a tow is one file", {
-  file <- file.path(test_folder(), "tow.html")
-  view_3d(turning_trawl(), file = file)
-  html <- paste(readLines(file, warn = FALSE), collapse = "\n")
-  expect_lt(file.size(file), 2e6)
-  expect_match(html, "\"graph_times\"", fixed = TRUE)
-  expect_false(grepl("src=[\"'](?!data:)", html, perl = TRUE))
-})
-
 test_that("times are told in seconds, or in minutes where a tow is long", {
   expect_equal(time_words(61.25, 100), "61.2 s")
   expect_equal(time_words(659.7, 2400), "11:00 min")

@@ -63,7 +63,7 @@ test_that("other files are refused with their reason", {
   expect_error(read_state(file), "no NetCDF", class = "codend_error_file")
 })
 
-test_that("Python's standard library reads a state, and its plan is a plan", {
+test_that("Python's standard library reads a state", {
   skip_if_not(has_python("json"), "Python is not installed")
   file <- file.path(test_folder(), "state.json")
   for (name in c("towed_cable", "model_cage")) {
@@ -85,9 +85,6 @@ test_that("Python's standard library reads a state, and its plan is a plan", {
     expect_identical(found$node, t(matrix(engine_array(state, "bars", "node"), 2L)))
     expect_identical(found$across, c("bar", "bar_end"))
     expect_identical(found$parts, parts_of(state)$name)
-    plan <- file.path(test_folder(), "plan.json")
-    write_gear(state$gear, plan)
-    expect_identical(read_gear(plan)$plan, state$gear$plan)
   }
 })
 

@@ -116,7 +116,7 @@ test_that("rows without a measurement are not matched, those alike are settled o
     error = c(NA, 5))
   expect_length(fit$task$cases, 2)
   expect_identical(fit$match$hauls, c(4L, 1L))
-  expect_drawn(fit)
+  expect_picture(fit)
   expect_output(print(summary(fit)), "Furthest off")
 })
 

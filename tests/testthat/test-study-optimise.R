@@ -192,7 +192,7 @@ test_that("optima are printed and drawn", {
     list(towing.speed = c("1 m/s", "3 m/s")))
   expect_output(print(found), "total_drag/towing.speed: 94.59 before")
   expect_output(print(summary(found)), "Force balance")
-  expect_drawn(found)
+  expect_picture(found)
   expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
 })
 
@@ -242,7 +242,7 @@ test_that("a trade-off goes along the closed form of its curve", {
   expect_equal(-found$depth[4], 10 * weight / sqrt(weight^2 + drag_by_speed^2), tolerance = 1.1e-3)
   expect_true(all(diff(found$depth) < 0) && all(found$kept))
   expect_output(print(found), "-towing.speed and -depth")
-  expect_drawn(found)
+  expect_picture(found)
   expect_wrong(trade_off(towed_sphere(), ~depth, change = list()), "two objectives")
 })
 
