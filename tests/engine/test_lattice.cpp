@@ -87,6 +87,14 @@ TEST_CASE("strains linear along and across each family are carried, and others h
       CHECK(inner > 500);
       // Depths are told apart to 1e-6 of the panel's.
       CHECK(off < 3e-6);
+      // The middles of the rope's bars, weighed by their lengths, lie about its own.
+      double weighed = 0.0, whole = 0.0;
+      for (std::size_t b = 0; b < to.bar_part.size(); ++b) {
+        if (to.bar_part[b] != 0) continue;
+        weighed += to.bar_rest[b] * places[b].s;
+        whole += to.bar_rest[b];
+      }
+      CHECK(weighed == doctest::Approx(0.5 * whole).epsilon(1e-12));
     }
   }
 }

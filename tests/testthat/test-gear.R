@@ -46,7 +46,8 @@ test_that("a gear that was changed is checked to what its plan gives anew", {
     gear <- chained <- read_gear(name)
     for (change in changes) {
       # some gears have no such field
-      changed <- tryCatch(do.call(update, c(list(chained), change)), codend_error = function(e) NULL)
+      changed <- tryCatch(do.call(update, c(list(chained), change)),
+        codend_error = function(e) NULL)
       if (is.null(changed)) next
       taken <- taken + 1
       chained <- changed

@@ -46,8 +46,8 @@ test_that("the speed that a power tows is that at which the drag is what the ves
 
 test_that("a vessel's table that cannot be is told", {
   bad <- function(...) {
-    expect_refused(update(read_gear("towed_cable"), vessel = list(power = "1 MW", pull = list(...))),
-      "vessel.pull")
+    vessel <- list(power = "1 MW", pull = list(...))
+    expect_refused(update(read_gear("towed_cable"), vessel = vessel), "vessel.pull")
   }
   bad(list(speed = 3, pull = 10), list(speed = 1, pull = 5))
   bad(list(speed = 0, pull = 10), list(speed = 1, pull = 15))
