@@ -30,12 +30,14 @@ check_inches <- function(name, value) {
   }
 }
 
-# A picture on the current device, or in a file where one is given.
+# A picture of x on the current device, or in a file where one is given; x, invisibly.
 # draw: a function(page) of the page's size, inches; height: of the file's page, NULL for `fitting`.
-show_picture <- function(draw, file, width, height, title, fitting = NULL) {
+show_picture <- function(x, draw, file, width, height, title, fitting) {
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)
-  if (is.null(file)) return(invisible(draw(grDevices::dev.size())))
-  check_file_path(file, picture_types)
-  write_picture(file, c(width, if (is.null(height)) fitting else height), title, draw)
+  if (is.null(file)) draw(grDevices::dev.size()) else {
+    check_file_path(file, picture_types)
+    write_picture(file, c(width, first_of(height, fitting)), title, draw)
+  }
+  invisible(x)
 }

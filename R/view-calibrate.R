@@ -21,34 +21,27 @@ plot.codend_calibration <- function(x, by = NULL, file = NULL, width = 8, height
   along <- if (by == "row") seq_len(nrow(data)) else data[[by]]
   if (!is.numeric(along)) along <- factor(along, unique(along))
   title <- paste0("Calibration of ", x$gear$plan$name)
-  show_picture(function(page) draw_calibration(x, along, by, title, page), file, width, height,
-    title, min(100, series_title + key_row + 2.8 * nrow(x$match)))
-  invisible(x)
-}
-
-draw_calibration <- function(x, along, by, title, page) {
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  begin_study_page(page)
-  graphics::par(mfrow = c(nrow(x$match), 2L))
-  for (k in seq_len(nrow(x$match))) {
-    rows <- x$matched[x$matched$match == x$match$text[k], ]
-    draw_agreement(rows, x$match$text[k])
-    draw_residuals(rows, along[rows$row], by, x$match$error[k])
+  draw <- function() {
+    graphics::par(mfrow = c(nrow(x$match), 2L))
+    for (k in seq_len(nrow(x$match))) {
+      rows <- x$matched[x$matched$match == x$match$text[k], ]
+      draw_agreement(rows, x$match$text[k])
+      draw_residuals(rows, along[rows$row], by, x$match$error[k])
+    }
   }
-  draw_head(title, list(missing = NULL), page)
+  show_picture(x, function(page) draw_under(title, page, draw), file, width, height, title,
+    min(100, series_title + key_row + 2.8 * nrow(x$match)))
 }
 
 draw_agreement <- function(rows, text) {
   ends <- range(rows$measured, rows$fitted, rows$begun, finite = TRUE)
   graphics::plot(ends, ends, type = "n", xlab = "measured", ylab = "")
-  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
+  quiet_grid()
   graphics::abline(0, 1, col = "grey40")
   graphics::points(rows$measured, rows$begun, pch = 21, col = "grey55", bg = "white", cex = 0.8)
   graphics::points(rows$measured, rows$fitted, pch = 21, col = water_colour, bg = water_colour,
     cex = 0.8)
-  graphics::mtext(paste0(text, ", settled (open: before, filled: now)"), side = 3, line = 0.3,
-    adj = 0, cex = 0.72, font = 2)
+  figure_heading(paste0(text, ", settled (open: before, filled: now)"))
 }
 
 draw_residuals <- function(rows, along, by, error) {
@@ -60,6 +53,5 @@ draw_residuals <- function(rows, along, by, error) {
   graphics::abline(h = c(-2, 0, 2) * error, col = c("grey60", "grey40", "grey60"),
     lty = c(2, 1, 2))
   graphics::points(at, rows$residual, pch = 21, col = water_colour, bg = water_colour, cex = 0.8)
-  graphics::mtext("Measured less settled; dashed: twice the error", side = 3, line = 0.3, adj = 0,
-    cex = 0.72, font = 2)
+  figure_heading("Measured less settled; dashed: twice the error")
 }

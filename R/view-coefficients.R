@@ -16,9 +16,8 @@ plot.codend_coefficients <- function(x, force = NULL, file = NULL, width = 9, he
   table <- as.data.frame(x)
   class(table) <- "data.frame"
   rows <- coefficient_figures(table[table$force %in% force, ])
-  show_picture(function(page) draw_coefficients(rows), file, width, height, "Coefficients",
+  show_picture(x, function(page) draw_coefficients(rows), file, width, height, "Coefficients",
     coefficient_row_height * length(rows))
-  invisible(x)
 }
 
 coefficient_row_height <- 2.6
@@ -106,7 +105,7 @@ draw_coefficient <- function(figure, style) {
   graphics::plot.new()
   graphics::plot.window(range(across[shown]), range(if (by_reynolds) NULL else 0,
     table$value[shown]), log = if (by_reynolds) "xy" else "")
-  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
+  quiet_grid()
   for (k in seq_len(nrow(style))) {
     of <- shown & table$law == style$law[k]
     line <- of & is.na(table$source)
@@ -118,15 +117,14 @@ draw_coefficient <- function(figure, style) {
       pch = style$point[k], cex = 0.9)
   }
   if (by_reynolds) {
-    graphics::axis(1, 10^(-2:7), c("0.01", "0.1", "1", "10", "100", "1000", paste0("1e", 4:7)),
-      col = "grey40", lwd = 0, lwd.ticks = 1)
+    quiet_axis(1, 10^(-2:7), c("0.01", "0.1", "1", "10", "100", "1000", paste0("1e", 4:7)))
   } else {
-    graphics::axis(1, seq(0, 90, 15), col = "grey40", lwd = 0, lwd.ticks = 1)
+    quiet_axis(1, seq(0, 90, 15))
   }
-  graphics::axis(2, col = "grey40", lwd = 0, lwd.ticks = 1)
+  quiet_axis(2)
   graphics::box(col = "grey40")
   graphics::title(xlab = if (by_reynolds) "Reynolds number" else "angle (deg)")
-  graphics::mtext(figure$label, side = 3, line = 0.3, adj = 0, cex = 0.75, font = 2)
+  figure_heading(figure$label)
 }
 
 draw_laws <- function(style, row) {

@@ -13,8 +13,7 @@
 #'   ropes.cable.length = c("400 m", "700 m"))
 #' plot(main_effects(found, c("total_drag_kN", "greatest_depth_m")))
 plot.codend_effects <- function(x, file = NULL, width = 10, height = NULL, ...) {
-  plot_series(effects_figures(x), effects_title(x, "Main effects"), NULL, file, width, height)
-  invisible(x)
+  plot_series(x, effects_figures(x), effects_title(x, "Main effects"), NULL, file, width, height)
 }
 
 effects_figures <- function(x, measures = NULL) {
@@ -60,8 +59,7 @@ plot.codend_pair_effects <- function(x, measures = NULL, most = 6, file = NULL, 
                                      height = NULL, ...) {
   rows <- chosen_pairs(x, measures, most)
   figures <- lapply(rows, function(row) pair_figure(x, row))
-  plot_series(figures, effects_title(x, "Effects of pairs"), NULL, file, width, height)
-  invisible(x)
+  plot_series(x, figures, effects_title(x, "Effects of pairs"), NULL, file, width, height)
 }
 
 # Rows of the pairs that are drawn.
@@ -131,10 +129,8 @@ plot.codend_sobol_indices <- function(x, measures = NULL, file = NULL, width = 1
   x$field <- plain_field(x$field)
   said <- sprintf("Share of the variance: alone (filled) and in all (open), intervals of %s %%.",
     format(100 * first_of(attr(x, "confidence"), 0.9)))
-  title <- effects_title(x, "Sobol' indices")
-  show_picture(function(page) draw_tornados(x, measures, title, said, page, draw_indices), file,
-    width, height, title, tornado_height(x, measures, width))
-  invisible(x)
+  plot_tornados(x, measures, effects_title(x, "Sobol' indices"), said, draw_indices, file, width,
+    height)
 }
 
 # Fields that change together, by the first of them.
@@ -154,5 +150,5 @@ draw_indices <- function(rows, name) {
     graphics::points(rows[[kind]], y, pch = if (kind == "first") 16L else 21L, col = water_colour,
       bg = "white")
   }
-  graphics::mtext(words_of(name, unit), side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  figure_heading(words_of(name, unit))
 }

@@ -35,8 +35,7 @@ plot.codend_mesh_openings <- function(x, file = NULL, width = 10, height = NULL,
   )
   title <- paste(c("Meshes along the net", attr(x, "gear_name"), attr(x, "conditions")),
     collapse = ", ")
-  plot_series(figures, title, NULL, file, width, height)
-  invisible(x)
+  plot_series(x, figures, title, NULL, file, width, height)
 }
 
 # Which line along the net every row belongs to: its panel's name without that of its part, a wing

@@ -15,17 +15,11 @@
 plot.codend_optimum <- function(x, file = NULL, width = 10, height = NULL, ...) {
   title <- paste0("Optimum of ", x$gear$plan$name)
   fitting <- min(100, max(4, series_title + 1.6 + 0.3 * (nrow(x$fields) + nrow(x$keep))))
-  show_picture(function(page) draw_optimum(x, title, page), file, width, height, title, fitting)
-  invisible(x)
+  show_picture(x, function(page) draw_under(title, page, function() draw_optimum(x)), file, width,
+    height, title, fitting)
 }
 
-draw_optimum <- function(x, title, page) {
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit({
-    graphics::layout(1)
-    graphics::par(kept)
-  })
-  begin_study_page(page)
+draw_optimum <- function(x) {
   bars <- c(nrow(x$fields), max(1, nrow(x$keep)))
   if (nrow(x$keep)) {
     graphics::layout(matrix(c(1, 1, 2, 3), 2L), widths = c(1, 1.35), heights = bars + 2)
@@ -40,15 +34,6 @@ draw_optimum <- function(x, title, page) {
     trimws(paste(four_figures(fields$value), fields$unit)), "Fields in their ranges"
   )
   if (nrow(x$keep)) draw_kept(x$keep)
-  draw_head(title, list(missing = NULL), page)
-}
-
-# What figures of studies share.
-begin_study_page <- function(page) {
-  graphics::par(
-    omi = c(0, 0, series_title + 0.05, 0), mai = c(0.52, 0.7, 0.3, 0.12), cex = 0.75,
-    mgp = c(1.6, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
-  )
 }
 
 draw_search <- function(x) {
@@ -57,12 +42,12 @@ draw_search <- function(x) {
   graphics::plot(
     seq_len(nrow(rows)), rows$aim, type = "n", xlab = "Step of the search", ylab = "", main = ""
   )
-  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
+  quiet_grid()
   graphics::abline(h = x$aim$value, col = "grey40", lty = 3)
   graphics::lines(seq_len(nrow(rows)), rows$aim, col = "grey60")
   graphics::points(seq_len(nrow(rows)), rows$aim, pch = 21, col = water_colour,
     bg = ifelse(good, water_colour, "white"))
-  graphics::mtext(x$aim$text, side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  figure_heading(x$aim$text)
 }
 
 # Arrows from shares to shares of ranges, with names at the left and values at the right.
@@ -82,8 +67,7 @@ draw_arrows <- function(names, from, to, values, title) {
   graphics::axis(2, at = at, labels = names, lwd = 0, cex.axis = 0.85)
   graphics::axis(4, at = at, labels = values, lwd = 0, cex.axis = 0.85)
   graphics::axis(1, at = c(0, 1), labels = c("lower end", "upper end"), lwd = 0, cex.axis = 0.85)
-  graphics::mtext(paste0(title, " (open: before, filled: now)"), side = 3, line = 0.3, adj = 0,
-    cex = 0.72, font = 2)
+  figure_heading(paste0(title, " (open: before, filled: now)"))
   graphics::par(mai = kept)
 }
 
@@ -101,11 +85,10 @@ draw_kept <- function(keep) {
   graphics::abline(v = 0, col = "grey40")
   # what is at its limit has no bar
   graphics::points(off, at, pch = 16, col = ifelse(keep$holds, water_colour, "#B03A2E"))
-  graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
+  quiet_axis(1)
   graphics::axis(2, at = at, labels = keep$text, lwd = 0, cex.axis = 0.85)
   graphics::box(col = "grey40")
-  graphics::mtext("Conditions: percent from their limit", side = 3, line = 0.3, adj = 0,
-    cex = 0.72, font = 2)
+  figure_heading("Conditions: percent from their limit")
   graphics::par(mai = kept)
 }
 

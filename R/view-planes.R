@@ -30,9 +30,8 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
   planes <- chosen_some(planes, known)
   check_colour(colour)
   figure <- plane_figure(x, intersect(known, planes), colour)
-  show_picture(function(page) draw_figure(figure, page), file, width, height, figure$title,
+  show_picture(x, function(page) draw_figure(figure, page), file, width, height, figure$title,
     fitting_height(figure, width))
-  invisible(x)
 }
 
 # What the figures show, before any page is known: list(drawing, title, conditions, scales of rope

@@ -13,8 +13,7 @@
 plot.codend_rope_tensions <- function(x, file = NULL, width = 10, height = NULL, ...) {
   drawn <- rope_series(x)
   figures <- lapply(split(drawn, factor(drawn$heading, unique(drawn$heading))), rope_figure)
-  plot_series(figures, rope_title(x), NULL, file, width, height)
-  invisible(x)
+  plot_series(x, figures, rope_title(x), NULL, file, width, height)
 }
 
 # Neighbours, one solid and one dashed over it, differ most.

@@ -25,9 +25,7 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
   x$field <- sub(" [+] .*", " ...", x$field)
   said <- paste("Percent of the measure per percent of the field. Open bars: not smooth, ticks are",
     "secants to 1 % less and 1 % more.")
-  show_picture(function(page) draw_tornados(x, measures, title, said, page, draw_tornado), file,
-    width, height, title, tornado_height(x, measures, width))
-  invisible(x)
+  plot_tornados(x, measures, title, said, draw_tornado, file, width, height)
 }
 
 # Inches of a bar, and of a tornado with its fields' names.
@@ -36,35 +34,28 @@ least_tornado <- 4.5
 
 tornado_columns <- function(n, width) min(n, max(1L, floor(width / least_tornado)))
 
-# Inches of a page of `bars` a figure.
-tornado_height <- function(x, measures, width) {
-  rows <- ceiling(length(measures) / tornado_columns(length(measures), width))
-  bars <- length(unique(x$field))
-  max(3, min(100, series_title + key_row + rows * (0.75 + bar_height * bars)))
+# A page of figures of bars, one for each measure. said: the line under the title; draw: a
+# function(rows, name) of one figure.
+plot_tornados <- function(x, measures, title, said, draw, file, width, height) {
+  n <- length(measures)
+  above <- series_title + key_row
+  rows <- ceiling(n / tornado_columns(n, width))
+  show_picture(x, function(page) draw_tornados(x, measures, title, said, draw, page, above), file,
+    width, height, title,
+    max(3, min(100, above + rows * (0.75 + bar_height * length(unique(x$field))))))
 }
 
-# said: the line under the title; draw: a function(rows, name) of one figure.
-draw_tornados <- function(x, measures, title, said, page, draw) {
+draw_tornados <- function(x, measures, title, said, draw, page, above) {
   columns <- tornado_columns(length(measures), page[1L])
   rows <- ceiling(length(measures) / columns)
-  above <- series_title + key_row
-  if ((page[2L] - above) / rows < 1.2) {
-    page <- round(page, 1)
-    n <- length(measures)
-    abort_argument("A page of {page[1]} by {page[2]} inches is too small for {n} figure{?s}; make it
-      larger or choose fewer.")
-  }
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  left <- min(2.6, 0.35 + 0.068 * max(nchar(x$field)))
-  graphics::par(
-    mfrow = c(rows, columns), omi = c(0, 0, above, 0), mai = c(0.42, left, 0.28, 0.12),
-    cex = 0.75, mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
-  )
+  if ((page[2L] - above) / rows < 1.2) abort_small_page(page, length(measures))
   unit <- attr(x, "measure_unit")
-  for (name in measures) draw(structure(x[x$measure == name, ], measure_unit = unit), name)
-  draw_head(title, list(missing = NULL), page)
-  graphics::text(0.12, page[2L] - series_title - 0.05, said, adj = c(0, 0.5), cex = 0.95)
+  left <- min(2.6, 0.35 + 0.068 * max(nchar(x$field)))
+  draw_all <- function() {
+    for (name in measures) draw(structure(x[x$measure == name, ], measure_unit = unit), name)
+  }
+  draw_under(title, page, draw_all, above, c(0.42, left, 0.28, 0.12), said = said,
+    mfrow = c(rows, columns))
 }
 
 # An empty figure of bars with a field's name beside each.
@@ -72,11 +63,9 @@ plot_bars_frame <- function(across, fields) {
   n <- length(fields)
   graphics::plot.new()
   graphics::plot.window(across, c(0.4, n + 0.6), yaxs = "i")
-  usr <- graphics::par("usr")
-  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
-  graphics::grid(ny = NA, col = "#DDE3E8", lty = 1, lwd = 0.6)
+  quiet_ground(ny = NA)
   graphics::abline(v = 0, col = "grey40")
-  graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
+  quiet_axis(1)
   graphics::axis(2, at = seq_len(n), labels = fields, lwd = 0, cex.axis = 0.85)
   graphics::box(col = "grey40")
 }
@@ -97,5 +86,5 @@ draw_tornado <- function(rows, name) {
   for (side in 1:2) {
     graphics::segments(ends[, side], at - 0.36, ends[, side], at + 0.36, col = "#202428", lwd = 1.6)
   }
-  graphics::mtext(words_of(name, unit), side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  figure_heading(words_of(name, unit))
 }

@@ -28,10 +28,10 @@ fitting_rows <- function(figures, width, key) {
   max(3, series_title + key_height(key, width) + each * ceiling(n / series_columns(n, width)))
 }
 
-# A page of figures on the current device or in a file; see plot.codend_trajectory() for both.
+# A page of figures of x on the current device or in a file; see plot.codend_trajectory() for both.
 # key: list(title, labels (of groups), missing (what a cross stands for, or NULL)), or NULL.
-plot_series <- function(figures, title, key, file, width, height) {
-  show_picture(function(page) draw_series(figures, title, key, page), file, width, height, title,
+plot_series <- function(x, figures, title, key, file, width, height) {
+  show_picture(x, function(page) draw_series(figures, title, key, page), file, width, height, title,
     fitting_rows(figures, width, key))
 }
 
@@ -55,25 +55,57 @@ series_layout <- function(n, key, page) {
 draw_series <- function(figures, title, key, page) {
   n <- length(figures)
   layout <- series_layout(n, key, page)
-  if (is.null(layout)) {
-    size <- round(page, 1)
-    abort_argument(
-      "A page of {size[1]} by {size[2]} inches is too small for {n} figure{?s}; make it larger or
-      choose fewer."
-    )
-  }
+  if (is.null(layout)) abort_small_page(page, n)
   zoom <- layout$zoom
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  graphics::par(
-    mfrow = c(layout$rows, layout$columns), omi = c(0, 0, layout$above, 0) * zoom,
-    mai = c(0.42, 0.6, 0.28, 0.12) * zoom, cex = 0.75 * zoom, mgp = c(1.5, 0.4, 0), tcl = -0.25,
-    las = 1, family = "sans", bg = "white"
-  )
-  for (figure in figures) {
-    draw_one_series(figure, max(1L, length(key$labels), length(figure$groups)), zoom)
+  draw <- function() {
+    for (figure in figures) {
+      draw_one_series(figure, max(1L, length(key$labels), length(figure$groups)), zoom)
+    }
   }
-  draw_head(title, key, page / zoom)
+  draw_under(title, page / zoom, draw, layout$above, c(0.42, 0.6, 0.28, 0.12), key, zoom = zoom,
+    mfrow = c(layout$rows, layout$columns))
+}
+
+abort_small_page <- function(page, n) {
+  size <- round(page, 1)
+  abort_argument("A page of {size[1]} by {size[2]} inches is too small for {n} figure{?s}; make it
+    larger or choose fewer.")
+}
+
+# Figures under a title, which draw() draws. page: inches before they are made smaller by zoom;
+# above: inches over the figures; mai: a figure's own margins; said: a line under the title; mfrow:
+# of figures of one size.
+draw_under <- function(title, page, draw, above = series_title + 0.05,
+                       mai = c(0.52, 0.7, 0.3, 0.12), key = NULL, said = NULL, zoom = 1,
+                       mfrow = c(1L, 1L)) {
+  kept <- graphics::par(no.readonly = TRUE)
+  on.exit({
+    graphics::layout(1)
+    graphics::par(kept)
+  })
+  graphics::par(
+    mfrow = mfrow, omi = c(0, 0, above, 0) * zoom, mai = mai * zoom, cex = 0.75 * zoom,
+    mgp = c(1.5, 0.4, 0), tcl = -0.25, las = 1, family = "sans", bg = "white"
+  )
+  draw()
+  draw_head(title, key, page)
+  if (is.null(said)) return(invisible())
+  graphics::text(0.12, page[2L] - series_title - 0.05, said, adj = c(0, 0.5), cex = 0.95)
+}
+
+# What all figures have: a grid, its ground, axes without a line and a heading.
+quiet_grid <- function(...) graphics::grid(..., col = "#DDE3E8", lty = 1, lwd = 0.6)
+
+quiet_ground <- function(...) {
+  usr <- graphics::par("usr")
+  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
+  quiet_grid(...)
+}
+
+quiet_axis <- function(...) graphics::axis(..., col = "grey40", lwd = 0, lwd.ticks = 1)
+
+figure_heading <- function(text, zoom = 1) {
+  graphics::mtext(text, side = 3, line = 0.3, adj = 0, cex = 0.72 * zoom, font = 2)
 }
 
 series_symbols <- c(16L, 17L, 15L, 18L, 1L)
@@ -109,10 +141,7 @@ draw_one_series <- function(figure, groups, zoom) {
     up[2L] <- up[1L] + diff(up) / (1 - key)
   }
   graphics::plot.window(across, up)
-  usr <- graphics::par("usr")
-  graphics::rect(usr[1L], usr[3L], usr[2L], usr[4L], col = "#F6F9FB", border = NA)
-  graphics::grid(nx = if (is.null(figure$ticks)) NULL else NA, col = "#DDE3E8", lty = 1,
-    lwd = 0.6)
+  quiet_ground(nx = if (is.null(figure$ticks)) NULL else NA)
   # dashed lines over others that they equal
   dashed <- vapply(figure$lines, `[[`, NA, "dashed")
   for (line in figure$lines[order(dashed)]) {
@@ -129,20 +158,17 @@ draw_one_series <- function(figure, groups, zoom) {
     }
   }
   if (length(figure$missing)) {
+    usr <- graphics::par("usr")
     graphics::points(figure$missing, rep(usr[3L] + 0.04 * (usr[4L] - usr[3L]),
       length(figure$missing)), pch = 4L, col = "#202428", cex = 0.9, lwd = 1.5)
   }
-  if (is.null(figure$ticks)) {
-    graphics::axis(1, col = "grey40", lwd = 0, lwd.ticks = 1)
-  } else {
-    graphics::axis(1, at = seq_along(figure$ticks), labels = figure$ticks, col = "grey40", lwd = 0,
-      lwd.ticks = 1)
+  if (is.null(figure$ticks)) quiet_axis(1) else {
+    quiet_axis(1, at = seq_along(figure$ticks), labels = figure$ticks)
   }
-  graphics::axis(2, col = "grey40", lwd = 0, lwd.ticks = 1)
+  quiet_axis(2)
   graphics::box(col = "grey40")
   graphics::title(xlab = figure$across, line = 1.3)
-  graphics::mtext(words_and_unit(figure$words, figure$unit), side = 3, line = 0.3, adj = 0,
-    cex = 0.72 * zoom, font = 2)
+  figure_heading(words_and_unit(figure$words, figure$unit), zoom)
   if (length(figure$groups) > 1L) draw_own_key(figure, zoom)
 }
 

@@ -14,24 +14,20 @@
 #' ))
 plot.codend_trade_off <- function(x, file = NULL, width = 9, height = NULL, ...) {
   title <- paste0("Trade-off of ", attr(x, "gear_name"))
-  show_picture(function(page) draw_trade_off(x, title, page), file, width, height, title,
-    4.5)
-  invisible(x)
+  show_picture(x, function(page) draw_under(title, page, function() draw_trade_off(x)), file, width,
+    height, title, 4.5)
 }
 
-draw_trade_off <- function(x, title, page) {
-  kept <- graphics::par(no.readonly = TRUE)
-  on.exit(graphics::par(kept))
-  begin_study_page(page)
+draw_trade_off <- function(x) {
   graphics::par(mfrow = c(1L, 2L))
   good <- x$kept & x$optimal
   graphics::plot(x[[1L]], x[[2L]], type = "n", xlab = attr(x, "aims")[1L], ylab = "")
-  graphics::grid(col = "#DDE3E8", lty = 1, lwd = 0.6)
+  quiet_grid()
   graphics::lines(x[[1L]], x[[2L]], col = "grey60")
   graphics::points(x[[1L]], x[[2L]], pch = 21, col = water_colour,
     bg = ifelse(good, water_colour, "white"))
-  graphics::mtext(paste0(attr(x, "aims")[2L], if (!all(good)) " (open: not shown to be optimal)"),
-    side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
+  figure_heading(paste0(attr(x, "aims")[2L],
+    if (!all(good)) " (open: not shown to be optimal)"))
   fields <- seq(3L, ncol(x) - 2L)
   shares <- vapply(x[fields], function(values) {
     width <- diff(range(values))
@@ -48,6 +44,5 @@ draw_trade_off <- function(x, title, page) {
   }, "")
   graphics::legend("top", paste0(names(x)[fields], ", ", ends), col = colours, lwd = 1.8, bty = "n",
     cex = 0.8)
-  graphics::mtext("Fields along it", side = 3, line = 0.3, adj = 0, cex = 0.72, font = 2)
-  draw_head(title, list(missing = NULL), page)
+  figure_heading("Fields along it")
 }

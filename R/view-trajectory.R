@@ -18,8 +18,7 @@
 plot.codend_trajectory <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
   figures <- lapply(trajectory_series(x, measures), time_figure)
-  plot_series(figures, tow_title(x), NULL, file, width, height)
-  invisible(x)
+  plot_series(x, figures, tow_title(x), NULL, file, width, height)
 }
 
 tow_title <- function(x) paste("Tow of", x$gear$plan$name)

@@ -25,15 +25,10 @@ plot.codend_uncertainty <- function(x, measures = NULL, sources = NULL, file = N
   title <- paste0("Uncertainty of ", x$gear_name, ", ", x$conditions)
   table <- table[match(measures, known), ]
   rows <- if (is.null(sources)) nrow(table) else 10L
-  draw <- function(page) {
-    kept <- graphics::par(no.readonly = TRUE)
-    on.exit(graphics::par(kept))
-    if (is.null(sources)) draw_budget(table, page) else draw_sources(x, sources, page)
-    draw_head(title, list(missing = NULL), page)
-  }
-  show_picture(draw, file, width, height, title,
-    min(100, series_title + key_row + 1 + 1.6 * bar_height * rows))
-  invisible(x)
+  draw <- function() if (is.null(sources)) draw_budget(table) else draw_sources(x, sources)
+  above <- series_title + key_row
+  show_picture(x, function(page) draw_under(title, page, draw, above), file, width, height, title,
+    min(100, above + 1 + 1.6 * bar_height * rows))
 }
 
 budget_colours <- c(
@@ -43,8 +38,7 @@ budget_colours <- c(
 
 uncertainty_frame <- function(across, names, xlab) {
   left <- min(3.2, 0.35 + 0.075 * max(nchar(names)))
-  graphics::par(omi = c(0, 0, series_title + key_row, 0), mai = c(0.6, left, 0.1, 0.2), cex = 0.85,
-    mgp = c(1.8, 0.5, 0), tcl = -0.25, las = 1, family = "sans", bg = "white")
+  graphics::par(mai = c(0.6, left, 0.1, 0.2), cex = 0.85, mgp = c(1.8, 0.5, 0))
   plot_bars_frame(across, names)
   graphics::title(xlab = xlab)
   ends <- graphics::par("usr")
@@ -52,7 +46,7 @@ uncertainty_frame <- function(across, names, xlab) {
     fill = budget_colours, border = NA, horiz = TRUE, yjust = 0, bty = "n", cex = 0.9, xpd = NA)
 }
 
-draw_budget <- function(table, page) {
+draw_budget <- function(table) {
   at <- rev(seq_len(nrow(table)))
   percent <- 100 * table$uncertainty / abs(table$value)
   # a measure near 0 would leave no room for the rest
@@ -71,7 +65,7 @@ draw_budget <- function(table, page) {
   }
 }
 
-draw_sources <- function(x, name, page) {
+draw_sources <- function(x, name) {
   rows <- utils::head(x$sources[x$sources$measure == name, ], 10L)
   unit <- x$measures$unit[x$measures$measure == name]
   rows <- rows[rev(seq_len(nrow(rows))), ]

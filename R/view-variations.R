@@ -22,8 +22,7 @@
 plot.codend_variations <- function(x, measures = NULL, file = NULL, width = 10, height = NULL,
                                    ...) {
   drawn <- variations_drawn(x, measures)
-  plot_series(drawn$figures, variations_title(x), drawn$key, file, width, height)
-  invisible(x)
+  plot_series(x, drawn$figures, variations_title(x), drawn$key, file, width, height)
 }
 
 # list(figures, key) as plot_series() takes them.
