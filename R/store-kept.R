@@ -69,9 +69,61 @@ file_getter <- function(nc) {
   }
 }
 
+# ---- what files hold -----------------------------------------------------------------------------
+
+# A variable of a file. across: names of its dimensions; words, unit: NULL for none.
+file_variable <- function(type, across, words = NULL, unit = NULL, value = NULL) {
+  list(type = type, across = across, words = words, unit = unit, value = value)
+}
+
+# The variables of a gear's model, by name.
+model_variables <- function(lattice) {
+  engine <- lattice$engine
+  whole <- function(value, across, words) file_variable("NC_INT", across, words, value = value)
+  list(
+    bar_node = whole(matrix(engine$bars$node, 2L), c("bar_end", "bar"),
+      "nodes that a bar joins, from 1"),
+    bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
+    cell_node = whole(matrix(engine$cells$node, 4L), c("corner", "cell"),
+      "nodes at a cell's corners, from 1; of three the last is there twice"),
+    cell_part = whole(lattice$cell_part, "cell", "part that a cell belongs to, from 1"),
+    part_name = file_variable("NC_CHAR", c("letter", "part"), "name of a part in the plan",
+      value = enc2utf8(lattice$parts$name))
+  )
+}
+
+# Defines a new file: its dimensions but for time, those of the variables that have all of theirs,
+# and what every file says. sizes: of more dimensions; what: "state" or "trajectory".
+define_file <- function(nc, variables, sizes, lattice, gear, title, what, version) {
+  length_of <- function(name) length(variables[[name]]$value)
+  sizes <- c(
+    node = lattice$engine$nodes, part = nrow(lattice$parts), bar_end = 2L, corner = 4L,
+    letter = max(nchar(variables$part_name$value, "bytes")), sizes,
+    kept_byte = length_of("kept_form"), kept_number = length_of("kept_numbers"),
+    kept_integer = length_of("kept_integers")
+  )
+  sizes <- sizes[sizes > 0L]
+  for (name in names(sizes)) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
+  variables <- Filter(function(of) all(of$across %in% c("time", names(sizes))), variables)
+  for (name in names(variables)) {
+    of <- variables[[name]]
+    RNetCDF::var.def.nc(nc, name, of$type, if (length(of$across)) of$across else NA)
+    put_texts(nc, name, c(units = of$unit, long_name = of$words))
+  }
+  put_texts(nc, "z", c(positive = "up"))
+  put_texts(nc, "NC_GLOBAL", c(Conventions = "CF-1.10", title = title,
+    source = paste("codend", utils::packageVersion("codend")), plan = enc2utf8(format(gear))))
+  RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT", version)
+}
+
+# Attributes of a variable, texts by name.
+put_texts <- function(nc, variable, texts) {
+  for (name in names(texts)) RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", texts[[name]])
+}
+
 # ---- what codend keeps for itself ---------------------------------------------------------------
 
-# The variables of what is kept, with a gear and a lattice: lists of value, type, across, words.
+# The variables of what is kept, with a gear and a lattice.
 kept_numbers <- function(what) {
   what$plan_text <- enc2utf8(format(what$gear))
   what$plan_file <- what$gear$file
@@ -82,12 +134,11 @@ kept_numbers <- function(what) {
   what$lattice$frame <- list()
   flat <- flatten_tree(what)
   list(
-    kept_form = list(value = charToRaw(flat$form), type = "NC_CHAR", across = "kept_byte",
-      words = "form of what codend reads again, as JSON"),
-    kept_numbers = list(value = flat$numbers, type = "NC_DOUBLE", across = "kept_number",
-      words = "its numbers"),
-    kept_integers = list(value = flat$integers, type = "NC_INT", across = "kept_integer",
-      words = "its whole numbers and truth values")
+    kept_form = file_variable("NC_CHAR", "kept_byte", "form of what codend reads again, as JSON",
+      value = charToRaw(flat$form)),
+    kept_numbers = file_variable("NC_DOUBLE", "kept_number", "its numbers", value = flat$numbers),
+    kept_integers = file_variable("NC_INT", "kept_integer", "its whole numbers and truth values",
+      value = flat$integers)
   )
 }
 

@@ -50,26 +50,10 @@ write_state <- function(state, file) {
   write_kept(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
-    sizes <- c(
-      node = state$lattice$engine$nodes, bar = length(state$lattice$bar_part),
-      cell = length(state$lattice$cell_part), part = nrow(state$lattice$parts),
-      bar_end = 2L, corner = 4L, letter = max(nchar(enc2utf8(state$lattice$parts$name), "bytes")),
-      kept_byte = length(numbers$kept_form$value), kept_number = length(numbers$kept_numbers$value),
-      kept_integer = length(numbers$kept_integers$value)
-    )
-    for (name in names(sizes)) {
-      if (sizes[[name]] > 0L) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
-    }
-    for (name in names(numbers)) define_state_number(nc, name, numbers[[name]])
-    text <- function(variable, name, value) {
-      RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
-    }
-    text("z", "positive", "up")
-    text("NC_GLOBAL", "Conventions", "CF-1.10")
-    text("NC_GLOBAL", "title", paste0(state$gear$plan$name, ", ", state_conditions(state)))
-    text("NC_GLOBAL", "source", paste("codend", utils::packageVersion("codend")))
-    text("NC_GLOBAL", "plan", enc2utf8(format(state$gear)))
-    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_state", "NC_INT", state_file_version)
+    lattice <- state$lattice
+    sizes <- c(bar = length(lattice$bar_part), cell = length(lattice$cell_part))
+    define_file(nc, numbers, sizes, lattice, state$gear,
+      paste0(state$gear$plan$name, ", ", state_conditions(state)), "state", state_file_version)
     for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
   })
 }
@@ -101,25 +85,10 @@ read_state <- function(file) {
 # Format 1 held objects of R.
 state_file_version <- 7L
 
-define_state_number <- function(nc, name, number) {
-  RNetCDF::var.def.nc(nc, name, number$type, if (length(number$across)) number$across else NA)
-  if (!is.null(number$unit)) RNetCDF::att.put.nc(nc, name, "units", "NC_CHAR", number$unit)
-  RNetCDF::att.put.nc(nc, name, "long_name", "NC_CHAR", number$words)
-}
-
-# The variables of a state's file: lists of value, type, across (names of dimensions), words and
-# unit.
+# The variables of a state's file, by name.
 state_numbers <- function(state) {
-  lattice <- state$lattice
-  engine <- lattice$engine
   real <- function(value, across, unit, words) {
-    list(value = value, type = "NC_DOUBLE", across = across, words = words, unit = unit)
-  }
-  whole <- function(value, across, words) {
-    list(value = value, type = "NC_INT", across = across, words = words)
-  }
-  text <- function(value, across, words) {
-    list(value = value, type = "NC_CHAR", across = across, words = words)
+    file_variable("NC_DOUBLE", across, words, unit, value)
   }
   axis <- c("x", "y", "z")
   place <- c("place aft", "place to starboard", "height above the water surface")
@@ -139,25 +108,17 @@ state_numbers <- function(state) {
   c(
     do.call(c, vectors),
     list(
-      held = whole(as.integer(engine$held), "node", "1 where a node is held"),
+      held = file_variable("NC_INT", "node", "1 where a node is held",
+        value = as.integer(state$lattice$engine$held)),
       bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
       u_tension = real(state$u_tension, "cell", "N", "tension of one twine along u"),
       v_tension = real(state$v_tension, "cell", "N", "tension of one twine along v"),
       part_drag = real(drag$drag_kN, "part", "kN", "hydrodynamic force along the flow"),
       part_side = real(drag$side_kN, "part", "kN",
         "hydrodynamic force to starboard of the flow"),
-      part_lift = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward"),
-      bar_node = whole(matrix(engine$bars$node, 2L), c("bar_end", "bar"),
-        "nodes that a bar joins, from 1"),
-      bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
-      cell_node = whole(matrix(engine$cells$node, 4L), c("corner", "cell"),
-        "nodes at a cell's corners, from 1; of three the last is there twice"),
-      cell_part = whole(lattice$cell_part, "cell",
-        "part that a cell belongs to, from 1"),
-      part_name = text(enc2utf8(lattice$parts$name), c("letter", "part"),
-        "name of a part in the plan")
+      part_lift = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward")
     ),
-    kept_numbers(kept)
+    model_variables(state$lattice), kept_numbers(kept)
   )
 }
 
@@ -165,9 +126,6 @@ measure_numbers <- function(state) {
   found <- measures(state)
   said <- measure_words(found)
   lapply(setNames(seq_along(found), names(found)), function(k) {
-    list(
-      value = found[[k]], type = "NC_DOUBLE", across = character(), words = said$words[k],
-      unit = cf_unit(said$unit[k])
-    )
+    file_variable("NC_DOUBLE", character(), said$words[k], cf_unit(said$unit[k]), found[[k]])
   })
 }

@@ -161,107 +161,67 @@ record_trajectory <- function(what, frames, file) {
 
 define_trajectory <- function(nc, what, frame, measured) {
   lattice <- what$lattice
-  engine <- lattice$engine
-  kept <- kept_numbers(what)
-  names <- enc2utf8(lattice$parts$name)
+  variables <- c(
+    record_variables(), model_variables(lattice),
+    list(hexagonal_cell = file_variable("NC_INT", "hexagonal_cell",
+      "cells of hexagonal meshes, from 1", value = which(has_straight_bars(lattice)))),
+    resume_variables(), kept_numbers(what),
+    lapply(measured, function(of) file_variable(of$type, "time", of$words, of$unit))
+  )
   sizes <- c(
-    node = engine$nodes, bar = length(frame$bar_tension), cell = length(frame$u_tension),
+    bar = length(frame$bar_tension), cell = length(frame$u_tension),
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy_part = length(engine_energy_parts()),
-    part = length(names), growing_part = length(frame$done$length),
-    rupture = length(frame$done$broken), anchor = length(frame$done$anchor),
-    component = 3L * engine$nodes,
-    slot = 2L, bar_end = 2L, corner = 4L, letter = max(nchar(names, "bytes")),
-    report_number = length(report_numbers), kept_byte = length(kept$kept_form$value),
-    kept_number = length(kept$kept_numbers$value), kept_integer = length(kept$kept_integers$value)
+    growing_part = length(frame$done$length), rupture = length(frame$done$broken),
+    anchor = length(frame$done$anchor), component = 3L * lattice$engine$nodes, slot = 2L,
+    report_number = length(report_numbers)
   )
-  sizes <- sizes[sizes > 0L]
   RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)
-  for (name in names(sizes)) RNetCDF::dim.def.nc(nc, name, sizes[[name]])
-  define <- function(name, type, across, unit = NULL, words = NULL) {
-    if (!all(across %in% c("time", names(sizes)))) return(invisible())
-    RNetCDF::var.def.nc(nc, name, type, if (length(across)) across else NA)
-    if (!is.null(unit)) RNetCDF::att.put.nc(nc, name, "units", "NC_CHAR", unit)
-    if (!is.null(words)) RNetCDF::att.put.nc(nc, name, "long_name", "NC_CHAR", words)
-  }
-  define_records(define)
-  define("bar_node", "NC_INT", c("bar_end", "bar"), words = "nodes that a bar joins, from 1")
-  define("bar_part", "NC_INT", "bar", words = "part that a bar belongs to, from 1")
-  define("cell_node", "NC_INT", c("corner", "cell"),
-    words = "nodes at a cell's corners, from 1; of three the last is there twice")
-  define("cell_part", "NC_INT", "cell", words = "part that a cell belongs to, from 1")
-  define("hexagonal_cell", "NC_INT", "hexagonal_cell",
-    words = "cells of hexagonal meshes, from 1")
-  define("part_name", "NC_CHAR", c("letter", "part"), words = "name of a part in the plan")
-  define_resume(define)
-  for (name in names(kept)) {
-    define(name, kept[[name]]$type, kept[[name]]$across, words = kept[[name]]$words)
-  }
-  text <- function(variable, name, value) {
-    RNetCDF::att.put.nc(nc, variable, name, "NC_CHAR", value)
-  }
-  for (name in names(measured)) {
-    define(name, "NC_DOUBLE", "time", measured[[name]]$unit, measured[[name]]$words)
-  }
-  text("time", "axis", "T")
-  text("time", "standard_name", "time")
-  text("vessel_speed", "standard_name", "platform_speed_wrt_ground")
-  text("z", "positive", "up")
-  text("energy", "energy_parts", paste(engine_energy_parts(), collapse = " "))
-  text("end", "flag_meanings", paste(file_ends, collapse = " "))
+  define_file(nc, variables, sizes, lattice, what$gear, paste("Tow of", what$gear$plan$name),
+    "trajectory", trajectory_file_version)
+  put_texts(nc, "time", c(axis = "T", standard_name = "time"))
+  put_texts(nc, "vessel_speed", c(standard_name = "platform_speed_wrt_ground"))
+  put_texts(nc, "energy", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))
+  put_texts(nc, "end", c(flag_meanings = paste(file_ends, collapse = " ")))
   RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
-  text("NC_GLOBAL", "Conventions", "CF-1.10")
-  text("NC_GLOBAL", "title", paste("Tow of", what$gear$plan$name))
-  text("NC_GLOBAL", "source", "codend")
-  text("NC_GLOBAL", "plan", enc2utf8(format(what$gear)))
-  RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_trajectory", "NC_INT", trajectory_file_version)
-
-  put(nc, "end", 0L)
-  put(nc, "bar_node", matrix(engine$bars$node, 2L))
-  put(nc, "bar_part", lattice$bar_part)
-  put(nc, "cell_node", matrix(engine$cells$node, 4L))
-  put(nc, "cell_part", lattice$cell_part)
-  put(nc, "hexagonal_cell", which(has_straight_bars(lattice)))
-  put(nc, "part_name", names)
-  for (name in names(kept)) put(nc, name, kept[[name]]$value)
+  for (name in names(variables)) put(nc, name, variables[[name]]$value)
 }
 
-define_records <- function(define) {
-  define("time", "NC_DOUBLE", "time", "s", "time since the start of the tow")
-  define("complete", "NC_INT", "time", "1", "1 where all numbers of a time are written")
-  define("end", "NC_INT", character(), words = "how the tow ended")
-  for (name in rownames(node_variables)) {
-    of <- node_variables[name, ]
-    define(name, "NC_DOUBLE", c("node", "time"), of[1], of[2])
+record_variables <- function() {
+  of_table <- function(table, across = NULL) {
+    lapply(setNames(nm = rownames(table)), function(name) {
+      file_variable("NC_DOUBLE", c(across, "time"), table[[name, 2L]], table[[name, 1L]])
+    })
   }
-  for (k in seq_len(nrow(frame_fields))) {
+  frames <- lapply(seq_len(nrow(frame_fields)), function(k) {
     of <- frame_fields[k, ]
     type <- if (of$name == "broken") "NC_INT" else "NC_DOUBLE"
-    define(of$name, type, c(of$across, "time"), of$unit, of$words)
-  }
-  for (name in rownames(vessel_variables)) {
-    of <- vessel_variables[name, ]
-    define(name, "NC_DOUBLE", "time", of[1], of[2])
-  }
+    file_variable(type, c(of$across, "time"), of$words, of$unit)
+  })
+  c(
+    list(
+      time = file_variable("NC_DOUBLE", "time", "time since the start of the tow", "s"),
+      complete = file_variable("NC_INT", "time", "1 where all numbers of a time are written", "1"),
+      end = file_variable("NC_INT", character(), "how the tow ended", value = 0L)
+    ),
+    of_table(node_variables, "node"), setNames(frames, frame_fields$name),
+    of_table(vessel_variables)
+  )
 }
 
-define_resume <- function(define) {
-  define("resume_record", "NC_INT", "slot", words = "which time a slot is of, from 1")
-  for (motion in resume_motions) {
-    define(paste0("resume_", motion, "_time"), "NC_DOUBLE", "slot", "s")
-    for (vector in motion_vectors) {
-      define(paste("resume", motion, vector, sep = "_"), "NC_DOUBLE", c("component", "slot"))
-    }
+resume_variables <- function() {
+  of <- function(names, across = NULL, unit = NULL, type = "NC_DOUBLE", words = NULL) {
+    variable <- file_variable(type, c(across, "slot"), words, unit)
+    setNames(rep(list(variable), length(names)), paste0("resume_", names))
   }
-  for (name in resume_numbers) define(paste0("resume_", name), "NC_DOUBLE", "slot")
-  for (name in resume_control) {
-    define(paste0("resume_control_", name), "NC_DOUBLE", c("growing_part", "slot"))
-  }
-  define("resume_broken", "NC_INT", c("rupture", "slot"))
-  define("resume_broken_at", "NC_DOUBLE", c("rupture", "slot"), "s")
-  define("resume_anchor", "NC_DOUBLE", c("anchor", "slot"), "m")
-  define("resume_report", "NC_DOUBLE", c("report_number", "slot"))
-  define("resume_report_end", "NC_INT", "slot")
+  c(
+    of("record", type = "NC_INT", words = "which time a slot is of, from 1"),
+    of(paste0(resume_motions, "_time"), unit = "s"),
+    of(outer(resume_motions, motion_vectors, paste, sep = "_"), "component"),
+    of(resume_numbers), of(paste0("control_", resume_control), "growing_part"),
+    of("broken", "rupture", type = "NC_INT"), of("broken_at", "rupture", "s"),
+    of("anchor", "anchor", "m"), of("report", "report_number"), of("report_end", type = "NC_INT")
+  )
 }
 
 # ---- writing ------------------------------------------------------------------------------------
