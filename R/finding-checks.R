@@ -7,10 +7,9 @@ finding_checks <- new.env(parent = emptyenv())
 
 # name: of the check, in words; words: what is worth a look, in one sentence, with the bounds and
 # where they come from, or a function that gives it; of: "plan" where the plan alone tells it,
-# "state" where a settled shape is needed; test(gear, state): a list of finding(), `state` being
-# NULL for a check of a plan; rank: 1 where the gear breaks or does not fish so, 2 where it is
-# out of proportion, 3 where the model is
-# used outside what it is known for.
+# "state" where a settled shape is needed; test(gear, state): a list of finding() and NULL, `state`
+# being NULL for a check of a plan; rank: 1 where the gear breaks or does not fish so, 2 where it is
+# out of proportion, 3 where the model is used outside what it is known for.
 define_finding <- function(name, of, words, test, rank = 2L) {
   finding_checks[[name]] <- list(name = name, words = words, of = of, test = test, rank = rank)
 }

@@ -146,7 +146,7 @@ define_finding("seam", "plan",
   "The edges that a seam joins differ in stretched length by more than a fifth.",
   function(gear, state) {
     si <- gear_si(gear)
-    out <- lapply(names(si$seams), function(name) {
+    lapply(names(si$seams), function(name) {
       seam <- si$seams[[name]]
       if (!is.null(seam$gathered_at) || length(seam$edges) < 2L) return(NULL)
       long <- vapply(seam$edges, chain_length, 0, panels = si$panels)
@@ -157,7 +157,6 @@ define_finding("seam", "plan",
           format_si(max(long), "length")),
         "Count the meshes along both edges again.")
     })
-    Filter(Negate(is.null), out)
   }
 )
 
@@ -171,7 +170,7 @@ define_finding("hanging ratio", "plan",
   1.15.",
   function(gear, state) {
     si <- gear_si(gear)
-    out <- lapply(names(si$ropes), function(name) {
+    lapply(names(si$ropes), function(name) {
       rope <- si$ropes[[name]]
       if (is.null(rope$along)) return(NULL)
       netting <- vapply(rope$along, function(edge) chain_length(list(edge), si$panels), 0)
@@ -187,7 +186,6 @@ define_finding("hanging ratio", "plan",
         sprintf("it is hung on its netting with a ratio of %s.", figures(worst)),
         "Check the rope's length and the meshes that it is hung on.")
     })
-    Filter(Negate(is.null), out)
   }
 )
 

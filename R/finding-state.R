@@ -63,7 +63,7 @@ define_finding("opening", "state",
     if (!is.null(state$time)) return(list())
     opening <- Filter(function(one) one$kind %in% c("height", "area", "volume"), state$si$measures)
     opening <- opening[grepl("height|opening|area|volume", names(opening))]
-    found <- Map(function(name, value) {
+    Map(function(name, value) {
       if (!is.finite(value) || value > 0) return(NULL)
       unit <- c(height = "m", area = "m2", volume = "m3")[[opening[[name]]$kind]]
       shown <- paste(figures(value), unit)
@@ -71,7 +71,6 @@ define_finding("opening", "state",
         "Give more floats above, more weight below, or other lengths of bridles.",
         field = "floats")
     }, names(opening), measure_values(state, opening))
-    Filter(Negate(is.null), unname(found))
   },
   rank = 1L
 )
@@ -174,7 +173,7 @@ define_finding("bundle", "state",
   function(gear, state) {
     if (!is.null(state$time)) return(list())
     asked <- Filter(function(one) identical(one$kind, "enclosed_volume"), state$si$measures)
-    found <- lapply(asked, function(measure) {
+    lapply(asked, function(measure) {
       volume <- measure_values(state, list(measure))
       node <- state$lattice$ropes[[measure$rope]]$node
       could <- state$si$ropes[[measure$rope]]$length^2 / (4 * pi) * -min(state$position[3, node])
@@ -185,7 +184,6 @@ define_finding("bundle", "state",
           figures(could)),
         "At rest its shape, volume and their errors mean nothing: look at its operation, by tow().")
     })
-    unname(Filter(Negate(is.null), found))
   }
 )
 
@@ -265,7 +263,7 @@ define_finding("boards", "state",
   of attack at which its polar was not tested, by more than 2 deg.",
   function(gear, state) {
     boards <- board_table(state)
-    out <- lapply(seq_len(nrow(boards)), function(k) {
+    lapply(seq_len(nrow(boards)), function(k) {
       board <- boards[k, ]
       polar <- state$si$otter_boards[[k]]$polar
       tested <- range(polar$attack[polar$published])
@@ -282,7 +280,6 @@ define_finding("boards", "state",
       finding(gsub("_", " ", board$board), board$attack_deg, shown, words,
         "Move the points where warp and backstrops are fastened, or give a polar for that angle.")
     })
-    Filter(Negate(is.null), out)
   }
 )
 

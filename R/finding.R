@@ -54,7 +54,7 @@ sorted_checks <- function() {
 
 # What a check finds, as data frames of one row: of many that concern one field the first.
 found_by <- function(check, gear, state) {
-  found <- lapply(check$test(gear, state), function(one) {
+  found <- lapply(unname(Filter(length, check$test(gear, state))), function(one) {
     one["field"] <- finding_field(gear$plan, one$place, one$field)
     data.frame(check = check$name, one, rank = check$rank)
   })

@@ -212,24 +212,13 @@ cage_frame <- function(fields, plan, outline) {
   if (!is.null(plan$bottom_rope)) {
     ropes <- c(ropes, cage_pipes("bottom_rope", lower, plan$bottom_rope, outline))
   }
-  if (!is.null(plan$side_ropes)) {
-    for (k in around) {
-      ropes[[paste0("side_rope_", k)]] <- c(
-        list(along = paste0("wall_", k, ".left"), length = fields$depth), plan$side_ropes,
-        list(role = "side_rope")
-      )
-    }
+  for (k in around) {
+    ropes[[paste0("side_rope_", k)]] <- part_with_role(plan$side_ropes, "side_rope",
+      along = paste0("wall_", k, ".left"), length = fields$depth)
+    pieces[[paste0("sinker_", k)]] <- part_with_role(plan$sinkers, "weight",
+      at = paste0("foot_", k))
   }
-  if (!is.null(plan$sinkers)) {
-    for (k in around) {
-      pieces[[paste0("sinker_", k)]] <-
-        c(list(at = paste0("foot_", k)), plan$sinkers, list(role = "weight"))
-    }
-  }
-  if (!is.null(plan$centre_weight)) {
-    pieces$centre_weight <-
-      c(list(at = "bottom_centre"), plan$centre_weight, list(role = "weight"))
-  }
+  pieces$centre_weight <- part_with_role(plan$centre_weight, "weight", at = "bottom_centre")
   list(ropes = ropes, seams = seams, pieces = pieces)
 }
 

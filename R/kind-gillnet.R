@@ -32,12 +32,8 @@ expand_gillnet <- function(fields, plan) {
   )
   for (side in c("port", "starboard")) {
     outward <- if (side == "port") -1 else 1
-    if (!is.null(plan$end_lines)) {
-      out$ropes[[paste0("end_line_", side)]] <- c(
-        list(along = if (side == "port") "wall.left" else "wall.right"), plan$end_lines,
-        list(role = "end_line")
-      )
-    }
+    out$ropes[[paste0("end_line_", side)]] <- part_with_role(plan$end_lines, "end_line",
+      along = if (side == "port") "wall.left" else "wall.right")
     anchor <- paste0("anchor_", side)
     out$points[[anchor]] <- list(
       position = list(0, outward * fields$anchors$apart / 2, bed), held = "fixed"
@@ -47,12 +43,10 @@ expand_gillnet <- function(fields, plan) {
       plan$anchors[setdiff(names(plan$anchors), "apart")], list(role = "anchor_line")
     )
   }
-  if (!is.null(plan$floats)) {
-    out$pieces$floats <- c(list(along = "float_line"), plan$floats, list(role = "float"))
-  }
-  if (!is.null(plan$weights)) {
-    out$pieces$weights <- c(list(along = "lead_line"), plan$weights, list(role = "weight"))
-  }
+  pieces <- list()
+  pieces$floats <- part_with_role(plan$floats, "float", along = "float_line")
+  pieces$weights <- part_with_role(plan$weights, "weight", along = "lead_line")
+  if (length(pieces)) out$pieces <- pieces
   out$measures <- list(
     net_height = list(height = c("float_line.middle", "lead_line.middle")),
     end_height = list(height = c("float_line_port", "lead_line_port")),

@@ -55,9 +55,7 @@ expand_longline <- function(fields, plan) {
       tip <- paste0("tip_", k, "_", j)
       points[[on_main[j]]] <- points[[tip]] <- nothing
       ropes[[name]] <- rope(on_main[j], tip, branch, "branch_line")
-      if (!is.null(plan$hooks)) {
-        pieces[[paste0("hook_", k, "_", j)]] <- c(list(at = tip), plan$hooks, list(role = "hook"))
-      }
+      pieces[[paste0("hook_", k, "_", j)]] <- part_with_role(plan$hooks, "hook", at = tip)
     }
   }
 

@@ -170,26 +170,18 @@ trawl_rig <- function(fields, plan, ring) {
   pieces <- boards$pieces
   for (side in trawl_sides) {
     for (tier in c("upper", "lower")) {
-      ropes[[paste("hand_rope", tier, side, sep = "_")]] <- c(
-        list(
-          from = if (free) paste0("backstrop_", tier, "_", side) else paste0("board_", side),
-          to = paste(tier, side, sep = "_")
-        ),
-        of_side(plan$hand_ropes[[tier]], side),
-        list(role = "hand_rope")
+      ropes[[paste("hand_rope", tier, side, sep = "_")]] <- part_with_role(
+        of_side(plan$hand_ropes[[tier]], side), "hand_rope",
+        from = if (free) paste0("backstrop_", tier, "_", side) else paste0("board_", side),
+        to = paste(tier, side, sep = "_")
       )
     }
-    if (!is.null(plan$hammers)) {
-      pieces[[paste0("hammer_", side)]] <- c(
-        list(at = paste0("lower_", side)), plan$hammers, list(role = "hammer")
-      )
-    }
+    pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
+      at = paste0("lower_", side))
     # Where no side panel holds them, the wing tips are joined by the side line alone.
-    if (is.null(ring$mouth$side_line_port) && !is.null(plan$side_lines)) {
-      ropes[[paste0("side_line_", side)]] <- c(
-        list(from = paste0("upper_", side), to = paste0("lower_", side)), plan$side_lines,
-        list(role = "side_line")
-      )
+    if (is.null(ring$mouth$side_line_port)) {
+      ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
+        from = paste0("upper_", side), to = paste0("lower_", side))
     }
   }
   list(

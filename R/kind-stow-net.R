@@ -50,12 +50,10 @@ expand_stow_net <- function(fields, plan) {
       )
     }
   }
-  if (!is.null(plan$floats)) {
-    out$pieces$floats <- c(list(along = "upper_beam"), plan$floats, list(role = "float"))
-  }
-  if (!is.null(plan$weights)) {
-    out$pieces$weights <- c(list(along = "lower_beam"), plan$weights, list(role = "weight"))
-  }
+  pieces <- list()
+  pieces$floats <- part_with_role(plan$floats, "float", along = "upper_beam")
+  pieces$weights <- part_with_role(plan$weights, "weight", along = "lower_beam")
+  if (length(pieces)) out$pieces <- pieces
   out$measures <- list(
     mouth_height = list(height = c("upper_beam.middle", "lower_beam.middle")),
     mouth_width = list(spread = c("upper_port", "upper_starboard")),

@@ -7,6 +7,11 @@
 
 nothing <- stats::setNames(list(), character())
 
+# A rope or piece as a plan gives it, in its place (...) and with its role; NULL where it has none.
+part_with_role <- function(given, role, ...) {
+  if (!is.null(given)) c(list(...), given, list(role = role))
+}
+
 # Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
 # units. Given or not, it has the law for the drag of netting that its kind takes (fields).
 shared_fields <- function(plan, fields) {

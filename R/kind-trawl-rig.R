@@ -100,7 +100,6 @@ trawl_legs <- function(plan, fields, rig, from) {
   )
   points <- c(upper = "head_line_extension", lower = "extension")
   roles <- c(upper = "head_line_extension", lower = "footrope_extension")
-  weights <- function(given, at) c(list(at = at), given, list(role = "weight"))
   for (k in 1:2) {
     side <- trawl_sides[k]
     named <- function(...) paste(..., side, sep = "_")
@@ -126,12 +125,9 @@ trawl_legs <- function(plan, fields, rig, from) {
         list(role = roles[[tier]])
       )
     }
-    if (!is.null(plan$danlenos)) {
-      rig$pieces[[named("danleno")]] <- weights(plan$danlenos, start)
-    }
-    if (!is.null(plan$wing_end_weights)) {
-      rig$pieces[[named("wing_end_weight")]] <- weights(plan$wing_end_weights, named("lower"))
-    }
+    rig$pieces[[named("danleno")]] <- part_with_role(plan$danlenos, "weight", at = start)
+    rig$pieces[[named("wing_end_weight")]] <- part_with_role(plan$wing_end_weights, "weight",
+      at = named("lower"))
   }
   rig
 }
@@ -217,14 +213,9 @@ trawl_fittings <- function(fields, plan, around) {
       fields$ground_gear, "discs", "ground_gear.discs"),
     trawl_grids(fields, around)
   )
-  if (!is.null(plan$canvas)) {
-    pieces$canvas <- c(
-      list(along = "head_line"), plan$canvas, list(lift_direction = "up", role = "canvas")
-    )
-  }
-  if (!is.null(plan$catch)) {
-    pieces$catch <- c(list(at = "codline"), plan$catch, list(role = "catch"))
-  }
+  pieces$canvas <- part_with_role(plan$canvas, "canvas", along = "head_line",
+    lift_direction = "up")
+  pieces$catch <- part_with_role(plan$catch, "catch", at = "codline")
   pieces
 }
 

@@ -65,7 +65,7 @@ autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), colour = 
       )
     }
   )
-  ggplot2::ggplot() + unlist_layers(layers) + ggplot2::coord_fixed() +
+  ggplot2::ggplot() + layers + ggplot2::coord_fixed() +
     (if (axes[2L] == 3L) ggplot2::scale_y_reverse()) +
     ggplot2::labs(
       title = figure$title, x = plane_labels[axes[1L]], y = plane_labels[axes[2L]],
@@ -179,7 +179,7 @@ gg_series <- function(figures, title, key = NULL, grid = FALSE) {
     if (any(data$joined)) ggplot2::geom_line(data = data[data$joined, ]),
     if (nrow(marked)) ggplot2::geom_point(data = marked, alpha = ifelse(marked$joined, 1, 0.35))
   )
-  ggplot2::ggplot(data, mapping) + unlist_layers(layers) +
+  ggplot2::ggplot(data, mapping) + layers +
     (if (grid) {
       ggplot2::facet_grid(measure ~ across, scales = "free")
     } else {
@@ -237,13 +237,6 @@ gg_tension <- function(make, scale, kind) {
 
 # Values outside a scale get the colour of its end.
 gg_squish <- function(x, range = c(0, 1), ...) pmin(pmax(x, range[1L]), range[2L])
-
-unlist_layers <- function(layers) {
-  is_group <- function(x) is.list(x) && !inherits(x, c("ggproto", "Scale"))
-  do.call(c, lapply(layers, function(x) {
-    if (is.null(x)) list() else if (is_group(x)) unlist_layers(x) else list(x)
-  }))
-}
 
 gg_theme <- function() {
   ggplot2::theme_minimal() +
