@@ -8,6 +8,13 @@ check_is_gear <- function(gear) {
   }
 }
 
+check_is_settled <- function(state) {
+  check_is_state(state)
+  if (!is.null(state$time) || !isTRUE(state$report$converged)) {
+    abort_argument("{.arg state} must be settled, not a moment of a tow.")
+  }
+}
+
 check_is_state <- function(state) {
   if (!inherits(state, "codend_state")) {
     abort_argument(

@@ -8,6 +8,13 @@ is_map <- function(value) {
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
 
+# Rows of a table, numbered anew.
+table_rows <- function(table, rows = seq_len(nrow(table))) {
+  table <- table[rows, , drop = FALSE]
+  row.names(table) <- NULL
+  table
+}
+
 # A function that keeps its last result: gears of a study have most of their parts in common. `make`
 # is given by its name: R compiles functions that have one when the package is installed, any other
 # while it runs, which takes longer than a gear takes to settle.

@@ -36,9 +36,7 @@ catalogue <- function(class = NULL) {
   if (wrong) {
     abort_argument("{.arg class} must be one or several of {.val {classes}}, or NULL.")
   }
-  table <- table[table$class %in% class, ]
-  row.names(table) <- NULL
-  table
+  table_rows(table, table$class %in% class)
 }
 
 known_catalogue <- remembered(function() {

@@ -149,9 +149,7 @@ board_polar <- function(polar, aspect_ratio = 2) {
   )
   outer <- rbind(outer[outer$attack < no_lift - 5, ], flat(-180))
   out <- rbind(cbind(rbind(outer, behind), published = FALSE), front)
-  out <- out[order(out$attack), ]
-  row.names(out) <- NULL
-  out
+  table_rows(out, order(out$attack))
 }
 
 # Beyond stall, from the coefficients at the stall angle to those of a plate across the flow, after

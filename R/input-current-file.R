@@ -65,8 +65,7 @@ read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
     abort_file(file, "has no water within {reach} km of {east} deg east, {north} deg north.",
       reach = farthest / 1000, east = longitude, north = latitude)
   }
-  profile <- profile[order(profile$depth), ]
-  row.names(profile) <- NULL
+  profile <- table_rows(profile, order(profile$depth))
   attr(profile, "cell") <- list(
     longitude = axes$longitude[cells$i[k]], latitude = axes$latitude[cells$j[k]],
     distance = cells$distance[k]

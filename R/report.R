@@ -87,7 +87,7 @@ trajectory_report <- function(trajectory) {
   tag$main(
     report_header(trajectory, words),
     report_section("Measures against time",
-      report_figure(trajectory_picture(trajectory), paste(
+      report_figure(picture_address(trajectory), paste(
         "Curves of the schedule and of every measure of the gear against time; the table below",
         "gives their ends and extremes."
       )),
@@ -207,11 +207,8 @@ uncertainty_section <- function(uncertainty) {
 }
 
 plan_section <- function(gear) {
-  file <- tempfile(fileext = ".png")
-  on.exit(unlink(file))
-  plot(gear, file = file)
   report_section("Plan of the gear", class = "plan", report_figure(
-    data_address(file, "image/png"),
+    picture_address(gear),
     paste(
       "Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
       "rigging, and lists of ropes and pieces. All of it is given as text in the exact plan below."
@@ -220,11 +217,8 @@ plan_section <- function(gear) {
 }
 
 shape_section <- function(state) {
-  file <- tempfile(fileext = ".png")
-  on.exit(unlink(file))
-  plot(state, file = file)
   report_section("Shape",
-    report_figure(data_address(file, "image/png"), paste(
+    report_figure(picture_address(state), paste(
       "The gear from above, from the port side and from astern, to scale, coloured by tension.",
       "Its main dimensions are among the measures."
     )),
@@ -232,11 +226,13 @@ shape_section <- function(state) {
   )
 }
 
-trajectory_picture <- function(trajectory) {
+# The picture of a gear, a state or a trajectory as the address of its own contents.
+picture_address <- function(x) {
   file <- tempfile(fileext = ".png")
   on.exit(unlink(file))
-  plot(trajectory, file = file)
-  data_address(file, "image/png")
+  plot(x, file = file)
+  paste0("data:image/png;base64,",
+    gsub("[\r\n]", "", jsonlite::base64_enc(readBin(file, "raw", file.size(file)))))
 }
 
 tension_section <- function(said) {

@@ -227,19 +227,19 @@ print.codend_calibration <- function(x, ...) {
   cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
     if (length(x$conditions)) paste0(" by ", paste(x$conditions, collapse = ", ")), "\n", sep = "")
   fields <- x$fields
-  cat(paste0(align_columns(list(
+  cat_columns(list(
     paste0("  ", fields$field), slope_figures(fields$value), fields$unit,
     ifelse(is.na(fields$error), "", paste("+-", slope_figures(signif(fields$error, 2)))),
     ifelse(is.na(fields$lattice), "", paste("lattice", slope_figures(signif(fields$lattice, 2)))),
     paste("from", slope_figures(fields$begun)),
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
-  ), left = c(1L, 3L, 7L)), "\n"), sep = "")
+  ), left = c(1L, 3L, 7L))
   match <- x$match
-  cat(paste0(align_columns(list(
+  cat_columns(list(
     paste0("  ", match$text), paste(match$hauls, "hauls"),
     paste("off by", slope_figures(match$rms)), paste("before", slope_figures(match$rms_begun)),
     paste("mean", slope_figures(match$bias))
-  ), left = 1L), "\n"), sep = "")
+  ))
   cat("  ", if (x$converged) "converged" else "not converged", ", ", x$settles,
     " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n", sep = "")
   invisible(x)

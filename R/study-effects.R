@@ -92,8 +92,7 @@ pair_effects <- function(x, measures = NULL, groups = 5) {
     }))
     found[order(-found$spread), ]
   })
-  found <- do.call(rbind, rows)
-  rownames(found) <- NULL
+  found <- table_rows(do.call(rbind, rows))
   means <- do.call(rbind, lapply(study$measures, function(name) {
     do.call(rbind, lapply(pairs, pair_means, study = study, name = name))
   }))
@@ -191,8 +190,7 @@ effects_study <- function(x, measures, groups) {
   tell_unsettled(x)
   whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))
   rows <- as.data.frame(unclass(x), optional = TRUE)[whole, ]
-  fields <- names(x)[seq_len(match("settled", names(x)) - 1L)]
-  fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, fields)
+  fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, variations_fields(x))
   if (!length(fields)) abort_argument("No field of {.arg x} changes among what settled.")
   group <- lapply(setNames(fields, fields), function(field) {
     value <- rows[[field]]
@@ -208,7 +206,7 @@ changing_measures <- function(x, measures) {
   if (!inherits(x, "codend_variations")) {
     abort_argument("{.arg x} must be variations, as {.fn vary} returns, not {.cls {class(x)}}.")
   }
-  known <- names(x)[-seq_len(match("warning", names(x)))]
+  known <- variations_measures(x)
   if (is.null(measures)) {
     return(Filter(function(name) {
       value <- x[[name]][!is.na(x[[name]])]
@@ -259,9 +257,8 @@ print.codend_study_summary <- function(x, ...) {
     x$warned, " with a warning\n", sep = "")
   columns <- c("least", "median", "largest", "error")
   cells <- lapply(x$measures[columns], figures)
-  lines <- align_columns(c(list(c("", words_of(x$measures$measure, x$measures$unit))),
+  cat_columns(c(list(c("", words_of(x$measures$measure, x$measures$unit))),
     Map(c, columns, cells), list(c("", x$measures$unit))), left = c(1L, 6L))
-  cat(paste0(lines, "\n"), sep = "")
   if (nrow(x$problems)) {
     cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")
   }

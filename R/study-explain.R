@@ -163,9 +163,7 @@ explain_inputs <- function(fit, cases, spread) {
     p = stats::pf(fall / pmax(1 - fall, 1e-300) * freedom, 1, freedom, lower.tail = FALSE),
     own = own
   )
-  found <- found[order(-found$fall), ]
-  row.names(found) <- NULL
-  found
+  table_rows(found, order(-found$fall))
 }
 
 explain_trends <- function(fit) {
@@ -198,9 +196,7 @@ explain_trends <- function(fit) {
     return(data.frame(match = character(), condition = character(), correlation = numeric(),
       p = numeric()))
   }
-  found <- found[order(found$p), ]
-  row.names(found) <- NULL
-  found
+  table_rows(found, order(found$p))
 }
 
 explain_measurements <- function(fit, cases, sensor) {
@@ -225,9 +221,7 @@ explain_measurements <- function(fit, cases, sensor) {
   taken <- unlist(lapply(fit$task$match, function(one) one$formula$names))
   found <- data.frame(measure = measures, gain = gain,
     matched = measures %in% words$column[words$name %in% taken])
-  found <- found[order(-found$gain), ]
-  row.names(found) <- NULL
-  found
+  table_rows(found, order(-found$gain))
 }
 
 #' @export
@@ -236,12 +230,12 @@ print.codend_explanation <- function(x, ...) {
   telling <- utils::head(x$inputs[x$inputs$fall > 0, ], 6L)
   if (nrow(telling)) {
     cat("\nInputs\n")
-    cat(paste0(align_columns(list(
+    cat_columns(list(
       paste0("  ", telling$field), with_plain_numbers(sprintf("%+.0f %%", telling$percent)),
       with_plain_numbers(sprintf("takes %.0f %% of the squares", 100 * telling$fall)),
       paste("p", slope_figures(signif(telling$p, 2))),
       ifelse(telling$own < 0.05, "hardly distinct from what is calibrated", "")
-    ), left = c(1L, 5L)), "\n"), sep = "")
+    ), left = c(1L, 5L))
   }
   trends <- x$trends[x$trends$p < 0.05, ]
   if (nrow(trends)) {

@@ -91,9 +91,7 @@ kinks_at <- function(task, tried) {
       slope_unit = character()))
   }
   found <- sensitivities(tried$point$state, task$of, fields, secants = FALSE)
-  found <- as.data.frame(unclass(found))[!found$smooth, kept]
-  row.names(found) <- NULL
-  found
+  table_rows(as.data.frame(unclass(found))[kept], !found$smooth)
 }
 
 optimum_aim <- function(task, tried) {

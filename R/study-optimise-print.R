@@ -13,12 +13,11 @@ print.codend_optimum <- function(x, ...) {
     spread_text(aim$error), " now (",
     with_plain_numbers(sprintf("%+.1f %%", -100 * aim$saving)), ")\n", sep = "")
   fields <- x$fields
-  lines <- align_columns(list(
+  cat_columns(list(
     paste0("  ", fields$field), slope_figures(fields$begun), rep("to", nrow(fields)),
     slope_figures(fields$value), fields$unit,
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
   ), left = c(1L, 3L, 5L, 6L))
-  cat(paste0(lines, "\n"), sep = "")
   for (k in seq_len(nrow(x$keep))) {
     keep <- x$keep[k, ]
     cat("  ", keep$text, ": ", slope_figures(keep$left), spread_text(keep$error), " and ",

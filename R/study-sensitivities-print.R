@@ -18,12 +18,11 @@ print.codend_sensitivities <- function(x, ...) {
     value <- with_plain_numbers(format(signif(rows$value[1L], 6)))
     cat("\n", field, " (", trimws(paste(value, rows$unit[1L])), ")\n", sep = "")
     rows <- rows[order(-abs(rows$elasticity)), ]
-    lines <- align_columns(list(
+    cat_columns(list(
       rows$measure, slope_figures(rows$slope), rows$slope_unit,
       ifelse(is.na(rows$elasticity), "", sprintf("%+.3f %% per %%", rows$elasticity)),
       ifelse(rows$smooth, "", kink_text(rows))
     ), left = c(1L, 3L, 5L))
-    cat(paste0(lines, "\n"), sep = "")
   }
   idle <- idle_fields(x)
   if (length(idle)) {

@@ -53,13 +53,8 @@
 #' plot(found[found$measure %in% c("depth_m", "total_drag_kN"), ])
 sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_given("state")
-  check_is_state(state)
-  if (!is.null(state$time) || !isTRUE(state$report$converged)) {
-    abort_argument("{.arg state} must be settled, not a moment of a tow.")
-  }
-  if (!isTRUE(secants) && !isFALSE(secants)) {
-    abort_argument("{.arg secants} must be TRUE or FALSE.")
-  }
+  check_is_settled(state)
+  check_truth(secants, "secants")
   base <- measures(state)
   known <- names(base)
   of <- chosen_some(of, known)

@@ -92,8 +92,8 @@ glance.codend_optimum <- function(x, ...) {
 #' @exportS3Method generics::tidy
 tidy.codend_variations <- function(x, ...) {
   table <- unclass(x)
-  fields <- as.data.frame(table[seq_len(match("settled", names(table)) - 1L)], optional = TRUE)
-  known <- names(table)[-seq_len(match("warning", names(table)))]
+  fields <- as.data.frame(table[variations_fields(x)], optional = TRUE)
+  known <- variations_measures(x)
   row <- rep(seq_len(nrow(x)), length(known))
   data.frame(
     design = attr(x, "study")$design[row], fields[row, , drop = FALSE],

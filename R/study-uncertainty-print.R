@@ -51,9 +51,9 @@ main_rows <- function(x, measures) {
   unique(found[!is.na(found)])
 }
 
-source_lines <- function(x, name, most = 10L) {
+source_lines <- function(x, name) {
   unit <- x$measures$unit[x$measures$measure == name]
-  rows <- utils::head(x$sources[x$sources$measure == name, ], most)
+  rows <- utils::head(x$sources[x$sources$measure == name, ], 10L)
   if (!nrow(rows)) return(character())
   with_plain_numbers(align_columns(list(
     paste0("  ", rows$source), sprintf("%.2g %%", 100 * rows$share), group_words[rows$group],

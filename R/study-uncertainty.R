@@ -76,10 +76,7 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   check_given("state")
   fit <- if (inherits(state, "codend_calibration")) state
   if (!is.null(fit)) state <- settled_calibration(fit)
-  check_is_state(state)
-  if (!is.null(state$time) || !isTRUE(state$report$converged)) {
-    abort_argument("{.arg state} must be settled, not a moment of a tow.")
-  }
+  check_is_settled(state)
   method <- chosen(method, c("linear", "samples"))
   check_level(level)
   check_count("samples", samples, 20)
@@ -294,9 +291,7 @@ source_table <- function(found, value, combined) {
       percent = 100 * whole[order]^2 / combined[m]^2
     )
   })
-  found <- do.call(rbind, rows)
-  row.names(found) <- NULL
-  found
+  table_rows(do.call(rbind, rows))
 }
 
 # The kind of a measure as residuals and sensors have it.
@@ -358,9 +353,7 @@ narrowing <- function(found, base, covariance, own) {
     data.frame(measure = rep(names(value)[m], length(order)), by = what[order],
       left = sqrt(pmax(0, total[m] - fall[order])))
   })
-  table <- do.call(rbind, rows)
-  row.names(table) <- NULL
-  table
+  table_rows(do.call(rbind, rows))
 }
 
 # ---- samples -------------------------------------------------------------------------------------

@@ -63,6 +63,11 @@ align_columns <- function(columns, left = 1L) {
   sub(" +$", "", paste0("  ", do.call(paste, c(cells, sep = "  "))))
 }
 
+# The same printed.
+cat_columns <- function(columns, left = 1L) {
+  cat(paste0(align_columns(columns, left), "\n"), sep = "")
+}
+
 # Groups of sources of uncertainty as readers see them.
 group_words <- c(
   coefficients = "coefficients", plan = "plan", conditions = "conditions",

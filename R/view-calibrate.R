@@ -6,8 +6,7 @@
 #' @param x A calibration, from [calibrate()].
 #' @param by A column of the data to draw residuals by; the first that sets a field when `NULL`, or
 #'   the rows' numbers where there is none.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))

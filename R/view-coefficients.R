@@ -6,8 +6,7 @@
 #' @param x Coefficients, from [force_coefficients()].
 #' @param force Which forces: any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"`
 #'   and `"wake"`; all when `NULL`.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @examples
 #' plot(force_coefficients(), force = "wake")
 #' @export

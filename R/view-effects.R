@@ -5,8 +5,7 @@
 #' scale, so that a field that matters little is flat. Depths grow downwards.
 #'
 #' @param x Effects, from [main_effects()].
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
@@ -48,8 +47,7 @@ effects_figure <- function(x, rows) {
 #' @param x Effects, from [pair_effects()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
 #' @param most How many pairs of each measure are drawn at most.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
@@ -116,8 +114,7 @@ group_labels <- function(values) {
 #'
 #' @param x Indices, from [sobol_indices()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examplesIf requireNamespace("spacefillr", quietly = TRUE)
 #' sample <- designs(towing.speed = value_range("3 knot", "5 knot"),

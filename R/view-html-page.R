@@ -56,9 +56,3 @@ view_file <- function(name) {
   lines <- readLines(system.file("view", name, package = "codend"), encoding = "UTF-8")
   paste(lines, collapse = "\n")
 }
-
-# A file as the address of its own contents.
-data_address <- function(file, type) {
-  paste0("data:", type, ";base64,",
-    gsub("[\r\n]", "", jsonlite::base64_enc(readBin(file, "raw", file.size(file)))))
-}

@@ -5,8 +5,7 @@
 #' is from its limit.
 #'
 #' @param x An optimum, from [optimise_gear()].
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' plot(optimise_gear("towed_cable", ~ -body_depth, ~ total_drag <= "9 kN",

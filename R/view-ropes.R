@@ -5,8 +5,7 @@
 #' to port and to starboard, show both.
 #'
 #' @param x Tensions, from [tensions_along()].
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' plot(tensions_along(settle("towed_cable")))
@@ -69,8 +68,7 @@ rope_series <- function(x) {
   short <- ifelse(said, substring(drawn$line, nchar(drawn$heading) + 2L), drawn$line)
   drawn$label <- gsub("_", " ", short)
   drawn$heading <- gsub("_", " ", drawn$heading)
-  rownames(drawn) <- NULL
-  drawn
+  table_rows(drawn)
 }
 
 first_given <- function(value, otherwise) if (is.na(value)) otherwise else value

@@ -4,8 +4,7 @@
 #' changes by.
 #'
 #' @param x A trade-off, from [trade_off()].
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' plot(trade_off("towed_cable",

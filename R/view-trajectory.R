@@ -8,8 +8,7 @@
 #' @param x A trajectory, from [tow()].
 #' @param measures Names of measures, as [measures()] has them; all, and what the schedule changes,
 #'   when `NULL`.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @examples
 #' plot(tow("towed_cable", until = 30, every = 1, speed = data.frame(
 #'   time = c(0, 10), value = c("4 knot", "5 knot")

@@ -7,8 +7,7 @@
 #' @param x Uncertainties, from [uncertainty()].
 #' @param measures Names of measures; all with a value when `NULL`.
 #' @param sources The name of a measure whose ten largest sources are drawn, or `NULL`.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' found <- uncertainty(settle("towed_cable"))

@@ -12,8 +12,7 @@
 #'
 #' @param x Variations, from [vary()].
 #' @param measures Names of measures, as [measures()] has them; all when `NULL`.
-#' @inheritParams plot.codend_sensitivities
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @inherit plot.codend_sensitivities params return
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"),
@@ -46,10 +45,8 @@ variations_title <- function(x) {
 # What is drawn of variations: list(field (column of the axis), ticks (labels, where its values are
 # texts), at = its places, measures, group of every row, group_labels, groups_title).
 variations_study <- function(x, wanted) {
-  columns <- names(x)
-  fields <- columns[seq_len(match("settled", columns) - 1L)]
-  known <- columns[-seq_len(match("warning", columns))]
-  shown_measures <- chosen_some(wanted, known, "measures")
+  fields <- variations_fields(x)
+  shown_measures <- chosen_some(wanted, variations_measures(x), "measures")
   field <- fields[1L]
   text <- !is.numeric(x[[field]])
   ticks <- if (text) unique(x[[field]])
@@ -114,6 +111,7 @@ variations_figure <- function(x, study, name) {
 drawn_ways <- c("random", "latin", "sobol", "indices")
 
 variations_fields <- function(x) names(x)[seq_len(match("settled", names(x)) - 1L)]
+variations_measures <- function(x) names(x)[-seq_len(match("warning", names(x)))]
 
 has_response_curves <- function(x) {
   isTRUE(attr(x, "study")$how %in% c(drawn_ways, "one_at_a_time")) &&
@@ -124,8 +122,7 @@ has_response_curves <- function(x) {
 # value and settled; a field's texts are the list `ticks`.
 response_points <- function(x, wanted) {
   fields <- variations_fields(x)
-  known <- names(x)[-seq_len(match("warning", names(x)))]
-  measures <- chosen_some(wanted, known, "measures")
+  measures <- chosen_some(wanted, variations_measures(x), "measures")
   ticks <- lapply(x[fields], function(values) if (!is.numeric(values)) unique(values))
   single <- attr(x, "study")$how == "one_at_a_time"
   rows <- lapply(setNames(nm = fields), function(field) {
