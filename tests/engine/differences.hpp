@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "meshes.hpp"
 #include "model/assembly.hpp"
 
 namespace codend {
@@ -13,15 +14,7 @@ constexpr double difference = 2e-5;  // m, m/s
 using Dense = Eigen::MatrixXd;
 
 inline Dense dense(const Assembly& assembly, const std::vector<double>& values) {
-  const BlockPattern& pattern = assembly.pattern();
-  Dense out = Dense::Zero(3 * pattern.n, 3 * pattern.n);
-  for (int row = 0; row < pattern.n; ++row) {
-    for (int64_t k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k) {
-      out.block<3, 3>(3 * row, 3 * pattern.column[static_cast<std::size_t>(k)]) =
-          Eigen::Map<const Block>(&values[9 * static_cast<std::size_t>(k)]);
-    }
-  }
-  return out;
+  return dense(assembly.pattern(), values);
 }
 
 // -dF/dy on the free nodes by differences; y is x or v, force(F) fills 3 per node.

@@ -4,10 +4,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <random>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -15,6 +12,7 @@
 #include <vector>
 
 #include "allocation_count.hpp"
+#include "meshes.hpp"
 #include "solve/block_lu.hpp"
 #include "solve/flushed_denormals.hpp"
 
@@ -22,43 +20,26 @@ namespace {
 
 using codend::BlockLU;
 using codend::BlockPattern;
+using codend::each_block;
+using codend::Mesh;
 using codend::Precision;
+using codend::random_vector;
 
 // Backward error |b - A x| / (|A| |x|), greatest norms. Gaussian elimination leaves about
 // (rows of a front) x (growth of the pivots) x 1.1e-16; fronts here have at most 300 rows and
 // growth stays below 20 on these matrices, which gives 1e-12 rounded up.
 constexpr double backward_error = 1e-12;
 
-struct Mesh {
-  std::vector<double> coordinates;
-  std::vector<std::pair<int, int>> edges;
+Mesh chain(int n) { return codend::grid(1, n); }
 
-  int nodes() const { return static_cast<int>(coordinates.size() / 3); }
-  int add(double x, double y, double z) {
-    coordinates.insert(coordinates.end(), {x, y, z});
-    return nodes() - 1;
-  }
-  void join(int a, int b) { edges.push_back({a, b}); }
-};
-
-Mesh chain(int n) {
-  Mesh mesh;
-  for (int i = 0; i < n; ++i) {
-    mesh.add(0.5 * i, 0, 0);
-    if (i > 0) mesh.join(i - 1, i);
-  }
-  return mesh;
-}
-
+// Triangles, not level.
 Mesh sheet(int rows, int columns) {
-  Mesh mesh;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const int k = mesh.add(j, i, std::sin(0.3 * i + 0.2 * j));
-      if (j > 0) mesh.join(k, k - 1);
-      if (i > 0) mesh.join(k, k - columns);
-      if (i > 0 && j > 0) mesh.join(k, k - columns - 1);
-    }
+  Mesh mesh = codend::grid(rows, columns);
+  for (int k = 0; k < mesh.nodes(); ++k) {
+    const int i = k / columns, j = k % columns;
+    mesh.places[3 * k + 2] = std::sin(0.3 * i + 0.2 * j);
+    if (i > 0 && j > 0) mesh.join(k, k - columns - 1);
+  }
   return mesh;
 }
 
@@ -117,59 +98,57 @@ Mesh complete(int n) {
 Mesh apart(const Mesh& a, const Mesh& b) {
   Mesh mesh = a;
   const int shift = a.nodes();
-  mesh.coordinates.insert(mesh.coordinates.end(), b.coordinates.begin(), b.coordinates.end());
-  for (const auto& [i, j] : b.edges) mesh.join(i + shift, j + shift);
+  mesh.places.insert(mesh.places.end(), b.places.begin(), b.places.end());
+  for (std::vector<int> row : b.neighbours) {
+    for (int& j : row) j += shift;
+    mesh.neighbours.push_back(row);
+  }
   return mesh;
-}
-
-BlockPattern pattern_of(const Mesh& mesh) {
-  std::vector<std::set<int>> rows(mesh.nodes());
-  for (int i = 0; i < mesh.nodes(); ++i) rows[i].insert(i);
-  for (const auto& [i, j] : mesh.edges) {
-    rows[i].insert(j);
-    rows[j].insert(i);
-  }
-  BlockPattern pattern;
-  pattern.n = mesh.nodes();
-  pattern.row_start.push_back(0);
-  for (const auto& row : rows) {
-    pattern.column.insert(pattern.column.end(), row.begin(), row.end());
-    pattern.row_start.push_back(static_cast<int64_t>(pattern.column.size()));
-  }
-  return pattern;
-}
-
-std::vector<double> random_vector(size_t size, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::vector<double> v(size);
-  for (double& x : v) x = generator() / 2147483648.0 - 1;
-  return v;
 }
 
 // Random blocks. Each diagonal block has its heavy entries off its own diagonal, so that a solver
 // without pivoting breaks down.
 std::vector<double> random_values(const BlockPattern& pattern, unsigned seed) {
   std::vector<double> values = random_vector(9 * pattern.column.size(), seed);
-  for (int i = 0; i < pattern.n; ++i)
-    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
-      if (pattern.column[e] == i) {
-        values[9 * e] = values[9 * e + 4] = values[9 * e + 8] = 0;
-        for (int a = 0; a < 3; ++a) values[9 * e + 3 * a + (a + 1) % 3] += 6;
-      }
+  each_block(pattern, values, [](int i, int j, double* block) {
+    if (i != j) return;
+    block[0] = block[4] = block[8] = 0;
+    for (int a = 0; a < 3; ++a) block[3 * a + (a + 1) % 3] += 6;
+  });
   return values;
 }
 
 Eigen::SparseMatrix<double> to_eigen(const BlockPattern& pattern,
                                      const std::vector<double>& values) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < pattern.n; ++i)
-    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          entries.emplace_back(3 * i + a, 3 * pattern.column[e] + b, values[9 * e + 3 * a + b]);
+  each_block(pattern, values, [&](int i, int j, const double* block) {
+    for (int q = 0; q < 9; ++q) entries.emplace_back(3 * i + q / 3, 3 * j + q % 3, block[q]);
+  });
   Eigen::SparseMatrix<double> matrix(3 * pattern.n, 3 * pattern.n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+// A matrix on a mesh, and a right side.
+struct Problem {
+  Mesh mesh;
+  BlockPattern pattern = mesh.pattern();
+  std::vector<double> values, b = random_vector(3 * pattern.n, 4), x = b;
+
+  explicit Problem(Mesh of) : mesh(std::move(of)), values(random_values(pattern, 7)) {}
+  void analyse(BlockLU& lu) const { lu.analyse(pattern, mesh.places.data()); }
+  std::vector<double> solution(BlockLU& lu) const {
+    REQUIRE(lu.factorise(values.data()));
+    std::vector<double> out(b.size());
+    lu.solve(b.data(), out.data());
+    return out;
+  }
+};
+
+void empty_row(const BlockPattern& pattern, std::vector<double>& values, int node) {
+  each_block(pattern, values, [&](int i, int, double* block) {
+    if (i == node) std::fill(block + 3, block + 6, 0.0);
+  });
 }
 
 double greatest_row_sum(const Eigen::SparseMatrix<double>& matrix) {
@@ -180,15 +159,17 @@ double greatest_row_sum(const Eigen::SparseMatrix<double>& matrix) {
   return sums.maxCoeff();
 }
 
-void check_against_sparse_lu(const Mesh& mesh, const std::vector<double>& values) {
-  const BlockPattern pattern = pattern_of(mesh);
-  const Eigen::SparseMatrix<double> matrix = to_eigen(pattern, values);
-  const Eigen::VectorXd b = Eigen::VectorXd::Random(3 * pattern.n);
+Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v) {
+  return {v.data(), static_cast<Eigen::Index>(v.size())};
+}
+
+void check_against_sparse_lu(const Problem& of) {
+  const Eigen::SparseMatrix<double> matrix = to_eigen(of.pattern, of.values);
+  const auto b = as_vector(of.b);
   BlockLU lu;
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(lu.factorise(values.data()));
-  Eigen::VectorXd x(b.size());
-  lu.solve(b.data(), x.data());
+  of.analyse(lu);
+  const std::vector<double> solved = of.solution(lu);
+  const auto x = as_vector(solved);
 
   const double norm = greatest_row_sum(matrix);
   const double scale = norm * x.lpNorm<Eigen::Infinity>();
@@ -207,11 +188,13 @@ void check_against_sparse_lu(const Mesh& mesh, const std::vector<double>& values
   const double condition = 1000 * scale / b.lpNorm<Eigen::Infinity>();
   CHECK((x - y).lpNorm<Eigen::Infinity>() <=
         2 * backward_error * condition * y.lpNorm<Eigen::Infinity>());
+
+  std::vector<double> in_place = of.b;
+  lu.solve(in_place.data(), in_place.data());
+  CHECK(in_place == solved);
 }
 
-void check_against_sparse_lu(const Mesh& mesh) {
-  check_against_sparse_lu(mesh, random_values(pattern_of(mesh), 7));
-}
+void check_against_sparse_lu(const Mesh& mesh) { check_against_sparse_lu(Problem(mesh)); }
 
 }  // namespace
 
@@ -234,7 +217,7 @@ TEST_CASE("block LU agrees with Eigen::SparseLU") {
 TEST_CASE("block LU needs no help from coordinates") {
   SUBCASE("all nodes coincide") {
     Mesh mesh = sheet(24, 25);
-    std::fill(mesh.coordinates.begin(), mesh.coordinates.end(), 1.5);
+    std::fill(mesh.places.begin(), mesh.places.end(), 1.5);
     check_against_sparse_lu(mesh);
   }
   SUBCASE("some nodes coincide") {
@@ -244,7 +227,7 @@ TEST_CASE("block LU needs no help from coordinates") {
   }
   SUBCASE("scattered at random") {
     Mesh mesh = tube(25, 20);
-    mesh.coordinates = random_vector(mesh.coordinates.size(), 3);
+    mesh.places = random_vector(mesh.places.size(), 3);
     check_against_sparse_lu(mesh);
   }
 }
@@ -252,116 +235,89 @@ TEST_CASE("block LU needs no help from coordinates") {
 namespace {
 
 // Every edge a spring, as rope against slack twine, with a nonsymmetric part of a tenth.
-std::vector<double> springs_seven_decades_apart(const BlockPattern& pattern) {
-  std::vector<double> values(9 * pattern.column.size(), 0);
-  std::vector<int64_t> diagonal(pattern.n);
-  for (int i = 0; i < pattern.n; ++i)
-    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
-      if (pattern.column[e] == i) diagonal[i] = e;
-  const std::vector<double> noise = random_vector(values.size(), 5);
-  for (int i = 0; i < pattern.n; ++i)
-    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e) {
-      const int j = pattern.column[e];
-      const double stiffness = std::max(i, j) >= 20 * 17 ? 1e7 : 1.0;
-      for (int a = 0; a < 3; ++a) {
-        if (j == i) values[9 * e + 4 * a] += 1;
-        if (j == i) continue;
-        values[9 * e + 4 * a] -= stiffness;
-        values[9 * diagonal[i] + 4 * a] += stiffness;
-        for (int b = 0; b < 3; ++b)
-          values[9 * e + 3 * a + b] += 0.1 * stiffness * noise[9 * e + 3 * a + b] / 3;
-      }
-    }
-  return values;
+Problem springs_seven_decades_apart() {
+  Problem out(ropes_and_sheet());
+  const auto stiffness = [](int i, int j) { return std::max(i, j) >= 20 * 17 ? 1e7 : 1.0; };
+  out.values = codend::springs(out.pattern, stiffness, 0.1 / 3, 1.0, 5);
+  return out;
 }
 
 }  // namespace
 
 TEST_CASE("block LU bears stiffnesses seven decades apart") {
-  const Mesh mesh = ropes_and_sheet();
-  check_against_sparse_lu(mesh, springs_seven_decades_apart(pattern_of(mesh)));
+  check_against_sparse_lu(springs_seven_decades_apart());
 }
 
 TEST_CASE("block LU in single precision refines to the residual asked for") {
-  const Mesh mesh = ropes_and_sheet();
-  const BlockPattern pattern = pattern_of(mesh);
-  std::vector<double> values;
-  SUBCASE("random blocks") { values = random_values(pattern, 7); }
-  SUBCASE("stiffnesses seven decades apart") { values = springs_seven_decades_apart(pattern); }
+  Problem of(ropes_and_sheet());
+  SUBCASE("random blocks") {}
+  SUBCASE("stiffnesses seven decades apart") { of = springs_seven_decades_apart(); }
   BlockLU lu(Precision::single_precision);
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(lu.factorise(values.data()));
-  const Eigen::SparseMatrix<double> matrix = to_eigen(pattern, values);
-  const Eigen::VectorXd b = Eigen::VectorXd::Random(3 * pattern.n);
-  Eigen::VectorXd x(b.size());
+  of.analyse(lu);
+  REQUIRE(lu.factorise(of.values.data()));
+  const Eigen::SparseMatrix<double> matrix = to_eigen(of.pattern, of.values);
+  const auto b = as_vector(of.b), x = as_vector(of.x);
   const auto residual = [&] {
     return (b - matrix * x).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
   };
   for (const double tolerance : {1e-4, 1e-8, 1e-11}) {
-    const double reached = lu.solve_refined(pattern, values.data(), b.data(), tolerance, x.data());
+    const double reached =
+        lu.solve_refined(of.pattern, of.values.data(), of.b.data(), tolerance, of.x.data());
     CHECK(reached <= tolerance);
     // the two sum up rows in different orders: some ten terms, each as large as |A| |x| at most
     const double rounding = 10 * 1.1e-16 * greatest_row_sum(matrix) * x.lpNorm<Eigen::Infinity>() /
                             b.lpNorm<Eigen::Infinity>();
     CHECK(std::abs(residual() - reached) <= rounding);
   }
-  lu.solve(b.data(), x.data());
+  lu.solve(of.b.data(), of.x.data());
   CHECK(residual() > 1e-11);  // so that refinement had something to do
 }
 
 TEST_CASE("refinement ends where it gains no more") {
-  const Mesh mesh = sheet(9, 8);
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 2), other = random_values(pattern, 3);
-  const std::vector<double> b = random_vector(3 * pattern.n, 4);
-  std::vector<double> x(b.size());
+  Problem of(sheet(9, 8));
   BlockLU lu;
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(lu.factorise(values.data()));
+  of.analyse(lu);
+  REQUIRE(lu.factorise(of.values.data()));
+  const auto reached = [&](const std::vector<double>& matrix, const std::vector<double>& right,
+                           double tolerance) {
+    return lu.solve_refined(of.pattern, matrix.data(), right.data(), tolerance, of.x.data());
+  };
   SUBCASE("at the rounding of numbers") {
-    const double reached = lu.solve_refined(pattern, values.data(), b.data(), 0, x.data());
-    CHECK(reached > 0);
-    CHECK(reached < 1e-12);
+    const double least = reached(of.values, of.b, 0);
+    CHECK(least > 0);
+    CHECK(least < 1e-12);
   }
   SUBCASE("with the factors of another matrix") {
-    CHECK(lu.solve_refined(pattern, other.data(), b.data(), 1e-10, x.data()) > 1e-2);
+    CHECK(reached(random_values(of.pattern, 3), of.b, 1e-10) > 1e-2);
   }
   SUBCASE("without a right side") {
-    const std::vector<double> none(b.size(), 0.0);
-    CHECK(lu.solve_refined(pattern, values.data(), none.data(), 1e-10, x.data()) == 0);
-    CHECK(x == none);
+    const std::vector<double> none(of.b.size(), 0.0);
+    CHECK(reached(of.values, none, 1e-10) == 0);
+    CHECK(of.x == none);
   }
 }
 
 TEST_CASE("block LU gives equal bytes with one thread and two") {
   // large enough for two threads, and the last part for a front of its own in both
-  const Mesh mesh = apart(sheet(150, 140), tube_with_ring());
-  const BlockPattern pattern = pattern_of(mesh);
-  std::vector<double> values = random_values(pattern, 17);
+  Problem of(apart(sheet(150, 140), tube_with_ring()));
   SUBCASE("of common numbers") {}
   SUBCASE("of couplings whose products are denormal in single precision") {
-    for (int i = 0; i < pattern.n; ++i)
-      for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
-        for (int k = 0; k < 9; ++k)
-          if (pattern.column[e] != i) values[9 * e + k] *= 1e-20;
+    each_block(of.pattern, of.values, [](int i, int j, double* block) {
+      for (int k = 0; i != j && k < 9; ++k) block[k] *= 1e-20;
+    });
   }
-  const std::vector<double> b = random_vector(3 * pattern.n, 18);
   for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
-    std::vector<double> one(b.size()), two(b.size());
     BlockLU alone(precision, 1), shared(precision, 2);
-    alone.analyse(pattern, mesh.coordinates.data());
-    shared.analyse(pattern, mesh.coordinates.data());
-    REQUIRE(alone.factorise(values.data()));
-    for (int round = 0; round < 3; ++round) REQUIRE(shared.factorise(values.data()));
-    alone.solve(b.data(), one.data());
-    shared.solve(b.data(), two.data());
-    CHECK(one == two);
+    of.analyse(alone);
+    of.analyse(shared);
+    for (int round = 0; round < 2; ++round) REQUIRE(shared.factorise(of.values.data()));
+    CHECK(of.solution(alone) == of.solution(shared));
   }
 }
 
 TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhere else") {
   const Mesh mesh = chain(2);
-  const BlockPattern pattern = pattern_of(mesh);  // blocks 11, 12, 21, 22
+  const BlockPattern pattern = mesh.pattern();  // blocks 11, 12, 21, 22
   std::vector<double> values(36, 0);
   for (const int block : {0, 3})
     for (int k = 0; k < 3; ++k) values[9 * block + 4 * k] = 1;
@@ -369,7 +325,7 @@ TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhe
   const std::vector<double> b = {1e10, 0, 0, 0, 0, 0};
   const auto second = [&](Precision precision) {
     BlockLU lu(precision);
-    lu.analyse(pattern, mesh.coordinates.data());
+    lu.analyse(pattern, mesh.places.data());
     const auto before = codend::floating_point_control();
     REQUIRE(lu.factorise(values.data()));
     std::vector<double> x(6);
@@ -384,30 +340,23 @@ TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhe
 }
 
 TEST_CASE("two threads report a singular matrix") {
-  const Mesh mesh = sheet(150, 140);
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> sound = random_values(pattern, 21);
+  const Problem of(sheet(150, 140));
   BlockLU lu(Precision::double_precision, 2);
-  lu.analyse(pattern, mesh.coordinates.data());
+  of.analyse(lu);
   for (int node : {0, 10500, 20999}) {  // in both threads' subtrees and about the first separator
-    std::vector<double> values = sound;
-    for (int64_t e = pattern.row_start[node]; e < pattern.row_start[node + 1]; ++e)
-      for (int b = 0; b < 3; ++b) values[9 * e + 3 + b] = 0;
+    std::vector<double> values = of.values;
+    empty_row(of.pattern, values, node);
     CHECK_FALSE(lu.factorise(values.data()));
   }
-  CHECK(lu.factorise(sound.data()));
+  CHECK(lu.factorise(of.values.data()));
 }
 
 TEST_CASE("block LU pauses, and stops where the pause throws") {
-  const Mesh mesh = sheet(220, 200);
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 22);
-  const std::vector<double> b = random_vector(3 * pattern.n, 23);
-  std::vector<double> expected(b.size()), found(b.size());
+  const Problem of(sheet(220, 200));
+  std::vector<double> x = of.b;
   BlockLU plain(Precision::single_precision);
-  plain.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(plain.factorise(values.data()));
-  plain.solve(b.data(), expected.data());
+  of.analyse(plain);
+  const std::vector<double> expected = of.solution(plain);
   for (const int threads : {1, 2}) {
     CAPTURE(threads);
     int pauses = 0, stop_at = 1;
@@ -416,25 +365,23 @@ TEST_CASE("block LU pauses, and stops where the pause throws") {
       CHECK(std::this_thread::get_id() == here);
       if (++pauses == stop_at) throw std::runtime_error("stopped");
     });
-    CHECK_THROWS_WITH(lu.analyse(pattern, mesh.coordinates.data()), "stopped");
+    CHECK_THROWS_WITH(of.analyse(lu), "stopped");
     pauses = stop_at = 0;
-    lu.analyse(pattern, mesh.coordinates.data());
+    of.analyse(lu);
     CHECK(pauses >= 2);  // before the first cut of 44,000 nodes and those of its halves
     pauses = 0;
-    REQUIRE(lu.factorise(values.data()));
+    REQUIRE(lu.factorise(of.values.data()));
     const int all = pauses;
     REQUIRE(all >= 2);
     for (const int at : {1, all}) {
       pauses = 0;
       stop_at = at;
-      CHECK_THROWS_WITH(lu.factorise(values.data()), "stopped");
+      CHECK_THROWS_WITH(lu.factorise(of.values.data()), "stopped");
       CHECK(pauses == at);
-      CHECK_THROWS_AS(lu.solve(b.data(), found.data()), std::logic_error);
+      CHECK_THROWS_AS(lu.solve(x.data(), x.data()), std::logic_error);
     }
     stop_at = 0;
-    REQUIRE(lu.factorise(values.data()));
-    lu.solve(b.data(), found.data());
-    CHECK(found == expected);
+    CHECK(of.solution(lu) == expected);
   }
 }
 
@@ -447,99 +394,58 @@ TEST_CASE("block LU takes one thread or two") {
 }
 
 TEST_CASE("block LU gives equal bytes on repeated runs") {
-  const Mesh mesh = ropes_and_sheet();
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 11);
-  const std::vector<double> other = random_values(pattern, 12);
-  const std::vector<double> b = random_vector(3 * pattern.n, 13);
-  std::vector<double> first(b.size()), second(b.size()), fresh(b.size());
-  BlockLU lu;
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(lu.factorise(values.data()));
-  lu.solve(b.data(), first.data());
+  const Problem of(ropes_and_sheet()), small(chain(9));
+  BlockLU lu, anew;
+  of.analyse(lu);
+  const std::vector<double> first = of.solution(lu);
   // nothing may be left over from another matrix, nor from another pattern
-  REQUIRE(lu.factorise(other.data()));
-  REQUIRE(lu.factorise(values.data()));
-  lu.solve(b.data(), second.data());
-  BlockLU anew;
-  anew.analyse(pattern_of(chain(9)), chain(9).coordinates.data());
-  anew.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(anew.factorise(values.data()));
-  anew.solve(b.data(), fresh.data());
-  CHECK(first == second);
-  CHECK(first == fresh);
-}
-
-TEST_CASE("block LU solves in place") {
-  const Mesh mesh = sheet(9, 8);
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 2);
-  const std::vector<double> b = random_vector(3 * pattern.n, 4);
-  std::vector<double> x(b.size()), in_place = b;
-  BlockLU lu;
-  lu.analyse(pattern, mesh.coordinates.data());
-  REQUIRE(lu.factorise(values.data()));
-  lu.solve(b.data(), x.data());
-  lu.solve(in_place.data(), in_place.data());
-  CHECK(x == in_place);
+  REQUIRE(lu.factorise(random_values(of.pattern, 12).data()));
+  CHECK(of.solution(lu) == first);
+  small.analyse(anew);
+  of.analyse(anew);
+  CHECK(of.solution(anew) == first);
 }
 
 TEST_CASE("block LU reports a singular matrix") {
-  const Mesh mesh = apart(sheet(10, 10), chain(5));
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> sound = random_values(pattern, 21);
-  std::vector<double> values = sound;
-  std::vector<double> x(3 * pattern.n, 1);
+  const Problem of(apart(sheet(10, 10), chain(5)));
+  std::vector<double> values = of.values, x = of.b;
   BlockLU lu;
-  lu.analyse(pattern, mesh.coordinates.data());
+  of.analyse(lu);
   CHECK_THROWS_AS(lu.solve(x.data(), x.data()), std::logic_error);
   REQUIRE(lu.factorise(values.data()));
   const int node = 37;
-  SUBCASE("empty row") {
-    for (int64_t e = pattern.row_start[node]; e < pattern.row_start[node + 1]; ++e)
-      for (int b = 0; b < 3; ++b) values[9 * e + 3 + b] = 0;
-  }
+  double& within = values[9 * of.pattern.row_start[node] + 4];
+  SUBCASE("empty row") { empty_row(of.pattern, values, node); }
   SUBCASE("empty column") {
-    for (int i = 0; i < pattern.n; ++i)
-      for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e)
-        if (pattern.column[e] == node)
-          for (int a = 0; a < 3; ++a) values[9 * e + 3 * a + 2] = 0;
+    each_block(of.pattern, values, [&](int, int j, double* block) {
+      if (j == node) block[2] = block[5] = block[8] = 0;
+    });
   }
   SUBCASE("a part that floats freely") {
     // a chain of equal springs without support; whole numbers, so the last pivot is exactly zero
-    for (int i = 100; i < 105; ++i)
-      for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e) {
-        const bool end = i == 100 || i == 104;
-        for (int q = 0; q < 9; ++q)
-          values[9 * e + q] = q % 4 != 0 ? 0 : pattern.column[e] != i ? -1 : end ? 1 : 2;
-      }
+    each_block(of.pattern, values, [](int i, int j, double* block) {
+      const bool end = i == 100 || i == 104;
+      for (int q = 0; i >= 100 && q < 9; ++q) block[q] = q % 4 != 0 ? 0 : j != i ? -1 : end ? 1 : 2;
+    });
   }
-  SUBCASE("not a number") {
-    values[9 * pattern.row_start[node] + 4] = std::numeric_limits<double>::quiet_NaN();
-  }
-  SUBCASE("infinity") {
-    values[9 * pattern.row_start[node] + 4] = std::numeric_limits<double>::infinity();
-  }
+  SUBCASE("not a number") { within = std::numeric_limits<double>::quiet_NaN(); }
+  SUBCASE("infinity") { within = std::numeric_limits<double>::infinity(); }
   CHECK_FALSE(lu.factorise(values.data()));
   CHECK_THROWS_AS(lu.solve(x.data(), x.data()), std::logic_error);
-  CHECK(lu.factorise(sound.data()));
+  CHECK(lu.factorise(of.values.data()));
 }
 
 TEST_CASE("block LU allocates only when it analyses") {
-  const Mesh mesh = apart(tube_with_ring(), sheet(140, 145));
-  const BlockPattern pattern = pattern_of(mesh);
-  const std::vector<double> values = random_values(pattern, 31);
-  const std::vector<double> b = random_vector(3 * pattern.n, 32);
-  std::vector<double> x(b.size());
+  Problem of(apart(tube_with_ring(), sheet(140, 145)));
   const auto check = [&](Precision precision, int threads) {
     BlockLU lu(precision, threads);
     const long before_analysis = codend::allocation_count();
-    lu.analyse(pattern, mesh.coordinates.data());
+    of.analyse(lu);
     REQUIRE(codend::allocation_count() > before_analysis);
     const long before = codend::allocation_count();
-    const bool sound = lu.factorise(values.data());
-    lu.solve(b.data(), x.data());
-    lu.solve_refined(pattern, values.data(), b.data(), 1e-12, x.data());
+    const bool sound = lu.factorise(of.values.data());
+    lu.solve(of.b.data(), of.x.data());
+    lu.solve_refined(of.pattern, of.values.data(), of.b.data(), 1e-12, of.x.data());
     CHECK(codend::allocation_count() == before);
     CHECK(sound);
   };
@@ -559,7 +465,7 @@ TEST_CASE("block LU takes an empty matrix") {
 
 TEST_CASE("block LU refuses a pattern that breaks its description") {
   const Mesh mesh = sheet(4, 4);
-  BlockPattern pattern = pattern_of(mesh);
+  BlockPattern pattern = mesh.pattern();
   const char* fault = "";
   SUBCASE("offsets") {
     pattern.row_start.pop_back();
@@ -584,14 +490,14 @@ TEST_CASE("block LU refuses a pattern that breaks its description") {
     fault = "block pattern: row 0 has no diagonal entry";
   }
   BlockLU lu;
-  CHECK_THROWS_WITH_AS(lu.analyse(pattern, mesh.coordinates.data()), fault, std::invalid_argument);
+  CHECK_THROWS_WITH_AS(lu.analyse(pattern, mesh.places.data()), fault, std::invalid_argument);
 }
 
 TEST_CASE("figures of block LU count what is stored") {
   // one front: 3n pivots and no boundary, so L and U fill a square and nothing is stacked
   const Mesh mesh = complete(4);
   BlockLU lu;
-  lu.analyse(pattern_of(mesh), mesh.coordinates.data());
+  lu.analyse(mesh.pattern(), mesh.places.data());
   CHECK(lu.figures().fronts == 1);
   CHECK(lu.figures().largest_front == 12);
   CHECK(lu.figures().factor_entries == 144);

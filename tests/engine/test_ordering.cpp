@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshes.hpp"
 #include "solve/assembly_tree.hpp"
 #include "solve/compressed_graph.hpp"
 #include "solve/ordering.hpp"
@@ -14,56 +15,28 @@ namespace {
 
 using codend::AssemblyTree;
 using codend::BlockPattern;
+using codend::grid;
+using codend::Mesh;
 using codend::SeparatorTree;
 
-// A grid of rows x columns nodes, each joined to its neighbours along the two directions.
-BlockPattern grid(int rows, int columns) {
-  BlockPattern pattern;
-  pattern.n = rows * columns;
-  pattern.row_start.push_back(0);
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const int k = i * columns + j;
-      if (i > 0) pattern.column.push_back(k - columns);
-      if (j > 0) pattern.column.push_back(k - 1);
-      pattern.column.push_back(k);
-      if (j + 1 < columns) pattern.column.push_back(k + 1);
-      if (i + 1 < rows) pattern.column.push_back(k + columns);
-      pattern.row_start.push_back(static_cast<int64_t>(pattern.column.size()));
-    }
-  return pattern;
-}
-
-// The graph with a node in the middle of every edge, as netting of bars has, and a line of nodes
+// The mesh with a node in the middle of every edge, as netting of bars has, and a line of nodes
 // hung from its first one.
-BlockPattern with_middles(const BlockPattern& pattern, int line) {
-  std::vector<std::vector<int>> neighbours(pattern.n);
-  const auto join = [&](int a, int b) {
-    neighbours[a].push_back(b);
-    neighbours[b].push_back(a);
-  };
-  for (int i = 0; i < pattern.n; ++i)
-    for (int64_t e = pattern.row_start[i]; e < pattern.row_start[i + 1]; ++e) {
-      if (pattern.column[e] <= i) continue;
-      const int middle = static_cast<int>(neighbours.size());
-      neighbours.emplace_back();
-      join(i, middle);
-      join(middle, pattern.column[e]);
+Mesh with_middles(const Mesh& mesh, int line) {
+  Mesh out;
+  for (int i = 0; i < mesh.nodes(); ++i) out.add(0, 0, 0);
+  for (int i = 0; i < mesh.nodes(); ++i)
+    for (const int j : mesh.neighbours[i]) {
+      if (j <= i) continue;
+      const int middle = out.add(0, 0, 0);
+      out.join(i, middle);
+      out.join(middle, j);
     }
   for (int k = 0, from = 0; k < line; ++k) {
-    const int next = static_cast<int>(neighbours.size());
-    neighbours.emplace_back();
-    join(from, next);
+    const int next = out.add(0, 0, 0);
+    out.join(from, next);
     from = next;
   }
-  return codend::block_pattern(std::move(neighbours));
-}
-
-std::vector<double> flat(int rows, int columns) {
-  std::vector<double> x;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) x.insert(x.end(), {1.0 * j, 1.0 * i, 0.0});
-  return x;
+  return out;
 }
 
 bool is_ancestor(const SeparatorTree& tree, int above, int vertex) {
@@ -74,19 +47,18 @@ bool is_ancestor(const SeparatorTree& tree, int above, int vertex) {
 }  // namespace
 
 TEST_CASE("nested dissection owns each node once and separates") {
-  BlockPattern pattern = grid(23, 17);
-  std::vector<double> x = flat(23, 17);
+  Mesh mesh = grid(23, 17);
+  std::vector<double>& x = mesh.places;
   SUBCASE("with coordinates") {}
   SUBCASE("with all nodes at one place") { std::fill(x.begin(), x.end(), 0.0); }
   SUBCASE("with a coordinate that is not a number") { x[30] = std::nan(""); }
   SUBCASE("with nodes of two neighbours") {
-    pattern = with_middles(pattern, 37);
-    x.resize(3 * static_cast<size_t>(pattern.n), 0.0);
+    const std::vector<double> places = x;
+    mesh = with_middles(mesh, 37);
+    std::copy(places.begin(), places.end(), x.begin());
   }
-  SUBCASE("with nothing but nodes of two neighbours") {
-    pattern = grid(1, 300);
-    x = flat(1, 300);
-  }
+  SUBCASE("with nothing but nodes of two neighbours") { mesh = grid(1, 300); }
+  const BlockPattern pattern = mesh.pattern();
   const SeparatorTree tree = codend::nested_dissection(pattern, x.data());
   std::vector<int> owner(pattern.n, -1);
   for (size_t t = 0; t < tree.parent.size(); ++t) {
@@ -106,12 +78,12 @@ TEST_CASE("nested dissection owns each node once and separates") {
 
 TEST_CASE("the first separator of a grid is one line of its nodes") {
   // 40 x 15: no set of fewer than 15 nodes halves it
-  std::vector<double> x = flat(40, 15);
+  Mesh mesh = grid(40, 15);
   SUBCASE("with coordinates") {}
   SUBCASE("stretched so that the widest direction cuts worst") {
-    for (size_t i = 0; i < x.size(); i += 3) x[i] *= 100;
+    for (size_t i = 0; i < mesh.places.size(); i += 3) mesh.places[i] *= 100;
   }
-  const SeparatorTree tree = codend::nested_dissection(grid(40, 15), x.data());
+  const SeparatorTree tree = codend::nested_dissection(mesh.pattern(), mesh.places.data());
   const int root = static_cast<int>(tree.parent.size()) - 1;
   CHECK(tree.first_node[root + 1] - tree.first_node[root] == 15);
 }
@@ -119,17 +91,11 @@ TEST_CASE("the first separator of a grid is one line of its nodes") {
 TEST_CASE("compression takes bar middles and free ends out and joins the knots") {
   // a closed grid, so that every knot has four neighbours
   const int rows = 7, columns = 9;
-  std::vector<std::vector<int>> neighbours(rows * columns);
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const int k = i * columns + j;
-      for (const int other : {i * columns + (j + 1) % columns, (i + 1) % rows * columns + j}) {
-        neighbours[k].push_back(other);
-        neighbours[other].push_back(k);
-      }
-    }
-  const BlockPattern knots = codend::block_pattern(std::move(neighbours));
-  const codend::CompressedGraph graph = codend::compress(with_middles(knots, 1));
+  Mesh mesh = grid(rows, columns);
+  for (int i = 0; i < rows; ++i) mesh.join(i * columns, i * columns + columns - 1);
+  for (int j = 0; j < columns; ++j) mesh.join(j, (rows - 1) * columns + j);
+  const BlockPattern knots = mesh.pattern();
+  const codend::CompressedGraph graph = codend::compress(with_middles(mesh, 1).pattern());
   REQUIRE(static_cast<int>(graph.node.size()) == knots.n);
   for (int i = 0; i < knots.n; ++i) {
     CHECK(graph.node[i] == i);
@@ -146,16 +112,16 @@ TEST_CASE("compression takes bar middles and free ends out and joins the knots")
 
 TEST_CASE("the fill of a chain is that of its tree of halves") {
   // a chain cut at single nodes: no front has more than two neighbours
-  const BlockPattern pattern = grid(1, 300);
-  const std::vector<double> x = flat(1, 300);
-  const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, x.data()));
+  const Mesh mesh = grid(1, 300);
+  const BlockPattern pattern = mesh.pattern();
+  const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, mesh.places.data()));
   for (int f = 0; f < tree.fronts(); ++f) CHECK(tree.boundary_nodes(f) <= 2);
 }
 
 TEST_CASE("fronts hold exactly what elimination fills in") {
-  const BlockPattern pattern = grid(14, 13);
-  const std::vector<double> x = flat(14, 13);
-  const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, x.data()));
+  const Mesh mesh = grid(14, 13);
+  const BlockPattern pattern = mesh.pattern();
+  const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, mesh.places.data()));
 
   std::vector<int> sorted = tree.order;
   std::sort(sorted.begin(), sorted.end());
