@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "march/motion.hpp"
 #include "model/model.hpp"
 
 namespace codend {
@@ -33,6 +34,12 @@ struct FilledModel {
     model.bars.multiplicity.push_back(1.0);
     model.bars.material.push_back(material);
     return model.bars.count() - 1;
+  }
+  Motion at_rest() const {
+    Motion out;
+    out.x = Eigen::Map<const Values>(x.data(), static_cast<Eigen::Index>(x.size()));
+    out.v = Values::Zero(out.x.size());
+    return out;
   }
 };
 

@@ -5,33 +5,21 @@
 #include <limits>
 #include <memory>
 
-#include "filled_model.hpp"
-#include "march/march.hpp"
 #include "march/schemes.hpp"
-#include "moving_models.hpp"
+#include "marched.hpp"
+#include "oscillator.hpp"
 #include "random_model.hpp"
 
 namespace {
 
 using namespace codend;
 
-struct Oscillator {
-  Model model;
-  Motion start;
-  Oscillator() {
-    make_oscillator(model);
-    start.x = Eigen::Map<const Values>(oscillator_start, 9);
-    start.v = Values::Zero(9);
-  }
-  Oscillator(const Oscillator&) = delete;
-};
-
 // accuracy: m, of a step of an adaptive scheme; infinite for steps of one length.
 std::unique_ptr<Stepper> stepper(const Scheme& scheme, Assembly& assembly, const Motion& start,
                                  double accuracy = std::numeric_limits<double>::infinity()) {
   StepAccuracy held_to;
   held_to.position = accuracy;
-  held_to.found = 1e-12;
+  held_to.found = 1e-13;
   return scheme.make(assembly, held_to, start, start.x);
 }
 
@@ -40,19 +28,14 @@ int order_of(const Scheme& scheme, const Model& model, const Motion& start) {
   return stepper(scheme, assembly, start)->order();
 }
 
+// In steps that begin with one of so long (s).
 Motion march(const Model& model, const Motion& start, const Scheme& scheme, double until,
-             MarchControl control, MarchReport* report = nullptr,
+             double step, MarchReport* report = nullptr,
              double accuracy = std::numeric_limits<double>::infinity()) {
   Assembly assembly(model);
   SteadyConditions conditions(model.held, start);
   const std::unique_ptr<Stepper> steps = stepper(scheme, assembly, start, accuracy);
-  control.adaptive = std::isfinite(accuracy);
-  Past past;
-  past.now = start;
-  March march(assembly, *steps, conditions, control, past);
-  CHECK(march.to(until) == MarchReport::End::reached);
-  if (report) *report = march.report();
-  return march.now();
+  return marched(assembly, *steps, conditions, start, until, step, std::isfinite(accuracy), report);
 }
 
 // A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
@@ -68,10 +51,8 @@ struct String : FilledModel {
       if (n > 0) bar(n - 1, n, rest, 0);
     }
     model.prepare();
-    start.x = Eigen::Map<const Values>(x.data(), 3 * model.nodes);
-    start.v = Values::Zero(3 * model.nodes);
+    start = at_rest();
   }
-  String(const String&) = delete;
 
   double energy(const Motion& motion) const {
     double sum = 0.0;
@@ -110,6 +91,27 @@ double half_swing(double step, int steps, Sample sample) {
 }
 
 }  // namespace
+
+TEST_CASE("every scheme has the order of accuracy that it says, on a smooth motion") {
+  const Oscillator o;
+  for (const Scheme& scheme : schemes()) {
+    CAPTURE(scheme.name);
+    // After 1 s: 0.1 m cos(10 t).
+    auto error = [&](double step) {
+      const Motion end = march(o.model, o.at_rest(), scheme, 1.0, step);
+      return std::hypot(end.x[3] - 0.1 * std::cos(10.0), 0.1 * (end.v[3] + std::sin(10.0)));
+    };
+    // h w = 0.01 and 0.005: the next term of the error is smaller by some 1e-2.
+    const double slope = std::log2(error(1e-3) / error(5e-4));
+    CHECK(slope == doctest::Approx(order_of(scheme, o.model, o.at_rest())).epsilon(0.02));
+  }
+}
+
+TEST_CASE("an unknown scheme is refused with the names of those that there are") {
+  CHECK(scheme_named(schemes().front().name).name == std::string(schemes().front().name));
+  CHECK_THROWS_WITH_AS(scheme_named("euler"), doctest::Contains(schemes().front().name),
+                       std::invalid_argument);
+}
 
 TEST_CASE("a hanging chain swings at its lowest frequency") {
   // w = j0/2 sqrt(g/L), j0 = 2.404826 the first zero of the Bessel function J0.
@@ -150,15 +152,23 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
 }
 
 TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
-  Model model;
-  make_sinker(model);
-  Motion start;
-  start.x = start.v = Values::Zero(3);
+  // 0.3 m and 2000 kg/m3 in water of 1025 kg/m3, C_D 0.47, added mass 0.5.
+  FilledModel sinker;
+  Model& model = sinker.model;
+  const double volume = 3.14159265358979323846 / 6.0 * 0.027;
+  sinker.node({0.0, 0.0, 0.0});
+  model.water.density = 1025.0;
+  model.load[2] = -9.81 * volume * (2000.0 - 1025.0);
+  model.mass = {2000.0 * volume};
+  model.spheres.node = {0};
+  model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
+  model.spheres.diameter = {0.0};
+  model.spheres.added_mass = {0.5 * volume};
+  model.prepare();
+  const Motion start = sinker.at_rest();
   for (const Scheme& scheme : schemes()) {
     CAPTURE(scheme.name);
-    MarchControl control;
-    control.step = 1e-3;
-    const Motion end = march(model, start, scheme, 1.0, control);
+    const Motion end = march(model, start, scheme, 1.0, 1e-3);
     const bool first_order = order_of(scheme, model, start) == 1;
     // h/tau = 1.4e-3 of the speed gained, times the curvature's 1 or less.
     CHECK(-end.v[2] == doctest::Approx(2.8180971 * std::tanh(1.0 / 0.74026701))
@@ -184,12 +194,10 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
   // w h = 0.045 for the fastest swing of a bar. The explicit schemes and the substituted trapezoid
   // shift the energy by (w h)^2; BDF2 damps what swings that fast by (w h)^4/2 a step, 1e-2 in all,
   // generalised alpha less.
-  MarchControl control;
-  control.step = 1e-3;
   for (const Scheme& scheme : schemes()) {
     CAPTURE(scheme.name);
-    const Motion end = march(net.model, net.start, scheme, 5.0, control);
-    // 5000 steps, each found to 1e-12 m or rounding: p^2 M dx = 1e-6 kg m/s2 over 1 ms.
+    const Motion end = march(net.model, net.start, scheme, 5.0, 1e-3);
+    // 5000 steps, each found to 1e-13 m or rounding: p^2 M dx = 1e-7 kg m/s2 over 1 ms.
     CHECK((momentum(net.model, end) - before).norm() < 1e-7 * before.norm());
     const double drift = net.energy(end) / energy - 1.0;
     // Those that know their error solve by Newton's method, and damp.
@@ -208,10 +216,8 @@ TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") 
     CAPTURE(scheme.name);
     double last = 1.0;
     for (const double accuracy : {1e-4, 1e-6}) {
-      MarchControl control;
-      control.step = 1e-3;
       MarchReport report;
-      const Motion end = march(o.model, o.start, scheme, 1.0, control, &report, accuracy);
+      const Motion end = march(o.model, o.at_rest(), scheme, 1.0, 1e-3, &report, accuracy);
       const double error = std::abs(end.x[3] - 0.1 * std::cos(10.0));
       // An undamped swing adds up the errors of its steps, in position and in velocity over w.
       CHECK(error < 2.0 * accuracy * static_cast<double>(report.steps));
@@ -220,12 +226,10 @@ TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") 
     }
   }
   Oscillator still;
-  still.start.x[3] = 0.0;
-  MarchControl control;
-  control.step = 1e-3;
+  still.x[3] = 0.0;
   MarchReport report;
   const Motion end =
-      march(still.model, still.start, scheme_named("bdf2"), 500.0, control, &report, 1e-3);
+      march(still.model, still.at_rest(), scheme_named("bdf2"), 500.0, 1e-3, &report, 1e-3);
   CHECK(end.x[3] == 0.0);
   CHECK(report.longest_step == doctest::Approx(60.0));
   CHECK(report.steps < 40);
@@ -236,13 +240,11 @@ TEST_CASE("an explicit step that is too long is cut to what is stable") {
   for (const Scheme& scheme : schemes()) {
     if (scheme.adaptive) continue;
     CAPTURE(scheme.name);
-    MarchControl control;
-    control.step = 1.0;
     MarchReport report;
-    const Motion end = march(o.model, o.start, scheme, 20.0, control, &report);
+    const Motion end = march(o.model, o.at_rest(), scheme, 20.0, 1.0, &report);
     CHECK(std::abs(end.x[3]) < 0.2);
     // w = 10 1/s exactly: below 2/w, or 2.78/w with RK4.
-    CHECK(report.longest_step < (order_of(scheme, o.model, o.start) == 4 ? 0.278 : 0.2));
+    CHECK(report.longest_step < (order_of(scheme, o.model, o.at_rest()) == 4 ? 0.278 : 0.2));
     CHECK(report.longest_step > 0.15);
   }
 }
@@ -254,9 +256,7 @@ TEST_CASE("a damper takes the energy out of a swing at its rate") {
   // Two bars of 1 m: 2 c / L0^2 = 2 z w m, and the table holds c/L0.
   o.model.materials[0].damping = ratio * rate;
   o.model.prepare();
-  MarchControl control;
-  control.step = 1e-3;
-  const Motion end = march(o.model, o.start, scheme_named("generalised_alpha"), 1.0, control);
+  const Motion end = march(o.model, o.at_rest(), scheme_named("generalised_alpha"), 1.0, 1e-3);
   const double w = rate * std::sqrt(1.0 - ratio * ratio);
   const double exact = 0.1 * std::exp(-ratio * rate) *
                        (std::cos(w) + ratio / std::sqrt(1.0 - ratio * ratio) * std::sin(w));

@@ -9,8 +9,8 @@
 #include "differences.hpp"
 #include "march/energy_account.hpp"
 #include "march/explicit_step.hpp"
-#include "march/march.hpp"
 #include "march/newton_step.hpp"
+#include "marched.hpp"
 #include "plate_struts.hpp"
 #include "random_model.hpp"
 #include "solve/body_modes.hpp"
@@ -66,14 +66,7 @@ template <class Scheme>
 Motion steps(const Model& model, const Motion& start, Scheme& scheme, Assembly& assembly,
              double until, double step) {
   SteadyConditions conditions(model.held, start);
-  MarchControl control;
-  control.step = step;
-  control.adaptive = false;
-  Past past;
-  past.now = start;
-  March march(assembly, scheme, conditions, control, past);
-  CHECK(march.to(until) == MarchReport::End::reached);
-  return march.now();
+  return marched(assembly, scheme, conditions, start, until, step);
 }
 
 Motion runge_kutta(const Model& model, const Motion& start, double until, double step) {

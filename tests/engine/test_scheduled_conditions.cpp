@@ -8,8 +8,8 @@
 #include "filled_model.hpp"
 #include "march/check_schedule.hpp"
 #include "march/explicit_step.hpp"
-#include "march/march.hpp"
 #include "march/scheduled_conditions.hpp"
+#include "marched.hpp"
 
 using namespace codend;
 
@@ -37,10 +37,8 @@ struct Weights : FilledModel {
       bar(one - 1, one, 1.0, 0);
     }
     model.prepare();
-    start.x = Eigen::Map<const Values>(x.data(), 9);
-    start.v = Values::Zero(9);
+    start = at_rest();
   }
-  Weights(const Weights&) = delete;
   static constexpr double stiffness = 1e5;
 
   Motion march(const Schedule& schedule, double until) {
@@ -48,13 +46,7 @@ struct Weights : FilledModel {
     ScheduledConditions conditions(model, assembly, schedule, start);
     conditions.to_time(0.0, Side::after, start);
     RungeKuttaStep stepper(assembly, start);
-    MarchControl control;
-    control.step = 1e-3;
-    Past past;
-    past.now = start;
-    March march(assembly, stepper, conditions, control, past);
-    CHECK(march.to(until) == MarchReport::End::reached);
-    return march.now();
+    return marched(assembly, stepper, conditions, start, until, 1e-3);
   }
 };
 

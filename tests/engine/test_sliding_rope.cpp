@@ -120,8 +120,7 @@ TEST_CASE("a weight slides along its rope without losing energy") {
            e.model.sliding[0].energy(assembly.field());
   };
   Past past;
-  past.now.x = Eigen::Map<const Values>(e.x.data(), 9);
-  past.now.v = past.now.a = past.now.b = Values::Zero(9);
+  past.now = e.at_rest();
   // Above the lowest place, a slack rope's 0.7 m off it.
   past.now.x.segment<3>(3) << 1.5, 0.0, -2.0;
   SteadyConditions conditions(e.model.held, past.now);
@@ -158,8 +157,7 @@ TEST_CASE("nodes that are kept stay and show no net force") {
   Assembly assembly(e.model);
   assembly.hold({0, 1, 0});
   Past past;
-  past.now.x = Eigen::Map<const Values>(e.x.data(), 9);
-  past.now.v = past.now.a = past.now.b = Values::Zero(9);
+  past.now = e.at_rest();
   SteadyConditions conditions(e.model.held, past.now);
   StepAccuracy accuracy;
   accuracy.found = 1e-10;

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "march/march.hpp"
 #include "march/newton_step.hpp"
 #include "march/scheduled_conditions.hpp"
+#include "marched.hpp"
 #include "plate_struts.hpp"
 
 using namespace codend;
@@ -13,7 +13,7 @@ using namespace codend;
 namespace {
 
 // Where what sticks to the ground has gone by a time (s), by backward differences to 0.1 mm.
-Motion marched(Model& model, Motion start, double until) {
+Motion slid(Model& model, Motion start, double until) {
   model.prepare();
   Assembly assembly(model);
   Schedule schedule;
@@ -21,14 +21,7 @@ Motion marched(Model& model, Motion start, double until) {
   ScheduledConditions conditions(model, assembly, schedule, start);
   conditions.to_time(0.0, Side::after, start);
   NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-4, 1e9, 1e-9}, start.x);
-  MarchControl control;
-  control.adaptive = true;
-  control.step = 1e-3;
-  Past past;
-  past.now = start;
-  March march(assembly, stepper, conditions, control, past);
-  CHECK(march.to(until) == MarchReport::End::reached);
-  return march.now();
+  return marched(assembly, stepper, conditions, start, until, 1e-3, true);
 }
 
 // 10 kg on 0.01 m2 in vacuum, as deep in the ground as its weight presses it, on a slope (rad) that falls
@@ -58,7 +51,7 @@ struct Body {
   }
   Body(const Body&) = delete;
 
-  Motion march(double until) { return marched(model, start, until); }
+  Motion march(double until) { return slid(model, start, until); }
   double moved(const Motion& motion) const {
     return (at(motion.x.data(), 0) - at(start.x.data(), 0)).norm();
   }
@@ -177,7 +170,7 @@ struct Board {
 
   // How far the middle of its shoes goes.
   Vector moves(double until) {
-    const Motion end = marched(model, start, until);
+    const Motion end = slid(model, start, until);
     return 0.5 * (at(end.x.data(), 0) + at(end.x.data(), 1) - at(start.x.data(), 0) -
                   at(start.x.data(), 1));
   }

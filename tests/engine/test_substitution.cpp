@@ -5,21 +5,16 @@
 #include <stdexcept>
 
 #include "march/substitution.hpp"
-#include "moving_models.hpp"
+#include "oscillator.hpp"
 #include "random_model.hpp"
 
 namespace {
 
 using namespace codend;
 
-struct Oscillator {
-  Model model;
-  std::vector<double> x{oscillator_start, oscillator_start + 9};
+struct Swing : Oscillator {
   std::vector<double> v = std::vector<double>(9, 0.0);
   double spring = 100.0;
-
-  Oscillator() { make_oscillator(model); }
-  Oscillator(const Oscillator&) = delete;
 
   double energy() const { return 0.5 * v[3] * v[3] + 0.5 * spring * x[3] * x[3]; }
   SubstitutionReport march(double step, int steps, int substitutions = 5000) {
@@ -31,7 +26,7 @@ struct Oscillator {
 }  // namespace
 
 TEST_CASE("the converged trapezoid keeps an oscillator's energy and has its known frequency") {
-  Oscillator o;
+  Swing o;
   const double step = 0.1, start = o.energy();  // omega h = 1
   // The trapezoid rule turns (x, v/omega) by 2 atan(omega h/2) a step, exactly.
   const double turn = 2.0 * std::atan(0.5);
@@ -48,7 +43,7 @@ TEST_CASE("the converged trapezoid keeps an oscillator's energy and has its know
 }
 
 TEST_CASE("a march in one go goes where single steps go") {
-  Oscillator one, many;
+  Swing one, many;
   const SubstitutionReport report = one.march(0.1, 50);
   CHECK(report.converged);
   CHECK(report.steps == 50);
@@ -61,7 +56,7 @@ TEST_CASE("a march in one go goes where single steps go") {
 }
 
 TEST_CASE("substitution converges below omega h = 2 and not above") {
-  Oscillator below, above;
+  Swing below, above;
   CHECK(below.march(0.19, 20).converged);  // errors shrink by 0.95 a round
   const double x = above.x[3], v = above.v[3];
   const SubstitutionReport report = above.march(0.205, 20);
@@ -73,7 +68,7 @@ TEST_CASE("substitution converges below omega h = 2 and not above") {
 }
 
 TEST_CASE("a march that is given too few substitutions ends with the last step found") {
-  Oscillator o, reference;
+  Swing o, reference;
   // The first step, from Euler's guess, needs the most; here it is taken alone.
   REQUIRE(o.march(0.02, 1).converged);
   const SubstitutionReport report = o.march(0.02, 5, 3);
@@ -86,7 +81,7 @@ TEST_CASE("a march that is given too few substitutions ends with the last step f
 }
 
 TEST_CASE("held nodes keep their velocity and pull the rest along") {
-  Oscillator o;
+  Swing o;
   o.v = {0.3, 0.0, 0.0, 0.3, 0.0, 0.0, 0.3, 0.0, 0.0};
   o.x[3] = 0.0;
   REQUIRE(o.march(0.01, 100).converged);
@@ -99,7 +94,7 @@ TEST_CASE("held nodes keep their velocity and pull the rest along") {
 TEST_CASE("added mass is a matrix: a line in water is heavier across than along") {
   // One free node on a taut line along x, pushed along and across: accelerations at the start are
   // force / (m + share of the line's added mass that way).
-  Oscillator o;
+  Swing o;
   o.model.water.density = 1000.0;
   o.model.materials[0].volume_per_length = 1e-3;  // 1 kg of water per metre, half of it per end
   o.x[3] = 0.0;
@@ -119,7 +114,7 @@ TEST_CASE("added mass is a matrix: a line in water is heavier across than along"
 }
 
 TEST_CASE("a free node without mass is refused before anything moves") {
-  Oscillator o;
+  Swing o;
   o.model.mass[1] = 0.0;
   const std::vector<double> before = o.x;
   CHECK_THROWS_AS(o.march(0.01, 1), std::invalid_argument);
