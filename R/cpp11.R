@@ -28,6 +28,10 @@ engine_measures <- function(lattice, frame, questions, bag, state) {
   .Call(`_codend_engine_measures`, lattice, frame, questions, bag, state)
 }
 
+engine_measure_errors <- function(kinds, nodes, values, tolerance, step_accuracy) {
+  .Call(`_codend_engine_measure_errors`, kinds, nodes, values, tolerance, step_accuracy)
+}
+
 engine_part_forces <- function(frame, state) {
   .Call(`_codend_engine_part_forces`, frame, state)
 }
@@ -64,8 +68,8 @@ engine_settle <- function(lattice, start, from, strain, part, tolerance, iterati
   .Call(`_codend_engine_settle`, lattice, start, from, strain, part, tolerance, iterations, watch)
 }
 
-engine_settle_gear <- function(numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built) {
-  .Call(`_codend_engine_settle_gear`, numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built)
+engine_settle_gear <- function(numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built, levels) {
+  .Call(`_codend_engine_settle_gear`, numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built, levels)
 }
 
 engine_body_modes <- function(lattice, position, velocity) {

@@ -1,19 +1,13 @@
 # Measures as numbers that keep what they are: each one's unit and kind.
 
-# values: SI, by name; kinds: their entries in the registries; nodes: of the lattice; levels: a
-# function of the values as shown that gives the lattices that it is compared with, see
-# estimate_errors(), or NULL; light: whether the gear's drag is little next to its weights; moment:
-# the state, where it is a moment of a tow.
-new_measures <- function(values, kinds, nodes = NA, levels = NULL, light = FALSE, moment = NULL) {
+# values, errors: SI, by name; kinds: their entries in the registries; light: whether the gear's
+# drag is little next to its weights.
+new_measures <- function(values, kinds, errors, light) {
   units <- measure_units(kinds)
-  shown <- shown_numbers(values, units)
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
-  error <- estimate_errors(shown, nodes, if (!is.null(levels)) levels(shown),
-    error_classes(kind, units), which(kind == "slack_netting"))
-  error <- sqrt(error^2 + balance_errors(shown, units)^2)
-  if (!is.null(moment)) error <- moment_errors(error, moment, shown, units)
-  structure(shown, unit = setNames(units, names(values)), kind = setNames(kind, names(values)),
-    error = error, main = setNames(main_measures(kind, units, light), names(values)),
+  structure(shown_numbers(values, units), unit = setNames(units, names(values)),
+    kind = setNames(kind, names(values)), error = shown_numbers(errors, units),
+    main = setNames(main_measures(kind, units, light), names(values)),
     class = c("codend_measures", "numeric"))
 }
 

@@ -36,10 +36,7 @@ measures <- function(state) {
   check_given("state")
   check_is_state(state)
   found <- state_values(state)
-  new_measures(
-    found$values, found$kinds, state$lattice$nodes, function(shown) levels_of(state, shown),
-    found$light, if (!is.null(state$time)) state
-  )
+  new_measures(found$values, found$kinds, state_errors(state, found), found$light)
 }
 
 # The measures of a state without their errors: list(values (SI, by name), kinds, light = whether

@@ -1,5 +1,9 @@
 # How finely a gear has to be divided for its main measures to be as accurate as is asked.
 
+# Lattices whose nodes differ by less than this factor say too little of each other, and how many
+# times as many one more has: as in src/engine/measure/measure_errors.cpp.
+least_ratio <- 1.5
+extra_ratio <- 2.6
 # From one lattice to the next at most so many times as many nodes, and at least.
 most_growth <- 7
 least_growth <- 2
@@ -8,13 +12,15 @@ least_growth <- 2
 # settled where these say too little, when their errors are first asked for: a change of a gear that
 # is looked at once needs neither.
 #
-# levels: coarser ones of this gear that it was settled through; netting: as in settle(); from: the
-# state it began from, or NULL.
+# found: as settle_numbers() gave it, with coarser levels that it was settled through; netting: as
+# in settle(); from: the state it began from, or NULL.
 # Returns list(own = function() that gives them coarse to fine, as list(nodes, values), extra =
 # function() that gives the one more, a state, or NULL) and, where they are another gear's, values =
 # function() that gives its measures. See levels_of().
-state_levels <- function(state, levels, netting, from) {
-  if (length(levels) || is.null(from$levels)) return(levels_through(state, levels, netting))
+state_levels <- function(state, found, netting, from) {
+  if (length(found$levels) || is.null(from$levels)) {
+    return(levels_through(state, found$levels, netting, found$strain))
+  }
   growth <- state$lattice$nodes / from$lattice$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
     return(levels_and(from))
@@ -22,69 +28,41 @@ state_levels <- function(state, levels, netting, from) {
   list(own = from$levels$own, values = first_of(from$levels$values, values_of(from)))
 }
 
-# levels: the coarser ones, list(nodes, values) each.
-levels_through <- function(state, levels, netting) {
+# levels: the coarser ones, list(nodes, values) each; strain: of its lines as the solver left it, or
+# NULL.
+levels_through <- function(state, levels, netting, strain = NULL) {
   nodes <- state$lattice$nodes
   gear <- state$gear
-  # such a lattice is not settled once more
-  wanted <- if (nodes <= many_nodes) extra_nodes(state$si, nodes, vapply(levels, `[[`, 0, "nodes"))
-  free <- if (length(wanted)) undivided(state$si)
-  shape <- if (length(wanted)) state_shape(state)
+  free <- undivided(state$si)
+  shape <- state_shape(state)
+  if (!is.null(strain)) shape$strain <- strain
   rm(state)
   extra <- once(function() {
-    found <- if (length(wanted)) extra_level(free, wanted, netting, shape)
+    found <- tryCatch(
+      settle_numbers(free, nodes, netting, shape, FALSE,
+        beside = vapply(levels, `[[`, 0, "nodes")),
+      codend_error = function(e) NULL
+    )
     shape <<- NULL
     if (is.null(found)) return(NULL)
     new_state(gear, free, found$lattice, found$position, list(converged = TRUE))
   })
   own <- once(function() {
-    one_more <- extra()
-    if (!is.null(one_more)) {
-      values <- plain_measures(measures(one_more))
-      levels <- c(levels, list(list(nodes = one_more$lattice$nodes, values = values)))
-    }
+    levels <- c(levels, if (!is.null(extra())) list(level_of(extra())))
     levels[order(vapply(levels, `[[`, 0, "nodes"))]
   })
   list(own = own, extra = extra)
 }
 
-# Nodes of the lattice that is settled to know the error of one of so many, in the order in which
-# they are tried; none where the levels that there are do. Coarser lattices of netting share what
-# all coarse ones have: of `enough_nodes` and less they report a fifth of what is left.
-extra_nodes <- function(si, nodes, levels) {
-  levels <- levels[pmax(levels / nodes, nodes / levels) >= least_ratio]
-  enough <- if (length(si$panels)) min(enough_nodes, nodes) else 0
-  if (any(levels >= enough)) return(numeric())
-  finer <- nodes * extra_ratio * c(1, 1.5, 0.7)
-  coarser <- nodes / extra_ratio * c(1, 0.7)
-  if (nodes <= most_made_finer) c(finer, coarser) else c(coarser, finer)
-}
-
-enough_nodes <- 1200
-# A lattice of more nodes is compared with a coarser one, which takes less time.
-most_made_finer <- 2500
-extra_ratio <- 2.6
-
-# The first of lattices of so many nodes that settles from a shape, as settle_numbers() gives it, or
-# NULL.
-extra_level <- function(si, wanted, netting, shape) {
-  for (nodes in wanted) {
-    found <- tryCatch(
-      settle_numbers(si, nodes, netting, shape, through_levels = FALSE),
-      codend_error = function(e) NULL
-    )
-    if (!isTRUE(found$report$converged)) next
-    ratio <- found$lattice$nodes / shape$lattice$nodes
-    if (max(ratio, 1 / ratio) >= least_ratio) return(found)
-  }
-}
+# A state as a level of others.
+level_of <- function(state) list(nodes = state$lattice$nodes, values = state_values(state)$values)
 
 # A state's levels, and the state itself as the last of them.
 levels_and <- function(state) {
   force(state)
   list(own = once(function() {
-    values <- plain_measures(measures(state))
-    c(levels_of(state, values), list(list(nodes = state$lattice$nodes, values = values)))
+    level <- level_of(state)
+    c(levels_of(state, level$values), list(level))
   }))
 }
 
@@ -92,7 +70,7 @@ levels_and <- function(state) {
 # the last one's are kept.
 values_of <- function(state) {
   if (!identical(begun_from$state, state)) {
-    values <- once(function() plain_measures(measures(state)))
+    values <- once(function() state_values(state)$values)
     if (state$lattice$nodes > many_nodes) return(values)
     begun_from$state <- state
     begun_from$values <- values

@@ -3,15 +3,17 @@
 
 # Settles a gear. from: a shape to begin from, list(lattice, position = 3 x points, strain = of
 # every line or NULL, settled = the gear's numbers where it is a balance), or NULL; through_levels:
-# whether coarser levels are settled before. Returns list(lattice, position, strain, report, levels
-# = list(nodes, values = measures as shown) of the coarser levels).
+# whether coarser levels are settled before; beside: NULL, or nodes of lattices: then the gear is
+# settled on one more where these say too little of the errors with so many nodes, else NULL is
+# returned. Returns list(lattice, position, strain, report, levels = list(nodes, values =
+# measures in SI) of the coarser levels).
 settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRUE,
-                           progress = settle_progress()) {
+                           progress = settle_progress(), beside = NULL) {
   numbers <- lattice_numbers(si, netting)
   asked <- asked_division(si, nodes, netting)
   # where the water alone is another one the lattice is known
-  known <- !through_levels && identical(asked, from$lattice$counts$asked) &&
-    differ_in_conditions(si, from$settled)
+  known <- !through_levels && is.null(beside) &&
+    identical(asked, from$lattice$counts$asked) && differ_in_conditions(si, from$settled)
   measured <- if (through_levels) asked_of(si)
   numbers <- c(numbers, list(
     questions = questions_of(si, list(parts = part_table(si)), measured),
@@ -20,8 +22,11 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   report <- engine_settle_gear(
     numbers, asked$nodes, if (!is.null(from)) begun_shape(si, asked, from), through_levels, !known,
     settle_tolerance, settle_iterations, progress,
-    function(found) check_lattice(si, found$twine, found$encloses, found$division)
+    function(found) check_lattice(si, found$twine, found$encloses, found$division),
+    beside
   )
+  if (!length(report)) return(NULL)
+  asked$nodes <- report$asked
   if (report$full_bag > 0) abort_catch_volume(si, report$full_bag)
   lattice <- if (known) {
     lattice_in(si, from)
@@ -31,13 +36,12 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
   lattice$engine$wake <- report$wake
   levels <- lapply(report$levels, function(level) {
-    told <- told_answers(si, level$measures)
-    list(nodes = level$nodes, values = shown_numbers(told$values, measure_units(told$kinds)))
+    list(nodes = level$nodes, values = told_answers(si, level$measures)$values)
   })
   found <- list(
     lattice = lattice, position = report$position, strain = report$strain, levels = levels
   )
-  told <- c("position", "strain", "wake", "levels", "lattice", "blocked", "full_bag")
+  told <- c("position", "strain", "wake", "levels", "lattice", "asked", "blocked", "full_bag")
   c(found, list(report = name_parts(report[setdiff(names(report), told)], lattice)))
 }
 

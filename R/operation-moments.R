@@ -9,8 +9,8 @@ starts_elsewhere <- function(trajectory) {
 }
 
 # The measures of such a tow on another lattice at its kept times: list(time, nodes, measures,
-# values = measures x times); NULL where none comes to its end. own: nodes of the tow's lattice; the
-# others as tow() has them.
+# values = measures x times, SI); NULL where none comes to its end. own: nodes of the tow's lattice;
+# the others as tow() has them.
 moments_elsewhere <- function(gear, given, until, every, method, nodes, netting, own) {
   for (wanted in nodes * c(1 / extra_ratio, little_finer, little_finer^2)) {
     found <- tryCatch(
@@ -27,7 +27,7 @@ moments_elsewhere <- function(gear, given, until, every, method, nodes, netting,
     if (found$end == "interrupted") {
       stop(structure(class = c("interrupt", "condition"), list(message = "", call = NULL)))
     }
-    moments <- lapply(found$time, function(time) plain_measures(measures(state_at(found, time))))
+    moments <- lapply(found$time, function(time) state_values(state_at(found, time))$values)
     names <- unique(unlist(lapply(moments, names)))
     return(list(
       time = found$time, nodes = found$lattice$nodes, measures = names,
@@ -42,7 +42,7 @@ with_last_moment <- function(trajectory) {
   compared <- trajectory$compared
   if (!is.null(compared$time) && is.null(compared$last)) {
     time <- compared$time[length(compared$time)]
-    trajectory$compared$last <- plain_measures(measures(state_at(trajectory, time)))
+    trajectory$compared$last <- state_values(state_at(trajectory, time))$values
   }
   trajectory
 }

@@ -115,7 +115,7 @@ settled_state <- function(gear, nodes, netting, from) {
     abort_unsettled(report, found$lattice, found$position, advice)
   }
   state <- new_state(gear, si, found$lattice, found$position, report)
-  state$levels <- state_levels(state, found$levels, netting, from)
+  state$levels <- state_levels(state, found, netting, from)
   state
 }
 

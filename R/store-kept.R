@@ -132,6 +132,7 @@ kept_numbers <- function(what) {
   what$places <- lattice_places(what$lattice)
   what$gear <- what$lattice$place <- NULL
   what$lattice$frame <- list()
+  what$levels_in_si <- TRUE
   flat <- flatten_tree(what)
   list(
     kept_form = file_variable("NC_CHAR", "kept_byte", "form of what codend reads again, as JSON",
@@ -155,11 +156,38 @@ read_kept_numbers <- function(get) {
   if (is.null(sheets$overlap)) {
     what$lattice$engine$wake_sheets$overlap <- numeric(length(sheets$law))
   }
+  # Files of before levels' measures were kept in SI.
+  if (is.null(what$levels_in_si)) what <- with_levels_in_si(what)
+  what$levels_in_si <- NULL
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
   what$lattice$frame <- frame_again(what$si, what$lattice)
   what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL
   c(list(gear = gear), what)
+}
+
+# What a file keeps with its measures of other lattices in the units that they are shown in.
+with_levels_in_si <- function(what) {
+  kinds <- measured_kinds(what$si)
+  size <- setNames(vapply(measure_units(kinds), unit_size, 0), names(kinds))
+  named_in_si <- function(values) if (!is.null(values)) values * unname(size[names(values)])
+  in_si <- function(levels) {
+    lapply(levels, function(level) {
+      level$values <- named_in_si(level$values)
+      level
+    })
+  }
+  what$levels <- in_si(what$levels)
+  compared <- what$compared
+  if (is.null(compared$time)) {
+    if (!is.null(compared)) compared$levels <- in_si(compared$levels)
+    compared$values <- named_in_si(compared$values)
+  } else {
+    compared$values <- compared$values * unname(size[compared$measures])
+    compared$last <- named_in_si(compared$last)
+  }
+  what$compared <- compared
+  what
 }
 
 # What measures take of a lattice, which files do not hold.

@@ -1,9 +1,11 @@
 // Measures of states for R.
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "binding_list.h"
 #include "binding_model.h"
-#include "engine/measure/measures.hpp"
+#include "engine/measure/measure_errors.hpp"
 
 using namespace binding;
 
@@ -50,6 +52,29 @@ codend::FilledBag read_bag(SEXP bag) {
     return as_doubles(codend::measure(read_frame(frame), model,
                                       codend::read_fields<codend::Questions>(ListSource(questions)),
                                       Rf_isNull(bag) ? nullptr : &filled, read_shape(state)));
+  });
+}
+
+// Standard errors of measures of these kinds on the first of lattices of so many nodes (see
+// measure_errors.hpp), SI, NA where no other says more. values: SI, of every lattice after the other.
+[[cpp11::register]] doubles engine_measure_errors(strings kinds, doubles nodes, doubles values,
+                                                  double tolerance, double step_accuracy) {
+  return guarded([&]() -> doubles {
+    std::vector<codend::MeasureKind> of;
+    for (const std::string kind : kinds) {
+      of.push_back(codend::by_name<codend::MeasureKind>(kind, "kinds"));
+    }
+    std::vector<codend::MeasuredLattice> lattices;
+    const double* next = REAL(values);
+    for (const double count : nodes) {
+      lattices.push_back({count, std::vector<double>(next, next + of.size())});
+      next += of.size();
+    }
+    writable::doubles errors = as_doubles(codend::measure_errors(
+        of, lattices[0], {lattices.begin() + 1, lattices.end()}, tolerance, step_accuracy));
+    std::replace_if(
+        errors.begin(), errors.end(), [](double error) { return std::isnan(error); }, NA_REAL);
+    return errors;
   });
 }
 

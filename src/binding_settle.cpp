@@ -108,12 +108,14 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
 }
 
 // Settles a gear from its numbers (measure/settled_gear.hpp). from: list as BegunShape has it, or NULL;
-// told: whether the lattice is wanted; built: a function of what is checked of every lattice. Returns
-// what engine_settle() does, levels = list(nodes, measures (SI), steps and seconds) of each, lattice = as
-// engine_lattice() has it or NULL, seconds_lattice, blocked, full_bag.
+// told: whether the lattice is wanted; built: a function of what is checked of every lattice; levels: NULL,
+// or nodes of lattices beside one of so many nodes: then it is settled on one more where these say too
+// little of its errors (extra_lattice()), else nothing is returned. Returns what engine_settle() does, levels = list(nodes, measures (SI), steps and seconds) of each, lattice = as
+// engine_lattice() has it or NULL, asked = nodes that it was asked for, seconds_lattice, blocked, full_bag.
 [[cpp11::register]] list engine_settle_gear(list numbers, double nodes, SEXP from,
                                             bool through_levels, bool told, double tolerance,
-                                            int iterations, function watch, function built) {
+                                            int iterations, function watch, function built,
+                                            SEXP levels) {
   return guarded([&]() -> list {
     const auto read = codend::read_fields<codend::GearNumbers>(ListSource(numbers));
     read.gear.check();
@@ -132,25 +134,35 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
       CheckedLattice checked{lattice.twine, lattice.bag.encloses, lattice.division};
       built(ListWriter::written(checked));
     };
-    codend::SettledGear found = codend::settle_gear(read, how);
-    writable::list levels;
+    codend::SettledGear found;
+    double asked = nodes;
+    if (Rf_isNull(levels)) {
+      found = codend::settle_gear(read, how);
+    } else {
+      auto extra =
+          codend::extra_lattice(read, how, begun, nodes, binding::numbers(doubles(levels)), asked);
+      if (!extra) return writable::list();
+      found = std::move(*extra);
+    }
+    writable::list below;
     for (const codend::SettledLevel& level : found.levels) {
-      levels.push_back(writable::list({"nodes"_nm = static_cast<double>(level.nodes),
-                                       "measures"_nm = as_doubles(level.measures),
-                                       "iterations"_nm = level.report.iterations,
-                                       "factorisations"_nm = level.report.factorisations,
-                                       "seconds_forces"_nm = level.report.seconds_forces,
-                                       "seconds_jacobian"_nm = level.report.seconds_jacobian,
-                                       "seconds_linear"_nm = level.report.seconds_linear,
-                                       "seconds_analysis"_nm = level.report.seconds_analysis,
-                                       "seconds_lattice"_nm = level.seconds_lattice}));
+      below.push_back(writable::list({"nodes"_nm = static_cast<double>(level.nodes),
+                                      "measures"_nm = as_doubles(level.measures),
+                                      "iterations"_nm = level.report.iterations,
+                                      "factorisations"_nm = level.report.factorisations,
+                                      "seconds_forces"_nm = level.report.seconds_forces,
+                                      "seconds_jacobian"_nm = level.report.seconds_jacobian,
+                                      "seconds_linear"_nm = level.report.seconds_linear,
+                                      "seconds_analysis"_nm = level.report.seconds_analysis,
+                                      "seconds_lattice"_nm = level.seconds_lattice}));
     }
     writable::list out =
         settled_list(found.report, found.position, found.strain, found.gear.model.wake);
     const auto add = [&](const char* name, SEXP value) {
       out.push_back(cpp11::named_arg(name) = value);
     };
-    add("levels", levels);
+    add("levels", below);
+    add("asked", cpp11::as_sexp(asked));
     add("seconds_lattice", cpp11::as_sexp(found.seconds_lattice));
     add("blocked", cpp11::as_sexp(found.gear.bag.blocked));
     add("full_bag", cpp11::as_sexp(found.full_bag));

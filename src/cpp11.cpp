@@ -55,6 +55,13 @@ extern "C" SEXP _codend_engine_measures(SEXP lattice, SEXP frame, SEXP questions
   END_CPP11
 }
 // binding_measure.cpp
+doubles engine_measure_errors(strings kinds, doubles nodes, doubles values, double tolerance, double step_accuracy);
+extern "C" SEXP _codend_engine_measure_errors(SEXP kinds, SEXP nodes, SEXP values, SEXP tolerance, SEXP step_accuracy) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_measure_errors(cpp11::as_cpp<cpp11::decay_t<strings>>(kinds), cpp11::as_cpp<cpp11::decay_t<doubles>>(nodes), cpp11::as_cpp<cpp11::decay_t<doubles>>(values), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<double>>(step_accuracy)));
+  END_CPP11
+}
+// binding_measure.cpp
 doubles engine_part_forces(list frame, list state);
 extern "C" SEXP _codend_engine_part_forces(SEXP frame, SEXP state) {
   BEGIN_CPP11
@@ -118,10 +125,10 @@ extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP 
   END_CPP11
 }
 // binding_settle.cpp
-list engine_settle_gear(list numbers, double nodes, SEXP from, bool through_levels, bool told, double tolerance, int iterations, function watch, function built);
-extern "C" SEXP _codend_engine_settle_gear(SEXP numbers, SEXP nodes, SEXP from, SEXP through_levels, SEXP told, SEXP tolerance, SEXP iterations, SEXP watch, SEXP built) {
+list engine_settle_gear(list numbers, double nodes, SEXP from, bool through_levels, bool told, double tolerance, int iterations, function watch, function built, SEXP levels);
+extern "C" SEXP _codend_engine_settle_gear(SEXP numbers, SEXP nodes, SEXP from, SEXP through_levels, SEXP told, SEXP tolerance, SEXP iterations, SEXP watch, SEXP built, SEXP levels) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle_gear(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(from), cpp11::as_cpp<cpp11::decay_t<bool>>(through_levels), cpp11::as_cpp<cpp11::decay_t<bool>>(told), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch), cpp11::as_cpp<cpp11::decay_t<function>>(built)));
+    return cpp11::as_sexp(engine_settle_gear(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(from), cpp11::as_cpp<cpp11::decay_t<bool>>(through_levels), cpp11::as_cpp<cpp11::decay_t<bool>>(told), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch), cpp11::as_cpp<cpp11::decay_t<function>>(built), cpp11::as_cpp<cpp11::decay_t<SEXP>>(levels)));
   END_CPP11
 }
 // binding_settle.cpp
@@ -232,38 +239,39 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
-    {"_codend_engine_bag_sizes",       (DL_FUNC) &_codend_engine_bag_sizes,       2},
-    {"_codend_engine_bag_weights",     (DL_FUNC) &_codend_engine_bag_weights,     1},
-    {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,      3},
-    {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,        3},
-    {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,       4},
-    {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,    4},
-    {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,    0},
-    {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,        3},
-    {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,          0},
-    {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,          0},
-    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,         6},
-    {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,           7},
-    {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,        5},
-    {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,     2},
-    {"_codend_engine_near_changes",    (DL_FUNC) &_codend_engine_near_changes,    8},
-    {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,       4},
-    {"_codend_engine_near_settled",    (DL_FUNC) &_codend_engine_near_settled,    4},
-    {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,     2},
-    {"_codend_engine_part_forces",     (DL_FUNC) &_codend_engine_part_forces,     2},
-    {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,     3},
-    {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,       3},
-    {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,         0},
-    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,          8},
-    {"_codend_engine_settle_gear",     (DL_FUNC) &_codend_engine_settle_gear,     9},
-    {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction, 3},
-    {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,             9},
-    {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,     2},
-    {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,           2},
-    {"_codend_file_size",              (DL_FUNC) &_codend_file_size,              1},
-    {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,              1},
-    {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,             3},
-    {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,           1},
+    {"_codend_engine_bag_sizes",       (DL_FUNC) &_codend_engine_bag_sizes,        2},
+    {"_codend_engine_bag_weights",     (DL_FUNC) &_codend_engine_bag_weights,      1},
+    {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,       3},
+    {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,         3},
+    {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,        4},
+    {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,     4},
+    {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,     0},
+    {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,         3},
+    {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,           0},
+    {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,           0},
+    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          6},
+    {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
+    {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
+    {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         5},
+    {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,      2},
+    {"_codend_engine_near_changes",    (DL_FUNC) &_codend_engine_near_changes,     8},
+    {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,        4},
+    {"_codend_engine_near_settled",    (DL_FUNC) &_codend_engine_near_settled,     4},
+    {"_codend_engine_node_counts",     (DL_FUNC) &_codend_engine_node_counts,      2},
+    {"_codend_engine_part_forces",     (DL_FUNC) &_codend_engine_part_forces,      2},
+    {"_codend_engine_schedule_at",     (DL_FUNC) &_codend_engine_schedule_at,      3},
+    {"_codend_engine_scheduled",       (DL_FUNC) &_codend_engine_scheduled,        3},
+    {"_codend_engine_schemes",         (DL_FUNC) &_codend_engine_schemes,          0},
+    {"_codend_engine_settle",          (DL_FUNC) &_codend_engine_settle,           8},
+    {"_codend_engine_settle_gear",     (DL_FUNC) &_codend_engine_settle_gear,     10},
+    {"_codend_engine_speed_reduction", (DL_FUNC) &_codend_engine_speed_reduction,  3},
+    {"_codend_engine_tow",             (DL_FUNC) &_codend_engine_tow,              9},
+    {"_codend_engine_wave_number",     (DL_FUNC) &_codend_engine_wave_number,      2},
+    {"_codend_file_replace",           (DL_FUNC) &_codend_file_replace,            2},
+    {"_codend_file_size",              (DL_FUNC) &_codend_file_size,               1},
+    {"_codend_file_sync",              (DL_FUNC) &_codend_file_sync,               1},
+    {"_codend_group_sums",             (DL_FUNC) &_codend_group_sums,              3},
+    {"_codend_limit_memory",           (DL_FUNC) &_codend_limit_memory,            1},
     {NULL, NULL, 0}
 };
 }

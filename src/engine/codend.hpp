@@ -7,13 +7,24 @@
 // A model is filled field by field, then Model::prepare() called, or read from any source of named
 // arrays (read_fields(), with the checks of every array); an Assembly over it is what settle(),
 // evaluate() and March work with. tests/engine/programs/settle_file.cpp is a whole program. A gear is read
-// in the same way, built, settled and measured (programs/settle_gear.cpp):
+// in the same way, built, settled and measured; then its model is marched for ten seconds in the conditions
+// that it is settled in:
 //
 //   const auto numbers = codend::read_fields<codend::GearNumbers>(codend::TextSource(text));
-//   codend::GearSettling how;
-//   how.nodes = 1500;
+//   const codend::GearSettling how;  // with some 1,500 nodes
 //   const codend::SettledGear found = codend::settle_gear(numbers, how);
-//   for (const double value : found.measures) std::printf("%.17g\n", value);
+//   const std::vector<double> errors = codend::errors_of(numbers, how, found);
+//   for (std::size_t k = 0; k < errors.size(); ++k) {
+//     std::printf("%g +- %g\n", found.measures[k], errors[k]);
+//   }
+//   codend::Assembly assembly(found.gear.model);
+//   const codend::Motion start = codend::at_rest(found.position);
+//   codend::SteadyConditions conditions(found.gear.model.held, start);
+//   codend::MarchControl control;
+//   control.adaptive = true;
+//   const auto steps = codend::scheme_named("bdf2").make(assembly, {0.01}, start, start.x);
+//   codend::March march(assembly, *steps, conditions, control, {start, start});
+//   march.to(10);
 //
 // SI units. x aft, y to starboard, z up, 0 at the surface. What makes no sense throws InputError.
 // Functions keep no state between calls: models in different threads are independent.

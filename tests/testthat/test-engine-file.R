@@ -66,18 +66,35 @@ gear_text <- function(state, asked) {
   unlist(Map(model_text, numbers, names(numbers)))
 }
 
-test_that("a program without R settles every shipped gear to the same measures", {
+test_that("a program without R settles every shipped gear to the same measures and errors", {
   program <- sub("settle_file", "settle_gear", engine_program)
   skip_if_not(file.exists(program), "the engine's programs are not built")
   for (name in gears()$name) {
     state <- suppressWarnings(settle(name, nodes = 1500))
     # what is shot begins from the shape in which it sinks, which R marches
     if (!is.null(state$si$shooting)) next
-    asked <- c(state$si$measures, lapply(unname(standard_measures), function(one) {
-      list(kind = one$computed)
-    }))
+    asked <- asked_of(state$si)
     found <- run_program(gear_text(state, asked), program, "1500")
     expect_identical(found$status, 0L, label = paste(name, found$said[1]))
-    expect_identical(as.double(found$said[-(1:2)]), measure_values(state, asked), label = name)
+    told <- state_values(state)
+    has <- match(names(told$values), names(measured_kinds(state$si)))
+    expect_identical(array_of(found$said, "measures")[has], unname(told$values), label = name)
+    expect_identical(
+      array_of(found$said, "errors")[has], unname(state_errors(state, told)), label = name
+    )
   }
+})
+
+test_that("the example at the head of codend.hpp runs", {
+  program <- sub("settle_file", "header_example", engine_program)
+  skip_if_not(file.exists(program), "the engine's programs are not built")
+  state <- settle("flat_panel", nodes = 1500)
+  run <- run_program(gear_text(state, state$si$measures), program)
+  expect_identical(run$status, 0L)
+  own <- seq_along(state$si$measures)
+  expect_match(run$said[own], "^[-0-9.e]+ \\+- [-0-9.e]+$")
+  found <- as.double(sub(" .*", "", run$said[own]))
+  expect_equal(found, unname(state_values(state)$values)[own], tolerance = 1e-5)
+  # a gear at rest stays within what a step may err by
+  expect_lt(as.double(run$said[length(own) + 1L]), 0.01)
 })

@@ -55,7 +55,8 @@ test_that("filtered volume takes the water's speed at the mouth's depth", {
 test_that("measures show as words and units", {
   found <- new_measures(
     list(door_spread_m = 30, swept_area_km2_per_h = 100, a_kN_m = 1),
-    c(asked_kinds()["spread"], standard_measures["swept_area"], asked_kinds()["length"])
+    c(asked_kinds()["spread"], standard_measures["swept_area"], asked_kinds()["length"]),
+    c(door_spread_m = 1, swept_area_km2_per_h = 1, a_kN_m = 1), FALSE
   )
   said <- measure_words(found)
   expect_equal(said$words, c("door spread", "swept area", "a kN"))

@@ -177,3 +177,24 @@ test_that("a forged header with a right checksum is refused before anything is a
   expect_gt(refused, 30)
   if (!is.na(before)) expect_lt(peak_memory() - before, 5e8)
 })
+
+test_that("levels that a file of before keeps in units of measures are read in SI", {
+  si <- gear_si(read_gear("beam_trawl"))
+  level <- function(drag, rope) {
+    list(nodes = 600, values = c(total_drag_kN = drag, rope_on_ground_m = rope))
+  }
+  read <- with_levels_in_si(list(
+    si = si, levels = list(level(20, 3)),
+    compared = list(levels = list(level(10, 4)), values = level(12, 5)$values)
+  ))
+  expect_identical(read$levels, list(level(20000, 3)))
+  expect_identical(read$compared$levels, list(level(10000, 4)))
+  expect_identical(read$compared$values, level(12000, 5)$values)
+  moments <- list(
+    time = 0, nodes = 600, measures = names(level(1, 2)$values), values = cbind(c(20, 3)),
+    last = level(7, 5)$values
+  )
+  read <- with_levels_in_si(list(si = si, compared = moments))$compared
+  expect_identical(read$values, cbind(c(20000, 3)))
+  expect_identical(read$last, level(7000, 5)$values)
+})

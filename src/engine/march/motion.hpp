@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace codend {
 
@@ -15,6 +16,13 @@ struct Motion {
   // acceleration of generalised alpha (Arnold and Bruels 2007).
   Values x, v, a, b;
 };
+
+// At time 0, of nodes at rest at x (m, 3 each).
+inline Motion at_rest(const std::vector<double>& x) {
+  const Eigen::Map<const Values> places(x.data(), static_cast<Eigen::Index>(x.size()));
+  const Values none = Values::Zero(places.size());
+  return {0.0, places, none, none, none};
+}
 
 // The last two steps. Where `steps` is 0 there is none before: at the start, or where an event
 // broke the motion.

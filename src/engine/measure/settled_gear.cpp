@@ -292,4 +292,45 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
   return out;
 }
 
+std::optional<SettledGear> extra_lattice(const GearNumbers& numbers, const GearSettling& how,
+                                         const BegunShape& from, double nodes,
+                                         const std::vector<double>& levels, double& asked) {
+  const Gear free = undivided(numbers.gear);
+  for (const double wanted : extra_nodes(nodes, levels, !free.panels.empty())) {
+    asked = wanted;
+    try {
+      SettledGear found = LevelSettler(numbers, free, how, wanted, &from).settled();
+      if (found.report.converged && tell_apart(nodes, found.gear.lattice.nodes)) return found;
+    } catch (const InputError&) {
+      // What a finer or coarser division does not have, the next may.
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<double> errors_of(const GearNumbers& numbers, const GearSettling& how,
+                              const SettledGear& found) {
+  std::vector<double> levels;
+  std::vector<MeasuredLattice> others;
+  const auto add = [&](double nodes, std::vector<double> measures) {
+    others.push_back({nodes, std::move(measures)});
+  };
+  for (const SettledLevel& level : found.levels) {
+    levels.push_back(level.nodes);
+    add(level.nodes, level.measures);
+  }
+  BegunShape shape = shape_of(found, numbers.gear, how.nodes);
+  shape.settled = true;
+  double asked = 0.0;
+  const double nodes = found.gear.lattice.nodes;
+  if (const auto extra = extra_lattice(numbers, how, shape, nodes, levels, asked)) {
+    add(extra->gear.lattice.nodes, measures_of(numbers, undivided(numbers.gear), *extra));
+  }
+  std::stable_sort(others.begin(), others.end(),
+                   [](const auto& a, const auto& b) { return a.nodes < b.nodes; });
+  std::vector<MeasureKind> kinds;
+  for (const AskedMeasure& one : numbers.questions.measures) kinds.push_back(one.kind);
+  return measure_errors(kinds, {nodes, found.measures}, std::move(others), how.tolerance);
+}
+
 }  // namespace codend

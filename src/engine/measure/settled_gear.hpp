@@ -4,8 +4,11 @@
 // catch is given by its volume the front moves by rows of meshes until the netting behind it encloses that.
 #pragma once
 
+#include <optional>
+
 #include "../gear/carry_strains.hpp"
 #include "../solve/settle.hpp"
+#include "measure_errors.hpp"
 #include "measured_gear.hpp"
 
 namespace codend {
@@ -84,6 +87,19 @@ struct SettledGear {
 
 // Throws InputError where the numbers make no sense.
 SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how);
+
+// One more lattice of a gear that is settled with so many nodes, with nothing said of how finely it is
+// divided, where those of the levels' nodes say too little of its errors (extra_nodes()); none where they do
+// or where none settles. from: its settled shape; how: as it was settled. asked: nodes that it was asked
+// for.
+std::optional<SettledGear> extra_lattice(const GearNumbers& numbers, const GearSettling& how,
+                                         const BegunShape& from, double nodes,
+                                         const std::vector<double>& levels, double& asked);
+
+// Standard errors that its lattice leaves in a settled gear's measures, SI, by its levels and, where these
+// say too little, one more lattice that is settled here. how: as it was settled.
+std::vector<double> errors_of(const GearNumbers& numbers, const GearSettling& how,
+                              const SettledGear& found);
 
 // Nodes of the levels below so many of a gear with netting, rising. Where the coarsest would be the only
 // one and far off a second stands between: from the coarsest alone errors are told two to ten times too

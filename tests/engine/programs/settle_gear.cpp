@@ -1,4 +1,4 @@
-// Settles a gear from a file of its numbers and writes its measures to standard output.
+// Settles a gear from a file of its numbers and writes its measures and their errors to standard output.
 //   settle_gear FILE NODES
 // The file and what is written are texts of arrays (base/text_source.hpp), the file's with the fields of
 // GearNumbers (measure/settled_gear.hpp).
@@ -9,8 +9,19 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "codend.hpp"
+
+namespace {
+
+void write(const char* name, const std::vector<double>& values) {
+  std::printf("%s number %zu", name, values.size());
+  for (const double value : values) std::printf(" %.17g", value);
+  std::printf("\n");
+}
+
+}  // namespace
 
 int main(int count, char** arguments) {
   if (count != 3) {
@@ -25,9 +36,9 @@ int main(int count, char** arguments) {
     codend::GearSettling how;
     how.nodes = std::atof(arguments[2]);
     const codend::SettledGear found = codend::settle_gear(numbers, how);
-    std::printf("converged mark 1 %d\nmeasures number %zu\n", found.report.converged,
-                found.measures.size());
-    for (const double value : found.measures) std::printf("%.17g\n", value);
+    std::printf("converged mark 1 %d\n", found.report.converged);
+    write("measures", found.measures);
+    if (found.report.converged) write("errors", codend::errors_of(numbers, how, found));
     return found.report.converged ? 0 : 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
