@@ -1,7 +1,6 @@
 # make bench: everything that is measured, in one run. Argument: the most nodes (1e5).
 library(codend)
-rooms <- c("cases", "crude-starts", "own-process", "sizes", "rivals", "results", "page",
-  "cost-plot")
+rooms <- c("release", "cases", "own-process", "sizes", "rivals", "results", "page", "cost-plot")
 for (room in rooms) source(file.path("bench", paste0(room, ".R")))
 
 given <- commandArgs(TRUE)
@@ -10,8 +9,11 @@ if (is.na(most) || most < sizes$nodes[1]) {
   stop("NODES is ", given[1], "; it must be a number of nodes, ", sizes$nodes[1], " or more.")
 }
 
-dir.create(results_folder, showWarnings = FALSE)
+build_release()
 runs <- run_all(most, keep = function(runs) save_table(runs, "runs"))
+check_sizes(runs)
+ratios <- compare_versions(runs)
+save_table(ratios, "ratios")
 medians <- summarise_runs(runs)
 exponents <- fit_exponents(medians)
 save_table(medians, "medians")
@@ -19,5 +21,5 @@ save_table(exponents, "exponents")
 save_cost_plot(medians, exponents)
 rivals <- compare_rivals()
 save_table(rivals, "rivals")
-write_page(runs, medians, exponents, rivals)
+write_page(runs, ratios, medians, exponents, rivals)
 cat(readLines(file.path(results_folder, "results.md")), sep = "\n")

@@ -2,7 +2,7 @@
 
 cost_colours <- c(
   trawl_bars = "#1b6ca8", trawl_cells = "#c8553d", panel_bars = "#3f8f5b",
-  panel_cells = "#8a6fb0"
+  panel_cells = "#8a6fb0", own_trawl_bars = "#5f5f5f", own_trawl_cells = "#c79a2e"
 )
 
 # medians, exponents: of summarise_runs() and fit_exponents().

@@ -3,6 +3,7 @@
 given <- commandArgs(TRUE)
 library(codend, lib.loc = if (nzchar(given[1])) given[1])
 source("bench/own-process.R")
+source("bench/scaled.R")
 nodes <- as.numeric(given[2])
 repeats <- 5
 
@@ -12,11 +13,6 @@ fields <- list(
   cage = "water.current.speed"
 )
 if (nodes > 2000) fields <- fields[1]
-scaled <- function(gear, field, factor) {
-  value <- Reduce(`[[`, strsplit(field, ".", fixed = TRUE)[[1]], gear$plan)
-  text <- paste(as.numeric(sub(" .*", "", value)) * factor, sub("^[^ ]* ", "", value))
-  do.call(update, c(list(gear), stats::setNames(list(text), field)))
-}
 
 # Median of several; of short ones, for which the clock is too coarse, each several times.
 seconds <- function(work) {

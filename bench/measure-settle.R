@@ -1,25 +1,29 @@
-# One process: settles one case from one crude start and leaves what that took.
-# Arguments: case, nodes (0: as the plan says), start, most CPU seconds of one settle(), file.
-library(codend)
-source("bench/cases.R")
-source("bench/crude-starts.R")
-source("bench/own-process.R")
-
+# One process: settles one neighbour of a case and leaves what that took.
+# Arguments: version, case, nodes (0: as the plan says), neighbour, most CPU seconds of one settle(),
+# file.
+for (room in c("release", "cases", "scaled", "own-process")) {
+  source(file.path("bench", paste0(room, ".R")))
+}
 given <- commandArgs(TRUE)
-case <- known_cases[[given[1]]]
-nodes <- as.numeric(given[2])
-limit <- as.numeric(given[4])
+version <- given[1]
+library(codend, lib.loc = if (nzchar(versions[[version]])) versions[[version]])
+case <- known_cases[[given[2]]]
+nodes <- as.numeric(given[3])
+neighbour <- as.integer(given[4])
+limit <- as.numeric(given[5])
 
 read <- cpu(gear <- case$gear())
-use_start(as.integer(given[3]))
+gear <- scaled(gear, case$flow, neighbours[neighbour])
 before <- memory("VmRSS")
 
 # Reports of the levels that settle() goes through, which a state keeps of the finest alone.
 levels <- NULL
-settle_gear <- codend:::engine_settle_gear
-utils::assignInNamespace("engine_settle_gear", function(...) {
-  found <- settle_gear(...)
-  levels <<- c(levels, found$levels, list(found))
+inner <- c(release = "settle_level", now = "engine_settle_gear")[[version]]
+settle_inside <- getNamespace("codend")[[inner]]
+utils::assignInNamespace(inner, function(...) {
+  list(...)  # a coarser level of the release hides in an argument
+  found <- settle_inside(...)
+  levels <<- c(levels, if (version == "now") c(found$levels, list(found)) else list(found$report))
   found
 }, "codend")
 
@@ -27,7 +31,7 @@ settle_once <- function() {
   levels <<- NULL
   setTimeLimit(cpu = limit, transient = TRUE)
   on.exit(setTimeLimit())
-  if (nodes > 0) settle(gear, nodes, case$netting) else settle(gear)
+  if (nodes > 0) settle(gear, nodes, case$netting[[version]]) else settle(gear)
 }
 first <- cpu(state <- tryCatch(settle_once(), error = identity))
 peak <- memory("VmHWM")
@@ -37,7 +41,7 @@ peak <- memory("VmHWM")
 costs_of <- function(levels, whole) {
   parts <- c("lattice", "analysis", "forces", "jacobian", "linear")
   known <- vapply(parts, function(part) {
-    sum(vapply(levels, `[[`, 0, paste0("seconds_", part)))
+    sum(unlist(lapply(levels, `[[`, paste0("seconds_", part))))
   }, 0)
   c(settle = whole, known, rest = whole - sum(known), coarse = coarse_of(levels))
 }
@@ -48,6 +52,12 @@ coarse_of <- function(levels) {
   sum(vapply(levels[-length(levels)], seconds, 0))
 }
 
+# Nodes where three bars or more meet; NA of netting in cells.
+knots_of <- function(state) {
+  if (case$netting[[version]] != "bars") return(NA)
+  sum(tabulate(state$lattice$engine$bars$node)[seq_len(ncol(state$position))] >= 3, na.rm = TRUE)
+}
+
 steps_of <- function(levels) sum(vapply(levels, `[[`, 0L, "factorisations"))
 
 if (inherits(state, "codend_state")) {
@@ -56,8 +66,9 @@ if (inherits(state, "codend_state")) {
   if (first < 2) {
     costs <- NULL
     begun <- proc.time()
+    times <- ceiling(0.05 / cpu(settle_once()))  # for which the clock is too coarse
     repeat {
-      whole <- cpu(settle_once())
+      whole <- cpu(for (k in seq_len(times)) settle_once()) / times
       costs <- cbind(costs, costs_of(levels, whole))
       if (ncol(costs) == 9L || sum((proc.time() - begun)[1:2]) > 2) break
     }
@@ -66,7 +77,8 @@ if (inherits(state, "codend_state")) {
   picture <- tempfile(fileext = ".png")
   results <- c(
     list(
-      outcome = "settled", nodes = ncol(state$position), levels = length(levels),
+      outcome = "settled", nodes = ncol(state$position), knots = knots_of(state),
+      levels = length(levels),
       iterations = state$report$iterations, factorisations = steps_of(levels),
       residual = state$report$residual
     ),
@@ -76,7 +88,7 @@ if (inherits(state, "codend_state")) {
       picture = cpu(plot(state, file = picture)), peak = peak, rise = peak - before
     )
   )
-  if (given[1] == "warp_200") {
+  if (given[2] == "warp_200" && neighbour == 1L) {
     points <- state$lattice$points
     run <- state$position[, points[["lower_end"]]] - state$position[, points[["upper_end"]]]
     # the continuum's, as the plan's notes say
@@ -87,4 +99,4 @@ if (inherits(state, "codend_state")) {
   if (grepl("CPU time limit", said)) said <- sprintf("not within %g s", limit)
   results <- list(outcome = said, settle = first, peak = peak, rise = peak - before)
 }
-leave_results(results, given[5])
+leave_results(results, given[6])

@@ -4,13 +4,19 @@ label_of <- function(case) {
   vapply(case, function(name) known_cases[[name]]$label, "", USE.NAMES = FALSE)
 }
 
-write_page <- function(runs, medians, exponents, rivals) {
+write_page <- function(runs, ratios, medians, exponents, rivals) {
   save_page(c(
     "# What settling costs", "",
     paste("Written by `make bench`; [what is measured, against what and how](../README.md).",
       measured_with()), "",
-    "## Refined gears", "",
-    "Medians over the crude starts that settled; `settle` is CPU seconds of the whole call.", "",
+    paste0("## Beside version ", last_release[["version"]]), "",
+    "Both versions in turns, the same gear and water: `ratio` is CPU seconds per node over the",
+    "release's, the median of neighbouring gears with the least and the most; `per knot` and",
+    "`a factorisation` are the same per knot of bars and per factorisation. Of two figures the first",
+    "is the release's.", "",
+    markdown_table(ratio_table(ratios)), "",
+    "## This tree", "",
+    "Medians over the neighbours that settled; `settle` is CPU seconds of the whole call.", "",
     markdown_table(size_table(medians[medians$case %in% names(refined), ])), "",
     "Its parts over all levels, CPU seconds (`coarse`: everything before the finest level), and",
     "what comes before and after it:", "",
@@ -27,10 +33,24 @@ write_page <- function(runs, medians, exponents, rivals) {
   ), "results")
 }
 
+ratio_table <- function(ratios) {
+  pair <- function(name) {
+    paste(plain_numbers(signif(ratios[[paste0(name, "_release")]], 3)),
+      plain_numbers(signif(ratios[[name]], 3)), sep = " / ")
+  }
+  data.frame(
+    gear = label_of(ratios$case), nodes = pair("nodes"), ratio = round(ratios$ratio, 2),
+    `least, most` = sprintf("%.2f, %.2f", ratios$least, ratios$most),
+    `per knot` = round(ratios$knot, 2), `a factorisation` = round(ratios$each, 2), `CPU s` = pair("settle"),
+    `steps on the finest` = pair("steps"), factorisations = pair("factorisations"),
+    check.names = FALSE
+  )
+}
+
 size_table <- function(medians) {
   data.frame(
     gear = label_of(medians$case), nodes = medians$nodes,
-    settled = sprintf("%d of %d", medians$settled, medians$starts), settle = medians$settle,
+    settled = sprintf("%d of %d", medians$settled, medians$runs), settle = medians$settle,
     from = medians$settle_least, to = medians$settle_most, levels = medians$levels,
     `steps on the finest` = medians$iterations, factorisations = medians$factorisations,
     residual = medians$residual,
@@ -59,8 +79,8 @@ failure_lines <- function(runs) {
   failed <- runs[runs$outcome != "settled", ]
   if (!nrow(failed)) return(NULL)
   c("Runs that did not settle:", "", sprintf(
-    "- %s, %s nodes, start %d: %s", label_of(failed$case),
-    ifelse(failed$asked > 0, plain_numbers(failed$asked), "the plan's"), failed$start,
+    "- %s, %s, %s nodes, neighbour %d: %s", failed$version, label_of(failed$case),
+    ifelse(failed$asked > 0, plain_numbers(failed$asked), "the plan's"), failed$neighbour,
     failed$outcome
   ), "")
 }

@@ -2,7 +2,7 @@
 # (500). Writes to bench/results/: robust.csv, a row per run; robust.md; and in robust-failed/ the
 # plan of each gear that did not settle.
 library(codend)
-for (room in c("cases", "crude-starts", "own-process", "sizes", "results", "variations")) {
+for (room in c("own-process", "results", "variations")) {
   source(file.path("bench", paste0(room, ".R")))
 }
 
@@ -49,17 +49,17 @@ for (netting in c("bars", "cells")) {
 
 # Tangled starts: every node of the crude layout 10 m (standard deviation) off in each direction,
 # and no coarser levels, which would leave little of a tangle.
-settle_numbers <- codend:::settle_numbers
-utils::assignInNamespace("settle_numbers", function(..., through_levels) {
-  settle_numbers(..., through_levels = FALSE)
-}, "codend")
 trawl <- read_gear("midwater_trawl")
+si <- codend:::gear_si(trawl)
+crude <- codend:::build_lattice(si, nodes, "bars")
+settle_numbers <- codend:::settle_numbers
 answer <- as.vector(settle(trawl, nodes, "bars")$position)
 for (number in seq_len(min(30L, count))) {
-  replace_layout(function(position) {
-    set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion")
-    position + stats::rnorm(length(position), sd = 10)
-  })
+  set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion")
+  tangle <- crude$start + stats::rnorm(length(crude$start), sd = 10)
+  utils::assignInNamespace("settle_numbers", function(si, nodes, netting, ...) {
+    settle_numbers(si, nodes, netting, list(lattice = crude, position = tangle), FALSE)
+  }, "codend")
   found <- try_settling(paste("tangle", number), trawl, "bars")
   if (!is.null(found$state)) {
     moved <- matrix(as.vector(found$state$position) - answer, 3L)
@@ -67,7 +67,6 @@ for (number in seq_len(min(30L, count))) {
   }
   rows <- c(rows, list(found$row))
 }
-replace_layout(identity)
 
 runs <- bind_rows(rows)
 save_table(runs, "robust")

@@ -1,60 +1,110 @@
-# The refined cases at every size from five crude starts, and what their medians grow as.
+# The cases at every size, beside the last release, and what their medians grow as.
 
 # Nodes asked for, and the CPU seconds (of one settle()) after which a run counts as failed: some
-# twenty times what each size should take.
-sizes <- data.frame(nodes = c(1500, 1e4, 1e5, 1e6), limit = c(20, 60, 600, 3600))
+# twenty times what each size should take; and of how many neighbours.
+sizes <- data.frame(
+  nodes = c(1500, 1e4, 1e5, 1e6), limit = c(20, 60, 600, 3600), runs = c(5, 5, 2, 1)
+)
 
 # Fitted over these sizes, both included.
 fitted_nodes <- c(1000, 150000)
 
 cost_columns <- c("settle", "lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")
 
-# Runs one case from every start: a data frame, a row per run. A start that fails at a size of a
-# minute and more ends its row of starts, so that a bench of what does not work yet ends.
-run_case <- function(name, nodes, limit) {
+# Runs one case in every version in turns, neighbour after neighbour: a data frame, a row per run. A
+# run that fails at a size of a minute and more ends the case, so that a bench of what does not work
+# yet ends.
+run_case <- function(name, nodes, limit, count = length(neighbours)) {
   rows <- list()
-  for (start in starts) {
+  case <- known_cases[[name]]
+  ended <- NULL
+  for (neighbour in seq_len(count)) for (version in setdiff(names(case$netting), ended)) {
     asked <- format(nodes, scientific = FALSE)
-    found <- in_own_process("measure-settle.R", name, asked, start, limit)
-    rows[[start]] <- c(
-      list(case = name, asked = nodes, start = start), found[!vapply(found, is.null, NA)]
-    )
+    found <- in_own_process("measure-settle.R", version, name, asked, neighbour, limit)
+    rows <- c(rows, list(c(
+      list(case = name, version = version, asked = nodes, neighbour = neighbour),
+      found[!vapply(found, is.null, NA)]
+    )))
     cat(sprintf(
-      "%-28s %8s nodes, start %d: %s, %s CPU s\n", known_cases[[name]]$label,
-      if (nodes > 0) format(nodes, big.mark = ",", scientific = FALSE) else "plan's", start,
+      "%-30s %-7s %8s nodes, %d: %s, %s CPU s\n", case$label, version,
+      if (nodes > 0) format(nodes, big.mark = ",", scientific = FALSE) else "plan's", neighbour,
       substr(found$outcome, 1, 60), format(signif(c(found$settle, NA)[1], 3))
     ))
-    if (found$outcome != "settled" && limit > 60) break
+    if (found$outcome != "settled" && limit > 60) ended <- c(ended, version)
   }
   bind_rows(rows)
 }
 
 # The public cases and the refined ones up to `most` nodes, a row per run, in the order of sizes. A
-# case none of whose starts settled at one size is not tried at the next. keep: called with the rows
-# so far after each case, since the last ones take hours.
+# case that does not settle at one size is not tried at the next. keep: called with the rows so far
+# after each case, since the last ones take hours.
 run_all <- function(most, keep) {
   rows <- NULL
   add <- function(found) {
     rows <<- c(rows, split(found, seq_len(nrow(found))))
     keep(bind_rows(rows))
-    any(found$outcome == "settled")
+    any(found$outcome == "settled" & found$version == "now")
   }
   for (name in names(public)) add(run_case(name, 0, 60))
   works <- names(refined)
   for (k in which(sizes$nodes <= most)) {
-    works <- Filter(function(name) add(run_case(name, sizes$nodes[k], sizes$limit[k])), works)
+    works <- Filter(function(name) {
+      add(run_case(name, sizes$nodes[k], sizes$limit[k], sizes$runs[k]))
+    }, works)
   }
   bind_rows(rows)
 }
 
-# A row per case and size: how many of the runs settled, and medians over those.
+# Stops where a size that was asked for is not the size that came, within a fifth.
+check_sizes <- function(runs) {
+  off <- runs[runs$version == "now" & runs$asked > 0 & !is.na(runs$nodes) &
+    abs(runs$nodes / runs$asked - 1) > 0.2, ]
+  if (nrow(off)) {
+    stop("asked for other sizes than came: ", paste(sprintf("%s %s for %s", off$case,
+      plain_numbers(off$nodes), plain_numbers(off$asked)), collapse = ", "))
+  }
+}
+
+# This tree next to the last release, a row per case and size: CPU seconds per node over those of the
+# release, the median of neighbours that both settled, and the least and the most of them.
+compare_versions <- function(runs) {
+  key <- paste(runs$case, runs$asked, runs$neighbour)
+  settled <- runs$outcome == "settled"
+  now <- runs[settled & runs$version == "now", ]
+  release <- runs[settled & runs$version == "release", ]
+  release <- release[match(key[settled & runs$version == "now"],
+    key[settled & runs$version == "release"]), ]
+  now$ratio <- (now$settle / now$nodes) / (release$settle / release$nodes)
+  now$knot <- (now$settle / now$knots) / (release$settle / release$knots)
+  now$each <- (now$settle / now$factorisations) / (release$settle / release$factorisations)
+  both <- now[!is.na(now$ratio), ]
+  groups <- split(seq_len(nrow(both)), list(factor(both$case, unique(both$case)), both$asked),
+    drop = TRUE)
+  was <- release[!is.na(now$ratio), ]
+  bind_rows(lapply(groups, function(at) {
+    middle <- function(x) stats::median(x[at])
+    list(
+      case = both$case[at[1]], asked = both$asked[at[1]], ratio = middle(both$ratio),
+      least = min(both$ratio[at]), most = max(both$ratio[at]),
+      knot = middle(both$knot), each = middle(both$each),
+      nodes_release = middle(was$nodes), nodes = middle(both$nodes),
+      settle_release = middle(was$settle), settle = middle(both$settle),
+      steps_release = middle(was$iterations), steps = middle(both$iterations),
+      factorisations_release = middle(was$factorisations),
+      factorisations = middle(both$factorisations)
+    )
+  }))
+}
+
+# A row per case and size of this tree: how many of the runs settled, and medians over those.
 summarise_runs <- function(runs) {
+  runs <- runs[runs$version == "now", ]
   groups <- split(runs, list(factor(runs$case, unique(runs$case)), runs$asked), drop = TRUE)
   rows <- lapply(groups, function(group) {
     settled <- group[group$outcome == "settled", ]
-    numbers <- setdiff(names(group)[vapply(group, is.numeric, NA)], c("asked", "start"))
+    numbers <- setdiff(names(group)[vapply(group, is.numeric, NA)], c("asked", "neighbour"))
     c(
-      list(case = group$case[1], asked = group$asked[1], starts = nrow(group),
+      list(case = group$case[1], asked = group$asked[1], runs = nrow(group),
         settled = nrow(settled)),
       lapply(settled[numbers], stats::median),
       list(settle_least = least(settled$settle), settle_most = -least(-settled$settle))
