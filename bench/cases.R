@@ -21,8 +21,8 @@ refined <- list(
     gear = function() released("flat_panel"), netting = bars, flow = "water.current.speed"),
   panel_cells = list(label = "flat panel, cells",
     gear = function() released("flat_panel"), netting = cells, flow = "water.current.speed"),
-  own_trawl_bars = list(label = "midwater trawl, bars", gear = function() read_gear("midwater_trawl"),
-    netting = only_now(bars), flow = "towing.speed"),
+  own_trawl_bars = list(label = "midwater trawl, bars",
+    gear = function() read_gear("midwater_trawl"), netting = only_now(bars), flow = "towing.speed"),
   own_trawl_cells = list(label = "midwater trawl, cells",
     gear = function() read_gear("midwater_trawl"), netting = only_now(cells), flow = "towing.speed")
 )

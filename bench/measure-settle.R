@@ -1,6 +1,6 @@
 # One process: settles one neighbour of a case and leaves what that took.
-# Arguments: version, case, nodes (0: as the plan says), neighbour, most CPU seconds of one settle(),
-# file.
+# Arguments: version, case, nodes (0: as the plan says), neighbour, most CPU seconds of one
+# settle(), file.
 for (room in c("release", "cases", "scaled", "own-process")) {
   source(file.path("bench", paste0(room, ".R")))
 }

@@ -12,8 +12,8 @@ write_page <- function(runs, ratios, medians, exponents, rivals) {
     paste0("## Beside version ", last_release[["version"]]), "",
     "Both versions in turns, the same gear and water: `ratio` is CPU seconds per node over the",
     "release's, the median of neighbouring gears with the least and the most; `per knot` and",
-    "`a factorisation` are the same per knot of bars and per factorisation. Of two figures the first",
-    "is the release's.", "",
+    "`a factorisation` are the same per knot of bars and per factorisation. Of two figures the",
+    "first is the release's.", "",
     markdown_table(ratio_table(ratios)), "",
     "## This tree", "",
     "Medians over the neighbours that settled; `settle` is CPU seconds of the whole call.", "",
@@ -41,7 +41,8 @@ ratio_table <- function(ratios) {
   data.frame(
     gear = label_of(ratios$case), nodes = pair("nodes"), ratio = round(ratios$ratio, 2),
     `least, most` = sprintf("%.2f, %.2f", ratios$least, ratios$most),
-    `per knot` = round(ratios$knot, 2), `a factorisation` = round(ratios$each, 2), `CPU s` = pair("settle"),
+    `per knot` = round(ratios$knot, 2), `a factorisation` = round(ratios$each, 2),
+    `CPU s` = pair("settle"),
     `steps on the finest` = pair("steps"), factorisations = pair("factorisations"),
     check.names = FALSE
   )

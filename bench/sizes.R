@@ -65,8 +65,8 @@ check_sizes <- function(runs) {
   }
 }
 
-# This tree next to the last release, a row per case and size: CPU seconds per node over those of the
-# release, the median of neighbours that both settled, and the least and the most of them.
+# This tree next to the last release, a row per case and size: CPU seconds per node over those of
+# the release, the median of neighbours that both settled, and the least and the most of them.
 compare_versions <- function(runs) {
   key <- paste(runs$case, runs$asked, runs$neighbour)
   settled <- runs$outcome == "settled"
