@@ -16,10 +16,27 @@ define_finding <- function(name, of, words, test, rank = 2L) {
 
 # place: the plan's field, or the parts of the gear; value: the number, as it is told with its unit
 # in `shown`; words: what is odd; advice: what to try; field: the field to change: of the plan where
-# there is such a one, else of the part at `place`; NULL for the place itself.
+# there is such a one, else of the part at `place`; NULL for the place itself. shown, words and
+# advice are texts, or what told() makes.
 finding <- function(place, value, shown, words, advice, field = NULL) {
-  list(place = place, value = value, shown = shown, words = one_line(words),
-    advice = one_line(advice), field = field)
+  list(place = place, value = value, shown = shown, words = words, advice = advice, field = field)
+}
+
+# A text with places such as {load}, and what fills them, which may be such texts themselves: it is
+# put into words by told_in(), in whatever language.
+told <- function(text, ...) list(text = text, values = list(...))
+
+# translate: a function of a text that gives its translation, or the text itself.
+told_in <- function(told, translate = identity) {
+  if (!is.list(told)) return(translate(one_line(told)))
+  fill_places(translate(one_line(told$text)), lapply(told$values, told_in, translate))
+}
+
+fill_places <- function(text, values) {
+  for (name in names(values)) {
+    text <- gsub(paste0("{", name, "}"), values[[name]], text, fixed = TRUE)
+  }
+  text
 }
 
 # The plan's field that a finding is about: of a place such as "rope bridle_upper_port" where its

@@ -30,8 +30,8 @@ define_finding("drag law", "state",
     shown <- sprintf("%.0f %%", 100 * share)
     used <- intersect(constant_screens(), law)[1]
     list(finding("netting_drag", 100 * share, shown,
-      sprintf("%s was fitted to netting across the flow; %s of it lies along the flow here, and has
-        too much drag.", used, shown),
+      told("{law} was fitted to netting across the flow; {share} of it lies along the flow here, and
+        has too much drag.", law = used, share = shown),
       "Use blended, or twines."))
   },
   rank = 3L
@@ -60,22 +60,23 @@ define_finding("solidity", "state",
     used <- law[[worst]]
     shown <- figures(solidity[[worst]])
     closed <- solidity[[worst]] > greatest_solidity[[used]]
-    bound <- if (closed) {
-      paste("at most", format(greatest_solidity[[used]]))
+    words <- if (closed) {
+      told("its solidity is {solidity}; {law} was fitted to at most {bound}.", solidity = shown,
+        law = used, bound = format(greatest_solidity[[used]]))
     } else {
-      paste("at least", format(least_solidity[[used]]))
+      told("its solidity is {solidity}; {law} was fitted to at least {bound}.", solidity = shown,
+        law = used, bound = format(least_solidity[[used]]))
     }
     wider <- names(which.max(greatest_solidity))
     advice <- if (!closed) {
       "Use twines: there one twine hardly shields another."
     } else if (greatest_solidity[[wider]] >= solidity[[worst]]) {
-      sprintf("Check mesh size and twine, or use %s, fitted up to %s.", wider,
-        format(greatest_solidity[[wider]]))
+      told("Check mesh size and twine, or use {law}, fitted up to {bound}.", law = wider,
+        bound = format(greatest_solidity[[wider]]))
     } else {
       "Check mesh size and twine; its drag may be off by tens of percent."
     }
-    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], shown,
-      sprintf("its solidity is %s; %s was fitted to %s.", shown, used, bound), advice))
+    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], shown, words, advice))
   },
   rank = 3L
 )
@@ -108,8 +109,9 @@ define_finding("Reynolds number", "state",
     if (off[worst] <= 1) return(list())
     shown <- figures(reynolds[[worst]])
     list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], shown,
-      sprintf("its twine has a Reynolds number of %s; %s is for %s to %s.", shown, law[[worst]],
-        format(rows$least_reynolds[worst]), format(rows$most_reynolds[worst])),
+      told("its twine has a Reynolds number of {number}; {law} is for {least} to {most}.",
+        number = shown, law = law[[worst]], least = format(rows$least_reynolds[worst]),
+        most = format(rows$most_reynolds[worst])),
       "Check speed, viscosity and twine, or use twines with choo_casarella."))
   },
   rank = 3L
@@ -153,8 +155,8 @@ netting_to_flow <- function(state, cells) {
 # Warns where a law is used outside what it was measured for: of the first that is found.
 warn_of_laws <- function(state) {
   for (check in c("drag law", "solidity", "Reynolds number")) {
-    found <- do.call(rbind, found_by(finding_checks[[check]], state$gear, state))
-    if (is.null(found)) next
+    found <- finding_rows(found_by(finding_checks[[check]], state$gear, state))
+    if (!nrow(found)) next
     cli::cli_warn(finding_sentences(found)[1],
       class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
     return(invisible())

@@ -22,7 +22,7 @@ define_finding("cells finer than meshes", "state",
     if (!length(held) || min(held) >= 1) return(list())
     name <- names(state$si$panels)[as.integer(names(which.min(held)))]
     list(finding(paste("panel", name), min(held), figures(min(held)),
-      sprintf("each of its cells holds %s meshes.", figures(min(held))),
+      told("each of its cells holds {n} meshes.", n = figures(min(held))),
       "Divide its netting into bars, which are its meshes (netting: bars)."))
   },
   rank = 3L

@@ -28,8 +28,8 @@ define_finding("twine", "plan",
     lapply(once, function(x) {
       thick <- in_unit(x$twine, "mm")
       finding(paste("panel", x$panel), thick, paste(figures(thick), "mm"),
-        sprintf("its twine is %s mm thick in meshes of %s.", figures(thick),
-          format_si(x$mesh, "length")),
+        told("its twine is {thick} mm thick in meshes of {mesh}.", thick = figures(thick),
+          mesh = format_si(x$mesh, "length")),
         "Check the unit: a number without one is in metres.", field = "twine")
     })
   },
@@ -55,8 +55,8 @@ define_finding("rope diameter", "plan",
     lapply(odd, function(name) {
       shown <- format_si(ropes[[name]]$diameter, "length")
       finding(paste("rope", name), in_unit(ropes[[name]]$diameter, "mm"), shown,
-        sprintf("its diameter is %s.", shown), "Check the unit: a number without one is in metres.",
-        field = "diameter")
+        told("its diameter is {diameter}.", diameter = shown),
+        "Check the unit: a number without one is in metres.", field = "diameter")
     })
   },
   rank = 1L
@@ -72,19 +72,19 @@ define_finding("speed", "plan",
   function(gear, state) {
     si <- gear_si(gear)
     in_knots <- si$towing$speed / plan_units$speed[["knot"]]
-    knots <- paste(figures(in_knots), "knot")
+    knots <- told("{n} knot", n = figures(in_knots))
     out <- list()
     # of kinds with a band that has its own finding
     if (si$towing$speed > greatest_speed && is.null(band_of("towing speed", gear))) {
       out <- list(finding("towing.speed", in_knots, knots,
-        sprintf("the gear is towed at %s.", knots),
+        told("the gear is towed at {speed}.", speed = knots),
         "Check the unit: a number without one is in m/s."))
     }
     current <- sqrt(si$water$current$x^2 + si$water$current$y^2)
     if (max(current) > greatest_current) {
       shown <- paste(figures(max(current)), "m/s")
       out <- c(out, list(finding("water.current", max(current), shown,
-        sprintf("the current runs at %s.", shown),
+        told("the current runs at {speed}.", speed = shown),
         "Check the unit: a number without one is in m/s.")))
     }
     out
@@ -114,8 +114,11 @@ define_finding("lift coefficient", "plan",
       lapply(odd, function(force) {
         value <- of[[name]][[force]]
         finding(gsub("_", " ", name), value, figures(value),
-          sprintf("its %s coefficient is %s, where tests have up to %s.", force, figures(value),
-            if (force == "lift") "2.5" else "1.5"),
+          if (force == "lift") {
+            told("its lift coefficient is {n}, where tests have up to 2.5.", n = figures(value))
+          } else {
+            told("its drag coefficient is {n}, where tests have up to 1.5.", n = figures(value))
+          },
           "Check the coefficient and the area that it counts with.")
       })
     }), recursive = FALSE)
@@ -129,9 +132,8 @@ define_finding("number of panels", "plan",
       return(list())
     }
     taken <- plan_node(gear$plan)$properties$panels[["default"]]
-    list(finding("panels", taken, paste(taken, "panels"),
-      sprintf("the field is left out, so that this %s is taken to have %d panels.",
-        gsub("_", " ", gear$plan$kind), taken),
+    list(finding("panels", taken, told("{n} panels", n = taken),
+      told("the field is left out, so that this trawl is taken to have {n} panels.", n = taken),
       "Write how many panels the net has."))
   }
 )
@@ -152,9 +154,9 @@ define_finding("seam", "plan",
       long <- vapply(seam$edges, chain_length, 0, panels = si$panels)
       if (min(long) <= 0 || max(long) <= greatest_seam_ratio * min(long)) return(NULL)
       ratio <- max(long) / min(long)
-      finding(paste("seam", name), ratio, sprintf("ratio %s", figures(ratio)),
-        sprintf("it joins edges of %s and %s stretched length.", format_si(min(long), "length"),
-          format_si(max(long), "length")),
+      finding(paste("seam", name), ratio, told("ratio {n}", n = figures(ratio)),
+        told("it joins edges of {short} and {long} stretched length.",
+          short = format_si(min(long), "length"), long = format_si(max(long), "length")),
         "Count the meshes along both edges again.")
     })
   }
@@ -183,7 +185,7 @@ define_finding("hanging ratio", "plan",
       if (!length(odd)) return(NULL)
       worst <- odd[which.max(abs(log(odd)))]
       finding(paste("rope", name), worst, figures(worst),
-        sprintf("it is hung on its netting with a ratio of %s.", figures(worst)),
+        told("it is hung on its netting with a ratio of {n}.", n = figures(worst)),
         "Check the rope's length and the meshes that it is hung on.")
     })
   }

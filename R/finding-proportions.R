@@ -31,22 +31,23 @@ define_band <- function(quantity, of, words, value, place, low, high, field = NU
       below <- !is.na(band$least) && found < band$least
       above <- !is.na(band$greatest) && found > band$greatest
       if (!below && !above) return(list())
-      unit <- if (nzchar(band$unit)) paste0(" ", band$unit) else ""
-      shown <- paste0(figures(found), unit)
+      # "{n} knot"
+      with_unit <- trimws(paste("{n}", band$unit))
+      shown <- told(with_unit, n = figures(found))
       if (is.function(place)) place <- place(gear)
       list(finding(place, found, shown,
-        sprintf("%s is %s; usual is %s.", quantity, shown,
-          band_words(band$usual_least, band$usual_greatest, unit)),
+        told("{quantity} is {value}; usual is {band}.", quantity = quantity, value = shown,
+          band = told(with_unit, n = band_words(band$usual_least, band$usual_greatest))),
         if (below) low else high, field = field))
     },
     rank = rank
   )
 }
 
-band_words <- function(least, greatest, unit) {
+band_words <- function(least, greatest) {
   number <- function(x) format(x, trim = TRUE)
-  if (is.na(least)) return(paste0("at most ", number(greatest), unit))
-  paste0(number(least), " to ", number(greatest), unit)
+  if (is.na(least)) return(told("at most {n}", n = number(greatest)))
+  told("{least} to {most}", least = number(least), most = number(greatest))
 }
 
 # One of the plan's own measures of a state by its name without unit, SI, or NULL.

@@ -28,8 +28,12 @@ define_finding("net off the bed", "state",
     if (least <= allowed) return(list())
     shown <- paste(figures(least), "m")
     list(finding(paste("rope", names(low)[which.min(low)]), least, shown,
-      sprintf("half of it hangs %s or more above the sea bed%s.", shown,
-        if (above > 0) sprintf(", under a head line at %s m", figures(above)) else ""),
+      if (above > 0) {
+        told("half of it hangs {height} or more above the sea bed, under a head line at {line} m.",
+          height = shown, line = figures(above))
+      } else {
+        told("half of it hangs {height} or more above the sea bed.", height = shown)
+      },
       "Pay out more warp, tow more slowly, or weigh the footrope or the boards more.",
       field = "warps.length"))
   },
@@ -49,7 +53,8 @@ define_finding("rope load", "state",
     lapply(seq_len(nrow(table)), function(k) {
       shown <- paste(figures(table$strength_percent[k]), "%")
       finding(paste("rope", table$part[k]), table$strength_percent[k], shown,
-        sprintf("it carries %s kN, %s of its breaking load.", figures(table$max_kN[k]), shown),
+        told("it carries {force} kN, {share} of its breaking load.",
+          force = figures(table$max_kN[k]), share = shown),
         "Use a thicker or a stronger rope, or check what pulls so hard.", field = "diameter")
     })
   },
@@ -67,7 +72,8 @@ define_finding("opening", "state",
       if (!is.finite(value) || value > 0) return(NULL)
       unit <- c(height = "m", area = "m2", volume = "m3")[[opening[[name]]$kind]]
       shown <- paste(figures(value), unit)
-      finding(gsub("_", " ", name), value, shown, sprintf("it is %s: it must be positive.", shown),
+      finding(gsub("_", " ", name), value, shown,
+        told("it is {value}: it must be positive.", value = shown),
         "Give more floats above, more weight below, or other lengths of bridles.",
         field = "floats")
     }, names(opening), measure_values(state, opening))
@@ -95,7 +101,7 @@ define_finding("idle rope", "state",
     lapply(which(idle), function(k) {
       shown <- paste(figures(1000 * table$max_kN[k]), "N")
       finding(paste("rope", table$part[k]), 1000 * table$max_kN[k], shown,
-        sprintf("it carries %s at most, so that its fields change nothing.", shown),
+        told("it carries {force} at most, so that its fields change nothing.", force = shown),
         "Shorten it, or leave it out.", field = "length")
     })
   }
@@ -128,7 +134,7 @@ define_finding("bridles", "state",
       percent <- 100 * share[[odd]]
       shown <- paste(figures(percent), "%")
       list(finding(paste("rope", together[odd]), percent, shown,
-        sprintf("it carries %s of the tension of the bridles there.", shown),
+        told("it carries {share} of the tension of the bridles there.", share = shown),
         if (share[odd] < least) {
           "Shorten it, or lengthen the others."
         } else {
@@ -158,7 +164,7 @@ define_finding("weight on netting", "state",
     mass <- si$pieces[[hung[1]]]$mass
     shown <- format_si(mass, "mass")
     list(finding(paste("piece", hung[1]), mass, shown,
-      sprintf("%d such weights hang on netting alone, %s each.", length(hung), shown),
+      told("{n} such weights hang on netting alone, {mass} each.", n = length(hung), mass = shown),
       "Give the netting a rope where they hang (of a cage: side_ropes, bottom_rope)."))
   }
 )
@@ -180,8 +186,8 @@ define_finding("bundle", "state",
       if (!is.finite(volume) || volume >= least_open_share * could) return(NULL)
       shown <- paste(figures(volume), "m3")
       finding(paste("rope", measure$rope), volume, shown,
-        sprintf("it encloses %s of the %s m3 that it could: the net hangs as a bundle.", shown,
-          figures(could)),
+        told("it encloses {volume} of the {could} m3 that it could: the net hangs as a bundle.",
+          volume = shown, could = figures(could)),
         "At rest its shape, volume and their errors mean nothing: look at its operation, by tow().")
     })
   }
@@ -212,7 +218,8 @@ define_finding("slack netting", "state",
     slack <- slack_table(state)
     most <- slack$part[which.max(slack$slack_percent * slack$twine_m)]
     list(finding("netting", 100 * loose, shown,
-      sprintf("%s of it hangs loose, most of that in panel %s.", shown, most),
+      told("{share} of it hangs loose, most of that in panel {panel}.", share = shown,
+        panel = most),
       "Check the speed, the spread, and the ropes that hold it: are they shorter than meant?"))
   }
 )
@@ -249,7 +256,8 @@ define_finding("out of the water", "state",
     height <- state$position[3, most]
     shown <- paste(figures(height), "m")
     list(finding(describe_node(lattice, most), height, shown,
-      sprintf("it is %s above the surface, one of %d nodes that do.", shown, length(above)),
+      told("it is {height} above the surface, one of {n} nodes that do.", height = shown,
+        n = length(above)),
       if (state$si$water$free_surface) {
         "Check what lifts the gear, and how much warp is out."
       } else {
@@ -271,11 +279,11 @@ define_finding("boards", "state",
       beyond <- board$attack_deg < tested[1] - 2 || board$attack_deg > tested[2] + 2
       if (board$condition == "flying" && !beyond) return(NULL)
       words <- if (board$condition != "flying") {
-        sprintf("it is %s, at an angle of attack of %s and a heel of %s deg.", board$condition,
-          shown, figures(board$heel_deg))
+        told("it is {condition}, at an angle of attack of {attack} and a heel of {heel} deg.",
+          condition = board$condition, attack = shown, heel = figures(board$heel_deg))
       } else {
-        sprintf("it meets the flow at %s, and its polar was tested from %s to %s deg.", shown,
-          figures(tested[1]), figures(tested[2]))
+        told("it meets the flow at {attack}, and its polar was tested from {least} to {most} deg.",
+          attack = shown, least = figures(tested[1]), most = figures(tested[2]))
       }
       finding(gsub("_", " ", board$board), board$attack_deg, shown, words,
         "Move the points where warp and backstrops are fastened, or give a polar for that angle.")
@@ -293,8 +301,8 @@ define_finding("flutter", "state",
       mode <- modes[k, ]
       finding(gsub("_", " ", mode$board), mode$growth_per_s,
         paste(figures(mode$growth_per_s), "/s"),
-        sprintf("it swings with a period of %s s, and its swings grow by a factor of e in %s s.",
-          figures(mode$period_s), figures(1 / mode$growth_per_s)),
+        told("it swings with a period of {period} s, and its swings grow by a factor of e in
+          {time} s.", period = figures(mode$period_s), time = figures(1 / mode$growth_per_s)),
         "Move the points where warp and backstrops are fastened, or lower its weight.")
     })
   }

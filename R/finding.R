@@ -30,7 +30,10 @@ findings <- function(x) {
 }
 
 # The findings of some checks.
-findings_by <- function(x, checks) {
+findings_by <- function(x, checks) finding_rows(list_findings(x, checks))
+
+# ... as a list, in no language yet.
+list_findings <- function(x, checks) {
   if (inherits(x, "codend_state")) {
     found <- lapply(checks, found_by, x$gear, x)
   } else if (inherits(x, "codend_gear")) {
@@ -39,11 +42,19 @@ findings_by <- function(x, checks) {
   } else {
     abort_argument("{.arg x} must be a gear or a state, not {.cls {class(x)}}.")
   }
-  rows <- do.call(rbind, unlist(unname(found), recursive = FALSE))
-  if (!is.null(rows)) return(rows)
-  data.frame(check = character(), place = character(), value = double(), shown = character(),
-    words = character(), advice = character(), field = character(), rank = integer(),
-    alike = integer())
+  unlist(unname(found), recursive = FALSE)
+}
+
+# A list of findings as a data frame; translate: as of told_in(), here and below.
+finding_rows <- function(found, translate = identity) {
+  column <- function(name, like) vapply(found, `[[`, like, name)
+  texts <- function(name) vapply(found, function(one) told_in(one[[name]], translate), "")
+  data.frame(
+    check = column("check", ""), place = column("place", ""),
+    value = vapply(found, function(one) as.double(one$value), 0), shown = texts("shown"),
+    words = texts("words"), advice = texts("advice"), field = column("field", ""),
+    rank = column("rank", 0L), alike = column("alike", 0L)
+  )
 }
 
 sorted_checks <- function() {
@@ -52,23 +63,26 @@ sorted_checks <- function() {
   checks[order(vapply(checks, `[[`, 0L, "rank"), vapply(checks, `[[`, "", "of"))]
 }
 
-# What a check finds, as data frames of one row: of many that concern one field the first.
+# What a check finds, as a list: of many that concern one field the first.
 found_by <- function(check, gear, state) {
   found <- lapply(unname(Filter(length, check$test(gear, state))), function(one) {
     one["field"] <- finding_field(gear$plan, one$place, one$field)
-    data.frame(check = check$name, one, rank = check$rank)
+    c(check = check$name, one, rank = check$rank)
   })
   about <- vapply(found, function(one) if (is.na(one$field)) one$place else one$field, "")
   unname(lapply(split(found, factor(about, unique(about))), function(group) {
-    data.frame(group[[1L]], alike = length(group) - 1L)
+    c(group[[1L]], alike = length(group) - 1L)
   }))
 }
 
 # One line a finding, for prints and pages.
-finding_sentences <- function(found) {
+finding_sentences <- function(found, translate = identity) {
   named <- !is.na(found$field) & found$field != found$place
-  sprintf("%s%s: %s %s%s", found$place,
-    ifelse(found$alike > 0, sprintf(" and %d more", found$alike), ""), found$words, found$advice,
+  # the first word of a place may tell what it is: "rope", "panel"
+  kind <- vapply(sub(" .*", "", found$place), translate, "", USE.NAMES = FALSE)
+  place <- paste0(kind, sub("^[^ ]+", "", found$place))
+  several <- vapply(found$alike, function(n) told_in(told(" and {n} more", n = n), translate), "")
+  sprintf("%s%s: %s %s%s", place, ifelse(found$alike > 0, several, ""), found$words, found$advice,
     ifelse(named, sprintf(" (%s)", found$field), ""))
 }
 

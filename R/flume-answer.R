@@ -64,9 +64,9 @@ made_of_state <- list(
   save_tow = function(state, said) save_tow(said)
 )
 
-# What the page asks for, settled and remembered: list(gear, state, notes, drawing, measures). Of a
-# design that has the fields of the one before only what moves, list(moved, anew), as
-# moved_message() gives it: rest_of_design() is asked for next.
+# What the page asks for, settled and remembered: list(gear, state, notes, worth, drawing,
+# measures). Of a design that has the fields of the one before only what moves, list(moved, anew),
+# as moved_message() gives it: rest_of_design() is asked for next.
 shown_design <- function(request, memory) {
   found <- settled_design(request, memory, complete = FALSE)
   memory$state <- found$state
@@ -108,13 +108,13 @@ settled_design <- function(request, memory, complete = TRUE) {
   if (complete) complete_design(found) else found
 }
 
-# ... with what is worth a look among the notes, the drawing and the measures.
+# ... with its findings, in no language yet (worth), the drawing and the measures.
 complete_design <- function(found, shape = flume_shape(found$state)) {
   # a page does not wait for swings of boards
   checks <- sorted_checks()
-  worth <- findings_by(found$state, checks[names(checks) != "flutter"])
-  found$notes <- c(found$notes, finding_sentences(worth))
-  c(found, list(drawing = flume_drawing(found$state, shape), measures = measures(found$state)))
+  worth <- list_findings(found$state, checks[names(checks) != "flutter"])
+  c(found, list(worth = worth, drawing = flume_drawing(found$state, shape),
+    measures = measures(found$state)))
 }
 
 settled_start <- function(gear, nodes) {

@@ -44,7 +44,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
       message <- tank$picture(passed)
       session$sendCustomMessage("flume_picture", c(list(
-        answers = answers, said = spoken(tank$measures, say), notes = I(as.character(tank$notes)),
+        answers = answers, said = spoken(tank$measures, say), notes = I(tank$warnings()),
         towed = !is.null(tank$gear$plan$tow)
       ), message))
       tank$count_picture()

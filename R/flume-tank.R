@@ -81,9 +81,15 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     TRUE
   }
 
+  # Warnings of the design on screen, findings among them.
+  tank$warnings <- function() {
+    translate <- said_finding(say)
+    c(as.character(tank$notes), finding_sentences(finding_rows(tank$worth, translate), translate))
+  }
+
   # Puts on screen what a worker found. edited: of the draft that it was asked for.
   tank$take <- function(kind, found, edited = tank$edited) {
-    list2env(found[c("gear", "state", "notes", "drawing", "measures")], tank)
+    list2env(found[c("gear", "state", "notes", "worth", "drawing", "measures")], tank)
     tank$serial <- tank$serial + 1L
     tank$slopes <- tank$uncertainty <- NULL
     if (kind %in% opening_requests) {

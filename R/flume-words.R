@@ -3,14 +3,18 @@
 #
 # Keys with a point belong to a family: language, room (of the form), field (of a plan, by its
 # name), usual (of those that people change first), also (what else the trade calls a field),
-# measure (by its kind, its number as #), kind (of gear), unit, busy (of what is waited for) and
-# tow_saves.
+# measure (by its kind, its number as #), kind (of gear), unit, busy (of what is waited for),
+# tow_saves; view (of inst/view) and finding (R/finding-*.R), whose keys are the English texts: they
+# are said without a tank too.
 
 word_table <- remembered(function(version = 1) {
-  utils::read.csv(
+  table <- utils::read.csv(
     system.file("app", "words.csv", package = "codend", mustWork = TRUE), encoding = "UTF-8",
     na.strings = character(), check.names = FALSE, colClasses = "character"
   )
+  by_text <- grepl("^(view|finding)[.]", table$key)
+  table$en[by_text] <- sub("^[a-z]+[.]", "", table$key[by_text])
+  table
 })
 
 word_languages <- function() setdiff(names(word_table()), c("key", "note"))
@@ -32,11 +36,7 @@ new_say <- remembered(function(language = "en") {
     function(key, ..., otherwise = NULL) {
       text <- if (key %in% names(words)) words[[key]] else otherwise
       if (is.null(text)) stop("codend's tank has no words for ", key)
-      values <- list(...)
-      for (name in names(values)) {
-        text <- gsub(paste0("{", name, "}"), values[[name]], text, fixed = TRUE)
-      }
-      text
+      fill_places(text, list(...))
     },
     language = language
   )
@@ -92,6 +92,9 @@ said_unit <- function(say, unit) {
   vapply(unit, function(one) say(paste0("unit.", one), otherwise = one), "", USE.NAMES = FALSE)
 }
 
+# Translates a text of a finding, as told_in() takes it.
+said_finding <- function(say) function(text) say(paste0("finding.", text), otherwise = text)
+
 # "door spread (m)"
 said_measure_unit <- function(say, words, unit) {
   paste0(said_measure(say, words), " (", said_unit(say, unit), ")")
@@ -108,8 +111,10 @@ words_json <- function(say) {
   every <- do.call(paste, table[of_field, word_languages()])
   field <- sub("^[a-z]*[.]", "", table$key[of_field])
   sought <- vapply(split(every, field), paste, "", collapse = " ")
+  words <- words_in(attr(say, "language"))
+  words <- words[!startsWith(names(words), "finding.")]
   escape_json(as.character(jsonlite::toJSON(
-    list(words = as.list(words_in(attr(say, "language"))), sought = as.list(sought)),
+    list(words = as.list(words), sought = as.list(sought)),
     auto_unbox = TRUE
   )))
 }

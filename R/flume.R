@@ -41,8 +41,8 @@
 #' speeds are shown in the units that the user likes.
 #'
 #' The page is in English, French, Spanish or Norwegian: as its browser likes best, as `?lang=` in
-#' its address says, or as chosen at its top. Names of gears, what a field means and may be,
-#' findings and refusals are in English. Fields are found by the words of any of these languages. A
+#' its address says, or as chosen at its top. Names of gears, what a field means and may be, and
+#' refusals are in English. Fields are found by the words of any of these languages. A
 #' language whose words a machine made is marked as unchecked.
 #'
 #' A design may be unfinished: every change is kept, in any order. What does not fit is marked in

@@ -3,7 +3,8 @@
 // codendSay(key, values) is the text of a key with the values of its places, {n: 3} for {n}; without such
 // a key the key itself. .field(name), .path(path), .measure('door spread (m)') and .unit(unit) say what
 // plans and measures name; .sought(paths) gives what fields are called in any language, .bare(text) a
-// text in small letters without accents, for who looks for one.
+// text in small letters without accents, for who looks for one. The viewer says its own words and the
+// roles of parts by it.
 window.codendSay = (function () {
   'use strict';
 
@@ -15,12 +16,12 @@ window.codendSay = (function () {
   }
   function has(key) { return Object.prototype.hasOwnProperty.call(known().words, key); }
 
-  function say(key, values) {
-    var text = has(key) ? known().words[key] : key;
-    return text.replace(/\{(\w+)\}/g, function (place, name) {
-      return values && values[name] !== undefined ? values[name] : place;
-    });
-  }
+  var fill = window.codendView.say;
+  function say(key, values) { return fill(has(key) ? known().words[key] : key, values); }
+  window.codendView.say = function (words, values) {
+    return has('view.' + words) ? say('view.' + words, values) :
+      fill(term('field', words.replace(/ /g, '_')), values);
+  };
   function term(family, name) {
     return has(family + '.' + name) ? say(family + '.' + name) : name.replace(/_/g, ' ');
   }

@@ -139,7 +139,8 @@ window.codendView.graph = function (host, about) {
     if (best < 0) return;
     var error = number((shown.errors || [])[best]);
     tip.textContent = words(about.times[best]) + (about.unit ? ' ' + about.unit : '') + ': ' +
-      words(number(shown.values[best])) + (isFinite(error) ? ', computed to ' + Number(error.toPrecision(2)) : '');
+      words(number(shown.values[best])) +
+      (isFinite(error) ? ', ' + window.codendView.say('computed to {n}', { n: Number(error.toPrecision(2)) }) : '');
   }
   svg.addEventListener('pointerdown', function (event) {
     if (!about.seek) { hover(event); return; }

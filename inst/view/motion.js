@@ -5,14 +5,14 @@ window.codendView = window.codendView || {};
 // .seek(time) stops at a moment; .end() takes all away.
 window.codendView.motion = function (host, viewer, told, options) {
   'use strict';
-  var element = window.codendView.element, times = told.times, last = times.length - 1;
+  var element = window.codendView.element, say = window.codendView.say, times = told.times, last = times.length - 1;
   var longest = 20;  // seconds in which a whole tow plays, unless it is shorter
 
   host.classList.add('moves');
   var bar = element('div', 'view-time');
   var button = element('button', 'view-button', undefined, { type: 'button' });
   var slider = element('input', '', undefined, {
-    type: 'range', min: times[0], max: times[last], step: 'any', 'aria-label': 'Time'
+    type: 'range', min: times[0], max: times[last], step: 'any', 'aria-label': say('Time')
   });
   var label = element('div', 'label');
   [button, slider, label].forEach(function (part) { bar.appendChild(part); });
@@ -41,14 +41,14 @@ window.codendView.motion = function (host, viewer, told, options) {
   function stop() {
     if (playing) window.cancelAnimationFrame(playing.request);
     playing = null;
-    button.textContent = 'Play';
+    button.textContent = say('Play');
   }
 
   function play() {
     if (now >= times[last]) now = times[0];
     var rate = Math.max(1, (times[last] - times[0]) / longest);
     playing = { clock: null };
-    button.textContent = 'Pause';
+    button.textContent = say('Pause');
     function tick(clock) {
       if (!playing) return;
       var passed = playing.clock === null ? 0 : (clock - playing.clock) / 1000;
@@ -88,7 +88,8 @@ window.codendView.motion = function (host, viewer, told, options) {
   }
   host.addEventListener('keydown', press);
   var keys = host.querySelector('.view-keys'), added = [];
-  [['space', 'play, pause'], [', .', 'a kept time back, on'], ['Home, End', 'start, end']].forEach(function (one) {
+  [[say('space'), say('play, pause')], [', .', say('a kept time back, on')],
+    ['Home, End', say('start, end')]].forEach(function (one) {
     ['kbd', 'span'].forEach(function (name, k) {
       added.push(element(name, '', one[k]));
       keys.appendChild(added[added.length - 1]);
@@ -101,7 +102,7 @@ window.codendView.motion = function (host, viewer, told, options) {
   function mark() { if (curve) curve.mark(now); }
   if (graph.length) {
     box = element('div', 'view-graph');
-    var select = element('select', '', undefined, { 'aria-label': 'Measure to plot' });
+    var select = element('select', '', undefined, { 'aria-label': say('Measure to plot') });
     graph.forEach(function (one, k) {
       select.appendChild(element('option', '', one.words, { value: k }));
     });

@@ -7,7 +7,7 @@ window.codendView = window.codendView || {};
 // resolves to a Blob.
 window.codendView.save = function (host, viewer, parts) {
   'use strict';
-  var element = window.codendView.element, turnSeconds = 12, towSeconds = 20;
+  var element = window.codendView.element, say = window.codendView.say, turnSeconds = 12, towSeconds = 20;
   var kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
   // ---- words as pixels --------------------------------------------------------------------------
@@ -136,7 +136,7 @@ window.codendView.save = function (host, viewer, parts) {
         began = began === null ? clock : began;
         var share = Math.min((clock - began) / (1000 * seconds), 1);
         frame(share);
-        tell(Math.round(100 * share) + ' % is recorded.');
+        tell(say('{n} % is recorded.', { n: Math.round(100 * share) }));
         if (share < 1) window.requestAnimationFrame(next);
         // the last frame is to be seen
         else window.setTimeout(function () { if (recorder.state !== 'inactive') recorder.stop(); }, 150);
@@ -150,7 +150,7 @@ window.codendView.save = function (host, viewer, parts) {
 
   var panel = element('div', 'view-keys view-save'), said = element('div', 'said', '', { role: 'status' });
   panel.hidden = true;
-  var label = element('label', '', ' with title and legend');
+  var label = element('label', '', ' ' + say('with title and legend'));
   var worded = element('input', '', undefined, { type: 'checkbox' });
   worded.checked = true;
   label.insertBefore(worded, label.firstChild);
@@ -161,7 +161,7 @@ window.codendView.save = function (host, viewer, parts) {
     link.href = URL.createObjectURL(blob);
     link.click();
     window.setTimeout(function () { URL.revokeObjectURL(link.href); }, 60000);
-    tell('Saved.');
+    tell(say('Saved.'));
   }
   function save_picture() {
     picture(across(3840), worded.checked).toBlob(function (blob) { hand_over(blob, '.png'); }, 'image/png');
@@ -179,14 +179,15 @@ window.codendView.save = function (host, viewer, parts) {
     panel.appendChild(made);
     return made;
   }
-  button('Picture (PNG)', save_picture);
+  button(say('Picture (PNG)'), save_picture);
   if (window.MediaRecorder && window.HTMLCanvasElement.prototype.captureStream) {
-    button('Video of a turn (WebM)', function () { save_film('turn'); });
-    var tow = button('Video of the tow (WebM)', function () { save_film('tow'); });
+    button(say('Video of a turn (WebM)'), function () { save_film('turn'); });
+    var tow = button(say('Video of the tow (WebM)'), function () { save_film('tow'); });
   }
   panel.appendChild(said);
-  var opener = element('button', 'view-button', 'Save', {
-    type: 'button', 'aria-expanded': 'false', title: 'Save a picture or a video (key s)'
+  var opener = element('button', 'view-button', say('Save'), {
+    type: 'button', 'aria-expanded': 'false',
+    title: say('{words} (key {key})', { words: say('Save a picture or a video'), key: 's' })
   });
   opener.addEventListener('click', function () {
     panel.hidden = !panel.hidden;

@@ -21,7 +21,7 @@
 window.codendView = window.codendView || {};
 window.codendView.viewer = function (host, options) {
   'use strict';
-  var T = window.THREE, view = window.codendView, element = view.element;
+  var T = window.THREE, view = window.codendView, element = view.element, say = view.say;
   options = options || {};
 
   host.classList.add('codend-view');
@@ -33,7 +33,7 @@ window.codendView.viewer = function (host, options) {
     renderer = new T.WebGLRenderer({ canvas: canvas, antialias: true, alpha: true });
   } catch (error) {
     host.appendChild(element('p', 'view-none',
-      'This browser shows no WebGL, which the gear in three dimensions takes.'));
+      say('This browser shows no WebGL, which the gear in three dimensions takes.')));
     return null;
   }
   T.ColorManagement.enabled = false;
@@ -62,8 +62,8 @@ window.codendView.viewer = function (host, options) {
   var perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
   var flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
   var modes = {
-    tension: 'Tension', slack: 'Slack', mesh_opening: 'Mesh opening', mesh_angle: 'Mesh angle',
-    drag: 'Drag'
+    tension: say('Tension'), slack: say('Slack'), mesh_opening: say('Mesh opening'),
+    mesh_angle: say('Mesh angle'), drag: say('Drag')
   };
 
   // ---- what is looked at ------------------------------------------------------------------------
@@ -436,7 +436,7 @@ window.codendView.viewer = function (host, options) {
     if (choice.compare !== 'beside' || !kept.length) {
       return [{ left: 0, top: 0, width: width, height: height, gear: gears.now }];
     }
-    var all = kept.concat({ name: 'Now', gear: gears.now }), n = all.length;
+    var all = kept.concat({ name: say('Now'), gear: gears.now }), n = all.length;
     var columns = Math.min(n, Math.max(1, Math.round(Math.sqrt(n * width / height))));
     var taken = taken_along(['top', 'bottom']);
     var w = width / columns, h = (height - taken.top - taken.bottom) / Math.ceil(n / columns);
@@ -540,50 +540,54 @@ window.codendView.viewer = function (host, options) {
     labels[name] = element('div', 'view-label view-label-' + name);
     host.appendChild(labels[name]);
   });
-  labels.surface.textContent = 'water surface';
+  labels.surface.textContent = say('water surface');
   [title, bar, legend, scaleBar, tip, still].forEach(function (part) { host.appendChild(part); });
 
   function button(group, value, words, key) {
     var made = element('button', 'view-button', words, {
       type: 'button', 'data-group': group, 'data-value': value, 'aria-pressed': 'false',
-      title: words + ' (key ' + key + ')'
+      title: say('{words} (key {key})', { words: words, key: key })
     });
     made.addEventListener('click', function () { choose(group, value); });
     return made;
   }
   function group(words) { return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words }); }
 
-  var groups = { focus: group('Look at'), from: group('Look from'), compare: group('Kept designs') };
+  var groups = { focus: group(say('Look at')), from: group(say('Look from')), compare: group(say('Kept designs')) };
   var names = [];  // of designs side by side
-  [['net', 'Net', 'n'], ['whole', 'Whole gear', 'g']].forEach(function (one) {
+  [['net', say('Net'), 'n'], ['whole', say('Whole gear'), 'g']].forEach(function (one) {
     groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
   });
-  [['bow', 'Bow', '1'], ['above', 'Above', '2'], ['side', 'Side', '3'], ['astern', 'Astern', '4']]
-    .forEach(function (one) { groups.from.appendChild(button('from', one[0], one[1], one[2])); });
-  [['off', 'Now', '5'], ['over', 'Over', '6'], ['beside', 'Side by side', '7']].forEach(function (one) {
+  [['bow', say('Bow'), '1'], ['above', say('Above'), '2'], ['side', say('Side'), '3'],
+    ['astern', say('Astern'), '4']].forEach(function (one) {
+    groups.from.appendChild(button('from', one[0], one[1], one[2]));
+  });
+  [['off', say('Now'), '5'], ['over', say('Over'), '6'], ['beside', say('Side by side'), '7']].forEach(function (one) {
     groups.compare.appendChild(button('compare', one[0], one[1], one[2]));
   });
   var colours = element('select', 'view-colour', undefined, {
-    'aria-label': 'What the colours show', title: 'What the colours show (key c)'
+    'aria-label': say('What the colours show'),
+    title: say('{words} (key {key})', { words: say('What the colours show'), key: 'c' })
   });
   colours.addEventListener('change', function () { choose('colour', colours.value); });
   var align = element('select', 'view-colour', undefined, {
-    'aria-label': 'Designs are aligned at', title: 'Designs are aligned at'
+    'aria-label': say('Designs are aligned at'), title: say('Designs are aligned at')
   });
-  [['bosom', 'At the bosom'], ['towing', 'At the towing point']].forEach(function (one) {
+  [['bosom', say('At the bosom')], ['towing', say('At the towing point')]].forEach(function (one) {
     align.appendChild(element('option', '', one[1], { value: one[0] }));
   });
   align.addEventListener('change', function () { choose('align', align.value); });
   groups.compare.appendChild(align);
   var help = element('button', 'view-button', '?', {
-    type: 'button', 'aria-expanded': 'false', 'aria-label': 'Keys', title: 'Keys (key h)'
+    type: 'button', 'aria-expanded': 'false', 'aria-label': say('Keys'),
+    title: say('{words} (key {key})', { words: say('Keys'), key: 'h' })
   });
   var keys = element('div', 'view-keys');
   keys.hidden = true;
-  [['drag, arrows', 'turn'], ['wheel, two fingers, + and \u2212', 'zoom'],
-    ['right button, Shift', 'move'], ['1 2 3 4', 'bow, above, side, astern'],
-    ['n, g', 'net, whole gear'], ['c', 'next colours'], ['0', 'look again'], ['s', 'save'],
-    ['pointer', 'names and values']].forEach(function (one) {
+  [[say('drag, arrows'), say('turn')], [say('wheel, two fingers, + and -'), say('zoom')],
+    [say('right button, Shift'), say('move')], ['1 2 3 4', say('bow, above, side, astern')],
+    ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('look again')], ['s', say('save')],
+    [say('pointer'), say('names and values')]].forEach(function (one) {
     keys.appendChild(element('kbd', '', one[0]));
     keys.appendChild(element('span', '', one[1]));
   });
@@ -619,7 +623,8 @@ window.codendView.viewer = function (host, options) {
 
   function colour_bar(kind, scale) {
     var made = element('div', 'colour-bar'), stops = told.colours[kind];
-    made.appendChild(element('div', 'heading', scale.heading));
+    var unit = scale.heading.match(/ \(.*$/);
+    made.appendChild(element('div', 'heading', say(scale.heading.replace(/ \(.*$/, '')) + (unit || '')));
     var strip = element('div', 'strip');
     strip.style.background = 'linear-gradient(to right, ' + stops.join(', ') + ')';
     made.appendChild(strip);
@@ -651,21 +656,21 @@ window.codendView.viewer = function (host, options) {
     }
     if (choice.colour === 'tension' || choice.colour === 'slack') {
       if (told.times.length > 1 || any(function (x) { return x === 0; })) {
-        entry('slack', gears.now.slack_colour(choice.colour), 'slack');
+        entry(say('slack'), gears.now.slack_colour(choice.colour), 'slack');
       } else {
-        key.appendChild(element('span', 'entry', 'nothing is slack'));
+        key.appendChild(element('span', 'entry', say('nothing is slack')));
       }
-      if (any(function (x) { return x < 0; })) entry('pushing', '#4A545C', 'line');
+      if (any(function (x) { return x < 0; })) entry(say('pushing'), '#4A545C', 'line');
     }
-    if (choice.colour === 'slack') entry('taut', '#5F7482', 'line');
-    if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry('rope', '#4A545C', 'line');
+    if (choice.colour === 'slack') entry(say('taut'), '#5F7482', 'line');
+    if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry(say('rope'), '#4A545C', 'line');
     if (choice.compare === 'over') {
       kept.forEach(function (one, k) { entry(one.name, view.kept_colour(k), 'line'); });
     }
     var marks = told.marks;
     marks.label.forEach(function (words, k) {
       if (marks.label.indexOf(words) === k) {
-        entry(words, marks.fill[k], marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball');
+        entry(say(words), marks.fill[k], marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball');
       }
     });
     legend.appendChild(key);
@@ -703,9 +708,9 @@ window.codendView.viewer = function (host, options) {
     var depth = told.bed && (told.bed.height - told.bed.normal[0] * side[0] -
       told.bed.normal[1] * side[1]) / told.bed.normal[2];
     put(labels.bed, told.bed && [side[0], side[1], depth], told.bed &&
-      'sea bed, ' + three(-depth) + ' m deep');
+      say('sea bed, {n} m deep', { n: three(-depth) }));
     var vessel = gears.now.vessels[0];
-    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], 'vessel');
+    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], say('vessel'));
     names.forEach(function (label) { label.remove(); });
     names = boxes(width, height).filter(function (one) { return one.name; }).map(function (one) {
       var label = element('div', 'view-label view-label-name', one.name);
@@ -730,14 +735,14 @@ window.codendView.viewer = function (host, options) {
     if (speed) {
       var way = axes(camera.turn, camera.rise), along = [told.flow[0] / speed, told.flow[1] / speed, 0];
       var dx = dot(along, way.right), dy = -dot(along, way.up), seen2 = Math.hypot(dx, dy);
-      var flow = element('span', 'flow', 'flow ' + three(speed) + ' m/s ');
+      var flow = element('span', 'flow', say('flow {n} m/s', { n: three(speed) }) + ' ');
       var arrow = element('i', 'arrow', seen2 < 0.15 ? '\u2299' : '\u2192');
       if (seen2 >= 0.15) arrow.style.transform = 'rotate(' + Math.atan2(dy, dx) + 'rad)';
       flow.appendChild(arrow);
       scaleBar.appendChild(flow);
     }
     if (told.bed || told.water && focus().high[2] > -0.3 * longest(focus())) {
-      scaleBar.appendChild(element('span', 'squares', 'squares of ' + three(square) + ' m'));
+      scaleBar.appendChild(element('span', 'squares', say('squares of {n} m', { n: three(square) })));
     }
   }
 
@@ -823,37 +828,40 @@ window.codendView.viewer = function (host, options) {
     if (found.kind === 'mark') {
       var marks = told.marks;
       heading = plain(marks.part[k]);
-      note = marks.label[k];
-      row('depth', three(-gear.at[3 * k + 2]) + ' m');
+      note = say(marks.label[k]);
+      row(say('depth'), three(-gear.at[3 * k + 2]) + ' m');
     } else if (found.kind === 'rope') {
       var part = gear.ropes.part[k], tension = gear.rope_tension[k];
       heading = plain(parts.name[part]);
-      note = parts.kind[part] === 'netting' ? 'seam' : plain(parts.role[part] || 'rope');
-      row('tension', tension > 0 ? force(tension) : tension < 0 ? 'pushes ' + force(-tension) : 'slack');
+      var seam = parts.kind[part] === 'netting';
+      note = seam ? say('seam') : say(plain(parts.role[part] || 'rope'));
+      row(say('tension'), tension > 0 ? force(tension) : tension < 0 ? say('pushes {force}', { force: force(-tension) }) :
+        say('slack'));
       if (tension > 0 && parts.strength[part]) {
-        row('of breaking load', three(100 * tension / parts.strength[part]) + ' %');
+        row(say('of breaking load'), three(100 * tension / parts.strength[part]) + ' %');
       }
-      if (parts.thickness[part]) row('diameter', thick(parts.thickness[part]));
-      if (gear.drag[part] && note !== 'seam') row('drag', three(gear.drag[part]) + ' N/m');
+      if (parts.thickness[part]) row(say('diameter'), thick(parts.thickness[part]));
+      if (gear.drag[part] && !seam) row(say('drag'), three(gear.drag[part]) + ' N/m');
       var a = gear.ropes.ends[2 * k], b = gear.ropes.ends[2 * k + 1];
       z = gear.points[3 * a + 2] + found.share * (gear.points[3 * b + 2] - gear.points[3 * a + 2]);
-      row('depth', three(-z) + ' m');
+      row(say('depth'), three(-z) + ' m');
     } else {
       var of = gear.netting.part[k], meshes = gear.meshes(k);
       heading = plain(parts.name[of]);
-      note = 'netting, ' + thick(parts.mesh[of]) + ' meshes, ' + thick(parts.thickness[of]) + ' twine';
-      [['twine one way', gear.netting.u[k]], ['the other way', gear.netting.v[k]]].forEach(function (one) {
-        row(one[0], one[1] > 0 ? force(one[1]) : 'slack');
+      note = say('netting, {mesh} meshes, {twine} twine',
+        { mesh: thick(parts.mesh[of]), twine: thick(parts.thickness[of]) });
+      [[say('twine one way'), gear.netting.u[k]], [say('the other way'), gear.netting.v[k]]].forEach(function (one) {
+        row(one[0], one[1] > 0 ? force(one[1]) : say('slack'));
       });
       if (isFinite(meshes.opening)) {
-        row('mesh opening', three(meshes.opening) + ' %');
-        row('mesh angle', three(meshes.angle) + '\u00b0');
+        row(say('mesh opening'), three(meshes.opening) + ' %');
+        row(say('mesh angle'), three(meshes.angle) + '\u00b0');
       }
-      if (gear.drag[of]) row('drag', three(gear.drag[of]) + ' N/m\u00b2');
+      if (gear.drag[of]) row(say('drag'), three(gear.drag[of]) + ' N/m\u00b2');
       z = [0, 1, 2].reduce(function (sum, c) {
         return sum + gear.points[3 * gear.netting.point[3 * k + c] + 2] / 3;
       }, 0);
-      row('depth', three(-z) + ' m');
+      row(say('depth'), three(-z) + ' m');
     }
     return { heading: heading, note: note, rows: rows };
   }
@@ -867,7 +875,7 @@ window.codendView.viewer = function (host, options) {
     tip.appendChild(element('b', '', said.heading));
     if (said.note !== said.heading) tip.appendChild(element('div', 'note', said.note));
     said.rows.forEach(function (row) {
-      var line = element('div', row[1] === 'slack' ? 'row slack' : 'row');
+      var line = element('div', row[1] === say('slack') ? 'row slack' : 'row');
       line.appendChild(element('span', '', row[0]));
       line.appendChild(element('span', '', row[1]));
       tip.appendChild(line);
@@ -1141,8 +1149,9 @@ window.codendView.viewer = function (host, options) {
       take_now(now);
       take_kept(beside || []);
       told = gears.now.told;
-      canvas.setAttribute('aria-label', told.name + ' in three dimensions. ' + told.conditions +
-        '. Arrow keys turn it, plus and minus zoom.');
+      canvas.setAttribute('aria-label', say(
+        '{name} in three dimensions. {conditions}. Arrow keys turn it, plus and minus zoom.', told
+      ));
       if (options.title) {
         title.textContent = '';
         title.appendChild(element('div', 'name', told.name));

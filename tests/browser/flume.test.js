@@ -665,6 +665,12 @@ test('the page speaks the language of its address or browser, with no word left 
 
   const page = await open(browser, `${tank.url}/?lang=fr`);
   assert.match((await page.textContent('.measures tbody th')), /\u00e9cartement des panneaux \(m\)/);
+  // the picture's buttons and legend too, and what the tank warns of
+  const around = await page.locator('#tank .view-bar, #tank .view-legend, #tank .view-scale').allTextContents();
+  assert.match(around.join(' '), /Tout l'engin.*Enregistrer.*Tension des cordages.*courant/);
+  assert.doesNotMatch(around.join(' '), /Whole gear|Astern|Save|Tension of|slack|flow|squares/);
+  await control(page, 'towing.speed').locator('.number').fill('9');
+  await page.locator('#noted', { hasText: '9 n\u0153uds ; usuel : ' }).waitFor(patience);
   for (const [typed, found] of [['panneau', 'otter_boards'], ['tr\u00e5ld\u00f8r', 'otter_boards'],
     ['corde de dos', 'head_line'], ['fune', 'warps'], ['wires', 'warps']]) {
     await page.fill('#find_field', typed);

@@ -20,7 +20,7 @@ async function visit(browser, url, size = { width: 1440, height: 900 }) {
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) page.problems.push(message.text());
   });
-  page.on('pageerror', (error) => page.problems.push(error.message));
+  page.on('pageerror', (error) => page.problems.push(error.stack));
   page.on('request', (request) => {
     const to = request.url();
     if (!to.startsWith(own) && !/^(data|blob):/.test(to)) page.strange.push(to);

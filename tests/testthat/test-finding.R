@@ -235,7 +235,8 @@ test_that("findings are told in the summary, the report and the record", {
   expect_match(substr(page, begins, begins + 2000), "its lift coefficient is 11")
   expect_identical(state_record(state)$findings[[1]]$check, "lift coefficient")
   expect_identical(unname(state_record(state)$findings[[1]]$value), 11)
-  expect_match(settled_start(gear, 100)$notes, "lift coefficient is 11")
+  worth <- finding_rows(settled_start(gear, 100)$worth)
+  expect_match(worth$words, "lift coefficient is 11", all = FALSE)
 })
 
 test_that("a weight that hangs on netting alone shows", {

@@ -15,9 +15,47 @@ keys_of_r <- function() {
   unique(said)
 }
 
-scripts <- function() {
-  files <- list.files(system.file("app", package = "codend"), "[.]js$", full.names = TRUE)
+scripts <- function(folder = "app") {
+  files <- list.files(system.file(folder, package = "codend"), "[.]js$", full.names = TRUE)
+  files <- files[basename(files) != "three.js"]
   paste(unlist(lapply(files, readLines, encoding = "UTF-8")), collapse = "\n")
+}
+
+# What the viewer says: its own words, those over its scales and at its marks, and roles of ropes.
+viewer_words <- function() {
+  roles <- unlist(lapply(gears()$name, function(name) {
+    lapply(gear_si(read_gear(name))$ropes, `[[`, "role")
+  }))
+  # those that are fields of a plan as well are said as these
+  roles <- setdiff(roles, c(NA, sub("^field[.]", "", word_table()$key)))
+  headings <- c(
+    scale_heading(NULL, "rope"), scale_heading(NULL, "netting"), "Drag of ropes",
+    "Drag over area of netting", "Mesh opening over mesh size", "Mesh angle"
+  )
+  labels <- setdiff(view_symbols$label, sub("_", " ", sub("^field[.]", "", word_table()$key)))
+  own <- found_in(scripts("view"), "\\bsay\\(\\s*'([^']+)'")
+  unique(c(own, headings, labels, gsub("_", " ", roles)))
+}
+
+# What findings say: texts with places, sentences of advice, and what stands in places.
+finding_words <- function() {
+  said <- character()
+  walk <- function(x, is_check) {
+    if (is.character(x) && is_check) said <<- c(said, x[grepl("^[A-Z].* .*[.?]$", x)])
+    if (!is.call(x)) return()
+    if (identical(x[[1]], quote(told)) && is.character(x[[2]])) said <<- c(said, x[[2]])
+    for (inner in as.list(x)) if (!missing(inner)) walk(inner, is_check)
+  }
+  ns <- asNamespace("codend")
+  for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]), FALSE)
+  for (check in as.list(finding_checks)) {
+    walk(body(check$test), TRUE)
+    # a band's own
+    given <- environment(check$test)
+    if (!identical(given, ns)) said <- c(said, given$quantity, given$low, given$high)
+  }
+  unique(c(one_line(said[nzchar(said)]), "rope", "panel", "seam", "piece", "stalled", "back-winded",
+    "fallen over"))
 }
 
 found_in <- function(text, pattern) {
@@ -48,7 +86,8 @@ families <- function() {
     measure = unique(sub("[0-9]+", "#", measures)),
     kind = c("assembly", names(new_plan_kinds()), gears()$kind),
     busy = c("uncertainty", "slopes", "drawing", "tow"),
-    tow_saves = c(names(tow_saves), paste0(names(tow_saves), ".about"))
+    tow_saves = c(names(tow_saves), paste0(names(tow_saves), ".about")),
+    view = viewer_words(), finding = finding_words()
   )
 }
 
@@ -72,7 +111,8 @@ test_that("every word that the page says is in the table, and every row is said 
 test_that("what people look at first is said in every language", {
   keys <- word_table()$key
   named <- families()
-  for (family in c("room", "kind", "measure", "usual", "field", "tow_saves", "busy")) {
+  of_all <- c("room", "kind", "measure", "usual", "field", "tow_saves", "busy", "view", "finding")
+  for (family in of_all) {
     expect_identical(setdiff(paste0(family, ".", named[[family]]), keys), character(),
       label = family)
   }
@@ -103,6 +143,28 @@ test_that("a word that a language lacks is English, and places are filled", {
     "Otter boards: lift coefficient")
   expect_identical(said_measure(say, c("door spread", "hook 3 depth", "my own")),
     c("\u00e9cartement des panneaux", "profondeur de l'hame\u00e7on 3", "my own"))
+})
+
+test_that("findings are said in the language of the page", {
+  skip_if_not_installed("shiny")
+  fast <- update(read_gear("poly_noreastern_trawl"), towing.speed = "40 knot",
+    sections.body.twine.diameter = "25 mm")
+  found <- list_findings(fast, sorted_checks())
+  english <- finding_rows(found)
+  expect_identical(english, findings(fast))
+  translate <- said_finding(new_say("fr"))
+  french <- finding_rows(found, translate)
+  for (column in c("check", "place", "value", "field", "rank", "alike")) {
+    expect_identical(french[[column]], english[[column]])
+  }
+  expect_identical(french$shown[french$check == "towing speed"], "40.00 n\u0153uds")
+  said <- finding_sentences(french, translate)
+  expect_match(said, "^pi\u00e8ce back_body: son fil a 25.00 mm", all = FALSE)
+  # the tank has them among its warnings
+  tank <- shiny::isolate(new_tank(NULL, character(), 200, new_say("fr")))
+  tank$notes <- "a warning"
+  tank$worth <- found
+  expect_identical(tank$warnings(), c("a warning", said))
 })
 
 test_that("a page speaks its address's language, then its browser's, then English", {
