@@ -119,8 +119,9 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       force(asked)
       force(answers)
       edited <- tank$edited
-      ask <- function(kind, found_is) {
+      ask <- function(kind, found_is, wanted = function() TRUE) {
         make <- function() {
+          if (!wanted()) return(NULL)
           if (kind == "design") {
             edited <<- tank$edited
             asked <- tank$draft
@@ -171,7 +172,12 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
         # it goes on from this shape, told whole or not
         worker$holds <- tank$serial
         if (is.null(owed)) since <<- seconds()
-        owed <<- function() ask("rest", function(found) complete(found, passed = TRUE))
+        # of no shape that another has taken the place of
+        rest <- function() {
+          ask("rest", function(found) complete(found, passed = TRUE),
+            wanted = function() identical(owed, rest))
+        }
+        owed <<- rest
         owed()
       })
     }
