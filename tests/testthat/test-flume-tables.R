@@ -2,7 +2,8 @@ test_that("changes are those of the measures, by name", {
   kinds <- asked_kinds()
   none <- rep(NA_real_, 3)
   table <- measure_changes(
-    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), kinds[c("length", "tension", "length")], none, FALSE),
+    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), kinds[c("length", "tension", "length")],
+      none, FALSE),
     new_measures(c(a_m = 2, c_m = 0, d_m = 5), kinds[rep("length", 3)], none, FALSE)
   )
   expect_identical(table$unit, c("m", "kN", "m", "m"))
