@@ -87,12 +87,13 @@ test('words have a contrast of 4.5, lines and edges of 3, on every page of the t
     };
     await page.locator('[data-gear="beam_trawl"]').waitFor(patience);
     await stands_out('gallery', 40);
+    // at phone width the table leaves two columns out
     await begin(page, 'beam_trawl');
-    await stands_out('tank', 100);
+    await stands_out('tank', 80);
     for (const name of ['Tensions', 'Drag', 'Slopes', 'Tow', 'Designs', 'Changes', 'Plan', 'R code',
       'Save']) {
       await page.getByRole('link', { name, exact: true }).click();
-      await stands_out(name, 100);
+      await stands_out(name, 80);
     }
     await page.click('#see_drawing');
     await page.waitForSelector('#drawing svg', patience);
