@@ -51,24 +51,27 @@ test_that("a wrong purse seine is told by its field", {
   wrong("floats.buoyancy", "50 N", "floats.buoyancy")
 })
 
-test_that("the enclosed volume is that of a prism", {
+test_that("the enclosed volume is that of a circle of netting that leans inwards", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)
   lattice <- codend:::build_lattice(si, 300)
-  hung <- hung_shape(lattice)
-  # all columns upright around a closed circle, the netting 30 m deep
-  angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
-  deep <- -hung[3, ] * 30 / max(-hung[3, along_rope(lattice, "lead_line")$node])
   lead <- along_rope(lattice, "lead_line")$node
+  # Both ends of the netting meet: what is between them is closed by upright walls, which lean not.
+  angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
+  angle[along_rope(lattice, "side_line_first")$node] <- 0
+  angle[along_rope(lattice, "side_line_last")$node] <- 2 * pi
+  deep <- -hung_shape(lattice)[3, ]
+  deep <- deep * 30 / max(deep[lead])
   deep[lead] <- 30
+  # half as wide at 30 m as at the surface
+  radius <- 48 * (1 - deep / 60)
   state <- codend:::new_state(gear, si, lattice,
-    as.vector(rbind(48 * cos(angle), 48 * sin(angle), -deep)), list(converged = TRUE))
-  at <- angle[lead]
-  area <- sum(48^2 * sin(diff(c(at, at[1] + 2 * pi))) / 2)
+    as.vector(rbind(radius * cos(angle), radius * sin(angle), -deep)), list(converged = TRUE))
+  area <- sum(48^2 * sin(diff(c(angle[lead], 2 * pi))) / 2)
   found <- codend:::measure_values(state, list(list(kind = "enclosed_volume", rope = "lead_line")))
   # corners of the netting between lie up to half a column, some 1/40 of the circle, beside those of
   # the lead line: polygons of 40 corners are 4e-3 smaller than the circle
-  expect_equal(found, area * 30, tolerance = 4e-3)
+  expect_equal(found, area * 30 * (1 + 1 / 2 + 1 / 4) / 3, tolerance = 4e-3)
 })
 
 test_that("a seine that is left alone hangs down straight below its floats", {
