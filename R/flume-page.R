@@ -33,12 +33,7 @@ flume_page <- function(opens = TRUE, say = new_say(), shares = FALSE) {
   )
 }
 
-# The page's scripts, in the order in which they are read: the viewer's, as
-# inst/htmlwidgets/codend.yaml has them, then its own.
-viewer_scripts <- c(
-  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
-  "viewer.js"
-)
+# The page's own scripts, in the order in which they are read after the viewer's.
 flume_scripts <- c(
   "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
   "slopes.js", "graphs.js", "vary.js", "tow.js", "page.js"

@@ -119,27 +119,22 @@ link_numbers <- function(chain, si) {
 # The columns of a gear's panels; 0 for counts that a plan leaves open.
 panel_numbers <- function(si, netting) {
   panels <- unname(si$panels)
-  field <- function(name, of = 0) vapply(panels, `[[`, of, name)
+  word <- function(name) vapply(panels, `[[`, "", name)
   count <- function(name) {
     vapply(panels, function(panel) as.integer(first_of(panel[[name]], 0L)), 0L)
   }
-  numbers <- c(
-    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "mass_per_length",
-    "volume_per_length", "twine_diameter", "twine_count", "knot_diameter", "knot_twine",
-    "straight_bar"
-  )
   opening <- function(name) {
     vapply(panels, function(panel) as.double(first_of(panel$opening_stiffness[[name]], 0)), 0)
   }
-  turned <- field("orientation", "") == "turned"
+  turned <- word("orientation") == "turned"
   angle <- opening("angle")
   angle[turned] <- pi - angle[turned]
   c(
-    lapply(stats::setNames(nm = numbers), field),
+    panel_table(panels),
     list(
-      orientation = field("orientation", ""), shielding = field("shielding", ""),
-      drag = field("netting_drag", ""), columns = count("columns"), rows = count("rows"),
-      bar_segments = count("bar_segments"), bars = unname(panels_of_bars(si, netting)),
+      shielding = word("shielding"), drag = word("netting_drag"), columns = count("columns"),
+      rows = count("rows"), bar_segments = count("bar_segments"),
+      bars = unname(panels_of_bars(si, netting)),
       stiff = !vapply(lapply(panels, `[[`, "opening_stiffness"), is.null, NA),
       opening_couple = opening("couple"), opening_angle = angle,
       knot_drag = rep(1, length(panels))

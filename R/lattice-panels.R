@@ -1,37 +1,17 @@
 # The panels of a gear as one table, so that the lattice of all netting is made at once.
 
-# Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that the
-# lattice needs, NA for columns, rows and segments that a plan leaves open.
+# Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that every
+# plan gives.
 panel_table <- remembered(new_panel_table)
 
 new_panel_table <- function(panels) {
-  fields <- c(
-    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right",
-    "mass_per_length", "volume_per_length", "twine_diameter", "twine_count", "knot_diameter",
-    "knot_twine", "straight_bar"
+  numbers <- c(
+    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "mass_per_length",
+    "volume_per_length", "twine_diameter", "twine_count", "knot_diameter", "knot_twine",
+    "straight_bar"
   )
-  optional <- c("columns", "rows", "bar_segments")
-  c(
-    lapply(setNames(fields, fields), function(field) {
-      vapply(panels, `[[`, 0, field, USE.NAMES = FALSE)
-    }),
-    lapply(setNames(optional, optional), function(field) {
-      vapply(panels, function(p) if (is.null(p[[field]])) NA_real_ else p[[field]], 0,
-        USE.NAMES = FALSE)
-    }),
-    lapply(c(
-      orientation = "orientation", shielding = "shielding", netting_drag = "netting_drag"
-    ), function(field) vapply(panels, `[[`, "", field, USE.NAMES = FALSE)),
-    # whether bars need sheets between them
-    list(sheets = vapply(panels, function(p) {
-      p$netting_drag != "twines" || !is.null(p$opening_stiffness)
-    }, NA, USE.NAMES = FALSE))
-  )
-}
-
-# Some panels of the table, or each as often as its number is given.
-pick_panels <- function(panels, which, fields = names(panels)) {
-  lapply(panels[fields], `[`, which)
+  field <- function(name, of) vapply(panels, `[[`, of, name, USE.NAMES = FALSE)
+  c(lapply(setNames(nm = numbers), field, 0), list(orientation = field("orientation", "")))
 }
 
 # Width of a panel's twine across the flow, m: of all that run side by side.

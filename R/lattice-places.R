@@ -39,7 +39,7 @@ bar_places <- function(panels, numbers, drawn) {
   field <- function(name) unlist(lapply(drawn[numbers], `[[`, name), use.names = FALSE)
   panel <- rep.int(numbers, lengths(lapply(drawn[numbers], `[[`, "node")))
   j <- field("j")
-  shape <- pick_panels(panels, panel, side_fields)
+  shape <- lapply(panels[side_fields], `[`, panel)
   left <- panel_left(shape, j)
   width <- panel_right(shape, j) - left
   width[width < 1e-9] <- 1e-9
@@ -50,28 +50,12 @@ bar_places <- function(panels, numbers, drawn) {
   )
 }
 
-# Values at places of panels: straight along rows, then between rows; beyond the
-# outermost rows and places their values hold. rows: list(panel, t = of every row, row, s = of every
-# place, x = values at every place, a column each), rows and places in order.
-on_rows <- function(places, rows) values_on_rows(rows$x, rows_at(places, rows))
-
 # Where these places lie among rows: along the row before and the one after them the places on both
 # sides with the share of the way (before, after), and the share of the way between the rows.
 rows_at <- function(places, rows) {
   row <- between_values(places$panel, places$t, rows$panel, rows$t)
   along <- function(row) between_values(row, places$s, rows$row, rows$s)
   list(before = along(row$low), after = along(row$high), share = row$share)
-}
-
-# x: values at the places of rows, a column each; at: see rows_at().
-values_on_rows <- function(x, at) {
-  each <- nrow(x)
-  along <- function(on) {
-    low <- x[, on$low, drop = FALSE]
-    low + (x[, on$high, drop = FALSE] - low) * rep(on$share, each = each)
-  }
-  first <- along(at$before)
-  first + (along(at$after) - first) * rep(at$share, each = each)
 }
 
 # The values (0 to 1) of a group next to x in it: list(low, high = their numbers, share of the way).

@@ -43,24 +43,29 @@ weighted_means <- function(x, weight, group, n) {
   sum_by(x * weight, group, n) / sum_by(weight, group, n)
 }
 
-# A rope with more bars than can be shown is drawn through every k-th of its nodes.
+# The lines of ropes, with the mean tension of their bars.
 rope_lines <- function(state, points, limit) {
+  of <- rope_groups(state, limit)
+  ends <- bar_ends(state, of$element)
+  first <- !duplicated(of$group)
+  new_lines(
+    points, ends[1L, first], ends[2L, !duplicated(of$group, fromLast = TRUE)],
+    weighted_means(state$bar_tension[of$element], of$weight, of$group, of$count),
+    state$lattice$bar_part[of$element[first]]
+  )
+}
+
+# Which line shows each bar of a rope: list(element = bars, rope after rope, group = its line,
+# weight = its length, count = of lines). A rope of more bars than can be shown is drawn through
+# every k-th of its nodes.
+rope_groups <- function(state, limit) {
   lattice <- state$lattice
-  ropes <- which(lattice$parts$kind == "rope")
-  k <- ceiling(sum(lattice$bar_part %in% ropes) / limit)
-  join_lines(lapply(ropes, function(part) {
-    bars <- bars_of_part(state, part)
-    if (!length(bars)) return(NULL)
-    group <- (seq_along(bars) - 1L) %/% k + 1L
-    last <- !duplicated(group, fromLast = TRUE)
-    ends <- bar_ends(state, bars)
-    new_lines(
-      points, ends[1L, !duplicated(group)], ends[2L, last],
-      weighted_means(state$bar_tension[bars], lattice$engine$bars$rest[bars], group,
-        max(group)),
-      part
-    )
-  }))
+  ropes <- lapply(which(lattice$parts$kind == "rope"), bars_of_part, state = state)
+  bars <- as.integer(unlist(ropes))
+  group <- cumsum((sequence(lengths(ropes)) - 1L) %% ceiling(length(bars) / limit) == 0)
+  list(
+    element = bars, group = group, weight = lattice$engine$bars$rest[bars], count = max(group, 0L)
+  )
 }
 
 # Netting: of bars, the bars themselves and the seams that their twines end on; of cells, the two
@@ -148,12 +153,16 @@ block_to_draw <- function(grids, limit) {
   block
 }
 
-# The twines through blocks of `block` by `block` cells of a panel's grid (see panel_blocks()).
-# Twines of diamond meshes run along a cell's diagonals, those of square meshes along its sides.
+# The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tension of
+# their cells. Twines of diamond meshes run along a cell's diagonals, those of square meshes along
+# its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
-  blocks <- panel_blocks(state, name, part, block)
-  u <- blocks$u
-  v <- blocks$v
+  blocks <- block_cells(state, name, part, block)
+  mean <- function(tension) {
+    weighted_means(tension[blocks$cell], blocks$weight, blocks$block, blocks$count)
+  }
+  u <- mean(state$u_tension)
+  v <- mean(state$v_tension)
   coarse <- state$lattice$panels[[name]]$grid[blocks$columns, blocks$rows, drop = FALSE]
   across <- nrow(coarse) - 1L
   deep <- ncol(coarse) - 1L
@@ -172,16 +181,9 @@ panel_cell_lines <- function(state, points, name, part, block) {
   )
 }
 
-# Blocks of `block` by `block` cells of a panel's grid: list(columns, rows = which of the grid's
-# bound them, u, v = mean tension (N) of the lattice's cells inside, across first).
-panel_blocks <- function(state, name, part, block) {
-  of <- block_cells(state, name, part, block)
-  mean <- function(tension) weighted_means(tension[of$cell], of$weight, of$block, of$count)
-  c(of[c("columns", "rows")], list(u = mean(state$u_tension), v = mean(state$v_tension)))
-}
-
-# The cells in these blocks: list(columns, rows, count = blocks, cell = numbers of cells, block =
-# that of each, weight = its bars).
+# Blocks of `block` by `block` cells of a panel's grid, across first: list(columns, rows = which of
+# the grid's bound them, count = blocks, cell = numbers of cells, block = that of each, weight = its
+# bars).
 block_cells <- function(state, name, part, block) {
   grid <- state$lattice$panels[[name]]$grid
   cell <- state$lattice$panels[[name]]$cell - 1L

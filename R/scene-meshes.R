@@ -40,26 +40,42 @@ mesh_values <- function(state, lines, colour) {
 # angle (deg), from all (found). Never 0, which stands for slack.
 mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
   if (!length(panel)) return(numeric())
-  panels <- state$si$panels
-  table <- panel_table(panels)
   value <- if (colour == "mesh_angle") {
     in_unit(found$angle, "deg")
   } else {
-    100 * (found$opening / mesh_unit(table)[found$panel])
+    100 * (found$opening / mesh_unit(panel_table(state$si$panels))[found$panel])
   }
   value[is.na(value)] <- 0
-  first <- !duplicated(found$row)
-  row <- match(found$row, found$row[first])
-  rows <- list(panel = found$panel[first], t = found$t[first], row = row, s = found$s,
-    x = matrix(value, 1L))
-  places <- panel_places(table, state$lattice$division, state$lattice$panels)
-  at_places <- as.vector(on_rows(places, rows))
+  of <- mesh_mean_terms(state, panel, ends)
+  mean <- sum_by(of$weight * value[of$column], of$row, of$rows)
+  # among points that are tied to an edge
+  mean[!seq_along(mean) %in% of$row] <- stats::median(value)
+  pmax(mean, 1e-6)
+}
+
+# How mesh_means() takes what places of netting show from all places of meshes: a sparse matrix of
+# rows, as row, column and weight of what is in it.
+mesh_mean_terms <- function(state, panel, ends) {
+  meshes <- state$lattice$frame$meshes
+  rows <- list(panel = meshes$row_panel, t = meshes$row_t, row = meshes$row + 1L, s = meshes$s)
+  places <- panel_places(
+    panel_table(state$si$panels), state$lattice$division, state$lattice$panels
+  )
+  on <- rows_at(places, rows)
   key <- function(panel, node) panel * 1e9 + node
   at <- match(key(rep(panel, each = nrow(ends)), ends), key(places$panel, places$node))
-  mean <- colMeans(matrix(at_places[at], nrow(ends)), na.rm = TRUE)
-  # among points that are tied to an edge
-  mean[is.nan(mean)] <- stats::median(value)
-  pmax(mean, 1e-6)
+  place <- rep(seq_len(ncol(ends)), each = nrow(ends))[!is.na(at)]
+  at <- at[!is.na(at)]
+  share <- (1 / tabulate(place, ncol(ends)))[place]
+  list(
+    row = rep(place, 4L),
+    column = c(on$before$low[at], on$before$high[at], on$after$low[at], on$after$high[at]),
+    weight = share * c(
+      (1 - on$share[at]) * (1 - on$before$share[at]), (1 - on$share[at]) * on$before$share[at],
+      on$share[at] * (1 - on$after$share[at]), on$share[at] * on$after$share[at]
+    ),
+    rows = ncol(ends)
+  )
 }
 
 # As tension_scale(), of what mesh_values() gives.

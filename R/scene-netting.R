@@ -26,21 +26,56 @@ netting_to_draw <- function(state, limit) {
 netting_surfaces <- function(state, limit = drawn_lines) {
   draw <- netting_to_draw(state, limit)
   made <- lapply(seq_along(draw$part), function(p) {
-    if (draw$of_bars[p]) {
-      cloud_surface(state, draw$clouds[[p]])
-    } else {
+    if (draw$of_bars[p]) draw$clouds[[p]] else {
       grid_surface(state, p, draw$part[p], draw$block, draw$places)
     }
   })
-  join <- function(field) unlist(lapply(made, `[[`, field), use.names = FALSE)
+  groups <- netting_groups(state, draw)
+  tension <- function(way, of_cells) {
+    of <- groups[[way]]
+    of_bars <- seq_along(of$element) <= of$split
+    tension <- c(state$bar_tension[of$element[of_bars]], of_cells[of$element[!of_bars]])
+    mean <- weighted_means(tension, of$weight, of$group, of$count)
+    ifelse(is.nan(mean), NA, mean)
+  }
   list(
     panels = lapply(seq_along(made), function(p) {
       c(made[[p]][c("part", "columns", "rows", "point", "mesh")],
         caught_netting(state, names(state$lattice$panels)[p]))
     }),
-    u = as.double(join("u")), v = as.double(join("v")), at = matrix(as.integer(join("at")), 4L),
-    panel = rep.int(seq_along(made), vapply(made, function(m) length(m$u), 0L))
+    u = tension("u", state$u_tension), v = tension("v", state$v_tension),
+    at = matrix(as.integer(unlist(lapply(made, `[[`, "at"))), 4L),
+    panel = rep.int(seq_along(made), vapply(made, function(one) ncol(one$at), 0L))
   )
+}
+
+# What shows the tension of each place of such surfaces along u and v: of each way list(element =
+# bars of clouds, `split` of them, then cells, group = the place of each, weight, count = places).
+netting_groups <- function(state, draw = netting_to_draw(state, scene_limit)) {
+  each <- lapply(seq_along(draw$part), function(p) {
+    if (draw$of_bars[p]) {
+      cloud <- draw$clouds[[p]]
+      ends <- lapply(cloud[c("u", "v")], function(on) {
+        list(element = on$bar, group = on$at, weight = rep(1, length(on$at)))
+      })
+      return(c(list(count = length(cloud$point)), ends))
+    }
+    of <- block_cells(state, names(draw$drawn)[p], draw$part[p], draw$block)
+    cells <- list(element = of$cell, group = of$block, weight = of$weight)
+    list(count = of$count, u = cells, v = cells)
+  })
+  count <- vapply(each, `[[`, 0L, "count")
+  before <- cumsum(c(0L, count))[seq_along(count)]
+  bars_first <- order(!draw$of_bars)
+  lapply(c(u = "u", v = "v"), function(way) {
+    ways <- lapply(each, `[[`, way)[bars_first]
+    join <- function(field) unlist(lapply(ways, `[[`, field))
+    size <- lengths(lapply(ways, `[[`, "element"))
+    list(
+      element = join("element"), group = join("group") + rep.int(before[bars_first], size),
+      weight = join("weight"), count = sum(count), split = sum(size[draw$of_bars[bars_first]])
+    )
+  })
 }
 
 # Where a catch fills a panel: list(down = what u and v count for depth in meshes, full = the depth
@@ -55,19 +90,19 @@ caught_netting <- function(state, name) {
 
 grid_surface <- function(state, p, part, block, places) {
   name <- names(state$lattice$panels)[p]
-  blocks <- panel_blocks(state, name, part, block)
   grid <- state$lattice$panels[[p]]$grid
-  coarse <- grid[blocks$columns, blocks$rows, drop = FALSE]
+  columns <- block_ends(nrow(grid), block)
+  rows <- block_ends(ncol(grid), block)
+  coarse <- grid[columns, rows, drop = FALSE]
   # of the nodes of grids panel_places() tells first, each grid in its order
   mine <- which(places$panel == p)[seq_along(grid)]
-  kept <- mine[as.vector(matrix(seq_along(grid), nrow(grid))[blocks$columns, blocks$rows])]
+  kept <- mine[as.vector(matrix(seq_along(grid), nrow(grid))[columns, rows])]
   corner <- function(c, r) {
     as.vector(coarse[seq_len(nrow(coarse) - 1L) + c, seq_len(ncol(coarse) - 1L) + r])
   }
   list(
     part = part, columns = nrow(coarse), rows = ncol(coarse), point = as.vector(coarse),
     mesh = twine_coordinates(state$si$panels[[name]], places$s[kept], places$t[kept]),
-    u = blocks$u, v = blocks$v,
     at = rbind(corner(0, 0), corner(1, 0), corner(0, 1), corner(1, 1))
   )
 }
@@ -128,16 +163,6 @@ cloud_frame <- function(of, p, part, places) {
     ),
     u = ending(1L), v = ending(2L), at = matrix(rep(point, each = 4L), 4L)
   )
-}
-
-# ... with the tensions of now.
-cloud_surface <- function(state, frame) {
-  frame[c("u", "v")] <- lapply(frame[c("u", "v")], function(on) {
-    n <- length(frame$point)
-    mean <- weighted_means(state$bar_tension[on$bar], rep(1, length(on$bar)), on$at, n)
-    ifelse(is.nan(mean), NA, mean)
-  })
-  frame
 }
 
 # A twine coordinate of the points of a cloud turned so that equivalent twines (on: points on those

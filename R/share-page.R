@@ -7,11 +7,6 @@ worker_scripts <- c("engine.js", "arrays.js", "model.js", "worker.js")
 # Bytes of a page that a tow is cut to fit into.
 shared_bytes <- 1e6
 
-share_file <- function(name) {
-  path <- system.file("share", name, package = "codend", mustWork = TRUE)
-  paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
-}
-
 packed_text <- function(text) deflated(charToRaw(enc2utf8(text)))
 
 scene_json <- function(scene) {
@@ -22,12 +17,12 @@ scene_json <- function(scene) {
 shared_parts <- function(state, model, tow) {
   wasm <- system.file("share", "engine.wasm", package = "codend", mustWork = TRUE)
   scene <- packed_scene(state_scene(state))
-  js <- function(read, names) paste(vapply(names, read, ""), collapse = "\n;\n")
+  js <- function(names, of) paste(vapply(names, view_file, "", of), collapse = "\n;\n")
   parts <- list(
     three = packed_text(view_file("three.js")),
-    viewer = packed_text(js(view_file, setdiff(viewer_files, "three.js"))),
-    page = packed_text(js(share_file, page_scripts)),
-    worker = packed_text(js(share_file, worker_scripts)),
+    viewer = packed_text(js(setdiff(viewer_scripts, "three.js"), "view")),
+    page = packed_text(js(page_scripts, "share")),
+    worker = packed_text(js(worker_scripts, "share")),
     wasm = deflated(readBin(wasm, "raw", file.size(wasm))),
     scene = packed_text(scene_json(scene[c("scene", "head")])), shapes = scene$body,
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
@@ -74,33 +69,19 @@ packed_scene <- function(scene) {
   c(list(scene = scene), packed_arrays(arrays))
 }
 
-viewer_files <- c(
-  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
-  "viewer.js"
-)
-
 write_shared_page <- function(file, state, model, parts) {
   body <- with_plain_numbers(as.character(shared_body(state, model, !is.null(parts$tow))))
-  name <- state$gear$plan$name
-  html <- c(
-    "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>",
-    # nothing is asked of any server, whatever the plan says
-    paste0("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
-      "script-src 'unsafe-inline' 'wasm-unsafe-eval' 'unsafe-eval' blob:; worker-src blob:; ",
-      "style-src 'unsafe-inline'; img-src data: blob:\"/>"),
-    "<link rel=\"icon\" href=\"data:,\"/>",
-    paste0("<title>", escape_markup(name), "</title>"),
-    inline_style(view_file("viewer.css")), inline_style(share_file("page.css")), "</head>",
-    "<body>", body,
-    paste0("<script type=\"application/json\" id=\"packed\">",
-      jsonlite::toJSON(parts, auto_unbox = TRUE), "</script>"),
-    inline_script(share_file("boot.js")), "</body>", "</html>", ""
+  # nothing is asked of any server, whatever the plan says
+  policy <- paste0("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
+    "script-src 'unsafe-inline' 'wasm-unsafe-eval' 'unsafe-eval' blob:; worker-src blob:; ",
+    "style-src 'unsafe-inline'; img-src data: blob:\"/>")
+  packed <- paste0("<script type=\"application/json\" id=\"packed\">",
+    jsonlite::toJSON(parts, auto_unbox = TRUE), "</script>")
+  write_html(
+    file, state$gear$plan$name,
+    c(inline_style(view_file("viewer.css")), inline_style(view_file("page.css", "share"))),
+    c(body, packed, inline_script(view_file("boot.js", "share"))), policy
   )
-  html <- enc2utf8(paste(html, collapse = "\n"))
-  connection <- base::file(file, "wb")
-  on.exit(close(connection))
-  writeBin(charToRaw(html), connection)
 }
 
 shared_body <- function(state, model, moves) {

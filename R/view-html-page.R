@@ -5,20 +5,26 @@
 write_single_page <- function(file, title, body, style = NULL, script = NULL) {
   rendered <- with_plain_numbers(htmltools::renderTags(body))
   parts <- htmltools::resolveDependencies(rendered$dependencies)
+  head <- c(
+    vapply(parts, inline_dependency, ""), inline_style(style), inline_script(script),
+    as.character(rendered$head)
+  )
+  write_html(file, title, head, as.character(rendered$html))
+}
+
+# head, body: texts; policy: what the page may ask of whom, or NULL.
+write_html <- function(file, title, head, body, policy = NULL) {
   html <- c(
     "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>",
+    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>", policy,
     # Browsers ask a server for an icon unless the page has one.
     "<link rel=\"icon\" href=\"data:,\"/>",
-    paste0("<title>", escape_markup(title), "</title>"),
-    vapply(parts, inline_dependency, ""), inline_style(style), inline_script(script),
-    as.character(rendered$head), "</head>", "<body>", as.character(rendered$html), "</body>",
-    "</html>", ""
+    paste0("<title>", escape_markup(title), "</title>"), head, "</head>", "<body>", body,
+    "</body>", "</html>", ""
   )
-  html <- enc2utf8(paste(html, collapse = "\n"))
   connection <- base::file(file, "wb")
   on.exit(close(connection))
-  writeBin(charToRaw(html), connection)
+  writeBin(charToRaw(enc2utf8(paste(html, collapse = "\n"))), connection)
 }
 
 # The scripts and styles of a part of a widget, written out.
@@ -51,8 +57,15 @@ inline_script <- function(text) {
   paste0("<script>\n", text, "\n</script>")
 }
 
-# One of the package's own files for pages, as text.
-view_file <- function(name) {
-  lines <- readLines(system.file("view", name, package = "codend"), encoding = "UTF-8")
-  paste(lines, collapse = "\n")
+# One of the package's own files for pages, as text; of: its folder.
+view_file <- function(name, of = "view") {
+  path <- system.file(of, name, package = "codend", mustWork = TRUE)
+  paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
 }
+
+# The viewer's scripts in the order in which they are read, as inst/htmlwidgets/codend.yaml has
+# them.
+viewer_scripts <- c(
+  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
+  "viewer.js"
+)
