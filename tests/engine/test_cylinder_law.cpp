@@ -99,20 +99,3 @@ TEST_CASE("coefficients have no jumps and the slopes that they say") {
     }
   }
 }
-
-TEST_CASE("a line without length takes the mean drag over all directions") {
-  TwineMaterial material;
-  material.diameter = 0.01;
-  material.law = {CylinderLawKind::constant, 1.2, 0.1, 0.02, 0.0};
-  const Vector u(0.0, 0.0, 1.3);
-  auto drag = [&](const Vector& e) { return line_drag(material, e, u); };
-  // Directions evenly spread in height (and any angle about the flow): midpoint rule, whose error
-  // at the kink of |cos| is about the square of a step of 1/500.
-  const int n = 1000;
-  double mean = 0.0;
-  for (int k = 0; k < n; ++k) {
-    const double c = -1.0 + (2.0 * k + 1.0) / n;
-    mean += drag({std::sqrt(1.0 - c * c), 0.0, c}).z() / n;
-  }
-  CHECK(drag(Vector::Zero()).z() == doctest::Approx(mean).epsilon(1e-5));
-}

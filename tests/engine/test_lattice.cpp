@@ -16,37 +16,6 @@ double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.e
 
 }  // namespace
 
-TEST_CASE("a lattice has the twine, mass and supports of its gear") {
-  for (const bool bars : {false, true}) {
-    for (const MeshOrientation orientation :
-         {MeshOrientation::diamond, MeshOrientation::square, MeshOrientation::hexagonal}) {
-      if (bars && orientation == MeshOrientation::hexagonal) continue;
-      const Gear gear = hanging_panel(bars, orientation, NettingDrag::twines);
-      const GearPanel& panel = gear.panels[0];
-      for (const double nodes : {60.0, 700.0}) {
-        const Lattice lattice = lattice_of(gear, nodes);
-        const double twine = panel.bar_count() * panel.cell_twine();
-        // sums of some thousand terms
-        CHECK(lattice.twine[0] == doctest::Approx(twine).epsilon(1e-9));
-        const double mass =
-            panel.bar_count() * panel.cell_twine_with_knots() * 0.01 + 3 * 0.03 + 0.7;
-        CHECK(sum(lattice.mass) == doctest::Approx(mass).epsilon(1e-9));
-        CHECK(std::log(lattice.nodes / nodes) < 0.5);
-        int held = 0;
-        for (int node = 0; node < lattice.nodes; ++node) {
-          const Vector x = at(lattice.start.data(), node);
-          CHECK(x.allFinite());
-          if (!lattice.held[node]) continue;
-          ++held;
-          CHECK(x[0] == 0.0);
-          CHECK(x[2] == 0.0);
-        }
-        CHECK(held == lattice.division.edges.count[0]);
-      }
-    }
-  }
-}
-
 TEST_CASE("sheets between bars have the area of their panel") {
   const Gear gear = hanging_panel(true, MeshOrientation::diamond, NettingDrag::loland);
   const Lattice lattice = lattice_of(gear, 400);

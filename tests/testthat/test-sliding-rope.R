@@ -1,10 +1,11 @@
 # Ropes that slide through places, and places at a share of a rope's length.
 
-hanging_weight <- function(...) {
+# The rope's second end is `drop` m lower.
+hanging_weight <- function(drop = 0, ...) {
   gear(
     "A weight on a rope over a ring",
     a = gear_point(position = c(0, 0, -1), held = "fixed"),
-    b = gear_point(position = c(8, 0, -1), held = "fixed"), ring = gear_point(),
+    b = gear_point(position = c(8, 0, -1 - drop), held = "fixed"), ring = gear_point(),
     wire = rope("a", "b", through = list("ring"), length = 10, diameter = "10 mm",
       axial_stiffness = 1e8, mass_per_length = 0, volume_per_length = 0),
     weight = piece(at = "ring", mass = "500 kg", volume = 0),
@@ -12,14 +13,17 @@ hanging_weight <- function(...) {
   )
 }
 
-test_that("a weight on a sliding rope hangs in the middle, its tension the same on both sides", {
-  state <- settle(hanging_weight())
-  # both parts at the angle whose cosine is 8/10; EA of 1e8 N stretches 4 kN's worth, 4e-5
-  expect_equal(measures(state)[["depth_m"]], 1 + 3, tolerance = 1e-4)
-  expect_equal(measures(state)[["pull_kN"]], 0.5 * 9.81 / (2 * 0.6), tolerance = 1e-4)
-  expect_identical(state$bar_tension[1], state$bar_tension[2])
-  balance <- codend:::balance_table(state)
-  expect_lt(max(abs(balance[balance$force == "remainder", -1])), 1e-7)
+test_that("a weight on a sliding rope hangs where both parts are equally steep", {
+  for (drop in c(0, 1.5)) {
+    state <- settle(hanging_weight(drop))
+    # both parts at the angle whose cosine is 8/10; EA of 1e8 N stretches 4 kN's worth, 4e-5
+    expect_equal(measures(state)[["depth_m"]], 1 + 3 + drop / 2, tolerance = 1e-4)
+    expect_equal(state$position[1, nodes_at(state, "ring")], 4 + drop * 8 / 12, tolerance = 1e-4)
+    expect_equal(measures(state)[["pull_kN"]], 0.5 * 9.81 / (2 * 0.6), tolerance = 1e-4)
+    expect_identical(state$bar_tension[1], state$bar_tension[2])
+    balance <- codend:::balance_table(state)
+    expect_lt(max(abs(balance[balance$force == "remainder", -1])), 1e-7)
+  }
 })
 
 test_that("a rope that slides needs its two ends, a length and another place each time", {
