@@ -78,7 +78,7 @@
 #' confint(fit, level = 0.9)
 calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, netting = NULL,
                       accuracy = "1 %") {
-  check_given("gear", "data", "change")
+  check_given("gear", "data", "change", "match")
   if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
   task <- new_calibration(gear, data, change, match, error, nodes, netting)
   fit <- fit_fields(task, points_scaled(task$points, own_values(task$points$fields)))

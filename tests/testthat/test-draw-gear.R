@@ -319,15 +319,3 @@ test_that("a plan is drawn on the device, which is left as it was", {
   expect_equal(grDevices::dev.cur(), device)
   expect_equal(graphics::par("mai", "cex"), before)
 })
-
-test_that("wrong arguments are one clear error and leave nothing", {
-  gear <- read_gear("flat_panel")
-  folder <- test_folder()
-  wrong <- function(...) expect_error(plot(gear, ...), class = "codend_error_argument")
-  wrong_file <- function(...) expect_error(plot(gear, ...), class = "codend_error_file")
-  wrong_file(file = file.path(folder, "a.jpg"))
-  wrong_file(file = file.path(folder, "none", "a.png"))
-  wrong(page = "A9")
-  wrong(file = file.path(folder, "a.png"), page = NA)
-  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
-})

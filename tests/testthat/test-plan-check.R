@@ -51,18 +51,6 @@ test_that("fields that are missing, wrong or too many are refused", {
     "exactly one")
 })
 
-test_that("R values that are no plan are refused", {
-  refuse <- function(...) expect_refused(gear("x", ...))
-  refuse(points = list(a = mean))
-  refuse(points = list(a = list(load = as.Date("2020-01-01") + 0:2, load = 1)))
-  refuse(towing = list(speed = NA))
-  refuse(towing = list(speed = NA_character_))
-  refuse(towing = list(speed = c(1, 2)))
-  refuse(towing = list(1))
-  refuse(towing = list(speed = 1i))
-  expect_wrong(gear("x", 5))
-})
-
 test_that("messages hold braces of a value as they are", {
   expect_match(plan_error("PA", "'{cli::ansi_nchar}'")$message, "{cli::ansi_nchar}", fixed = TRUE)
 })

@@ -49,11 +49,7 @@ test_that("fields that cannot be sliders are refused by name", {
 
 test_that("arguments are checked before anything is computed", {
   state <- settle("towed_cable")
-  file <- tempfile(fileext = ".html")
   argument <- function(expression) expect_error(expression, class = "codend_error")
-  argument(share(1, file))
-  argument(share(state, "page.txt"))
-  argument(share(state, file, tow = 1))
   argument(slider_fields(state$gear, "nowhere.length", NULL))
   argument(slider_fields(state$gear, 3, NULL))
   argument(slider_fields(state$gear, "towing.speed", list(ropes.cable.length = c("1 m", "2 m"))))

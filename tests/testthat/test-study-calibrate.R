@@ -119,29 +119,3 @@ test_that("rows without a measurement are not matched, those alike are settled o
   expect_picture(fit)
   expect_output(print(summary(fit)), "Furthest off")
 })
-
-test_that("wrong data, matches and errors are one error that names them", {
-  runs <- data.frame(towing.speed = 1:4, Drag = 1:4)
-  wrong <- function(words, data = runs, change = coefficient, match = Drag ~ total_drag_kN, ...,
-                    class = "codend_error_argument") {
-    expect_error(calibrate(towed_sphere, data, change, match, ...), words, class = class)
-  }
-  wrong("data.*towing.sped.*no field.*towing.speed", data = data.frame(towing.sped = 1, Drag = 1))
-  wrong("data.*towing.speed.*row 2", data = data.frame(towing.speed = c(1, NA), Drag = 1))
-  wrong("Row 1 of the data.*towing.speed.*-3", data = data.frame(towing.speed = -3, Drag = 1:3),
-    class = "codend_error_plan")
-  wrong("data.*sets.*towing.speed.*change", change = list(towing.speed = c(1, 3)))
-  wrong("match.*formulas", match = "Drag")
-  wrong("match.*Dragg.*no column", match = Dragg ~ total_drag_kN)
-  wrong("match.*total_dragg", match = Drag ~ total_dragg)
-  wrong("match.*too few", data = runs[1, ])
-  wrong("error.*1 standard", error = c(1, 2))
-  wrong("error", error = -1)
-  fit <- calibrate(towed_sphere, runs, coefficient, Drag ~ total_drag_kN)
-  expect_wrong(confint(fit, level = 90), "level.*90")
-  expect_wrong(confint(fit, "mass"), "parm.*mass")
-  expect_wrong(predict(fit, data.frame(a = 1)), "towing.speed")
-  expect_wrong(residuals(fit, "raw"), "type.*raw")
-  expect_wrong(explain_misfit(fit, to = "towing.speed"), "towing.speed")
-  expect_wrong(plot(fit, by = "depth"), "by.*depth")
-})

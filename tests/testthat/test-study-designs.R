@@ -110,25 +110,3 @@ test_that("ranges and distributions are told in the plan's words", {
   expect_identical(designs(a.b = value_range("1 m", "2 m"), how = "grid", number = 3)$a.b,
     c("1 m", "1.5 m", "2 m"))
 })
-
-test_that("wrong arguments are told", {
-  wrong <- function(expr, message) {
-    expect_wrong(expr, message)
-  }
-  wrong(designs(1:3), "named by its path")
-  wrong(designs(a.b = value_range(1, 2)), "how many designs")
-  wrong(designs(a.b = value_range(1, 2), number = 0), "1 or more")
-  wrong(designs(a.b = value_range(1, 2), number = 8, seed = 1.5), "whole number")
-  wrong(designs(a.b = 1:2, how = "table"), "one data frame")
-  wrong(designs(a.b = 1, "c.d + a.b" = 2), "twice")
-  wrong(designs(a = data.frame(b = 1)), "has no name")
-  wrong(designs(a.b = list(1, 2)), "vector of numbers or texts")
-  wrong(designs(a.b = 1:2000, c.d = 1:2000), "million")
-  wrong(value_range("3 knot", 5), "both with units")
-  wrong(value_range("3 furlong", 5), "unit is unknown")
-  wrong(value_range("fast", "5 knot"), "must be one number")
-  wrong(value_range(0, 5, log = TRUE), "above 0")
-  wrong(value_range(0, 5, whole = 1), "TRUE or FALSE")
-  wrong(normal_value(1, 0), "above 0")
-  wrong(normal_value(1, 0.1, low = 9), "millionth")
-})

@@ -184,20 +184,6 @@ test_that("a tornado is drawn, to a file whole or not at all", {
   expect_wrong(plot(found, measures = "none"))
 })
 
-test_that("wrong arguments are told", {
-  state <- settle(as_gear(towed_sphere))
-  wrong <- function(...) expect_wrong(sensitivities(...))
-  wrong(state, to = "none.at.all")
-  wrong(state, to = "points.ship.held")
-  wrong(state, to = list(c("towing.speed", "ropes.line.length")))
-  expect_wrong(
-    sensitivities(settle("towed_cable"), to = "ropes.cable.segments"),
-    "ropes.cable.segments.*only divides the gear"
-  )
-  wrong(settle(update(as_gear(towed_sphere), ropes.line.mass_per_length = 0)),
-    to = "ropes.line.mass_per_length")
-})
-
 test_that("a process forked after sensitivities were found comes to its end", {
   skip_on_os("windows")
   # large enough for two threads

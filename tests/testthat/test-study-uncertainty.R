@@ -208,12 +208,6 @@ test_that("a lower bound is kept with its probability", {
   expect_wrong(optimise_gear(gear, ~ropes.line.length, ~ lower(depht, 0.9) >= 3, change))
 })
 
-test_that("wrong arguments are named", {
-  state <- settle(known_sphere())
-  expect_error(uncertainty(known_sphere()), class = "codend_error")
-  expect_wrong(plot(uncertainty(state), sources = "nothing"))
-})
-
 test_that("the budget is drawn, of all measures and of one", {
   found <- uncertainty(settle(known_sphere()))
   for (sources in list(NULL, "pull_kN")) {

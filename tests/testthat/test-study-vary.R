@@ -75,14 +75,6 @@ test_that("values that do not go together are told in their row", {
   expect_match(found$problem[2], "moon")
 })
 
-test_that("wrong fields and values are told before anything is computed", {
-  expect_wrong(vary("towed_cable", a = data.frame(towing.speed = 1)), "has no name")
-  expect_refused(vary("towed_cable", designs(ropes.cable.length = c("300 m", "-2 m"))),
-    "Design 2: .*ropes.cable.length.*-2 m")
-  many <- designs(ropes.cable.length = c(seq(300, 500, length.out = 500), -1))
-  expect_refused(vary("towed_cable", many), "Design 501")
-})
-
 test_that("what is missing stays as in the plan, and one column may be several fields", {
   gear <- read_gear("crossing_cables")
   both <- update(gear, ropes.south_1.length = 4.1, ropes.south_2.length = 4.1)

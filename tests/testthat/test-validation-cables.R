@@ -288,3 +288,37 @@ test_that("a current that turns with depth moves a towed cable as shooting says"
   expect_gt(error[1] / error[2], 2.5)
   expect_equal(-reaction(found[[2]], "ship"), -exact$tension, tolerance = 1e-4)
 })
+
+# A warp with a clump, which programs for mooring lines can all run: the clump's x and z from the
+# upper end (m) and the tension there (N), by shooting and of the plan.
+towed_warp_exact <- function() {
+  found <- shoot_cable(
+    function(z) c(2, 0, 0),
+    list(d = 0.028, ea = 35e6, w = 9.81 * (3 - 1025 * pi / 4 * 0.028^2), length = 1000,
+      normal = 1.2, tangential = 0.01 * pi),
+    list(w = 9.81 * (500 - 1025 * 0.0637), drag_area = 0.1), steps = 1000
+  )
+  c(found$body[c(1, 3)], sqrt(sum(found$tension^2)))
+}
+towed_warp <- function(segments) {
+  state <- settle(update(read_gear(test_path("plans", "towed_warp.yaml")),
+    ropes.warp.segments = segments))
+  run <- node_at(state, "lower_end") - node_at(state, "upper_end")
+  c(run[c(1, 3)], sqrt(sum(reaction(state, "upper_end")^2)))
+}
+
+test_that("a warp with a clump approaches the continuum as segments^-2", {
+  wanted <- towed_warp_exact()
+  # shooting by others, to the digits that they print
+  expect_lt(max(abs(wanted[1:2] - c(799.121, -581.965))), 0.0005)
+  expect_lt(abs(wanted[3] - 18965.0), 0.05)
+  error <- abs(vapply(c(50, 100, 200), towed_warp, numeric(3)) - wanted)
+  for (k in 1:3) {
+    order <- order_of(error[k, ])
+    # of the next order less is left at 200 segments
+    expect_equal(order, c(2, 2), tolerance = 0.04)
+    expect_lt(abs(order[2] - 2), abs(order[1] - 2))
+  }
+  # what other lumped-mass programs reach with 200 segments
+  expect_lt(sqrt(sum(error[1:2, 3]^2)), 0.04)
+})

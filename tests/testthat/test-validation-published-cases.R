@@ -1,7 +1,5 @@
-# Two small cases that programs for mooring lines and nets can all run, against their equations
-# written again here: a towed warp as a continuum, and a square net knot by knot.
-
-case_gear <- function(name, ...) update(read_gear(test_path("plans", paste0(name, ".yaml"))), ...)
+# A square net that programs for nets can all run, against its equations written again here knot by
+# knot.
 
 # Drag of the water at velocity u (n x 2 or n x 3 rows) on one metre of cylinders of diameter d
 # along the unit vectors t, C_n = 1.2 on d and C_t = 0.01 on pi d.
@@ -11,60 +9,6 @@ cylinder_drag <- function(t, u, d) {
   0.5 * 1025 * d * (1.2 * sqrt(rowSums(normal^2)) * normal +
     0.01 * pi * sqrt(rowSums(along^2)) * along)
 }
-
-# The warp integrated from the clump up, in unstretched length, where the clump's weight and drag
-# give the first tension; classical fourth-order Runge-Kutta. The water moves alike everywhere, so
-# nothing has to be guessed.
-# Returns the clump's x and z from the upper end (m) and the tension there (N).
-integrate_warp <- function(steps) {
-  d <- 0.028
-  u <- cbind(2, 0)
-  weight <- 9.81 * c(3 - 1025 * pi / 4 * d^2, 500 - 1025 * 0.0637)
-  rise <- function(y) {
-    tension <- sqrt(sum(y[3:4]^2))
-    t <- y[3:4] / tension
-    c((1 + tension / 35e6) * t, -cylinder_drag(rbind(t), u, d) + c(0, weight[1]))
-  }
-  y <- c(0, 0, -0.5 * 1025 * 0.1 * 2^2, weight[2])
-  h <- 1000 / steps
-  for (k in seq_len(steps)) {
-    k1 <- rise(y)
-    k2 <- rise(y + h / 2 * k1)
-    k3 <- rise(y + h / 2 * k2)
-    k4 <- rise(y + h * k3)
-    y <- y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-  }
-  c(x = -y[1], z = -y[2], tension = sqrt(sum(y[3:4]^2)))
-}
-
-# The same of the shipped warp.
-towed_warp <- function(segments) {
-  state <- settle(case_gear("towed_warp", ropes.warp.segments = segments))
-  ends <- nodes_at(state, c("lower_end", "upper_end"))
-  run <- state$position[, ends[1]] - state$position[, ends[2]]
-  c(run[c(1, 3)], sqrt(sum(state$force[, ends[2]]^2)))
-}
-
-test_that("a warp with a clump approaches the continuum as segments^-2", {
-  wanted <- integrate_warp(2000)
-  # m and N: a thousand times less than the errors below
-  expect_lt(max(abs(wanted - integrate_warp(1000))), 1e-5)
-  # shooting by others, to the digits that they print
-  expect_lt(max(abs(wanted[1:2] - c(799.121, -581.965))), 0.0005)
-  expect_lt(abs(wanted[3] - 18965.0), 0.05)
-
-  segments <- c(50, 100, 200)
-  error <- vapply(segments, function(n) towed_warp(n) - wanted, numeric(3))
-  # lumped masses and straight bars are both second order; the tolerance is for the next order, of
-  # which less is left at 200 segments
-  for (k in 1:3) {
-    order <- log2(abs(error[k, -3] / error[k, -1]))
-    expect_equal(order, c(2, 2), tolerance = 0.04)
-    expect_lt(abs(order[2] - 2), abs(order[1] - 2))
-  }
-  # what other lumped-mass programs reach with 200 segments
-  expect_lt(sqrt(sum(error[1:2, 3]^2)), 0.04)
-})
 
 # The balance of a square net of n x n knots 0.5 m apart whose upper row is held; knots are numbered
 # along each row, from the upper edge down.
@@ -136,7 +80,7 @@ solve_square_net <- function(n) {
 
 square_net <- function(n) {
   half <- (n - 1) / 4
-  case_gear("square_net",
+  update(read_gear(test_path("plans", "square_net.yaml")),
     panels.net.meshes = list(upper = n - 1, lower = n - 1, deep = n - 1),
     panels.net.columns = n - 1, pieces.sinkers.number = n,
     points.port.position = c(0, -half, -10), points.starboard.position = c(0, half, -10)

@@ -31,23 +31,6 @@ test_that("files hold the picture that their names say", {
   expect_equal(size(planes = "xz", width = 8)[1], 1600)
 })
 
-test_that("wrong arguments are one clear error and leave nothing", {
-  state <- unsettled("crossing_cables")
-  folder <- test_folder()
-  wrong <- function(...) expect_wrong(plot(state, ...))
-  expect_match(conditionMessage(wrong(planes = "zz")), "zz.*xy.*xz.*yz")
-  wrong(planes = character())
-  wrong_file <- function(...) expect_error(plot(state, ...), class = "codend_error_file")
-  expect_match(conditionMessage(wrong_file(file = file.path(folder, "a.jpeg"))), "png.*pdf.*svg")
-  wrong_file(file = file.path(folder, "png"))
-  wrong_file(file = file.path(folder, "none", "a.png"))
-  wrong_file(file = c("a.png", "b.png"))
-  wrong(width = 0)
-  wrong(height = NA_real_, file = file.path(folder, "a.png"))
-  wrong(width = 10, height = 3, file = file.path(folder, "a.png"))
-  expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
-})
-
 test_that("a narrow page is a wide one drawn smaller", {
   figure <- plane_figure(unsettled("midwater_trawl", nodes = 300), c("xy", "xz", "yz"))
   expect_equal(fitting_height(figure, full_width / 2), fitting_height(figure, full_width) / 2)

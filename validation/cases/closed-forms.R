@@ -48,7 +48,7 @@ case_towed_body <- function() {
 }
 
 case_towed_warp <- function() {
-  exact <- integrate_warp(1000)
+  exact <- towed_warp_exact()
   found <- towed_warp(200)
   rbind(
     compared("place", c("along", "down"), exact[1:2], found[1:2]),
