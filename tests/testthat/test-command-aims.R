@@ -82,30 +82,3 @@ test_that("a study of ranges is made, run, read and drawn from the command line"
   expect_identical(grid$d, c("PA", "PE"))
   expect_s3_class(grid$c, "codend_distribution")
 })
-
-test_that("wrong options are one message", {
-  wrong <- function(...) suppressMessages(capture.output(
-    status <- run_command(c(...)), type = "message"
-  ))
-  expect_match(wrong("optimise", "towed_cable"), "--minimise", all = FALSE)
-  expect_match(wrong("optimise", "--minimise", "total_drag", "--change", "a", "towed_cable"),
-    "FIELD = FROM", all = FALSE)
-  expect_match(wrong("calibrate", "--data", "x.csv", "--match", "Depth", "towed_cable"),
-    "COLUMN ~ MEASURE", all = FALSE)
-  expect_match(wrong("optimise", "--minimise", "total_drag", "--change", "a = 1 .. 2", "--starts",
-    "none", "towed_cable"), "--starts is none", all = FALSE)
-  expect_match(wrong("study", "new", "x.study", "towed_cable"), "either --designs", all = FALSE)
-  expect_match(wrong("study", "new", "x.study", "towed_cable", "--change", "towing.speed"),
-    "FIELD = A, B", all = FALSE)
-  expect_match(wrong("study", "new", "x.study", "towed_cable", "--designs", "missing.csv"),
-    "--designs is missing.csv; it must be a CSV file that exists", all = FALSE)
-  expect_match(wrong("calibrate", "--data", "missing.csv", "--match", "Depth ~ depth",
-    "towed_cable"), "--data is missing.csv", all = FALSE)
-  expect_match(wrong("study", "fly", "x.study"), "the actions are new, run", all = FALSE)
-  expect_match(wrong("study", "plot", "x.study"), "--out FILE.png", all = FALSE)
-  expect_match(wrong("sensitivities", "--of", "depth", "--nodes", "50", "towed_cable"), "depth",
-    all = FALSE)
-  # nothing is run but formulas
-  expect_match(wrong("optimise", "--minimise", "total_drag + quit()", "--change",
-    "towing.speed = 1 .. 3", "towed_cable"), "quit", all = FALSE)
-})
