@@ -23,23 +23,22 @@ expand_beam_trawl <- function(fields, plan) {
   )
   start <- beam_trawl_start(fields)
   for (name in names(start)) points[[name]]$near <- as.list(start[[name]])
-  rope <- function(from, to, given, role) c(list(from = from, to = to), given, list(role = role))
   ropes <- list(
-    warp = rope("block", "bridle_end", plan$warp, "warp"),
+    warp = rope_between("block", "bridle_end", plan$warp, "warp"),
     # An even number of segments puts a node at its middle.
-    beam = rope("upper_port", "upper_starboard",
+    beam = rope_between("upper_port", "upper_starboard",
       c(plan$beam, if (is.null(plan$beam$segments)) list(segments = 4L), list(pushes = TRUE)),
       "beam")
   )
   for (side in trawl_sides) {
     ropes[[paste0("bridle_", side)]] <-
-      rope("bridle_end", paste0("toe_", side), plan$bridles$outer, "bridle")
+      rope_between("bridle_end", paste0("toe_", side), plan$bridles$outer, "bridle")
   }
   if (!is.null(plan$bridles$middle)) {
-    ropes$bridle_middle <- rope("bridle_end", "beam_middle", plan$bridles$middle, "bridle")
+    ropes$bridle_middle <- rope_between("bridle_end", "beam_middle", plan$bridles$middle, "bridle")
   }
   for (name in names(plan$ticklers)) {
-    ropes[[name]] <- rope("toe_port", "toe_starboard", plan$ticklers[[name]], "tickler")
+    ropes[[name]] <- rope_between("toe_port", "toe_starboard", plan$ticklers[[name]], "tickler")
   }
   out <- shared_fields(plan, fields)
   out$points <- points

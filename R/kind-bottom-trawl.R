@@ -376,10 +376,8 @@ bottom_trawl_rig <- function(fields, plan) {
     for (side in trawl_sides) {
       for (tier in c("upper", "lower")) {
         name <- paste("backstrop", tier, side, sep = "_")
-        rig$ropes[[name]] <- c(
-          list(from = name, to = paste0("backstrop_end_", side)), of_side(plan$backstrops, side),
-          list(role = "backstrop")
-        )
+        rig$ropes[[name]] <- rope_between(name, paste0("backstrop_end_", side),
+          of_side(plan$backstrops, side), "backstrop")
       }
     }
   }

@@ -239,8 +239,7 @@ cage_moorings <- function(fields, plan, outline) {
       position = list(out * outline$x[k], out * outline$y[k], -moorings$anchor_depth),
       held = "fixed"
     )
-    ropes[[paste0("mooring_", m)]] <-
-      c(list(from = paste0("collar_", k), to = anchor), line, list(role = "mooring"))
+    ropes[[paste0("mooring_", m)]] <- rope_between(paste0("collar_", k), anchor, line, "mooring")
   }
   list(points = points, ropes = ropes)
 }

@@ -22,18 +22,14 @@ expand_dip_net <- function(fields, plan) {
   out$panels <- net$panels
   out$seams <- c(net$seams, rig$seams)
   out$ropes <- c(
-    list(lift_line = c(
-      list(from = "block", to = "crowfoot"), plan$lift_line, list(role = "lift_line")
-    )),
-    rig$ropes
+    list(lift_line = rope_between("block", "crowfoot", plan$lift_line, "lift_line")), rig$ropes
   )
   bridle <- plan$bridles[setdiff(names(plan$bridles), "number")]
   number <- fields$bridles$number
   for (k in seq_len(number)) {
     corner <- (k - 1) * fields$panels / number + 1
-    out$ropes[[paste0("bridle_", k)]] <- c(
-      list(from = "crowfoot", to = paste0("collar_", corner)), bridle, list(role = "bridle")
-    )
+    out$ropes[[paste0("bridle_", k)]] <-
+      rope_between("crowfoot", paste0("collar_", corner), bridle, "bridle")
   }
   out$pieces <- rig$pieces
   panels <- names(net$panels)

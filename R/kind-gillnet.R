@@ -23,12 +23,11 @@ expand_gillnet <- function(fields, plan) {
     lead_line_port = corner("lower_left", -half, bed),
     lead_line_starboard = corner("lower_right", half, bed)
   )
-  line <- function(edge, given, length, role) {
-    c(list(along = paste0("wall.", edge), length = length), given, list(role = role))
-  }
   out$ropes <- list(
-    float_line = line("upper", plan$float_line, fields$length, "float_line"),
-    lead_line = line("lower", plan$lead_line, fields$length, "lead_line")
+    float_line = part_with_role(plan$float_line, "float_line", along = "wall.upper",
+      length = fields$length),
+    lead_line = part_with_role(plan$lead_line, "lead_line", along = "wall.lower",
+      length = fields$length)
   )
   for (side in c("port", "starboard")) {
     outward <- if (side == "port") -1 else 1
@@ -38,10 +37,8 @@ expand_gillnet <- function(fields, plan) {
     out$points[[anchor]] <- list(
       position = list(0, outward * fields$anchors$apart / 2, bed), held = "fixed"
     )
-    out$ropes[[paste0("anchor_line_", side)]] <- c(
-      list(from = paste0("lead_line_", side), to = anchor),
-      plan$anchors[setdiff(names(plan$anchors), "apart")], list(role = "anchor_line")
-    )
+    out$ropes[[paste0("anchor_line_", side)]] <- rope_between(paste0("lead_line_", side), anchor,
+      plan$anchors[names(plan$anchors) != "apart"], "anchor_line")
   }
   pieces <- list()
   pieces$floats <- part_with_role(plan$floats, "float", along = "float_line")

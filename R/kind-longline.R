@@ -12,12 +12,8 @@ expand_longline <- function(fields, plan) {
   apart <- fields$shortening_ratio * fields$main_line$length
   drift <- fields$floats$held == "ends"
   points <- ropes <- pieces <- list()
-  rope <- function(from, to, given, role, ...) {
-    c(list(from = from, to = to), given, list(...), list(role = role))
-  }
-
   main <- plan$main_line[setdiff(names(plan$main_line), "length")]
-  stretch <- fields$main_line$length / (number + 1)
+  main$length <- fields$main_line$length / (number + 1)
   branch <- plan$branch_lines[setdiff(names(plan$branch_lines), "number")]
   float <- plan$floats[setdiff(names(plan$floats), "held")]
   for (k in seq_len(baskets + 1)) {
@@ -29,7 +25,8 @@ expand_longline <- function(fields, plan) {
     held <- !drift || (ends && !mooring)
     points[[surface]] <- if (held) list(position = position, held = "fixed") else nothing
     points[[join]] <- nothing
-    ropes[[paste0("float_line_", k)]] <- rope(surface, join, plan$float_lines, "float_line")
+    ropes[[paste0("float_line_", k)]] <-
+      rope_between(surface, join, plan$float_lines, "float_line")
     if (drift) {
       pieces[[paste0("float_", k)]] <- c(list(at = surface), float, list(role = "float"))
     }
@@ -40,7 +37,7 @@ expand_longline <- function(fields, plan) {
         position = list(position[[1]] + side * fields$end_lines$length, 0, 0), held = "fixed"
       )
       ropes[[paste0("end_line_", end)]] <-
-        rope(paste0("end_", end), surface, plan$end_lines, "end_line")
+        rope_between(paste0("end_", end), surface, plan$end_lines, "end_line")
     }
   }
   for (k in seq_len(baskets)) {
@@ -48,22 +45,18 @@ expand_longline <- function(fields, plan) {
     along <- c(paste0("join_", k), on_main, paste0("join_", k + 1))
     for (j in seq_len(number + 1)) {
       ropes[[paste0("main_line_", k, "_", j)]] <-
-        rope(along[j], along[j + 1], main, "main_line", length = stretch)
+        rope_between(along[j], along[j + 1], main, "main_line")
     }
     for (j in seq_len(number)) {
       name <- paste0("branch_line_", k, "_", j)
       tip <- paste0("tip_", k, "_", j)
       points[[on_main[j]]] <- points[[tip]] <- nothing
-      ropes[[name]] <- rope(on_main[j], tip, branch, "branch_line")
+      ropes[[name]] <- rope_between(on_main[j], tip, branch, "branch_line")
       pieces[[paste0("hook_", k, "_", j)]] <- part_with_role(plan$hooks, "hook", at = tip)
     }
   }
 
-  out <- plan[intersect(
-    c("codend", "name", "notes", "sources", "water", "coefficients", "multipliers", "materials",
-      "tow"),
-    names(plan)
-  )]
+  out <- shared_fields(plan, fields)
   if (drift) out$water$free_surface <- TRUE
   out$points <- points
   out$ropes <- ropes

@@ -12,22 +12,20 @@ expand_purse_seine <- function(fields, plan) {
   )
   net <- seine_net(fields, plan)
   rings <- seine_rings(fields, plan)
-  out <- plan[intersect(
-    c(
-      "codend", "name", "notes", "sources", "water", "seabed", "method", "netting",
-      "coefficients", "netting_drag", "slack_twine", "shielding", "multipliers", "materials"
-    ),
-    names(plan)
-  )]
+  out <- shared_fields(plan[names(plan) != "tow"], plan)
   out$water$free_surface <- first_of(out$water$free_surface, TRUE)
   out$points <- c(seine_vessel(fields, lines$float_line), rings$points)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$ropes <- c(net$ropes, seine_end_ropes(plan), rings$ropes)
+  end_rope <- function(at, end) rope_between(at, end, plan$end_ropes, "end_rope")
+  out$ropes <- c(net$ropes, list(
+    end_rope_first = end_rope("bow", "float_line.start"),
+    end_rope_last = end_rope("stern", "float_line.end")
+  ), rings$ropes)
   out$pieces <- c(
     list(
-      floats = c(list(along = "float_line"), plan$floats, list(role = "float")),
-      sinkers = c(list(along = "lead_line"), plan$sinkers, list(role = "sinker"))
+      floats = part_with_role(plan$floats, "float", along = "float_line"),
+      sinkers = part_with_role(plan$sinkers, "sinker", along = "lead_line")
     ),
     rings$pieces
   )
@@ -96,13 +94,10 @@ seine_net <- function(fields, plan) {
   first <- column(names[1L])
   last <- column(names[length(names)])
   ropes <- list(
-    float_line = c(list(along = paste0(top, ".upper")), plan$float_line,
-      list(role = "float_line")),
-    lead_line = c(list(along = paste0(foot, ".lower")), plan$lead_line, list(role = "lead_line")),
-    side_line_first = c(list(along = paste0(first, ".left")), plan$side_lines,
-      list(role = "side_line")),
-    side_line_last = c(list(along = paste0(last, ".right")), plan$side_lines,
-      list(role = "side_line"))
+    float_line = part_with_role(plan$float_line, "float_line", along = paste0(top, ".upper")),
+    lead_line = part_with_role(plan$lead_line, "lead_line", along = paste0(foot, ".lower")),
+    side_line_first = part_with_role(plan$side_lines, "side_line", along = paste0(first, ".left")),
+    side_line_last = part_with_role(plan$side_lines, "side_line", along = paste0(last, ".right"))
   )
   list(panels = panels, seams = seams, ropes = ropes)
 }
@@ -121,27 +116,14 @@ seine_vessel <- function(fields, float_line) {
   )
 }
 
-seine_end_ropes <- function(plan) {
-  list(
-    end_rope_first = c(list(from = "bow", to = "float_line.start"), plan$end_ropes,
-      list(role = "end_rope")),
-    end_rope_last = c(list(from = "stern", to = "float_line.end"), plan$end_ropes,
-      list(role = "end_rope"))
-  )
-}
-
 # Rings at equal distances along the lead line, half of one from its ends.
 seine_rings <- function(fields, plan) {
   n <- fields$rings$number
   ring <- sprintf("ring_%d", seq_len(n))
   share <- (seq_len(n) - 0.5) / n
-  nothing <- stats::setNames(list(), character())
   bridle <- function(k) {
-    c(
-      list(from = sprintf("lead_line[%s]", format(share[k], digits = 8, scientific = FALSE)),
-        to = ring[k]),
-      plan$rings$bridles, list(segments = 1, role = "bridle")
-    )
+    at <- sprintf("lead_line[%s]", format(share[k], digits = 8, scientific = FALSE))
+    rope_between(at, ring[k], c(plan$rings$bridles, list(segments = 1)), "bridle")
   }
   one <- plan$rings[setdiff(names(plan$rings), c("number", "bridles"))]
   wire <- plan$purse_wire

@@ -29,25 +29,17 @@ expand_stow_net <- function(fields, plan) {
     lower_starboard = corner("belly", "left", width / 2, 1),
     lower_port = corner("belly", "right", -width / 2, 1)
   ))
-  rope <- function(along, length, given, role) {
-    c(list(along = along, length = length), given, list(role = role))
-  }
   out$ropes <- list(
-    anchor_line = c(
-      list(from = "anchor", to = "bridle_end"), plan$anchor_line, list(role = "anchor_line")
-    ),
-    upper_beam = rope(edge("back"), width, plan$upper_beam, "beam"),
-    lower_beam = rope(edge("belly"), width, plan$lower_beam, "beam")
+    anchor_line = rope_between("anchor", "bridle_end", plan$anchor_line, "anchor_line"),
+    upper_beam = part_with_role(plan$upper_beam, "beam", along = edge("back"), length = width),
+    lower_beam = part_with_role(plan$lower_beam, "beam", along = edge("belly"), length = width)
   )
   for (side in c("port", "starboard")) {
-    out$ropes[[paste0("side_line_", side)]] <- rope(
-      edge(paste0("side_", side)), fields$mouth$height, plan$side_lines, "side_line"
-    )
+    out$ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
+      along = edge(paste0("side_", side)), length = fields$mouth$height)
     for (tier in c("upper", "lower")) {
-      out$ropes[[paste("bridle", tier, side, sep = "_")]] <- c(
-        list(from = "bridle_end", to = paste(tier, side, sep = "_")), plan$bridles,
-        list(role = "bridle")
-      )
+      out$ropes[[paste("bridle", tier, side, sep = "_")]] <-
+        rope_between("bridle_end", paste(tier, side, sep = "_"), plan$bridles, "bridle")
     }
   }
   pieces <- list()

@@ -12,6 +12,11 @@ part_with_role <- function(given, role, ...) {
   if (!is.null(given)) c(list(...), given, list(role = role))
 }
 
+# A rope from one point to another.
+rope_between <- function(from, to, given, role) {
+  c(list(from = from, to = to), given, list(role = role))
+}
+
 # Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
 # units. Given or not, it has the law for the drag of netting that its kind takes (fields).
 shared_fields <- function(plan, fields) {

@@ -21,15 +21,10 @@ of_side <- function(given, side) {
 # The warps, from the points `block_*` to the points `board_*` or as named.
 trawl_warps <- function(plan, to = "board") {
   given <- plan$warps[setdiff(names(plan$warps), "spacing")]
-  stats::setNames(
-    lapply(trawl_sides, function(side) {
-      c(
-        list(from = paste0("block_", side), to = paste(to, side, sep = "_")), of_side(given, side),
-        list(role = "warp")
-      )
-    }),
-    paste0("warp_", trawl_sides)
-  )
+  warps <- lapply(trawl_sides, function(side) {
+    rope_between(paste0("block_", side), paste(to, side, sep = "_"), of_side(given, side), "warp")
+  })
+  stats::setNames(warps, paste0("warp_", trawl_sides))
 }
 
 # The otter boards at the points `board_*`: list(points, pieces, otter_boards). A free one has the
@@ -91,8 +86,8 @@ check_boards <- function(fields) {
 # line and footrope. fields: the plan's, checked, in SI.
 trawl_legs <- function(plan, fields, rig, from) {
   for (name in names(plan$ticklers)) {
-    rig$ropes[[name]] <- c(list(from = "lower_port", to = "lower_starboard"),
-      plan$ticklers[[name]], list(role = "tickler"))
+    rig$ropes[[name]] <-
+      rope_between("lower_port", "lower_starboard", plan$ticklers[[name]], "tickler")
   }
   tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
   extensions <- list(
@@ -106,24 +101,20 @@ trawl_legs <- function(plan, fields, rig, from) {
     start <- from[k]
     if (!is.null(plan$sweeps)) {
       rig$points[[named("sweep_end")]] <- nothing
-      rig$ropes[[named("sweep")]] <- c(
-        list(from = start, to = named("sweep_end")), of_side(plan$sweeps, side),
-        list(role = "sweep")
-      )
+      rig$ropes[[named("sweep")]] <-
+        rope_between(start, named("sweep_end"), of_side(plan$sweeps, side), "sweep")
       start <- named("sweep_end")
     }
     for (tier in tiers) {
       extended <- !is.null(extensions[[tier]])
-      rig$ropes[[named("bridle", tier)]] <- c(
-        list(from = start, to = named(if (extended) points[[tier]] else tier)),
-        set_back(plan$bridles[[tier]], fields$bridles[[tier]], side), list(role = "bridle")
+      rig$ropes[[named("bridle", tier)]] <- rope_between(
+        start, named(if (extended) points[[tier]] else tier),
+        set_back(plan$bridles[[tier]], fields$bridles[[tier]], side), "bridle"
       )
       if (!extended) next
       rig$points[[named(points[[tier]])]] <- nothing
-      rig$ropes[[named(roles[[tier]])]] <- c(
-        list(from = named(points[[tier]]), to = named(tier)), of_side(extensions[[tier]], side),
-        list(role = roles[[tier]])
-      )
+      rig$ropes[[named(roles[[tier]])]] <- rope_between(named(points[[tier]]), named(tier),
+        of_side(extensions[[tier]], side), roles[[tier]])
     }
     rig$pieces[[named("danleno")]] <- part_with_role(plan$danlenos, "weight", at = start)
     rig$pieces[[named("wing_end_weight")]] <- part_with_role(plan$wing_end_weights, "weight",
