@@ -39,12 +39,27 @@ parse_command <- function(name, words, arguments) {
     if (!joined && !length(arguments)) abort_usage("--", option, " needs a value.")
     value <- if (joined) sub("^[^=]*=", "", one) else arguments[1L]
     if (!joined) arguments <- arguments[-1L]
+    value <- option_value(option, words$options[[option]][[1L]], value)
     several <- option %in% c("set", "slider")
     options[[option]] <- c(if (several) options[[option]], value)
   }
   options$set <- named_values(options$set, "--set is", "FIELD=VALUE")
   check_arguments_taken(words, length(plan))
   list(plan = plan, options = options)
+}
+
+# The value of an option, by what its help calls it: whole numbers as such, other texts as they are.
+option_value <- function(option, called, text) {
+  check <- function(good, must) {
+    if (!good) abort_usage("--", option, " is ", text, "; it must be ", must, ".")
+  }
+  switch(called,
+    N = , I = check(grepl("^[1-9][0-9]{0,8}$", text), "a whole number, 1 or more"),
+    NAME = check(text %in% c("bars", "cells"), "bars or cells"),
+    SIZE = check(text %in% names(sheet_sizes), paste("one of", toString(names(sheet_sizes)))),
+    DIR = check(may_write(nearest_existing(text)), "a folder that can be written")
+  )
+  if (called %in% c("N", "I")) as.numeric(text) else text
 }
 
 # Whether as many arguments are given as a command takes: names in brackets may be left out, and

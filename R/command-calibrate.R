@@ -1,5 +1,4 @@
 run_calibrate <- function(plan, options) {
-  check_lattice_options(options)
   check_plan_out(options$out)
   check_place(options$predicted, "--predicted")
   if (is.null(options$data)) abort_usage("--data must be a CSV file.")

@@ -1,7 +1,6 @@
 run_export <- function(given, options) {
   plan <- given[1L]
   files <- given[-1L]
-  check_lattice_options(options)
   kept <- grepl("[.]nc$", plan)
   if (kept && length(unlist(options[c("set", "nodes", "netting")]))) {
     abort_usage("--set, --nodes and --netting change a plan, not what is kept in ", plan, ".")

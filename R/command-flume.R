@@ -1,14 +1,12 @@
 # Ends with an interrupt. Only this machine's own browsers reach the page.
 run_flume <- function(plan, options) {
-  check_lattice_options(options)
   port <- options$port
-  if (!is.null(port) && !(grepl("^[0-9]{1,5}$", port) && as.numeric(port) %in% 1024:65535)) {
+  if (!is.null(port) && !port %in% 1024:65535) {
     abort_usage("--port is ", port, "; it must be a whole number from 1024 to 65535.")
   }
   changed <- length(options$set) > 0L
   gear <- if (length(plan)) read_changed(plan, options)
   if (is.null(gear) && changed) abort_usage("--set changes a plan: give PLAN too.")
   app <- do.call(flume, c(list(gear = gear, folder = options$folder), lattice_arguments(options)))
-  shiny::runApp(app, host = "127.0.0.1", launch.browser = FALSE,
-    port = if (!is.null(port)) as.integer(port))
+  shiny::runApp(app, host = "127.0.0.1", launch.browser = FALSE, port = port)
 }

@@ -1,8 +1,5 @@
 run_optimise <- function(plan, options) {
-  check_lattice_options(options)
   if (is.null(options$minimise)) abort_usage("--minimise must say what is to be small.")
-  starts <- if (!is.null(options$starts)) count_option(options, "starts", 1)
-  points <- count_option(options, "points", 7)
   if (is.null(options$and)) check_plan_out(options$out) else check_place(options$out)
   keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
   aim <- option_formula(options$minimise, "--minimise")
@@ -11,10 +8,10 @@ run_optimise <- function(plan, options) {
   gear <- read_changed(plan, options)
   if (!is.null(other)) {
     aims <- setNames(list(aim, other), c(options$minimise, options$and))
-    arguments <- list(gear, aims, keep, change, points = points)
+    arguments <- list(gear, aims, keep, change, points = first_of(options$points, 7))
     return(give_csv(do.call(trade_off, c(arguments, lattice_arguments(options))), options$out))
   }
-  arguments <- list(gear, aim, keep, change, starts = starts)
+  arguments <- list(gear, aim, keep, change, starts = options$starts)
   found <- do.call(optimise_gear, c(arguments, lattice_arguments(options)))
   print(found)
   write_found(found$gear, options$out)

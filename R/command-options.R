@@ -9,30 +9,10 @@ read_changed <- function(plan, options) {
 }
 
 # The arguments of settle() and tow() that options give.
-lattice_arguments <- function(options) {
-  given <- options["netting"]
-  if (!is.null(options$nodes)) given$nodes <- as.numeric(options$nodes)
-  Filter(Negate(is.null), given)
-}
+lattice_arguments <- function(options) options[intersect(c("nodes", "netting"), names(options))]
 
 settle_changed <- function(plan, options) {
   do.call(settle, c(list(read_changed(plan, options)), lattice_arguments(options)))
-}
-
-check_lattice_options <- function(options) {
-  nodes <- options$nodes
-  if (!is.null(nodes) && !grepl("^[1-9][0-9]{0,8}$", nodes)) {
-    abort_usage("--nodes is ", nodes, "; it must be a whole number, 1 or more.")
-  }
-  if (!is.null(options$netting) && !options$netting %in% c("bars", "cells")) {
-    abort_usage("--netting is ", options$netting, "; it must be bars or cells.")
-  }
-}
-
-check_out_folder <- function(out) {
-  if (!is.null(out) && !may_write(nearest_existing(out))) {
-    abort_usage("--out is ", out, "; it must be a folder that can be written.")
-  }
 }
 
 # That a file can be written, with one of some ends of its name; "-" is standard output. option:

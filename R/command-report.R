@@ -1,5 +1,4 @@
 run_report <- function(plan, options) {
-  check_lattice_options(options)
   file <- options$out
   if (is.null(file)) file <- paste0(sub("[.][^.]*$", "", basename(plan)), ".html")
   check_place(file, "--out", ".html")

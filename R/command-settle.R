@@ -1,8 +1,6 @@
 run_settle <- function(plan, options) {
-  check_lattice_options(options)
   json <- options$json
   check_place(json, "--json")
-  check_out_folder(options$out)
   asked <- list(plan = plan, set = setNames(as.list(options$set), names(options$set)))
   write <- function(...) if (!is.null(json)) write_json(c(asked, ...), json)
   state <- tryCatch(settle_changed(plan, options), codend_error_not_converged = function(e) {

@@ -1,10 +1,9 @@
 run_share <- function(plan, options) {
-  check_lattice_options(options)
   file <- plan[2L]
   check_place(file, NULL, ".html")
   asked <- slider_options(options$slider)
   check_can_share()
-  if (is.null(options$nodes)) options$nodes <- as.character(usual_nodes)
+  options$nodes <- first_of(options$nodes, usual_nodes)
   share(settle_changed(plan[1L], options), file, asked$sliders, asked$ranges)
   tell(0L, "Written: ", file)
 }

@@ -13,15 +13,14 @@ run_study_command <- function(given, options) {
   store <- given[2L]
   switch(action,
     new = {
-      check_lattice_options(options)
       do.call(write_study, c(
         list(given[3L], study_designs(options), store), lattice_arguments(options)
       ))
       print(study_status(store))
     },
     run = {
-      task <- count_option(options, "task", 1)
-      of <- count_option(options, "of", 1)
+      task <- first_of(options$task, 1)
+      of <- first_of(options$of, 1)
       if (task > of) abort_usage("--task is ", task, "; it must be at most --of, ", of, ".")
       done <- run_study(store, task, of)
       tell(0L, done, " designs settled in task ", task, " of ", of, ".")
@@ -44,26 +43,14 @@ run_study_command <- function(given, options) {
   )
 }
 
-# A whole number of an option.
-count_option <- function(options, name, otherwise) {
-  text <- options[[name]]
-  if (is.null(text)) return(otherwise)
-  if (!grepl("^[1-9][0-9]{0,8}$", text)) {
-    abort_usage("--", name, " is ", text, "; it must be a whole number, 1 or more.")
-  }
-  as.numeric(text)
-}
-
 # Designs of a table, or of ranges and values.
 study_designs <- function(options) {
   if (is.null(options$designs) == is.null(options$change)) {
     abort_usage("new needs either --designs FILE.csv or --change RANGES.")
   }
   if (!is.null(options$designs)) return(designs(read_csv_option(options$designs, "--designs")))
-  seed <- count_option(options, "seed", 1)
-  number <- count_option(options, "number", NULL)
-  do.call(designs, c(study_axes(options$change), list(how = options$how, number = number,
-    seed = seed)))
+  do.call(designs, c(study_axes(options$change), list(how = options$how, number = options$number,
+    seed = first_of(options$seed, 1))))
 }
 
 # "a = 1 m .. 2 m; b = 3, 4" as ranges and values by paths.

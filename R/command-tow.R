@@ -1,6 +1,4 @@
 run_tow <- function(plan, options) {
-  check_lattice_options(options)
-  check_out_folder(options$out)
   gear <- read_changed(plan, options)
   given <- Filter(Negate(is.null), options[c("until", "every", "accuracy")])
   file <- record_file(options$out)

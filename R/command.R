@@ -42,7 +42,8 @@ command_runs <- function() {
     check = run_check, gears = run_gears, settle = run_settle, tow = run_tow, report = run_report,
     share = run_share, export = run_export, draw = run_draw, study = run_study_command,
     optimise = run_optimise, calibrate = run_calibrate, sensitivities = run_sensitivities,
-    flume = run_flume, expand = run_expand, new = run_new
+    flume = run_flume, new = run_new,
+    expand = function(plan, options) cat(format(assembly(read_gear(plan))))
   )
 }
 
@@ -68,15 +69,12 @@ run_check <- function(plan, options) {
   if (nrow(found)) cat("", cli::style_bold("Warnings"), finding_lines(found), sep = "\n")
 }
 
-run_expand <- function(plan, options) cat(format(assembly(read_gear(plan))))
-
 run_gears <- function(plan, options) {
   plans <- gears()
   cat(paste0(format(c("PLAN", plans$name)), "  ", c("TITLE", plans$title), "\n"), sep = "")
 }
 
 run_sensitivities <- function(plan, options) {
-  check_lattice_options(options)
   check_place(options$out)
   state <- settle_changed(plan, options)
   give_csv(sensitivities(state, parts_of(options$of), parts_of(options$to)), options$out)

@@ -29,12 +29,13 @@ test_that("the help of every command says how it is used", {
 test_that("the last of two values for a field counts, and text is read as in a plan", {
   words <- command_words()$settle
   taken <- parse_command("settle", words, c("a", "--set", "x=1", "--set=y=yes", "--uncertainty",
-    "--set", "x=2.5e3", "--set=z=3 m", "--nodes", "5", "--nodes=-6"))
+    "--set", "x=2.5e3", "--set=z=3 m", "--nodes", "5", "--nodes=6"))
   expect_identical(taken$plan, "a")
   expect_identical(taken$options$set, list(y = TRUE, x = 2500, z = "3 m"))
   expect_true(taken$options$uncertainty)
-  expect_identical(taken$options$nodes, "-6")
-  for (wrong in list("--set", c("--set", "x"), "--uncertainty=yes", "--nod", "-s", character())) {
+  expect_identical(taken$options$nodes, 6)
+  for (wrong in list("--set", c("--set", "x"), "--uncertainty=yes", "--nodes=-6", "--nod", "-s",
+      character())) {
     expect_error(parse_command("settle", words, wrong), class = "codend_error_usage")
   }
 })
