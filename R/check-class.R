@@ -6,6 +6,7 @@ check_is_gear <- function(gear) {
       "{.arg gear} must be a gear ({.fn read_gear}, {.fn gear}), not {.cls {class(gear)}}."
     )
   }
+  invisible(gear)
 }
 
 check_is_settled <- function(state) {

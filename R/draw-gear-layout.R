@@ -450,8 +450,12 @@ merge_ranges <- function(laced) {
 column_words <- function(names) {
   n <- length(names)
   numbered <- if (n > 1L) paste(n, "alike") else ""
-  own <- lapply(names, function(n) grep("^[0-9]+$", shared_words(n), invert = TRUE, value = TRUE))
-  common <- Reduce(function(a, b) a[a %in% b], own)
+  # in the order of the first
+  shared <- function(lists) Reduce(function(a, b) a[a %in% b], lists)
+  own <- lapply(names, function(each) {
+    grep("^[0-9]+$", shared(strsplit(each, "_", fixed = TRUE)), invert = TRUE, value = TRUE)
+  })
+  common <- shared(own)
   if (!length(common)) {
     said <- unique(vapply(names[[1L]], general_name, ""))
     said <- if (length(said) > 3L) "netting" else paste(said, collapse = ", ")
@@ -463,9 +467,4 @@ column_words <- function(names) {
     heading = paste(common, collapse = " "),
     alike = if (told) paste(apart, collapse = ", ") else numbered
   )
-}
-
-# Words that all names have.
-shared_words <- function(names) {
-  Reduce(function(a, b) a[a %in% b], strsplit(names, "_", fixed = TRUE))
 }

@@ -21,15 +21,6 @@ mesh_number <- function(meshes) {
   ifelse(abs(whole + quarters / 4 - meshes) < 1e-6, counted, short_number(round(meshes, 1), 7))
 }
 
-# "2 x 4 PE", the twine of a panel by its diameter in millimetres and its material.
-twine_words <- function(panel) {
-  paste0(
-    if (panel$twine_count > 1) paste0(panel$twine_count, " x "),
-    short_number(in_unit(panel$twine_diameter, "mm")),
-    if (!is.na(panel$material)) paste0(" ", material_words(panel$material))
-  )
-}
-
 orientation_words <- c(
   diamond = "", square = "square", turned = "T90", hexagonal = "hexagonal",
   hexagonal_turned = "hexagonal T90"
@@ -41,9 +32,10 @@ mesh_words <- function(panel) {
   paste(words[nzchar(words)], collapse = ", ")
 }
 
-# The netting of a panel as one text.
+# What tells the netting of a panel from that of others, as one text.
 panel_netting <- function(panel) {
-  paste(short_number(in_unit(panel$mesh_size, "mm")), twine_words(panel), mesh_words(panel))
+  size <- short_number(in_unit(unlist(panel[c("mesh_size", "twine_diameter")]), "mm"))
+  paste(c(size, panel$twine_count, panel$material, mesh_words(panel)), collapse = " ")
 }
 
 # A name without the words that tell its side or number.

@@ -125,7 +125,7 @@ screens_by_reynolds <- function() {
 # The screens' laws of a state's panels by name, where they have one.
 screened_panels <- function(state) {
   law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-  law[law %in% screen_laws()]
+  law[law %in% law_names("netting", "screen")]
 }
 
 # What is above 1 in these panels (by name), but 0 in parts of which no more than half is.

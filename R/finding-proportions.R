@@ -170,7 +170,7 @@ define_band("bridle angle", "state",
 define_band("ground friction over drag", "state",
   "Friction on the sea bed is a large share of the drag.",
   function(gear, state) {
-    if (has_ground(state)) 100 * measure_value(state, "ground_friction")
+    if (!is.null(state$si$ground)) 100 * measure_value(state, "ground_friction")
   },
   place = "ground_gear", low = "", high = "Check the weights in water of what lies on the bed."
 )

@@ -56,7 +56,10 @@ draft_problems <- function(request, memory, problem) {
 # What is made of the state on screen and leaves it as it is.
 made_of_state <- list(
   save = function(state, said) save_state(state, said),
-  drawing = function(state, said) drawing_text(state, said),
+  # of a draft as much as fits together
+  drawing = function(state, said) {
+    drawing_svg(draft_gear(said$plan, state$gear)$gear, drawing_page)
+  },
   slopes = function(state, said) slopes_asked(state, said),
   uncertainty = function(state, said) uncertainty(state),
   vary = function(state, said) varied_measures(state, said),

@@ -3,11 +3,6 @@
 # The page that it is drawn on.
 drawing_page <- "A3"
 
-# The SVG of a draft, as text: as much of it as fits together. state: of the last gear that did.
-drawing_text <- function(state, draft) {
-  drawing_svg(draft_gear(draft$plan, state$gear)$gear, drawing_page)
-}
-
 # Answers a page that wants its drawing.
 flume_draws <- function(input, tank, ask_clerk, said) {
   shiny::observeEvent(input$drawing_wanted, {

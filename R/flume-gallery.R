@@ -53,12 +53,10 @@ size_words <- function(size, say) {
     if (size$panels > 1) say("panels_many", n = size$panels),
     if (size$ropes == 1) say("ropes_one", n = 1),
     if (size$ropes > 1) say("ropes_many", n = size$ropes),
-    if (size$speed > 0) paste(shown_speed(size$speed), said_unit(say, "knot"))
+    if (size$speed > 0) {
+      paste(shortest_decimal(round(in_unit(size$speed, "knot"), 1)), said_unit(say, "knot"))
+    }
   ), collapse = ", ")
-}
-
-shown_speed <- function(speed) {
-  shortest_decimal(round(in_unit(speed, "knot"), 1))
 }
 
 gear_card <- function(gear, say) {

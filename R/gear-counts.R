@@ -144,8 +144,6 @@ given_orientation <- function(given) first_of(given$orientation, "diamond")
 
 shown_count <- function(x) shortest_decimal(round(x, 2))
 
-shown_count_each <- function(counts) vapply(counts, shown_count, "")
-
 show_cutting <- function(cutting) {
   if (is_text(cutting)) return(cutting)
   paste(names(cutting), unlist(cutting), collapse = ", ")

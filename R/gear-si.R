@@ -225,7 +225,7 @@ drag_law <- function(coefficients) {
       skin = numbers$skin)
   }
   if (is.list(coefficients)) return(constant(coefficients))
-  row <- law_of("twine", coefficients)
+  row <- laws[laws$of == "twine" & laws$name == coefficients, ]
   if (row$form == "numbers") return(constant(row))
   list(law = coefficients, normal = NA_real_, tangential = NA_real_, skin = NA_real_)
 }

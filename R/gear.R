@@ -109,7 +109,7 @@ print.codend_gear <- function(x, ...) {
   derived <- gear_checked(x)$derived
   if (length(derived)) {
     cat("  found from cutting rates and take-up: ",
-      paste(names(derived), shown_count_each(derived), collapse = ", "), "\n", sep = "")
+      paste(names(derived), vapply(derived, shown_count, ""), collapse = ", "), "\n", sep = "")
   }
   invisible(x)
 }

@@ -24,7 +24,8 @@ twine_materials <- function(lines, alone = TRUE) {
   damping[slides] <- 0
   list(
     axial_stiffness = stiffness, damping = damping,
-    diameter = vapply(lines, line_diameter, 0, USE.NAMES = FALSE),
+    diameter = vapply(lines, function(line) first_of(line$diameter, twine_width(line)), 0,
+      USE.NAMES = FALSE),
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
     law = law, strut = vapply(lines, function(line) isTRUE(line$strut), NA, USE.NAMES = FALSE),
@@ -35,8 +36,6 @@ twine_materials <- function(lines, alone = TRUE) {
     }, 0, USE.NAMES = FALSE)
   )
 }
-
-line_diameter <- function(line) first_of(line$diameter, twine_width(line))
 
 # Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
 # a, and 2 d/a - (d/a)^2 for square.

@@ -19,9 +19,6 @@ twine_width <- function(panel) panel$twine_diameter * panel$twine_count
 
 is_square <- function(panel) panel$orientation == "square"
 
-# Length of one mesh, in square netting of one bar, m.
-mesh_unit <- function(panel) panel$mesh_size / (1 + is_square(panel))
-
 # Bars of one family in a panel (as many of the other), and knots, in the plan.
 panel_bars <- function(panel) {
   (panel$upper + panel$lower) / 2 * panel$deep * (2 - is_square(panel))

@@ -1,8 +1,5 @@
 # What netting carries besides its twines: drag as a screen.
 
-# The laws of netting whose drag is a screen's.
-screen_laws <- function() law_names("netting", "screen")
-
 # The panel of every cell, by its number in si$panels.
 cell_panel <- function(si, lattice) lattice$cell_part - length(si$ropes)
 

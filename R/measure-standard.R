@@ -119,5 +119,3 @@ standard_measures <- c(
 )
 
 has_towing <- function(state) state$si$towing$speed != 0
-
-has_ground <- function(state) !is.null(state$si$ground)

@@ -157,7 +157,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   } else if (inherits(gear, "codend_state")) {
     tow_section(gear$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
   } else {
-    tow_section(checked_gear(gear))
+    tow_section(check_is_gear(gear))
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- list(
@@ -211,11 +211,6 @@ check_tow_times <- function(until, every) {
       )
     }
   }
-}
-
-checked_gear <- function(gear) {
-  check_is_gear(gear)
-  gear
 }
 
 # The accuracy of a march that is gone on with; none where its steps had one length.

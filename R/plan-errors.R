@@ -68,7 +68,8 @@ show_value <- function(value) {
 # What a schema node allows, in words; bounds of a quantity in the unit of the value that was given.
 describe <- function(node, value = NULL) {
   if (!is.null(node$enum)) return(paste("one of", word_list(node$enum)))
-  if (!is.null(node$const)) return(show_const(node$const))
+  if (is.character(node$const)) return(paste0("\"", node$const, "\""))
+  if (!is.null(node$const)) return(format(node$const))
   switch(node$shape,
     quantity = {
       dimension <- node[["x-dimension"]]
@@ -95,8 +96,6 @@ describe <- function(node, value = NULL) {
 sentence_part <- function(sentence) {
   sub("[.]$", "", paste0(tolower(substr(sentence, 1, 1)), substring(sentence, 2)))
 }
-
-show_const <- function(value) if (is.character(value)) paste0("\"", value, "\"") else format(value)
 
 noun <- function(word) paste(if (grepl("^[aeiou]", word)) "an" else "a", word)
 

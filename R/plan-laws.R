@@ -13,9 +13,6 @@ laws <- utils::read.csv(
 # Names of the laws of a kind, of some forms.
 law_names <- function(of, forms = laws$form) laws$name[laws$of == of & laws$form %in% forms]
 
-# The row of a law.
-law_of <- function(of, name) laws[laws$of == of & laws$name == name, ]
-
 # A column of the laws of a kind and form, by their names.
 law_column <- function(field, of, forms = laws$form) {
   names <- law_names(of, forms)

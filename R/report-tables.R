@@ -66,7 +66,8 @@ uncertainty_columns <- function(uncertainty) {
     list(` measure` = words_of(table$measure, table$unit), value = figures(table$value),
       ` unit` = table$unit),
     setNames(list(interval), sprintf("%g %% interval", 100 * uncertainty$level)),
-    list("standard uncer\u00adtainty" = two_figures(table$uncertainty))
+    list("standard uncer\u00adtainty" = vapply(signif(table$uncertainty, 2), format, "",
+      scientific = FALSE))
   )
 }
 
@@ -81,13 +82,6 @@ budget_columns <- function(uncertainty) {
   # heads break where the page is narrow
   heads <- c("coeffi\u00adcients", "plan", "condi\u00adtions", "discreti\u00adsation", "model")
   c(list(` measure` = words_of(table$measure, table$unit)), setNames(columns, heads))
-}
-
-# Two figures each.
-two_figures <- function(x) vapply(signif(x, 2), format, "", scientific = FALSE)
-
-finding_columns <- function(found) {
-  list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
 }
 
 trajectory_columns <- function(table) {

@@ -184,8 +184,9 @@ report_scene <- function(of, words) {
 # Of a tow, what is worth a look at its start.
 finding_section <- function(found) {
   if (!nrow(found)) return(NULL)
-  report_section("Warnings", report_table(finding_columns(found), "What lies outside what
-    practice and tests know, and what to try."))
+  columns <- list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
+  report_section("Warnings",
+    report_table(columns, "What lies outside what practice and tests know, and what to try."))
 }
 
 slope_section <- function(slopes) {

@@ -43,7 +43,8 @@ mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
   value <- if (colour == "mesh_angle") {
     in_unit(found$angle, "deg")
   } else {
-    100 * (found$opening / mesh_unit(panel_table(state$si$panels))[found$panel])
+    panels <- panel_table(state$si$panels)
+    100 * (found$opening / (panels$mesh_size / (1 + is_square(panels)))[found$panel])
   }
   value[is.na(value)] <- 0
   of <- mesh_mean_terms(state, panel, ends)

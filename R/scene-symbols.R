@@ -21,9 +21,6 @@ view_symbols <- data.frame(
   size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 0.7, 0.7, 0.5, 0.8, 1, 1.2, 1.1)
 )
 
-# The rows of the table that a drawing's marks use, in its order.
-symbols_used <- function(marks) view_symbols[view_symbols$role %in% symbol_of(marks$role)$role, ]
-
 # The symbols of roles; a role that the table does not have is another piece.
 symbol_of <- function(role) {
   known <- ifelse(role %in% view_symbols$role, role, "other")

@@ -62,7 +62,8 @@ read_trajectory <- function(file) {
   nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
-    n <- min(complete_records(get), attr(nc, "records"))
+    # records from the first that are complete
+    n <- min(sum(cumprod(get("complete") == 1L)), attr(nc, "records"))
     # the last from which a tow can go on
     resumed <- get("resume_record")
     n <- max(0L, resumed[resumed >= 1 & resumed <= n])
@@ -285,9 +286,6 @@ put_resume <- function(nc, frame, k) {
 }
 
 # ---- reading ------------------------------------------------------------------------------------
-
-# How many records from the first are complete.
-complete_records <- function(get) sum(cumprod(get("complete") == 1L))
 
 read_frames <- function(get, n) {
   records <- function(name) {

@@ -57,7 +57,8 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1
   })
   optima <- c(ends[1L], between, ends[2L])
   fields <- do.call(rbind, lapply(optima, function(one) one$fields$value))
-  colnames(fields) <- with_unit(near$fields$field, plain_units(near$fields$unit))
+  colnames(fields) <- with_unit(near$fields$field,
+    vapply(near$fields$unit, plain_unit, "", USE.NAMES = FALSE))
   aims <- lapply(tasks, function(task) {
     vapply(optima, function(one) aim_of(task, one), 0, USE.NAMES = FALSE)
   })
@@ -79,8 +80,6 @@ optimum_within <- function(task, aim, limit, near, most) {
   place <- points_scaled(task$points, near$fields$value)
   finish_optimum(task, list(find_optimum(task, place, most, from = base)))
 }
-
-plain_units <- function(units) vapply(units, plain_unit, "", USE.NAMES = FALSE)
 
 aim_of <- function(task, optimum) {
   point <- list(values = optimum$fields$value, measures = measures(optimum$state))

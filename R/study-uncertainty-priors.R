@@ -37,12 +37,6 @@ change_with_priors <- function(gear, change) {
   c(known_priors(gear, unlist(change[alone])), change[!alone])
 }
 
-# The calibrated gear in the conditions of its plan, settled.
-settled_calibration <- function(fit) {
-  points <- fit$task$points
-  settled_state(fit$gear, points$nodes, points$netting, NULL)
-}
-
 # Sources of a calibrated gear: what was calibrated has the covariance that was found.
 calibrated_sources <- function(sources, fit) {
   fields <- fit$fields

@@ -60,10 +60,6 @@ multiplier_knowledge <- function() {
   )
 }
 
-# What no parameter covers: of every kind of measure the standard deviation, as a share, that
-# validation leaves, and its degrees of freedom.
-model_residuals <- function() package_table("uncertainty_residuals.csv")
-
 # Both sides of a gear are one.
 without_side <- function(path) gsub("_?(port|starboard|left|right)", "", path)
 

@@ -75,7 +75,10 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
                         samples = 100) {
   check_given("state")
   fit <- if (inherits(state, "codend_calibration")) state
-  if (!is.null(fit)) state <- settled_calibration(fit)
+  if (!is.null(fit)) {
+    # in the conditions of its plan
+    state <- settled_state(fit$gear, fit$task$points$nodes, fit$task$points$netting, NULL)
+  }
   check_is_settled(state)
   method <- chosen(method, c("linear", "samples"))
   check_level(level)
@@ -234,7 +237,9 @@ budget_of <- function(found, level, draws = NULL) {
   group <- vapply(found$sources, `[[`, "", "group")
   covariance_of <- function(rows) {
     s <- found$spread[, rows, drop = FALSE]
-    s %*% found$correlation[rows, rows, drop = FALSE] %*% t(s) + tcrossprod(bias_of(found, rows))
+    # what known biases make together
+    off <- rowSums(found$off[, rows, drop = FALSE])
+    s %*% found$correlation[rows, rows, drop = FALSE] %*% t(s) + tcrossprod(off)
   }
   by_group <- vapply(uncertainty_groups[1:3], function(one) {
     sqrt(pmax(0, diag(covariance_of(which(group == one)))))
@@ -273,9 +278,6 @@ budget_of <- function(found, level, draws = NULL) {
   )
 }
 
-# What the sources' known biases make together, by measure.
-bias_of <- function(found, rows) rowSums(found$off[, rows, drop = FALSE])
-
 source_table <- function(found, value, combined) {
   names <- vapply(found$sources, `[[`, "", "name")
   rows <- lapply(seq_along(value), function(m) {
@@ -309,8 +311,10 @@ uncertainty_kind <- function(base) {
   out
 }
 
+# What no parameter covers: of every measure the standard deviation, as a share, that validation
+# leaves in its kind, and its degrees of freedom.
 measure_residuals <- function(base) {
-  table <- model_residuals()
+  table <- package_table("uncertainty_residuals.csv")
   kind <- uncertainty_kind(base)
   if (is.null(table)) return(list(sd = 0 * seq_along(kind), freedom = rep(Inf, length(kind))))
   at <- match(kind, table$kind)

@@ -96,7 +96,10 @@ run_futures <- function(store, tasks, show) {
         error = function(e) fail(integer(), e)
       )
     }
-    over <- vapply(running, function(one) is_over(one$future), NA)
+    # the value of a future whose worker is gone is an error
+    over <- vapply(running, function(one) {
+      tryCatch(future::resolved(one$future), FutureError = function(e) TRUE)
+    }, NA)
     for (one in running[over]) {
       tryCatch(future::value(one$future), error = function(e) fail(one$designs, e))
     }
@@ -108,11 +111,6 @@ run_futures <- function(store, tasks, show) {
     if (length(running) && !any(over)) Sys.sleep(pause)
   }
   failed
-}
-
-# The value of a future whose worker is gone is an error.
-is_over <- function(future) {
-  tryCatch(future::resolved(future), FutureError = function(e) TRUE)
 }
 
 # What a task needs is named: nothing is looked for, and nothing else goes along.

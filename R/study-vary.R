@@ -87,7 +87,8 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
     vary_stored(store, tasks)
     return(read_study(store))
   }
-  base <- base_state(study)
+  # NULL where the gear does not settle
+  base <- settle_one(study$gear, study$nodes, study$netting, NULL)$state
   show <- study_progress(nrow(study$designs))
   rows <- vapply(seq_len(nrow(study$designs)), function(k) {
     row <- run_design(study, base, k)
@@ -173,9 +174,6 @@ telling_values <- function(values) {
 }
 
 # ---- one run -------------------------------------------------------------------------------------
-
-# The gear's own state, from which all designs start, or NULL where it does not settle.
-base_state <- function(study) settle_one(study$gear, study$nodes, study$netting, NULL)$state
 
 # Settles design k. Returns its row as text. mark: of the study on disk, where it is on one.
 run_design <- function(study, base, k, mark = NULL) {

@@ -10,10 +10,9 @@ least_front <- 1e-3
 # schedule.
 moves_catch <- function(what) {
   catch <- what$si$catch
-  !is.null(catch) && (!is.na(catch$volume) || !is_constant(what$curves$catch))
+  changes <- length(unique(unlist(what$curves$catch[c("begin", "end")]))) > 1L
+  !is.null(catch) && (!is.na(catch$volume) || changes)
 }
-
-is_constant <- function(curve) length(unique(c(curve$begin, curve$end))) == 1L
 
 # A gear's catch in netting when a share of the plan's is there.
 si_catch_share <- function(catch, share) {

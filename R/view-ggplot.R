@@ -53,7 +53,10 @@ autoplot.codend_state <- function(object, plane = c("xy", "xz", "yz"), colour = 
       list(
         segments(taut, linewidth = 0.25,
           colour = tension_colours(scales$netting, taut$tension * scales$netting$per_unit)),
-        ggplot2::geom_point(gg_fill(), taut, shape = 21, alpha = 0, stroke = 0),
+        ggplot2::geom_point(
+          ggplot2::aes(.data[["x"]], .data[["y"]], fill = .data[["tension"]]), taut, shape = 21,
+          alpha = 0, stroke = 0
+        ),
         gg_tension(ggplot2::scale_fill_gradientn, scales$netting, "netting")
       )
     },
@@ -221,22 +224,17 @@ gg_line <- function(tension = FALSE) {
   ends
 }
 
-gg_fill <- function() {
-  ggplot2::aes(.data[["x"]], .data[["y"]], fill = .data[["tension"]])
-}
-
 # A scale of tension as the other pictures have it.
 gg_tension <- function(make, scale, kind) {
   make(
     scale_heading(scale, kind), colours = scale$colours, limits = scale$limits / scale$per_unit,
     trans = if (scale$log) "log10" else "identity", breaks = scale$ticks,
-    labels = tick_labels(scale), oob = gg_squish,
+    labels = tick_labels(scale),
+    # values outside get the colour of the end
+    oob = function(x, range = c(0, 1), ...) pmin(pmax(x, range[1L]), range[2L]),
     guide = if (kind == "rope") ggplot2::guide_colourbar(order = 1) else "colourbar"
   )
 }
-
-# Values outside a scale get the colour of its end.
-gg_squish <- function(x, range = c(0, 1), ...) pmin(pmax(x, range[1L]), range[2L])
 
 gg_theme <- function() {
   ggplot2::theme_minimal() +

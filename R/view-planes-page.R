@@ -159,7 +159,8 @@ draw_legends <- function(figure, frame, page) {
     draw_colour_bar(scale, kind, left, width, slack_words(lines$tension))
     left <- left + width + min(0.55, 0.05 * page[1])
   }
-  draw_key(symbols_used(figure$drawing$marks), left, page[1] - 0.1)
+  used <- view_symbols$role %in% symbol_of(figure$drawing$marks$role)$role
+  draw_key(view_symbols[used, ], left, page[1] - 0.1)
 }
 
 # scale: NULL where all is slack.

@@ -12,7 +12,8 @@
 plot.codend_rope_tensions <- function(x, file = NULL, width = 10, height = NULL, ...) {
   drawn <- rope_series(x)
   figures <- lapply(split(drawn, factor(drawn$heading, unique(drawn$heading))), rope_figure)
-  plot_series(x, figures, rope_title(x), NULL, file, width, height)
+  title <- c("Tension along ropes", attr(x, "gear_name"), attr(x, "conditions"))
+  plot_series(x, figures, paste(title, collapse = ", "), NULL, file, width, height)
 }
 
 # Neighbours, one solid and one dashed over it, differ most.
@@ -41,10 +42,6 @@ rope_figure <- function(mine) {
   )
 }
 
-rope_title <- function(x) {
-  paste(c("Tension along ropes", attr(x, "gear_name"), attr(x, "conditions")), collapse = ", ")
-}
-
 # Tensions of lines that reach both ends, with the figure (heading) of each, and its number (group)
 # and name (label) there.
 rope_series <- function(x) {
@@ -52,7 +49,7 @@ rope_series <- function(x) {
   drawn <- do.call(rbind, lapply(lines, function(line) {
     n <- nrow(line)
     data.frame(
-      line = line$line[1L], heading = first_given(line$role[1L], line$line[1L]),
+      line = line$line[1L], heading = stats::na.omit(c(line$role[1L], line$line[1L]))[1L],
       along_m = c(0, line$along_m, line$along_m[n] + line$length_m[n] / 2),
       tension_kN = line$tension_kN[c(1L, seq_len(n), n)]
     )
@@ -70,5 +67,3 @@ rope_series <- function(x) {
   drawn$heading <- gsub("_", " ", drawn$heading)
   table_rows(drawn)
 }
-
-first_given <- function(value, otherwise) if (is.na(value)) otherwise else value
