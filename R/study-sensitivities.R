@@ -55,14 +55,13 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_given("state")
   check_is_settled(state)
   check_truth(secants, "secants")
-  base <- measures(state)
-  known <- names(base)
-  of <- chosen_some(of, known)
+  base <- state_values(state)
+  of <- chosen_some(of, names(base$values))
   fields <- slope_fields(state$gear, to)
-  work <- tangent_work(state)
+  work <- tangent_work(state, base)
   rows <- lapply(fields, function(field) {
     found <- lapply(field_slopes(work, field, secants), `[`, of)
-    unit <- attr(base, "unit")[of]
+    unit <- work$units[of]
     data.frame(
       measure = of, field = field$name, value = field$value, unit = field$unit,
       slope = found$slope / field$value,
@@ -75,7 +74,7 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   structure(
     do.call(rbind, rows), class = c("codend_sensitivities", "data.frame"),
     gear_name = state$gear$plan$name, conditions = state_conditions(state),
-    measure_unit = attr(base, "unit"), factorisations = work$cost$factorisations
+    measure_unit = work$units, factorisations = work$cost$factorisations
   )
 }
 
@@ -198,8 +197,9 @@ scaled_gear <- function(gear, field, share) {
 # ---- slopes --------------------------------------------------------------------------------------
 
 # What all fields share: the state, and where steps of its factors hold it in balance what is near
-# to it (src/engine/measure/near_gear.hpp) with its numbers, and its measures there.
-tangent_work <- function(state) {
+# to it (src/engine/measure/near_gear.hpp) with its numbers, and its measures there. base: of
+# state_values().
+tangent_work <- function(state, base = state_values(state)) {
   asked <- state$lattice$counts$asked
   si <- state$si
   work <- list(
@@ -208,8 +208,9 @@ tangent_work <- function(state) {
       list(NULL, "bars", "cells")),
     cost = new.env(parent = emptyenv())
   )
-  work$values <- plain_measures(measures(state))
-  work$measures <- names(work$values)
+  work$measures <- names(base$values)
+  work$units <- setNames(measure_units(base$kinds), work$measures)
+  work$values <- shown_numbers(base$values, work$units)
   kinds <- measured_kinds(si)
   work$place <- match(work$measures, names(kinds))
   work$unit <- vapply(measure_units(kinds[work$place]), unit_size, 0)

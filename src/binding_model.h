@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cpp11.hpp>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,7 +75,7 @@ class ListSource {
   SEXP get(const char* name) const {
     const SEXP names = Rf_getAttrib(list_, R_NamesSymbol);
     for (R_xlen_t k = 0; k < Rf_xlength(names); ++k) {
-      if (std::string(CHAR(STRING_ELT(names, k))) == name) return VECTOR_ELT(list_, k);
+      if (std::strcmp(CHAR(STRING_ELT(names, k)), name) == 0) return VECTOR_ELT(list_, k);
     }
     return R_NilValue;
   }

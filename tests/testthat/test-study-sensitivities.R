@@ -178,6 +178,14 @@ test_that("a field of whole numbers changes by one", {
   expect_true(found$smooth)
 })
 
+test_that("a field that changes the number of parts has no slope", {
+  state <- settle("longline", nodes = 200)
+  found <- sensitivities(state, of = "total_drag_kN",
+    to = c("branch_lines.number", "floats.buoyancy"))
+  expect_identical(is.na(found$slope), c(TRUE, FALSE))
+  expect_identical(found$smooth, c(FALSE, TRUE))
+})
+
 test_that("a tornado is drawn, to a file whole or not at all", {
   found <- sensitivities(settle(as_gear(towed_sphere)), secants = FALSE)
   expect_picture(found)

@@ -22,23 +22,37 @@ struct Seen {
 template <class T>
 T hidden_area(const std::vector<Seen<T>>& pieces, int across, int down, T size) {
   using std::exp;
-  std::vector<T> middle[2];
+  const std::size_t parts = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  // Which cell a part lies in goes by its middle; how that moves matters at the ends alone.
+  const auto right = [&](const Seen<T>& piece, std::size_t part) {
+    const double* r = piece.reach;
+    return r[0] + (part / static_cast<std::size_t>(down) + 0.5) / across * (r[1] - r[0]);
+  };
+  const auto back = [&](const Seen<T>& piece, std::size_t part) {
+    const double* r = piece.reach;
+    return r[2] + (part % static_cast<std::size_t>(down) + 0.5) / down * (r[3] - r[2]);
+  };
+  std::vector<double> middle[2];
   T low[2], cell[2];
   int cells[2];
   for (int way = 0; way < 2; ++way) {
+    middle[way].reserve(pieces.size() * parts);
     for (const Seen<T>& piece : pieces) {
-      const double* r = piece.reach;
-      for (int a = 0; a < across; ++a) {
-        const double right = r[0] + (a + 0.5) / across * (r[1] - r[0]);
-        for (int d = 0; d < down; ++d) {
-          const double back = r[2] + (d + 0.5) / down * (r[3] - r[2]);
-          middle[way].push_back(piece.at[way] + piece.by_i[way] * right + piece.by_j[way] * back);
-        }
+      const double at = value_of(piece.at[way]);
+      const double by_i = value_of(piece.by_i[way]), by_j = value_of(piece.by_j[way]);
+      for (std::size_t part = 0; part < parts; ++part) {
+        middle[way].push_back(at + by_i * right(piece, part) + by_j * back(piece, part));
       }
     }
-    const auto ends = std::minmax_element(middle[way].begin(), middle[way].end());
-    low[way] = *ends.first;
-    T wide = *ends.second - *ends.first;
+    const auto whole = [&](std::vector<double>::const_iterator end) {
+      const std::size_t k = static_cast<std::size_t>(end - middle[way].cbegin());
+      const Seen<T>& piece = pieces[k / parts];
+      return piece.at[way] + piece.by_i[way] * right(piece, k % parts) +
+             piece.by_j[way] * back(piece, k % parts);
+    };
+    const auto ends = std::minmax_element(middle[way].cbegin(), middle[way].cend());
+    low[way] = whole(ends.first);
+    T wide = whole(ends.second) - low[way];
     if (wide < T(least_size)) wide = T(least_size);
     const double of = value_of(wide) / std::max(value_of(size), least_size);
     cells[way] = static_cast<int>(std::clamp(std::nearbyint(of), 1.0, most_cells));
@@ -46,10 +60,9 @@ T hidden_area(const std::vector<Seen<T>>& pieces, int across, int down, T size) 
   }
   std::vector<T> sum(static_cast<std::size_t>(cells[0]) * static_cast<std::size_t>(cells[1]));
   const auto number = [&](int way, std::size_t k) {
-    const double n = value_of(middle[way][k] - low[way]) / value_of(cell[way]);
+    const double n = (middle[way][k] - value_of(low[way])) / value_of(cell[way]);
     return static_cast<std::size_t>(std::min(static_cast<int>(n), cells[way] - 1));
   };
-  const std::size_t parts = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
   for (std::size_t k = 0; k < middle[0].size(); ++k) {
     sum[number(0, k) + static_cast<std::size_t>(cells[0]) * number(1, k)] +=
         pieces[k / parts].thick / T(static_cast<double>(parts));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "../base/between.hpp"
+#include "../base/error.hpp"
 
 namespace codend {
 namespace {
@@ -127,7 +128,13 @@ NearGear::NearGear(const GearNumbers& numbers, const Counts& counts,
 bool NearGear::divided_alike(const GearNumbers& numbers, MeasuredGear& out) const {
   Fineness fineness;
   fineness.counts = &counts_;
-  out = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
+  try {
+    out = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
+  } catch (const InputError& wrong) {
+    // of another number of parts
+    if (wrong.field() != "counts") throw;
+    return false;
+  }
   if (out.model.points() == static_cast<int>(wake_.size())) out.model.wake = wake_;
   return out.lattice.bars.node == own_.lattice.bars.node &&
          out.lattice.cells.node == own_.lattice.cells.node;
