@@ -181,6 +181,9 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
           label = paste(label, "weight"))
         expect_equal(sum(array("spheres", "drag_area")), knots * pi / 4 * 0.007^2,
           tolerance = 1e-12, label = paste(label, "knots"))
+        # half of the water that balls displace
+        expect_equal(sum(array("spheres", "added_mass")), knots * pi / 12 * 0.007^3,
+          tolerance = 1e-12, label = paste(label, "added mass"))
         expect_equal(array("materials", "diameter"), 0.006)
       }
     }
