@@ -40,6 +40,7 @@ struct Ingredients {
   double diameter = 0.002;       // m, of lines
   double axial_stiffness = 1.0;  // N
   double damping = 0.0;          // c over L0, N s/m
+  bool paid_out = false;         // bars at some speed each (check_derivatives())
   double density = 1025.0;       // kg/m3, of the water
   double current = 1.0;          // m/s, each component at most
   NettingScreenLaw screen_law = NettingScreenLaw::loland;

@@ -1,4 +1,4 @@
-// Netting as a screen: its friction, and where the formulas end.
+// Netting as a screen: its friction.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -53,30 +53,4 @@ TEST_CASE("friction adds its coefficient on the twine along the flow, at any ang
       CHECK(rubbed_lift == doctest::Approx(lift).epsilon(1e-12));
     }
   }
-}
-
-TEST_CASE("screens hold their arguments at the ends of the formulas' ranges") {
-  double drag, lift, end_drag, end_lift;
-  for (int law = 0; law < 3; ++law) {
-    const ScreenCoefficients at_end =
-        screen_coefficients(static_cast<NettingScreenLaw>(law), 0.5, 0.35, 500.0);
-    const ScreenCoefficients beyond =
-        screen_coefficients(static_cast<NettingScreenLaw>(law), 0.5, 3.0, 500.0);
-    CHECK(beyond.drag.value == at_end.drag.value);
-    CHECK(beyond.drag.by_solidity == 0.0);
-    // Netting without twine has no drag.
-    const ScreenCoefficients bare =
-        screen_coefficients(static_cast<NettingScreenLaw>(law), 0.5, 0.0, 500.0);
-    CHECK(bare.drag.value == 0.0);
-    CHECK(bare.lift_per_sine.value == 0.0);
-  }
-  for (const double re : {1e-3, 10.0}) {
-    coefficients(2, 0.2, 0.7, re, drag, lift);
-    coefficients(2, 0.2, 0.7, 32.0 - 1e-9, end_drag, end_lift);
-    CHECK(drag == doctest::Approx(end_drag).epsilon(1e-9));
-    CHECK(lift == doctest::Approx(end_lift).epsilon(1e-9));
-  }
-  coefficients(2, 0.2, 0.7, 1e6, drag, lift);
-  coefficients(2, 0.2, 0.7, 1e4 + 1e-9, end_drag, end_lift);
-  CHECK(drag == doctest::Approx(end_drag).epsilon(1e-9));
 }

@@ -1,9 +1,13 @@
-test_that("every measure ends in its unit", {
+test_that("every measure ends in its unit, and has its definition", {
   for (state in lapply(shipped_states, shipped_state)) {
     found <- measures(state)
     expect_true(all(is.finite(found)))
     expect_false(anyDuplicated(names(found)) > 0)
     expect_true(all(endsWith(names(found), paste0("_", unit_suffix(attr(found, "unit"))))))
+    defined <- measure_definitions(state)
+    expect_identical(defined$name, names(found))
+    expect_identical(defined$unit, unname(attr(found, "unit")))
+    expect_identical(defined$definition, definitions_of(found))
   }
 })
 
@@ -79,24 +83,16 @@ test_that("measures are numbers that keep their units", {
 })
 
 test_that("every kind of measure that a plan may ask for is defined, and no other", {
-  schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
-  kinds <- names(schema$`$defs`$measure$properties)
+  fields <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
   defined <- measure_definitions()
-  expect_setequal(defined$name[defined$asked], kinds)
+  expect_setequal(defined$name[defined$asked], names(fields))
+  for (kind in names(fields)) {
+    expect_true(startsWith(fields[[kind]]$description, asked_kinds()[[kind]]$definition))
+  }
   for (unit in defined$unit) expect_gt(unit_size(unit), 0)
   expect_false(anyDuplicated(defined$name) > 0)
   # a sentence each, in one line
   expect_match(defined$definition, "^[A-Z][^\n]{15,}[.]$")
-})
-
-test_that("every measure of a state has its definition", {
-  for (state in lapply(shipped_states, shipped_state)) {
-    found <- measures(state)
-    defined <- measure_definitions(state)
-    expect_identical(defined$name, names(found))
-    expect_identical(defined$unit, unname(attr(found, "unit")))
-    expect_identical(defined$definition, definitions_of(found))
-  }
 })
 
 test_that("every measure says what it is, and most how a sensor sees it", {
