@@ -44,7 +44,7 @@ test_that("drag grows slower than the speed's square, and light sinkers leave le
   light <- found[[1]]
   heavy <- found[[2]]
   slope <- function(x) diff(log2(x["net_drag_kN", ]))
-  expect_true(all(slope(light) < 2), all(slope(heavy) < 2))
+  expect_true(all(c(slope(light), slope(heavy)) < 2))
   expect_lt(slope(light)[2], slope(light)[1])
   expect_true(all(slope(light) < slope(heavy)))
   expect_true(all(diff(light["volume_left_percent", ]) < 0))

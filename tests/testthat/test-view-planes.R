@@ -60,7 +60,7 @@ test_that("both axes have one scale and every frame lies on the page", {
     views <- views_for_page(figure, page)
     frames <- page_frames(views, page)$views
     for (frame in frames) {
-      expect_true(all(frame[1:2] >= -1e-9), all(frame[3:4] <= page + 1e-9))
+      expect_true(all(frame[1:2] >= -1e-9) && all(frame[3:4] <= page + 1e-9))
       expect_true(frame[3] - frame[1] > room_across && frame[4] - frame[2] > room_up)
     }
     grDevices::pdf(NULL, page[1], page[2])
