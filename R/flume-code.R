@@ -47,17 +47,17 @@ loaded_shipped <- function(gear) {
 
 # Arguments of update() that turn one plan into another, or NULL where no such do.
 update_arguments <- function(from, to) {
-  found <- plan_differences(from, to)
+  found <- plan_changes(from, to)
   plain <- vapply(found, function(d) {
-    nzchar(d$path) && is.atomic(d$other) && length(d$other) == 1L && is.null(names(d$other))
+    is.atomic(d$value) && length(d$value) == 1L && is.null(names(d$value))
   }, NA)
   if (!all(plain)) return(NULL)
   as.character(lapply(found, function(d) {
     path <- if (make.names(d$path) == d$path) d$path else code_text(d$path)
-    value <- if (is.character(d$other)) code_text(d$other) else if (is.logical(d$other)) {
-      as.character(d$other)
+    value <- if (is.character(d$value)) code_text(d$value) else if (is.logical(d$value)) {
+      as.character(d$value)
     } else {
-      shortest_decimal(d$other)
+      shortest_decimal(d$value)
     }
     paste(path, "=", value)
   }))

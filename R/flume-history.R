@@ -37,14 +37,14 @@ draft_text <- function(design) edited_text(design$source, design$plan)
 design_words <- function(design) {
   base <- loaded_shipped(design)
   if (!is.null(base)) {
-    found <- plan_differences(split_uncertain(read_plan(design$file)), design$plan)
+    found <- plan_changes(split_uncertain(read_plan(design$file)), design$plan)
     plain <- vapply(found, function(d) {
       # paths in `uncertain` have points of their own
-      nzchar(d$path) && !startsWith(d$path, "uncertain") &&
-        (is.null(d$other) || is.atomic(d$other) && length(d$other) == 1L)
+      !startsWith(d$path, "uncertain") &&
+        (is.null(d$value) || is.atomic(d$value) && length(d$value) == 1L)
     }, NA)
     if (all(plain)) {
-      edits <- lapply(found, function(d) if (is.null(d$other)) list(gone = TRUE) else d$other)
+      edits <- lapply(found, function(d) if (is.null(d$value)) list(gone = TRUE) else d$value)
       names(edits) <- vapply(found, `[[`, "", "path")
       return(list(base = base, edits = edits))
     }

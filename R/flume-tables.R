@@ -213,24 +213,8 @@ drag_html <- function(state, say = new_say()) {
   )
 }
 
-# Fields in which two plans differ: data frame of field, one and other, as text ("" where a plan has
-# none).
-plan_differences <- function(one, other) {
-  found <- list()
-  walk <- function(a, b, path) {
-    if (identical(a, b)) return(invisible())
-    if (is_map(a) && is_map(b) && length(a) && length(b)) {
-      for (name in union(names(a), names(b))) walk(a[[name]], b[[name]], join(path, name))
-    } else {
-      found[[length(found) + 1L]] <<- list(path = path, one = a, other = b)
-    }
-  }
-  walk(one, other, "")
-  found
-}
-
 differences_html <- function(kept, now, say = new_say()) {
-  found <- plan_differences(kept$plan, now$plan)
+  found <- plan_changes(kept$plan, now$plan)
   if (!length(found)) {
     return(shiny::tags$p(say("no_difference")))
   }
@@ -239,7 +223,7 @@ differences_html <- function(kept, now, say = new_say()) {
   shiny::tagList(
     html_table(
       say("fields_differ"), c(say("field"), say("kept"), say("now")),
-      lapply(listed, function(d) list(d$path, shown(d$one), shown(d$other))), numbers = integer()
+      lapply(listed, function(d) list(d$path, shown(d$was), shown(d$value))), numbers = integer()
     ),
     if (length(found) > length(listed)) {
       shiny::tags$p(say("and_more", n = length(found) - length(listed)))

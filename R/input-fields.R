@@ -60,17 +60,7 @@ usual_part_fields <- function(plan) {
 
 # Paths of all single values that a plan gives, beside what only describes it or a tow.
 given_paths <- function(plan) {
-  paths <- character()
-  walk <- function(value, path) {
-    if (is_map(value) && length(value)) {
-      for (name in names(value)) walk(value[[name]], join(path, name))
-    } else if (is.list(value)) {
-      for (k in seq_along(value)) walk(value[[k]], join(path, as.character(k)))
-    } else if (length(value) == 1L) {
-      paths <<- c(paths, path)
-    }
-  }
-  walk(plan[setdiff(names(plan), c("codend", "kind", "name", "notes", "sources", "tow",
-    "uncertain", "multipliers"))], "")
-  paths
+  beside <- c("codend", "kind", "name", "notes", "sources", "tow", "uncertain", "multipliers")
+  leaves <- plan_leaves(plan[setdiff(names(plan), beside)])
+  leaves$path[lengths(leaves$value) == 1L]
 }

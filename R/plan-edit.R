@@ -24,7 +24,7 @@ edited_text <- function(source, plan) {
 edit_fields <- function(source, old, plan, deepest) {
   places <- plan_places(source)
   if (!isTRUE(attr(places, "whole"))) unplaced()
-  changes <- plan_changes(old, plan, "", 1, deepest)
+  changes <- plan_changes(old, plan, deepest)
   edits <- lapply(changes, function(change) change_edit(source, places, change))
   # from the end, so that places before an edit stay
   for (edit in edits[order(-vapply(edits, `[[`, 0, "from"))]) {
@@ -35,8 +35,8 @@ edit_fields <- function(source, old, plan, deepest) {
 }
 
 # What two trees differ in: a list of list(path, parent, name, value, was), value NULL where the
-# field is gone, was NULL where it is new.
-plan_changes <- function(old, new, path, depth, deepest) {
+# field is gone, was NULL where it is new. deepest: as of edit_fields().
+plan_changes <- function(old, new, deepest = Inf, path = "", depth = 1) {
   out <- list()
   for (name in union(names(old), names(new))) {
     if (identical(old[[name]], new[[name]])) next
@@ -44,7 +44,7 @@ plan_changes <- function(old, new, path, depth, deepest) {
     inside <- depth < deepest && is_map(old[[name]]) && is_map(new[[name]]) &&
       length(old[[name]]) && length(new[[name]])
     out <- c(out, if (inside) {
-      plan_changes(old[[name]], new[[name]], at, depth + 1, deepest)
+      plan_changes(old[[name]], new[[name]], deepest, at, depth + 1)
     } else {
       list(list(path = at, parent = path, name = name, value = new[[name]], was = old[[name]]))
     })

@@ -230,22 +230,14 @@ resume_variables <- function() {
 # measured: names of the measures that the file has.
 put_frame <- function(nc, what, frame, k, measured) {
   now <- gather_trajectory(what, list(frame), "interrupted")
-  put_at <- function(name, value) {
-    if (length(value) > 1L) {
-      put(nc, name, value, c(1, k), c(length(value), 1))
-    } else if (RNetCDF::var.inq.nc(nc, name)$ndims == 2L) {
-      put(nc, name, value, c(1, k), c(1, 1))
-    } else {
-      put(nc, name, value, k, 1)
-    }
-  }
+  put_at <- function(name, value) put_numbers(nc, name, value, k)
   put_at("time", now$time)
   for (axis in 1:3) {
     put_at(rownames(node_variables)[axis], now$position[axis, , 1L])
     put_at(rownames(node_variables)[axis + 3L], now$velocity[axis, , 1L])
   }
   for (name in frame_fields$name) {
-    if (length(now[[name]])) put_at(name, as.vector(now[[name]]))
+    put_at(name, as.vector(now[[name]]))
   }
   put_at("vessel_x", now$conditions$x)
   put_at("vessel_y", now$conditions$y)
@@ -260,29 +252,27 @@ put_frame <- function(nc, what, frame, k, measured) {
 }
 
 put_resume <- function(nc, frame, k) {
-  slot <- 1L + k %% 2L
-  put_one <- function(name, value) put(nc, paste0("resume_", name), value, slot, 1)
-  put_all <- function(name, value) {
-    put(nc, paste0("resume_", name), value, c(1, slot), c(length(value), 1))
+  put_one <- function(name, value) {
+    put_numbers(nc, paste0("resume_", name), as.double(value), 1L + k %% 2L)
   }
   for (motion in resume_motions) {
-    put_one(paste0(motion, "_time"), frame[[motion]]$time)
-    for (vector in motion_vectors) {
-      put_all(paste(motion, vector, sep = "_"), frame[[motion]][[vector]])
+    for (name in c("time", motion_vectors)) {
+      put_one(paste(motion, name, sep = "_"), frame[[motion]][[name]])
     }
   }
-  for (name in resume_numbers) put_one(name, as.double(frame[[name]]))
-  for (name in resume_control) put_all(paste0("control_", name), as.double(frame$done[[name]]))
-  put_all("broken", frame$done$broken)
-  put_all("broken_at", frame$done$broken_at)
-  put_all("anchor", frame$done$anchor)
-  if (is.null(frame$report)) {
-    put_one("report_end", 0L)
-  } else {
-    put_all("report", as.double(unlist(frame$report[report_numbers])))
-    put_one("report_end", match(frame$report$end, report_ends))
-  }
+  for (name in resume_numbers) put_one(name, frame[[name]])
+  for (name in resume_control) put_one(paste0("control_", name), frame$done[[name]])
+  for (name in c("broken", "broken_at", "anchor")) put_one(name, frame$done[[name]])
+  put_one("report", unlist(frame$report[report_numbers]))
+  put_one("report_end", match(first_of(frame$report$end, ""), report_ends, 0L))
   put_one("record", k)
+}
+
+# Numbers of a variable at one of its times or slots.
+put_numbers <- function(nc, name, value, k) {
+  if (!length(value)) return(invisible())
+  n <- if (RNetCDF::var.inq.nc(nc, name)$ndims == 2L) length(value)
+  put(nc, name, value, c(if (length(n)) 1, k), c(n, 1))
 }
 
 # ---- reading ------------------------------------------------------------------------------------

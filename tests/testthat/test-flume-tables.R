@@ -48,9 +48,9 @@ test_that("ropes are ranked by tension with their margin to the breaking load", 
 test_that("differences of plans are found at their paths", {
   one <- list(a = list(b = 1, c = "x"), d = c(1, 2))
   other <- list(a = list(b = 2, c = "x"), d = c(1, 3), e = TRUE)
-  found <- plan_differences(one, other)
+  found <- plan_changes(one, other)
   expect_identical(vapply(found, `[[`, "", "path"), c("a.b", "d", "e"))
-  expect_length(plan_differences(one, one), 0L)
+  expect_length(plan_changes(one, one), 0L)
 })
 
 test_that("six measures come first, what is looked at first before the others", {
