@@ -152,6 +152,6 @@ measure <- constructor("measure", "measures")
 
 # What each kind of measure asks for, as arguments of help, from the schema.
 measure_questions <- function() {
-  kinds <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
+  kinds <- kind_node("assembly")$properties$measures$additionalProperties$properties
   paste("@param", names(kinds), vapply(kinds, function(kind) kind$description, ""))
 }

@@ -156,15 +156,20 @@ edge_number <- function(panels, panel, edge) {
 # gear_numbers(), with its `model`.
 model_numbers <- function(si, like = NULL) {
   lines <- c("ropes", "panels", "otter_boards")
-  same <- !is.null(like) && identical(si[lines], like$si[lines])
+  same <- vapply(lines, function(group) identical(si[[group]], like$si[[group]]), NA)
+  before <- c(0L, cumsum(lengths(like$si[lines])))
+  materials <- function(group) {
+    k <- match(group, lines)
+    if (!is.null(like) && same[k]) {
+      return(lapply(like$model$materials, `[`, seq_len(before[k + 1L] - before[k]) + before[k]))
+    }
+    twine_materials(if (group == "otter_boards") lapply(si[[group]], strut_line) else si[[group]])
+  }
   blends <- any(vapply(si$panels, function(panel) identical(panel$netting_drag, "blended"), NA))
   c(
     list(water = engine_water(si), ground = si$ground, slack_twine = si$slack_twine),
-    if (same) like$model[c("materials", "blended", "load_table")] else list(
-      materials = Map(
-        c, twine_materials(si$ropes), twine_materials(si$panels),
-        twine_materials(lapply(si$otter_boards, strut_line))
-      ),
+    if (!is.null(like) && all(same)) like$model[c("materials", "blended", "load_table")] else list(
+      materials = do.call(Map, c(list(c), lapply(lines, materials))),
       blended = twine_materials(if (blends) si$panels, alone = FALSE),
       load_table = load_rows(c(si$ropes, si$panels))
     ),

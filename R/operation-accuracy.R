@@ -38,6 +38,7 @@ levels_through <- function(state, levels, netting, strain = NULL) {
   if (!is.null(strain)) shape$strain <- strain
   rm(state)
   extra <- once(function() {
+    started <- cpu_clock()
     found <- tryCatch(
       settle_numbers(free, nodes, netting, shape, FALSE,
         beside = vapply(levels, `[[`, 0, "nodes")),
@@ -45,7 +46,8 @@ levels_through <- function(state, levels, netting, strain = NULL) {
     )
     shape <<- NULL
     if (is.null(found)) return(NULL)
-    new_state(gear, free, found$lattice, found$position, list(converged = TRUE))
+    found$report$cpu_seconds <- cpu_clock() - started
+    new_state(gear, free, found$lattice, found$position, found$report)
   })
   own <- once(function() {
     levels <- c(levels, if (!is.null(extra())) list(level_of(extra())))
@@ -156,6 +158,9 @@ finer_state <- function(state, netting) {
   extra <- state$levels$extra()
   wanted <- min(usual_nodes * extra_ratio, fixed_nodes(state$si, netting))
   if (is.null(extra) || wanted < least_ratio * state$lattice$nodes) return(NULL)
+  finer <- extra$lattice$nodes >= least_ratio * state$lattice$nodes
+  # of a plan that leaves its division open it is the gear itself
+  if (finer && identical(extra$si, state$si)) return(extra)
   tryCatch(
     settled_state(state$gear, wanted, netting, extra),
     codend_error_not_converged = function(e) NULL

@@ -1,20 +1,20 @@
-# The schema file is the one table of fields. It is made ready once, when the package is installed
-# (`plan_schema`), and a plan is walked along it. Only the keywords that the file uses are known;
-# others are for editors.
+# The schema file is the one table of fields. It is made ready once, when the package is installed,
+# and a plan is walked along it. Only the keywords that the file uses are known; others are for
+# editors.
 
-# The schema with references put in place: $kinds, a compiled node per kind of plan.
+# The schema with references put in place: a compiled node per kind of plan, the default first.
 compile_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
   schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
-  kinds <- unlist(schema$properties$kind$enum)
-  list(
-    default_kind = schema$properties$kind$default,
-    kinds = lapply(
-      stats::setNames(schema$`$defs`[kinds], kinds), compile_node,
-      definitions = schema$`$defs`
-    )
+  kinds <- union(schema$properties$kind$default, unlist(schema$properties$kind$enum))
+  lapply(
+    stats::setNames(schema$`$defs`[kinds], kinds), compile_node, definitions = schema$`$defs`
   )
 }
+
+# The compiled node of a kind of plan. Each is an object of its own (R/plan-zzz.R): all of them
+# together take longer to load than a plan takes to check.
+kind_node <- function(kind) get(paste0("plan_kind_", kind), topenv())
 
 compile_node <- function(node, definitions) {
   while (!is.null(node[["$ref"]])) {
@@ -78,14 +78,13 @@ check_plan <- function(tree, last = NULL, fields = NULL) {
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan("A plan must be a map of fields such as `codend: 1` and `name`.", NULL, tree)
   }
-  schema <- plan_schema
   kind <- tree[["kind"]]
-  if (is.null(kind)) kind <- schema$default_kind
-  if (!is_text(kind) || !kind %in% names(schema$kinds)) {
-    abort_field("kind", kind, paste("one of", word_list(names(schema$kinds))))
+  if (is.null(kind)) kind <- plan_kinds[1L]
+  if (!is_text(kind) || !kind %in% plan_kinds) {
+    abort_field("kind", kind, paste("one of", word_list(plan_kinds)))
   }
   if (!identical(fields$kind, kind)) last <- NULL
-  check_map(tree, schema$kinds[[kind]], "", last, fields)
+  check_map(tree, kind_node(kind), "", last, fields)
 }
 
 check_field <- function(value, node, path) {

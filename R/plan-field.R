@@ -2,7 +2,7 @@
 
 # The node of a plan as a whole.
 plan_node <- function(plan) {
-  plan_schema$kinds[[first_of(plan$kind, plan_schema$default_kind)]]
+  kind_node(first_of(plan$kind, plan_kinds[1L]))
 }
 
 # The steps of a path; a dot at its end is followed by an empty one, which no plan has.

@@ -15,11 +15,11 @@ fixed_nodes <- function(si, netting) {
 # otherwise a strut would kink.
 undivided <- function(si) {
   si$ropes <- lapply(si$ropes, function(rope) {
-    if (!rope$strut) rope$segments <- NULL
+    if (!rope$strut) rope["segments"] <- list(NULL)
     rope
   })
   si$panels <- lapply(si$panels, function(panel) {
-    panel$columns <- panel$rows <- NULL
+    panel[c("columns", "rows")] <- list(NULL)
     panel
   })
   si

@@ -97,14 +97,13 @@ made_map <- function(node, depth) {
 }
 
 made_plan <- function() {
-  kinds <- codend:::plan_schema$kinds
-  kind <- one_of(names(kinds))
+  kind <- one_of(codend:::plan_kinds)
   # the sections of a shipped plan of that kind, some made anew, or all made up
   like <- Filter(function(plan) identical(codend:::first_of(plan$kind, "assembly"), kind), shipped)
-  plan <- if (chance(0.3) || !length(like)) make_up(kinds[[kind]]) else {
+  plan <- if (chance(0.3) || !length(like)) make_up(codend:::kind_node(kind)) else {
     plan <- one_of(like)
     for (name in sample(names(plan), min(length(plan), 1L + stats::rpois(1L, 0.7)))) {
-      node <- kinds[[kind]]$properties[[name]]
+      node <- codend:::kind_node(kind)$properties[[name]]
       if (!is.null(node)) plan[name] <- list(make_up(node, if (chance(0.5)) name else "", 1L))
     }
     plan

@@ -27,28 +27,27 @@ without_longer <- function(tree) {
   tree
 }
 
-# What `code` finds where plans are checked by another schema.
-under_schema <- function(schema, code) {
+# What `code` finds where plans are checked by other nodes of their kinds.
+under_nodes <- function(nodes, code) {
   package <- asNamespace("codend")
-  own <- package$plan_schema
-  put <- function(schema) {
-    unlockBinding("plan_schema", package)
-    assign("plan_schema", schema, package)
-    lockBinding("plan_schema", package)
+  own <- package$kind_node
+  put <- function(of) {
+    unlockBinding("kind_node", package)
+    assign("kind_node", of, package)
+    lockBinding("kind_node", package)
   }
   on.exit(put(own))
-  put(schema)
+  put(function(kind) nodes[[kind]])
   code
 }
 
 test_that("a new field whose name begins with another's changes nothing of any shipped gear", {
   gears <- lapply(setNames(nm = gears()$name), read_gear)
-  changed <- plan_schema
-  changed$kinds <- lapply(changed$kinds, with_longer_names)
+  changed <- lapply(lapply(setNames(nm = plan_kinds), kind_node), with_longer_names)
   # of a collar that is held no other field may be given
-  changed$kinds$cage$properties$collar <- plan_schema$kinds$cage$properties$collar
+  changed$cage$properties$collar <- kind_node("cage")$properties$collar
   for (name in names(gears)) {
-    with <- under_schema(changed, as_gear(gears[[name]]$plan))
+    with <- under_nodes(changed, as_gear(gears[[name]]$plan))
     expect_true("name_longer" %in% names(gear_checked(with)$fields), label = name)
     expect_identical(without_longer(gear_si(with)), gear_si(gears[[name]]), label = name)
   }

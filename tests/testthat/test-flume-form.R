@@ -1,5 +1,5 @@
 test_that("every field of every kind has a place in the form", {
-  known <- unique(unlist(lapply(plan_schema$kinds, function(kind) names(kind$properties))))
+  known <- unique(unlist(lapply(plan_kinds, function(kind) names(kind_node(kind)$properties))))
   placed <- c(unlist(form_rooms, use.names = FALSE), form_leaves)
   expect_setequal(placed, known)
   expect_identical(anyDuplicated(placed), 0L)

@@ -18,7 +18,7 @@ test_that("calls give the same tree as a file", {
 })
 
 test_that("the constructors take every field of the schema", {
-  fields <- plan_schema$kinds$assembly$properties
+  fields <- kind_node("assembly")$properties
   groups <- list(
     points = gear_point, ropes = rope, panels = netting_panel, pieces = piece, seams = seam,
     measures = measure

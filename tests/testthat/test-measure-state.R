@@ -83,7 +83,7 @@ test_that("measures are numbers that keep their units", {
 })
 
 test_that("every kind of measure that a plan may ask for is defined, and no other", {
-  fields <- plan_schema$kinds$assembly$properties$measures$additionalProperties$properties
+  fields <- kind_node("assembly")$properties$measures$additionalProperties$properties
   defined <- measure_definitions()
   expect_setequal(defined$name[defined$asked], names(fields))
   for (kind in names(fields)) {

@@ -90,7 +90,7 @@ test_that("a field may choose only between values that differ in shape", {
       if (is.list(node[[key]])) check(node[[key]], path)
     }
   }
-  for (kind in names(plan_schema$kinds)) check(plan_schema$kinds[[kind]], kind)
+  for (kind in plan_kinds) check(kind_node(kind), kind)
   expect_identical(clashes, character())
 })
 
@@ -117,12 +117,12 @@ lists_that_may_be_empty <- function(node, path = character()) {
 test_that("an empty list, wherever it stands in a shipped plan, leaves every field its place", {
   for (name in names(shipped_plans())) {
     plan <- read_gear(name)$plan
-    lists <- lists_that_may_be_empty(plan_schema$kinds[[first_of(plan$kind, "assembly")]])
+    lists <- lists_that_may_be_empty(plan_node(plan))
     expect_true(list("notes") %in% lists)
     for (path in lists) {
       field <- path[1]
       # a plan without it is none, so that nothing is left to compare with
-      if (field %in% plan_schema$kinds[[first_of(plan$kind, "assembly")]]$required) next
+      if (field %in% plan_node(plan)$required) next
       empty <- if (length(path) == 1) list() else stats::setNames(list(list()), path[2])
       others <- plan[names(plan) != field]
       expected <- check_plan(others)
