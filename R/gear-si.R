@@ -129,7 +129,9 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
   # what a group's parts were made to in the last gear, where all else that they are made from is
   # the same
-  kept <- function(group, same) if (same) list(parts = last_fields[[group]], made = last[[group]])
+  kept <- function(group, same, made = last[[group]]) {
+    if (same) list(parts = last_fields[[group]][names(made)], made = made)
+  }
   lines <- c("materials", "coefficients", "netting", "netting_drag", "shielding")
   si$panels <- map_named(
     fields$panels, "panels", si_panel, fields, law, kept = kept("panels", same(lines))
@@ -137,14 +139,18 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   known <- list(
     points = names(fields$points), ropes = names(fields$ropes), panels = panel_shapes(si$panels)
   )
-  same_known <- identical(known$panels, panel_shapes(last$panels)) &&
+  edges <- function(panels) lapply(panels, `[`, c("upper", "lower", "deep"))
+  same_known <- identical(edges(known$panels), edges(last$panels)) &&
     identical(known$points, names(last$points)) && identical(known$ropes, names(last$ropes))
+  # how long netting is matters to ropes along it alone
+  same_ropes <- if (identical(known$panels, panel_shapes(last$panels))) last$ropes else
+    Filter(function(rope) is.null(rope$along), last$ropes)
   si$points <- map_named(
     fields$points, "points", si_point, known, kept = kept("points", same_known)
   )
   si$ropes <- map_named(
     fields$ropes, "ropes", si_rope, fields, law, known,
-    kept = kept("ropes", same_known && same(lines))
+    kept = kept("ropes", same_known && same(lines), same_ropes)
   )
   si$seams <- map_named(fields$seams, "seams", si_seam, known, kept = kept("seams", same_known))
   si$pieces <- map_named(
