@@ -254,8 +254,7 @@ test_that("without nodes or accuracy a gear is divided until 1 % is reached or t
   expect_true(error <= 0.011 || aimed$lattice$nodes > 0.9 * most)
   # a lattice has up to a sixth more nodes than are asked for
   expect_lt(aimed$lattice$nodes, 1.18 * most)
-  shown <- capture.output(print(aimed))
-  expect_match(shown, "target 1 %, reached [0-9.]+ %", all = FALSE)
+  expect_match(capture.output(print(aimed)), "target 1 %, reached [0-9.]+ %", all = FALSE)
   expect_match(format(summary(aimed)), "(target 1 %)", fixed = TRUE, all = FALSE)
   # from a state: its lattice, and no aim
   again <- settle(update(aimed$gear, towing.speed = "3.3 knot"), from = aimed)

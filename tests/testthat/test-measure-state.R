@@ -78,8 +78,7 @@ test_that("measures are numbers that keep their units", {
   expect_null(attributes(unname(found)))
   table <- data.frame(value = found)
   expect_identical(table["sag_m", "value"], found[["sag_m"]])
-  shown <- capture.output(print(found))
-  expect_identical(shown, capture.output(print(unlist(as.list(found)))))
+  expect_identical(capture.output(print(found)), capture.output(print(unlist(as.list(found)))))
 })
 
 test_that("every kind of measure that a plan may ask for is defined, and no other", {

@@ -49,7 +49,6 @@ test_that("studies of the shell's block are run before they are plotted", {
   what <- vapply(words, `[[`, "", 3L)
   study <- vapply(words, `[[`, "", 4L)
   for (plotted in which(what == "plot")) {
-    before <- what[study == study[plotted] & seq_along(what) < plotted]
-    expect_identical(before, c("new", "run"))
+    expect_identical(what[study == study[plotted] & seq_along(what) < plotted], c("new", "run"))
   }
 })

@@ -68,8 +68,7 @@ test_that("each sheet upstream slows the water again", {
 test_that("shielding is per panel and off unless asked for", {
   none <- drag_of(settle(sheets("none"), nodes = 400))
   expect_equal(none[1], none[2], tolerance = 1e-6)
-  own <- drag_of(settle(sheets("loland", shielding = "none"), nodes = 400))
-  expect_equal(own, none)
+  expect_equal(drag_of(settle(sheets("loland", shielding = "none"), nodes = 400)), none)
   expect_refused(sheets("some"))
 })
 

@@ -220,8 +220,7 @@ test_that("the budget is drawn, of all measures and of one", {
 test_that("summary, report and command line show it", {
   state <- settle(known_sphere())
   found <- uncertainty(state)
-  said <- format(summary(state, uncertainty = found))
-  expect_match(said, "pull +1[.]8.* kN +90 %: ", all = FALSE)
+  expect_match(format(summary(state, uncertainty = found)), "pull +1[.]8.* kN +90 %: ", all = FALSE)
   expect_wrong(summary(state, uncertainty = 3))
   file <- tempfile(fileext = ".html")
   report(state, file, uncertainty = found)

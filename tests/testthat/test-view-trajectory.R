@@ -24,8 +24,7 @@ test_that("a trajectory's figures show its measures and what its schedule change
   }, 0)
   expect_identical(drag$value, expected)
   expect_identical(drag$unit, "kN")
-  only <- trajectory_series(trajectory, "total_drag_kN")
-  expect_identical(only, list(drag))
+  expect_identical(trajectory_series(trajectory, "total_drag_kN"), list(drag))
 })
 
 test_that("depths grow downwards, and what stands still is not its rounding", {

@@ -69,8 +69,7 @@ test_that("many figures find room on a small page by being drawn smaller", {
   # six rows of 1.3 inches and the title do not fit into 7 inches
   layout <- series_layout(24, NULL, c(7, 7))
   expect_lt(layout$zoom, 1)
-  high <- (7 / layout$zoom - layout$above) / layout$rows
-  expect_gte(high, least_series[2])
+  expect_gte((7 / layout$zoom - layout$above) / layout$rows, least_series[2])
   expect_gte(layout$columns * layout$rows, 24)
   expect_equal(series_layout(4, NULL, c(7, 7))$zoom, 1)
   expect_null(series_layout(60, NULL, c(7, 3)))
