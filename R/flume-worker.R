@@ -70,19 +70,6 @@ replaced_by <- function(kind) {
 # What is told of a request that is cancelled.
 cancelled_answer <- list(problem = list(message = "Cancelled.", cancelled = TRUE))
 
-# In this process, which answers at once; for tests.
-direct_worker <- function(...) {
-  worker <- new.env(parent = emptyenv())
-  memory <- new.env(parent = emptyenv())
-  worker$holds <- 0
-  worker$stop <- worker$cancel <- function() NULL
-  worker$ask <- function(kind, make, then, pause = 0) {
-    request <- make()
-    then(if (!is.null(request)) flume_answer(request, memory))
-  }
-  worker
-}
-
 # late: whether its process starts with the first request, and gives way to those of other workers.
 process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late = FALSE) {
   worker <- new.env(parent = emptyenv())

@@ -49,8 +49,6 @@ filled_bag <- function(lattice) {
 # edge's middle, and area (m2) of the netting behind it.
 catch_volume <- function(lattice, position) catch_sizes(lattice, position)[1L]
 
-catch_surface <- function(lattice, position) catch_sizes(lattice, position)[2L]
-
 catch_sizes <- function(lattice, position) {
   engine_bag_sizes(filled_bag(lattice), as.double(lattice_points(lattice, position)))
 }

@@ -164,8 +164,8 @@ report_table <- function(columns, caption) {
 }
 
 # A picture (its address) with what it shows in words.
-report_figure <- function(address, words, class = NULL) {
-  tag$figure(class = class, tag$div(class = "picture", tag$img(src = address, alt = words)))
+report_figure <- function(address, words) {
+  tag$figure(tag$div(class = "picture", tag$img(src = address, alt = words)))
 }
 
 # The gear in three dimensions; of: a state or a trajectory.

@@ -1,3 +1,16 @@
+# A worker in this process, which answers at once.
+direct_worker <- function(...) {
+  worker <- new.env(parent = emptyenv())
+  memory <- new.env(parent = emptyenv())
+  worker$holds <- 0
+  worker$stop <- worker$cancel <- function() NULL
+  worker$ask <- function(kind, make, then, pause = 0) {
+    request <- make()
+    then(if (!is.null(request)) flume_answer(request, memory))
+  }
+  worker
+}
+
 # A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear
 # (NULL: with the gallery).
 # sent() gives the messages of a type that the page has been sent since it was last asked.

@@ -123,7 +123,7 @@ test_that("a catch's volume has the curve of its netting lengthwise, its surface
           rbind(long * sin(t), wide * cos(t) * cos(angle), wide * cos(t) * sin(angle))
       }
     }
-    c(catch_volume(lattice, x) / (16 / 3 * pi), catch_surface(lattice, x) / (8 * pi)) - 1
+    catch_sizes(lattice, x) / c(16 / 3 * pi, 8 * pi) - 1
   }
   # what is left of the volume is of fourth order in the rows' angle
   for (rows in c(12, 24)) expect_lt(abs(ball(rows)[1]), (pi / 2 / rows)^4 + 1e-5)
