@@ -167,7 +167,7 @@ SettleReport settle_from(Assembly& assembly, const SettleControl& control, const
   if (first.converged || control.start != Start::settled || first.wake_renewals > 0) return first;
   std::copy(start.begin(), start.end(), x);
   SettleControl anew = control;
-  anew.start = first.first_residual < control.law.residual ? Start::near : Start::crude;
+  anew.start = first.first_residual < control.law.near_residual ? Start::near : Start::crude;
   SettleReport report = settle(assembly, anew, v, x);
   report.iterations += first.iterations;
   report.factorisations += first.factorisations;

@@ -38,9 +38,9 @@ struct PseudoTimeControl {
   double found_rotation = 0.02;
   // s: steps are then next to undamped; those from a settled shape begin with it.
   double longest = 1e6;
-  // Most starts are through in so many steps. Later ones are judged by the step that would correct them:
-  // where that is larger, or the matrix is singular, the next turns lines by less, `shorter` times what
-  // this one did, else by more, up to a whole turn.
+  // Most starts are through in so many steps. Later ones, until the shape is found, are judged by the step
+  // that would correct them: where that is larger, or the matrix is singular, the next turns lines by
+  // less, `shorter` times what this one did, else by more, up to a whole turn.
   int free_steps = 10;
   double shorter = 0.7;
 };
@@ -60,6 +60,11 @@ struct PathControl {
   // mu is no less than this times the square of the last rotation, to which it rises by so much a step
   // at most: where lines still turn, tensions far down the path are of no shape.
   double least_by_turn = 1e-8, most_rise = 10.0;
+  // Where the shape is found, a step leaves most of all the product of its changes of tensions and of
+  // slack: the same factors take that away (the corrector of Mehrotra 1992, On the implementation of a
+  // primal-dual interior point method, SIAM J. Optim. 2, 575-601), where that is less than this share of
+  // the step.
+  double most_correction = 0.5;
   // From a settled state's tensions mu falls at once to this share, where the shape is found.
   double settled_factor = 1e-3;
 };
@@ -69,10 +74,9 @@ struct PathControl {
 // it was left, for as many steps before the next trial, doubled by every one that fails: trials stay a
 // small part of all steps where they cannot succeed yet.
 struct LawControl {
-  double residual = 0.1;  // of the path's shape, below which it is tried
-  // The same where the path began from a settled state: it closes in by itself. Such a state whose own
-  // residual is less begins with a trial.
-  double settled_residual = 1e-4;
+  double residual = 1e-4;  // of the path's shape, below which it is tried
+  // Below this residual a start counts as near.
+  double near_residual = 0.1;
   int steps = 6;
   double closing = 0.3;
 };
@@ -99,9 +103,9 @@ struct WakeControl {
   double tolerance = wake_tolerance;
   int renewals = 20, searches = 4, settled_searches = 1;
   // From other than a settled state they are followed before: where the shape is found and the residual
-  // below settled_residual of the law; of a shape that is carried over below `residual` of the law, and
-  // from the start on as long as the path's mu is at least this: later a point that comes into a wake
-  // costs as many steps as a start.
+  // below `residual` of the law; of a shape that is carried over below its near_residual, and from the
+  // start on as long as the path's mu is at least this: later a point that comes into a wake costs as many
+  // steps as a start.
   double far_parameter = 1e-6;
 };
 

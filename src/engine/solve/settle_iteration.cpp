@@ -69,7 +69,7 @@ void SettleIteration::begin() {
 
 void SettleIteration::begin_near() {
   follow(TensionPath::near_parameter);
-  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
+  if (report_.residual < control_.law.near_residual) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::begin_settled() {
@@ -78,7 +78,7 @@ void SettleIteration::begin_settled() {
   settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.pseudo_time.longest);
-  if (report_.residual < control_.law.settled_residual) pseudo_time_.assume_rotation(0.0);
+  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::resume() {
@@ -108,7 +108,7 @@ bool SettleIteration::balanced() {
 
 bool SettleIteration::nearly_balanced() const {
   const LawControl& law = control_.law;
-  const double most = control_.start == Start::near ? law.residual : law.settled_residual;
+  const double most = control_.start == Start::near ? law.near_residual : law.residual;
   return pseudo_time_.found() && report_.residual < most;
 }
 
@@ -135,7 +135,9 @@ bool SettleIteration::may_be_unstable() {
 
 GrowingMotion SettleIteration::growing_motion() {
   Stopwatch watch(report_.seconds_linear, control_.timed);
-  return codend::growing_motion(assembly_, linear_.factors());
+  GrowingMotion out = codend::growing_motion(assembly_, linear_.factors());
+  report_.factorisations += out.factorisations;
+  return out;
 }
 
 void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
@@ -191,7 +193,7 @@ void SettleIteration::choose_law() {
       (!pseudo_time_.found() || (tried && !(report_.residual < law.closing * residual_on_law_)))) {
     leave_law();
   } else if (!on_law_ && steps_to_law_ <= 0 && pseudo_time_.found() &&
-             report_.residual < (closing_in_ ? law.settled_residual : law.residual)) {
+             report_.residual < law.residual) {
     try_law();
   }
   if (on_law_) {
@@ -250,21 +252,43 @@ const DualTension& SettleIteration::matrix_tension() {
   return held_;
 }
 
-void SettleIteration::move() {
+// The step of free nodes into dx_, of all.
+void SettleIteration::spread_step() {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
   }
+}
+
+void SettleIteration::move() {
+  spread_step();
   const LineChange& change = assembly_.line_change(dx_.data());
   const double turns = closing_in_ ? 1.0 : control_.pseudo_time.plate_turns;
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const double share = pseudo_time_.share(rotation);
-  const bool judged = !closing_in_ && pseudo_time_.judged();
-  if (judged) from_x_.assign(x_, x_ + dx_.size());
-  if (!on_law_) path_.advance(assembly_, change.strain, share);
-  for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
-  if (judged) pseudo_time_.judge(rotation, correction_over_step(share));
+  const bool found = rotation < control_.pseudo_time.found_rotation;
+  const bool judged = !closing_in_ && !found && pseudo_time_.judged();
+  const bool corrected = !on_law_ && found && share == 1.0;
+  if (judged || corrected) from_x_.assign(x_, x_ + dx_.size());
+  take(change, share);
+  if (judged || corrected) {
+    const double correction = correction_over_step(share);
+    if (judged) pseudo_time_.judge(rotation, correction);
+    if (corrected && correction < control_.path.most_correction) correct();
+  }
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
+}
+
+// A share of dx_, which changes lines so.
+void SettleIteration::take(const LineChange& change, double share) {
+  if (!on_law_) path_.advance(assembly_, change.strain, share);
+  for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
+}
+
+// By the step that would correct the last one, as correction_over_step() has left it.
+void SettleIteration::correct() {
+  spread_step();
+  take(assembly_.line_change(dx_.data()), 1.0);
 }
 
 // What is left of the balance where the last step has led, into force_, as a right side of its own matrix:

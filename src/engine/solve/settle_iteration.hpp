@@ -63,7 +63,10 @@ class SettleIteration {
   double reduction();
   double least_parameter() const;
   const DualTension& matrix_tension();
+  void spread_step();
   void move();
+  void take(const LineChange& change, double share);
+  void correct();
   void take_rest();
   double correction_over_step(double share);
   void take_right_side();
@@ -89,7 +92,7 @@ class SettleIteration {
   PartBalance parts_;
   bool begun_ = false;               // a step has been taken
   bool closing_in_ = false;          // from a settled state, by its tensions
-  std::vector<double> from_x_;       // where the last judged step began
+  std::vector<double> from_x_;       // where the last step began that was judged or corrected
   std::vector<double> drag_across_;  // of lines, made at the first step
   DualTension held_;                 // of matrix_tension()
   int settled_steps_ = 0;            // of that state's tensions

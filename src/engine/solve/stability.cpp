@@ -212,6 +212,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     for (double& d : per_step) d /= h;
     values = stiffness;
     assembly.add_diagonal(per_step.data(), values.data());
+    ++out.factorisations;
     if (!lu.factorise(values.data())) continue;
     const LargestEigenvalue largest = largest_eigenvalue(first, [&](const double* y, double* next) {
       for (std::size_t k = 0; k < 3 * n; ++k) right[k] = per_step[k / 3] * y[k];
