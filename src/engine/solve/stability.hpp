@@ -25,7 +25,7 @@ double unstable_size(const Assembly& assembly, bool walls = true);
 struct GrowingMotion {
   bool found = false;
   int factorisations = 0;  // that the search took
-  double rate = 0.0;  // 1/s of pseudo time
+  double rate = 0.0;       // 1/s of pseudo time
   std::vector<double>
       motion;  // 3 per free node; its largest at a node of such an element is 1 long
 };
