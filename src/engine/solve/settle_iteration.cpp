@@ -266,15 +266,14 @@ void SettleIteration::move() {
   const double rotation = std::max({change.rotation, turns * change.plate_turn, change.surfacing});
   const double share = pseudo_time_.share(rotation);
   const bool found = rotation < control_.pseudo_time.found_rotation;
-  const bool judged = !closing_in_ && !found && pseudo_time_.judged();
+  const bool judged = !closing_in_ && pseudo_time_.judged();
   const bool corrected = !on_law_ && found && share == 1.0;
   if (judged || corrected) from_x_.assign(x_, x_ + dx_.size());
   take(change, share);
-  if (judged || corrected) {
-    const double correction = correction_over_step(share);
-    if (judged) pseudo_time_.judge(rotation, correction);
-    if (corrected && correction < control_.path.most_correction) correct();
-  }
+  // what is found needs no shorter steps
+  const double correction = (judged && !found) || corrected ? correction_over_step(share) : 0.0;
+  if (corrected && correction < control_.path.most_correction) correct();
+  if (judged) pseudo_time_.judge(rotation, found ? 0.0 : correction);
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
 }
