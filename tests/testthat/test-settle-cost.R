@@ -8,7 +8,8 @@ settling_steps <- data.frame(
     "midwater_trawl", "midwater_trawl", "midwater_trawl", "cage", "model_cage"),
   netting = c("bars", "bars", "bars", "cells", "bars", "cells", "bars", "bars", "bars", "bars"),
   nodes = c(500, 500, 500, 500, 500, 500, 1500, 10000, 1500, 1500),
-  steps = c(12, 6, 19, 18, 24, 18, 24, 30, 20, 32),
+  checks = c(0, 0, 0, 0, 0, 0, 0, 0, 5, 0), # factorisations of the check of stability
+  steps = c(9, 5, 23, 15, 21, 18, 31, 41, 29, 24),
   most = c(18, 9, 29, 27, 45, 36, 45, 60, 40, 60)
 )
 
@@ -18,7 +19,7 @@ test_that("shipped gears settle in few steps, with one factorisation a step", {
     report <- settle(read_gear(case$name), nodes = case$nodes, netting = case$netting)$report
     label <- paste(case$name, case$netting, case$nodes)
     expect_lte(report$iterations, case$most, label = label)
-    expect_lte(report$factorisations, report$iterations, label = label)
+    expect_lte(report$factorisations, report$iterations + case$checks, label = label)
   }
 })
 
