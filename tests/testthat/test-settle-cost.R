@@ -9,7 +9,7 @@ settling_steps <- data.frame(
   netting = c("bars", "bars", "bars", "cells", "bars", "cells", "bars", "bars", "bars", "bars"),
   nodes = c(500, 500, 500, 500, 500, 500, 1500, 10000, 1500, 1500),
   checks = c(0, 0, 0, 0, 0, 0, 0, 0, 5, 0), # factorisations of the check of stability
-  steps = c(9, 5, 23, 15, 21, 18, 31, 41, 29, 24),
+  steps = c(9, 5, 23, 15, 21, 18, 30, 38, 29, 24),
   most = c(18, 9, 29, 27, 45, 36, 45, 60, 40, 60)
 )
 

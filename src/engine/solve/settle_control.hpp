@@ -77,7 +77,7 @@ struct LawControl {
   double residual = 1e-4;  // of the path's shape, below which it is tried
   // Below this residual a start counts as near.
   double near_residual = 0.1;
-  int steps = 6;
+  int steps = 3;
   double closing = 0.3;
 };
 
