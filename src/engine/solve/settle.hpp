@@ -38,7 +38,7 @@ struct SettleReport {
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
 // The same; a settled start that is given up begins again, as one that is near where its residual was
-// small enough for a trial of the law, else as any. Steps and seconds are those of both.
+// below LawControl's near_residual, else as any. Steps and seconds are those of both.
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
                          double* x);
 

@@ -1,7 +1,8 @@
 // One Newton step after another towards equilibrium: on the interior path of dual tensions
 // (tension_path.hpp), or on the constitutive law itself where the shape is found.
 //
-// A trial of the law that fails ends where it began, and the path goes on from there.
+// A trial of the law that fails ends where it began, and the path goes on from there. On the path a step
+// that turns lines little is corrected once by its own factors.
 #pragma once
 
 #include <vector>
