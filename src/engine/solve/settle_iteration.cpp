@@ -268,11 +268,12 @@ void SettleIteration::move() {
   const bool found = rotation < control_.pseudo_time.found_rotation;
   const bool judged = !closing_in_ && pseudo_time_.judged();
   const bool corrected = !on_law_ && found && share == 1.0;
-  if (judged || corrected) from_x_.assign(x_, x_ + dx_.size());
+  const bool looks_back = corrected || (judged && !found);
+  if (looks_back) from_x_.assign(x_, x_ + dx_.size());
   take(change, share);
-  // what is found needs no shorter steps
-  const double correction = (judged && !found) || corrected ? correction_over_step(share) : 0.0;
+  const double correction = looks_back ? correction_over_step(share) : 0.0;
   if (corrected && correction < control_.path.most_correction) correct();
+  // what is found needs no shorter steps
   if (judged) pseudo_time_.judge(rotation, found ? 0.0 : correction);
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
