@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 #include <algorithm>
@@ -337,6 +338,29 @@ TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhe
 #if defined(__SSE2__) || defined(__aarch64__)
   CHECK(second(Precision::single_precision) == 0.0);
 #endif
+}
+
+TEST_CASE("a symmetric matrix is definite above its least eigenvalue, and not below it") {
+  for (const Mesh& mesh : {tube(5, 8), sheet(9, 7), tube_with_ring()}) {
+    const Problem of(mesh);
+    const Eigen::MatrixXd dense(to_eigen(of.pattern, of.values));
+    const Eigen::MatrixXd symmetric = 0.5 * (dense + dense.transpose());
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues()[0];
+    for (const Precision precision : {Precision::double_precision, Precision::single_precision}) {
+      BlockLU lu(precision);
+      of.analyse(lu);
+      for (const double off : {1e-3, -1e-3}) {
+        std::vector<double> values(of.values.size());
+        each_block(of.pattern, values, [&](int i, int j, double* block) {
+          for (int q = 0; q < 9; ++q) {
+            const int row = 3 * i + q / 3, column = 3 * j + q % 3;
+            block[q] = symmetric(row, column) + (row == column ? off - least : 0.0);
+          }
+        });
+        CHECK(lu.factorise_definite(values.data()) == (off > 0.0));
+      }
+    }
+  }
 }
 
 TEST_CASE("two threads report a singular matrix") {

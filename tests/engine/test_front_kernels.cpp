@@ -43,8 +43,9 @@ struct StoredFront {
   }
 
   Front<Real> view() {
-    return {k,    b, lower.data(), upper.data(), update.data(), reciprocal.data(), exchange.data(),
-            fresh};
+    return {
+        k,     b,    lower.data(), upper.data(), update.data(), reciprocal.data(), exchange.data(),
+        fresh, false};
   }
 };
 

@@ -38,4 +38,12 @@ inline int64_t find_block(const BlockPattern& pattern, int row, int column) {
   return std::lower_bound(begin, end, column) - pattern.column.begin();
 }
 
+// For each entry of the pattern, the entry that mirrors it.
+inline std::vector<int64_t> mirror_entries(const BlockPattern& pattern) {
+  std::vector<int64_t> mirror(pattern.column.size());
+  std::vector<int64_t> next(pattern.row_start.begin(), pattern.row_start.end() - 1);
+  for (std::size_t e = 0; e < mirror.size(); ++e) mirror[e] = next[pattern.column[e]]++;
+  return mirror;
+}
+
 }  // namespace codend

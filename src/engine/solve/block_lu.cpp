@@ -107,14 +107,18 @@ void BlockLU::measure() {
                     bytes_of(tree_.first_run) + bytes_of(tree_.run);
 }
 
-bool BlockLU::factorise(const double* values) {
+bool BlockLU::factorise(const double* values) { return factorise(values, false); }
+
+bool BlockLU::factorise_definite(const double* values) { return factorise(values, true); }
+
+bool BlockLU::factorise(const double* values, bool definite) {
   factorised_ = false;
   if (shared_ && !second_) second_ = std::make_unique<SecondThread>();
   if (const auto* factors = std::get_if<0>(&factors_)) {
-    factorised_ = (*factors)->factorise(values, second_.get(), pause_);
+    factorised_ = (*factors)->factorise(values, definite, second_.get(), pause_);
   } else {
     const FlushedDenormals flushed;
-    factorised_ = std::get<1>(factors_)->factorise(values, second_.get(), pause_);
+    factorised_ = std::get<1>(factors_)->factorise(values, definite, second_.get(), pause_);
   }
   return factorised_;
 }

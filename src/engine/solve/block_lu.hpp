@@ -54,6 +54,9 @@ class BlockLU {
   // Returns false at a pivot that is not finite, or zero, or too small to have a reciprocal; there
   // are then no factors to solve with.
   bool factorise(const double* values);
+  // The same without exchanging rows, for a symmetric matrix: false also where it is not positive
+  // definite, but for what rounding hides. Factors of values that are not symmetric may be poor.
+  bool factorise_definite(const double* values);
 
   // Ends the second thread; factorise() starts another. For objects that are kept after a call: a
   // process that is forked has a copy of the object, but no such thread to wait for.
@@ -78,6 +81,7 @@ class BlockLU {
       std::variant<std::unique_ptr<FrontFactors<double>>, std::unique_ptr<FrontFactors<float>>>;
 
   void measure();
+  bool factorise(const double* values, bool definite);
   void solve(bool transposed, const double* b, double* x) const;
 
   Precision precision_;

@@ -21,14 +21,6 @@ int64_t bytes_of(const std::vector<T>& v) {
   return static_cast<int64_t>(v.capacity() * sizeof(T));
 }
 
-// For each entry of the pattern, the entry that mirrors it.
-std::vector<int64_t> mirror_entries(const BlockPattern& pattern) {
-  std::vector<int64_t> mirror(pattern.column.size());
-  std::vector<int64_t> next(pattern.row_start.begin(), pattern.row_start.end() - 1);
-  for (size_t e = 0; e < mirror.size(); ++e) mirror[e] = next[pattern.column[e]]++;
-  return mirror;
-}
-
 // Two threads are even when one has at most this share of the subtrees' work more than the other.
 constexpr double even_enough = 0.03;
 // Multiplications and additions between two pauses: some hundredths of a second.
@@ -215,7 +207,8 @@ int64_t FrontFactors<Real>::bytes() const {
 }
 
 template <class Real>
-bool FrontFactors<Real>::factorise_front(int f, const double* values, const Sharing* sharing) {
+bool FrontFactors<Real>::factorise_front(int f, const double* values, bool definite,
+                                         const Sharing* sharing) {
   if (idle_[f]) return true;
   const FrontKernels<Real>& kernels = front_kernels<Real>();
   const Layout& at = layout_[f];
@@ -229,7 +222,8 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, const Shar
                           stack_.data.get() + at.update,
                           reciprocal_.data() + first,
                           exchange_.data() + first,
-                          tree_.first_child[f] == tree_.first_child[f + 1]};
+                          tree_.first_child[f] == tree_.first_child[f + 1],
+                          definite};
   std::fill_n(front.lower, lower_step * k, Real(0));
   std::fill_n(front.upper, upper_step * k, Real(0));
   if (!front.fresh) std::fill_n(front.update, upper_step * b, Real(0));
@@ -262,6 +256,7 @@ template <class Real>
 struct FrontFactors<Real>::Work {
   FrontFactors& factors;
   const double* values;
+  bool definite;
   const std::function<void()>& pause;
   std::atomic<bool> over{false};  // at an unsound front, or when the pause throws
   std::exception_ptr thrown = nullptr;
@@ -271,7 +266,7 @@ struct FrontFactors<Real>::Work {
   void go_through(const std::vector<int>& fronts, const Sharing* sharing, bool pauses) {
     for (const int f : fronts) {
       if (over) return;
-      if (!factors.factorise_front(f, values, sharing)) over = true;
+      if (!factors.factorise_front(f, values, definite, sharing)) over = true;
       if (pauses && pause) rest(factors.tree_.flops(f));
     }
   }
@@ -295,13 +290,13 @@ struct FrontFactors<Real>::Work {
 };
 
 template <class Real>
-bool FrontFactors<Real>::factorise(const double* values, SecondThread* second,
+bool FrontFactors<Real>::factorise(const double* values, bool definite, SecondThread* second,
                                    const std::function<void()>& pause) {
   Sharing sharing{[](void* thread, void (*job)(void*, int), void* data) {
                     static_cast<SecondThread*>(thread)->run(job, data);
                   },
                   second};
-  Work work{*this, values, pause};
+  Work work{*this, values, definite, pause};
   if (second) second->run(&Work::part, &work);
   work.go_through(shares_.above, second ? &sharing : nullptr, true);
   if (work.thrown) std::rethrow_exception(work.thrown);

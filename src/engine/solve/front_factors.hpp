@@ -33,7 +33,8 @@ class FrontFactors {
   // As BlockLU::leave_out().
   void leave_out(const std::vector<char>& nodes);
   // As BlockLU::factorise(). second: null for one thread.
-  bool factorise(const double* values, SecondThread* second, const std::function<void()>& pause);
+  bool factorise(const double* values, bool definite, SecondThread* second,
+                 const std::function<void()>& pause);
   // Right side and solution in the order of elimination, 3 per node, in place.
   void solve(Real* x) const;
   // With the transposed matrix.
@@ -73,7 +74,7 @@ class FrontFactors {
   void lay_out_factors();
   void lay_out_stack();
   void map_entries(const BlockPattern& pattern);
-  bool factorise_front(int front, const double* values, const Sharing* sharing);
+  bool factorise_front(int front, const double* values, bool definite, const Sharing* sharing);
   void gather(const Real* x, int front) const;  // its part of x into local_
   void scatter(Real* x, int front) const;       // and back
 

@@ -24,6 +24,7 @@ struct Front {
   Real* reciprocal;  // pivots: reciprocals of U's diagonal
   int* exchange;     // pivots: row that each row of A11 was swapped with in turn
   bool fresh;        // A22 is zero and `update` not set yet
+  bool definite;     // rows are not exchanged, and every pivot is to be positive
 };
 
 // Two threads for one front: run(threads, job, data) returns when job(data, 0) and job(data, 1) have.
@@ -37,7 +38,7 @@ template <class Real>
 struct FrontKernels {
   // Replaces A11 by its LU factors with partial pivoting among its own rows, A21 and A12 by the
   // remaining columns of L and rows of U, and A22 by its Schur complement. Returns false at a pivot
-  // whose reciprocal is not finite. sharing: null for one thread; the bytes are equal either way.
+  // whose reciprocal is not finite, or that is not positive where that is asked. sharing: null for one thread; the bytes are equal either way.
   bool (*factorise)(const Front<Real>& front, const Sharing* sharing);
   // Adds a child's update matrix of `boundary` rows into its parent's front.
   void (*extend_add)(const Real* child, int boundary, const Run* run, const Run* run_end,

@@ -363,12 +363,13 @@ inline bool has_finite_reciprocal(Real x) {
 }
 
 // LU of a (rows x columns, rows >= columns) with partial pivoting; exchange counts from a's row 0.
-bool factorise_columns(const Sharing* sharing, int rows, int columns, Real* a, int64_t step,
-                       int* exchange, Real* reciprocal) {
+bool factorise_columns(const Sharing* sharing, bool definite, int rows, int columns, Real* a,
+                       int64_t step, int* exchange, Real* reciprocal) {
   if (columns > 12) {
     const int half = columns / 6 * 3, rest = columns - half;
     Real* right = a + half * step;
-    if (!factorise_columns(sharing, rows, half, a, step, exchange, reciprocal)) return false;
+    if (!factorise_columns(sharing, definite, rows, half, a, step, exchange, reciprocal))
+      return false;
     for (int j = 0; j < rest; ++j)
       for (int p = 0; p < half; ++p) swap(right[p + j * step], right[exchange[p] + j * step]);
     if (sharing && 0.5 * half * half * rest > worth_sharing) {
@@ -379,8 +380,8 @@ bool factorise_columns(const Sharing* sharing, int rows, int columns, Real* a, i
     }
     subtract_product(sharing, rows - half, rest, half, a + half, step, {right, 1, step},
                      right + half, step);
-    if (!factorise_columns(sharing, rows - half, rest, right + half, step, exchange + half,
-                           reciprocal + half))
+    if (!factorise_columns(sharing, definite, rows - half, rest, right + half, step,
+                           exchange + half, reciprocal + half))
       return false;
     for (int p = half; p < columns; ++p) exchange[p] += half;
     for (int j = 0; j < half; ++j)
@@ -391,7 +392,7 @@ bool factorise_columns(const Sharing* sharing, int rows, int columns, Real* a, i
     Real* column = a + p * step;
     int largest = p;
     Real size = column[p] < 0 ? -column[p] : column[p];
-    for (int i = p + 1; i < rows; ++i) {
+    for (int i = p + 1; i < rows && !definite; ++i) {
       const Real other = column[i] < 0 ? -column[i] : column[i];
       if (other > size) {
         size = other;
@@ -399,7 +400,7 @@ bool factorise_columns(const Sharing* sharing, int rows, int columns, Real* a, i
       }
     }
     exchange[p] = largest;
-    if (!has_finite_reciprocal(column[largest])) return false;
+    if (!has_finite_reciprocal(column[largest]) || (definite && !(column[p] > 0))) return false;
     if (largest != p)
       for (int j = 0; j < columns; ++j) swap(a[p + j * step], a[largest + j * step]);
     reciprocal[p] = 1 / column[p];
@@ -426,7 +427,8 @@ void solve_outside(void* data, int half) {
 bool factorise(const Front<Real>& front, const Sharing* sharing) {
   const int k = front.pivots, b = front.boundary, rows = padded_rows(b);
   const int64_t step = k + rows;
-  if (!factorise_columns(sharing, k, k, front.lower, step, front.exchange, front.reciprocal))
+  if (!factorise_columns(sharing, front.definite, k, k, front.lower, step, front.exchange,
+                         front.reciprocal))
     return false;
   if (b == 0) return true;
   for (int p = 0; p < k; ++p)

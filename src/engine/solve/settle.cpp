@@ -78,28 +78,24 @@ class Settling {
   void follow_wake() {
     if (from_settled_ || !assembly_.has_wake()) return;
     const bool close = iteration_.nearly_balanced();
-    const bool far = control_.start == Start::near && wake_searches_ == 0 &&
+    const bool far = control_.start == Start::near && !wake_is_searched_ &&
                      far_searches_ < control_.wake.renewals && iteration_.far_on_path();
     if (!close && !far) return;
-    const bool search = far || wake_searches_ < most_wake_searches();
-    const double change = assembly_.renew_wake(search, control_.wake.tolerance);
+    const double change = assembly_.renew_wake(far || !wake_is_searched_, control_.wake.tolerance);
     ++report_.wake_renewals;
-    if (search) ++(close ? wake_searches_ : far_searches_);
+    if (close)
+      wake_is_searched_ = true;
+    else
+      ++far_searches_;
     if (change > control_.wake.tolerance) iteration_.measure();
-  }
-
-  int most_wake_searches() const {
-    const bool settled = from_settled_ && !assembly_.model().wake.empty();
-    return settled ? control_.wake.settled_searches : control_.wake.searches;
   }
 
   // Where the wake changes the shape is not yet found.
   void renew_wake() {
-    const bool search = wake_searches_ < most_wake_searches();
-    report_.wake_change = assembly_.renew_wake(search, control_.wake.tolerance);
+    report_.wake_change = assembly_.renew_wake(!wake_is_searched_, control_.wake.tolerance);
+    wake_is_searched_ = true;
     ++report_.wake_renewals;
     ++wake_rounds_;
-    if (search) ++wake_searches_;
     if (report_.wake_change <= control_.wake.tolerance) return;
     report_.converged = false;
     iteration_.measure();
@@ -137,9 +133,10 @@ class Settling {
   const SettleControl& control_;
   SettleReport& report_;
   double* x_;
-  int steps_ = 0;                             // from the last settled shape
-  int far_searches_ = 0, wake_searches_ = 0;  // of wakes, far from balance and near it or in it
-  int wake_rounds_ = 0;                       // renewals of wakes in balance
+  int steps_ = 0;                  // from the last settled shape
+  int far_searches_ = 0;           // of wakes, far from balance
+  bool wake_is_searched_ = false;  // near balance or in it
+  int wake_rounds_ = 0;            // renewals of wakes in balance
   const bool from_settled_;
   // The last settled shape, while steps go on from there under other loads or wakes.
   bool closing_in_;

@@ -96,16 +96,14 @@ struct SettledControl {
 };
 
 // Of wakes. They are renewed on every settled shape until no point's share of the free flow's speed
-// changes by more than `tolerance`; after so many searches the netting upstream of every point stays the
-// same, as crossings that come and go would change for ever. From a settled state what comes and goes has
-// done so: one search is enough.
+// changes by more than `tolerance`. The netting upstream of points is looked for near balance once: on
+// the border of a wake points would come and go for ever, each time for as many steps as a start takes.
 struct WakeControl {
   double tolerance = wake_tolerance;
-  int renewals = 20, searches = 4, settled_searches = 1;
+  int renewals = 20;
   // From other than a settled state they are followed before: where the shape is found and the residual
   // below `residual` of the law; of a shape that is carried over below its near_residual, and from the
-  // start on as long as the path's mu is at least this: later a point that comes into a wake costs as many
-  // steps as a start.
+  // start on as long as the path's mu is at least this, looking for netting upstream each time.
   double far_parameter = 1e-6;
 };
 

@@ -8,10 +8,12 @@ namespace codend {
 namespace {
 
 // Pseudo time steps (s): the longest tells of motions that grow at 0.002 /s and faster; shorter ones,
-// by tenths, down to about the time of what drives them.
+// by tenths, down to about the time of what drives them, as long as faster motions may grow.
 constexpr double longest_step = 10.0, shortest_step = 1e-9;
 // Motions that the largest eigenvalue is sought among, and how many more each time that these do not do.
-constexpr int most_motions = 40, more_motions = 8;
+constexpr int most_motions = 40, more_motions = 4;
+// A search at h finds motions that grow at up to this over h (at 2 over h they would be lost).
+constexpr double searched_by_step = 1.5;
 // An eigenvector is found when applying the matrix leaves it but for this share.
 constexpr double tolerance = 0.005;
 // Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
@@ -143,6 +145,26 @@ LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply app
   return out;
 }
 
+// Whether motions are known to grow no faster than at a rate (1/s): by the symmetric part of K + rate D.
+bool none_grows_faster(const Assembly& assembly, const std::vector<double>& stiffness,
+                       const std::vector<double>& damping, double rate, BlockLU& lu,
+                       std::vector<double>& values) {
+  const std::vector<int64_t> mirror = mirror_entries(assembly.pattern());
+  for (std::size_t e = 0; e < mirror.size(); ++e) {
+    const double* block = &stiffness[9 * e];
+    const double* mirrored = &stiffness[9 * static_cast<std::size_t>(mirror[e])];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        values[9 * e + 3 * i + j] = 0.5 * (block[3 * i + j] + mirrored[3 * j + i]);
+      }
+    }
+  }
+  std::vector<double> shift(damping);
+  for (double& d : shift) d *= rate;
+  assembly.add_diagonal(shift.data(), values.data());
+  return lu.factorise_definite(values.data());
+}
+
 }  // namespace
 
 double unstable_size(const Assembly& assembly, bool walls) {
@@ -192,8 +214,8 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   GrowingMotion out;
   if (tried.empty()) return out;
 
-  std::vector<double> stiffness(9 * assembly.pattern().column.size()), values, damping(n),
-      right(3 * n);
+  std::vector<double> stiffness(9 * assembly.pattern().column.size()), values(stiffness.size()),
+      damping(n), right(3 * n);
   assembly.jacobian({1.0, 0.0}, stiffness.data());
   assembly.pseudo_damping(damping.data());
   double stiffest = wall.stiffness;
@@ -207,7 +229,10 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     shortest = std::min(shortest, damping[static_cast<std::size_t>(i)] / stiffest);
   }
   shortest = std::max(shortest, shortest_step);
-  for (double h = longest_step; h > 0.3 * shortest; h *= 0.1) {
+  double searched = (1.0 - 1.0 / clear_growth) / longest_step;  // rates up to this, 1/s
+  for (double h = longest_step; h > 0.3 * shortest; searched = searched_by_step / h, h *= 0.1) {
+    ++out.factorisations;
+    if (none_grows_faster(assembly, stiffness, damping, searched, lu, values)) break;
     std::vector<double> per_step(damping);
     for (double& d : per_step) d /= h;
     values = stiffness;

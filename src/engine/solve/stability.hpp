@@ -9,6 +9,9 @@
 // 1 in size while h r < 2; a motion that dies has one within 1. The largest is sought at a few
 // h. Where D is not the real damping the rate is not the real one either, but a motion that
 // neither grows nor dies does so with any: what is told is static stability, not flutter.
+//
+// The rate of no motion is above s where the symmetric part of K + s D is positive definite: y'Dy falls
+// in all of them then. One factorisation tells, and shorter h need no search.
 #pragma once
 
 #include <vector>
