@@ -6,8 +6,9 @@
 #'
 #' At a settled shape `x` the net forces `F(x, p)` vanish, so that a small change of a field `p`
 #' moves it by `J dx/dp = dF/dp` with `J = -dF/dx` (implicit function theorem). Values of the field
-#' 1e-4 smaller and larger are compared, and steps of the same factors go on until both shapes are
-#' in balance to rounding, their wakes too; where netting is all but slack the matrix is made again.
+#' 1e-4 smaller and larger are compared (1e-5 or 1e-6, where twines go slack on the way), and steps
+#' of the same factors go on until both shapes are in balance to rounding, their wakes too, of the
+#' netting that is upstream at the state; where none of these are found the matrix is made again.
 #' They agree with differences of settled shapes to 1e-6 where these are smooth.
 #'
 #' A gear's answer may have kinks: netting goes slack, ropes come to lie on the sea bed, a board's
@@ -59,36 +60,37 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   of <- chosen_some(of, names(base$values))
   fields <- slope_fields(state$gear, to)
   work <- tangent_work(state, base)
-  rows <- lapply(fields, function(field) {
-    found <- lapply(field_slopes(work, field, secants), `[`, of)
-    unit <- work$units[of]
-    data.frame(
-      measure = of, field = field$name, value = field$value, unit = field$unit,
-      slope = found$slope / field$value,
-      slope_unit = paste(unit, "per", if (nzchar(field$unit)) field$unit else "1"),
-      elasticity = ifelse(work$values[of] == 0, NA_real_, found$slope / work$values[of]),
-      secant_below = found$below / field$value, secant_above = found$above / field$value,
-      smooth = found$smooth, row.names = NULL
-    )
-  })
+  found <- lapply(fields, function(field) lapply(field_slopes(work, field, secants), `[`, of))
+  each <- function(name, as) rep(vapply(fields, `[[`, as, name), each = length(of))
+  all <- function(name) unlist(lapply(found, `[[`, name), use.names = FALSE)
+  value <- each("value", 0)
+  unit <- each("unit", "")
+  change <- all("slope")
+  values <- unname(work$values[of])
   structure(
-    do.call(rbind, rows), class = c("codend_sensitivities", "data.frame"),
+    data.frame(
+      measure = of, field = each("name", ""), value = value, unit = unit, slope = change / value,
+      slope_unit = paste(work$units[of], "per", ifelse(nzchar(unit), unit, "1")),
+      elasticity = change / ifelse(values == 0, NA_real_, values),
+      secant_below = all("below") / value, secant_above = all("above") / value,
+      smooth = all("smooth")
+    ),
+    class = c("codend_sensitivities", "data.frame"),
     gear_name = state$gear$plan$name, conditions = state_conditions(state),
     measure_unit = work$units, factorisations = work$cost$factorisations
   )
 }
 
 # Shares of a field's value: of the tangent, as large as it holds (tensions of stiff ropes are
-# differences of positions, which round), and of secants.
-tangent_shares <- c(1e-4, 1e-5)
+# differences of positions, which round), with how often the matrix is made again there; of secants.
+tangent_shares <- c(1e-4, 1e-5, 1e-6, 1e-5)
+tangent_renewals <- c(0L, 0L, 0L, 3L)
 # By which the engine's numbers are found to change with a field.
 number_share <- 1e-6
 secant_share <- 0.01
-# Steps of one matrix at most, how often it is made again, and the net force over the largest
-# tension that they end at.
+# Steps of one matrix at most, and the net force over the largest tension that they end at.
 chord_steps <- 20L
-most_renewals <- 3L
-chord_tolerance <- 1e-10
+chord_tolerance <- 1e-11
 # Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
 # the secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005
@@ -283,9 +285,8 @@ little_share <- function(field) if (is.null(field$multiplier)) number_share else
 # Changes of measures, without jumps, to the gears in balance with a field changed by a share and by
 # as much the other way, list(up, down), or NULL. numbers: with its little_share(), `little`; reach:
 # the share over which what counts elements changes.
-near_changes <- function(work, numbers, little, share, reach = secant_share,
-                         tolerance = chord_tolerance, steps = chord_steps,
-                         renewals = most_renewals, closes_in = TRUE) {
+near_changes <- function(work, numbers, little, share, renewals = 0L, reach = secant_share,
+                         tolerance = chord_tolerance, steps = chord_steps, closes_in = TRUE) {
   found <- engine_near_changes(work$near, numbers, share / little, tolerance, steps, renewals,
     closes_in, reach / share)
   work$cost$factorisations <- work$cost$factorisations + found$factorisations
@@ -328,8 +329,9 @@ tangent_slopes <- function(work, field) {
   little <- little_share(field)
   numbers <- field_numbers(work, field, little)
   if (is.null(numbers)) return(NULL)
-  for (share in tangent_shares) {
-    sides <- near_changes(work, numbers, little, share)
+  for (k in seq_along(tangent_shares)) {
+    share <- tangent_shares[k]
+    sides <- near_changes(work, numbers, little, share, tangent_renewals[k])
     if (!is.null(sides)) break
   }
   if (is.null(sides)) return(NULL)
@@ -370,6 +372,7 @@ settled_change <- function(work, field, share) {
 # Measures of a gear settled from the state on its lattice, or NULL.
 settled_values <- function(work, gear) {
   si <- gear_si(gear)
+  if (!is.null(odd_parts(si, work$state))) return(NULL)
   shape <- state_shape(work$state)
   found <- settle_numbers(
     si, work$nodes, work$netting, shape, FALSE, function(iteration, residual) NULL

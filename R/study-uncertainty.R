@@ -172,7 +172,7 @@ quick_slopes <- function(work, field, share) {
   numbers <- if (!is.null(work$near)) field_numbers(work, field, little)
   if (is.null(numbers)) return(NULL)
   if (identical(numbers, work$numbers)) return(list(slope = 0 * work$values))
-  sides <- near_changes(work, numbers, little, quick_share, share, quick_tolerance, quick_steps, 0L,
+  sides <- near_changes(work, numbers, little, quick_share, 0L, share, quick_tolerance, quick_steps,
     closes_in = FALSE)
   if (is.null(sides)) return(NULL)
   slope <- (sides$up - sides$down) / (2 * quick_share)

@@ -84,3 +84,28 @@ TEST_CASE("only points behind a sheet are in its wake") {
   CHECK(wake.share()[0] == doctest::Approx(r));
   CHECK(wake.share()[4] == 1.0);
 }
+
+TEST_CASE("a wake that keeps to its sheets follows their change alone") {
+  WakeSheets sheets;
+  std::vector<double> x;
+  add_sheet(0.0, 0.8, sheets, x);  // Sn 0.2
+  x.insert(x.end(), {1.0, 0.2, 0.3});
+  const Vector flow(1.0, 0.0, 0.0);
+  Wake wake(sheets, 5), other(sheets, 5);
+  // not searched before: off from what its sheets make of it
+  wake.set_share({1.0, 1.0, 1.0, 1.0, 0.9});
+  wake.keep(x.data(), flow);
+  CHECK(wake.renew(x.data(), flow, true, 0.0) == doctest::Approx(0.0));
+  CHECK(wake.share()[4] == 0.9);
+  // the sheet becomes a tenth wider, so less solid, and the point leaves its wake
+  std::vector<double> moved = x;
+  for (int k = 0; k < 4; ++k) moved[3 * k + 1] *= 1.1;
+  moved[13] = 5.0;
+  const double change =
+      speed_reduction(WakeLaw::loland, 0.2 / 1.1, 1.0) - speed_reduction(WakeLaw::loland, 0.2, 1.0);
+  other.keep_to(wake);
+  for (Wake* one : {&wake, &other}) {
+    one->renew(moved.data(), flow, true, 0.0);
+    CHECK(one->share()[4] == doctest::Approx(0.9 + change).epsilon(1e-12));
+  }
+}

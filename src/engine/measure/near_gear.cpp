@@ -109,11 +109,10 @@ NearGear::NearGear(const GearNumbers& numbers, const Counts& counts,
   own_ = measured_gear(numbers_, numbers_.gear, fineness, as_it_is(position_));
   frame_ = measure_frame(numbers_.gear, own_.lattice);
   own_.model.wake = wake_;
-  {
-    Assembly assembly(own_.model);
-    tangent_ = std::make_unique<Tangent>(assembly, own_.lattice.start.data());
-    assembly.strain(strain_);
-  }
+  assembly_ = std::make_unique<Assembly>(own_.model);
+  tangent_ = std::make_unique<Tangent>(*assembly_, own_.lattice.start.data());
+  assembly_->strain(strain_);
+  if (assembly_->has_wake()) assembly_->keep_wake();
   if (!tangent_->regular()) return;
   NearControl control;
   control.renewals = 0;
@@ -153,6 +152,7 @@ NearMeasures NearGear::settled(const GearNumbers& numbers, SettleControl control
     for (double& strain : control.strain) strain *= speed / own * (speed / own);
   }
   Assembly assembly(other.model);
+  assembly.keep_wake_of(*assembly_);
   std::vector<double> x = other.lattice.start;
   const std::vector<double> still(x.size(), 0.0);
   const SettleReport report = settle(assembly, control, still.data(), x.data());
@@ -219,6 +219,7 @@ bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control, bo
                         std::vector<double>& x, MeasuredShape<double>& shape,
                         int& factorisations) const {
   Assembly assembly(gear.model);
+  assembly.keep_wake_of(*assembly_);
   const int enough = control.closes_in ? std::numeric_limits<int>::max() : stepped ? 0 : 1;
   ChordReport report =
       tangent_->balance(assembly, control.tolerance, control.steps, x.data(), enough);

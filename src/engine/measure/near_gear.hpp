@@ -69,6 +69,7 @@ class NearGear {
   std::vector<double> position_;  // of points; nodes in balance
   std::vector<double> strain_;    // of every line
   MeasuredGear own_;
+  std::unique_ptr<Assembly> assembly_;  // of it, with the netting upstream that all others keep to
   std::unique_ptr<Tangent> tangent_;
   mutable std::unique_ptr<Tangent> renewed_;  // where steps of the first do not close in
   bool regular_ = false;

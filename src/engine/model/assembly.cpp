@@ -138,6 +138,16 @@ double Assembly::renew_wake(bool search, double tolerance) {
   return wake_.renew(position_.data(), flow, search, tolerance);
 }
 
+void Assembly::keep_wake() {
+  const Vector flow = flow_past_wake_sheets();
+  if (flow.norm() > 0.0) wake_.keep(position_.data(), flow);
+}
+
+void Assembly::keep_wake_of(const Assembly& other) {
+  flow_known_ = false;
+  wake_.keep_to(other.wake_);
+}
+
 void Assembly::renew_wake_over(double time) {
   const Vector flow = flow_past_wake_sheets();
   const double speed = flow.norm();

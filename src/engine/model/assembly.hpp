@@ -66,7 +66,11 @@ class Assembly {
   // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
   // Derivatives take the shares as given: the caller repeats until they no longer change.
   double renew_wake(bool search, double tolerance);
-  // The same while the gear moves: over a time (s) the shares go towards those of a new search as
+  // Keeps the wake to the sheets upstream of the gear's last positions, or to those and from where
+  // another assembly of like sheets does (Wake::keep()).
+  void keep_wake();
+  void keep_wake_of(const Assembly& other);
+  // Renews it while the gear moves: over a time (s) the shares go towards those of a new search as
   // fast as water takes to pass half of the wake sheets.
   void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }

@@ -140,7 +140,7 @@ void Wake::search(const double* position, const Vector& flow) {
 
 double Wake::renew(const double* position, const Vector& flow, bool search_anew, double tolerance,
                    double follow) {
-  if (search_anew || start_.empty()) search(position, flow);
+  if (start_.empty() || (search_anew && apart_.empty())) search(position, flow);
   const Vector f = flow.normalized();
   std::vector<double> r(static_cast<std::size_t>(sheets_.count()));
   for (int e = 0; e < sheets_.count(); ++e) {
@@ -158,6 +158,7 @@ double Wake::renew(const double* position, const Vector& flow, bool search_anew,
   std::vector<double> found(share_.size(), 1.0);
   for (std::size_t p = 0; p < found.size(); ++p) {
     for (int k = start_[p]; k < start_[p + 1]; ++k) found[p] *= r[crossed_[k]];
+    if (!apart_.empty()) found[p] += apart_[p];
     change = std::max(change, std::abs(found[p] - share_[p]));
   }
   if (change <= tolerance) return change;
@@ -168,6 +169,22 @@ double Wake::renew(const double* position, const Vector& flow, bool search_anew,
   }
   share_ = std::move(found);
   return change;
+}
+
+void Wake::keep(const double* position, const Vector& flow) {
+  const std::vector<double> kept = share_;
+  apart_.clear();
+  renew(position, flow, true, -1.0);
+  for (std::size_t p = 0; p < kept.size(); ++p) apart_.push_back(kept[p] - share_[p]);
+  share_ = kept;
+}
+
+void Wake::keep_to(const Wake& other) {
+  if (sheets_.count() != other.sheets_.count() || share_.size() != other.share_.size()) return;
+  share_ = other.share_;
+  apart_ = other.apart_;
+  start_ = other.start_;
+  crossed_ = other.crossed_;
 }
 
 }  // namespace codend

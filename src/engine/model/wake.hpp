@@ -56,11 +56,17 @@ class Wake {
   // much they were off at most.
   double renew(const double* position, const Vector& flow, bool search, double tolerance,
                double follow = 1.0);
+  // Keeps to the sheets that lie upstream at these positions: no search finds others from now on, and
+  // shares change from what they are by as much as these sheets' do. What differences between shapes
+  // need. The second: to those, and from where, another wake of like sheets does.
+  void keep(const double* position, const Vector& flow);
+  void keep_to(const Wake& other);
 
  private:
   void search(const double* position, const Vector& flow);
   const WakeSheets& sheets_;
   std::vector<double> share_;
+  std::vector<double> apart_;         // of shares from those of the sheets that are kept to
   std::vector<int> start_, crossed_;  // sheets upstream of point p: crossed_[start_[p] ...)
 };
 

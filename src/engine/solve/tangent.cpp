@@ -73,8 +73,7 @@ ChordReport Tangent::balance(Assembly& other, double tolerance, int steps, doubl
   for (;; ++report.steps) {
     other.move_to(x, rest.data());
     if (other.has_wake()) {
-      // The same sheets upstream throughout: what differences between two shapes need.
-      report.wake_change = other.renew_wake(report.steps == 0, 0.0);
+      report.wake_change = other.renew_wake(false, 0.0);
       other.move_to(x, rest.data());
     }
     other.residual(force.data());

@@ -51,7 +51,8 @@ class Tangent {
   // from x, 3 per node, at rest. They end when they no longer close in: converged where net forces
   // are then within `tolerance` of the largest tension, or a hundred times that where steps are down
   // to the rounding of positions, and not after `steps`, or where steps grow. From `enough` steps on
-  // the tolerance alone ends them. The assembly is then at x.
+  // the tolerance alone ends them. The assembly is then at x. Its wake keeps to the sheets upstream that
+  // it has.
   ChordReport balance(Assembly& other, double tolerance, int steps, double* x,
                       int enough = std::numeric_limits<int>::max()) const;
 
