@@ -147,6 +147,24 @@ void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int en
   }
 }
 
+void change_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
+                 double* strain) {
+  for (int c = begin; c < end; ++c) {
+    const std::size_t e = static_cast<std::size_t>(c);
+    if (!bows(cells, e)) continue;
+    const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
+    Cell cell = cell_of(cells, a, e, line);
+    double unbowed[2];  // lengths after the change at the bow before it
+    for (int f = 0; f < 2; ++f) {
+      const double now = cell.rest * (1.0 + a.strain[line[f]]);
+      unbowed[f] = std::max(now + cell.rest * strain[line[f]], 0.0);
+      cell.straight[f] = std::max(cell.straight[f] + unbowed[f] * unbowed[f] - now * now, 0.0);
+    }
+    balance_by_law(a, line, cell);
+    for (int f = 0; f < 2; ++f) strain[line[f]] += (cell.length[f] - unbowed[f]) / cell.rest;
+  }
+}
+
 void add_bow_strains(const NettingCells& cells, const LineArrays& a, int begin, int end,
                      const BowRequest& request, double* strain) {
   for (int e = begin; e < end; ++e) {

@@ -33,6 +33,12 @@ void set_bows(const NettingCells& cells, const LineArrays& lines, int begin, int
 void lead_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end,
                const double* tension, double* bow);
 
+// Adds to changes of strain (per line, at the bows that there are) those by bows that go to where the law
+// balances them after the change: not to first order, since bows of limp twines turn over at next to no
+// change.
+void change_bows(const NettingCells& cells, const LineArrays& lines, int begin, int end,
+                 double* strain);
+
 // Per line: tension and modulus (N), strain by which the tension misses the law (or null), change of
 // strain at given bows (or null).
 struct BowRequest {

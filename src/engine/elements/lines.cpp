@@ -314,6 +314,21 @@ void Lines::share_bows(const double* tension, const double* modulus, const doubl
   }
 }
 
+void Lines::add_bow_tensions(const double* tension, const double* modulus, const double* bow,
+                             double* sum) const {
+  for (int k = 0; k < count_; ++k) {
+    if (bow[k] == 0.0) continue;
+    sum[k] +=
+        (modulus[k] - tension[k] * arrays_.inverse_length[k] / arrays_.inverse_rest[k]) * bow[k];
+  }
+}
+
+void Lines::change_bows(double* strain) const {
+  for (const auto [begin, end] : moving_cells_) {
+    codend::change_bows(cells_, arrays_, begin, end, strain);
+  }
+}
+
 void Lines::add_force(const double* tension, double* force) const {
   bars_.add_force(arrays_, tension, force);
   for (const CellRange& range : moving_cells_) {

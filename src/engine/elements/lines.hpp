@@ -54,6 +54,11 @@ class Lines {
   // Changes of strain that bows add, as they follow (bows.hpp).
   void share_bows(const double* tension, const double* modulus, const double* mismatch,
                   const double* change, double* strain) const;
+  // Adds to tensions (N) what changes of strain by bows make of them.
+  void add_bow_tensions(const double* tension, const double* modulus, const double* bow,
+                        double* sum) const;
+  // Adds to changes of strain what bows add that follow the law to their end (bows.hpp).
+  void change_bows(double* strain) const;
 
   // Adds drag, and pull by given tensions of one line each (N), to force (N, 3 per point).
   void add_force(const double* tension, double* force) const;

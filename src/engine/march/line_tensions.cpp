@@ -4,7 +4,7 @@
 
 namespace codend {
 
-LineTensions::LineTensions(const Assembly& assembly)
+LineTensions::LineTensions(Assembly& assembly)
     : assembly_(assembly),
       lines_(static_cast<std::size_t>(assembly.model().lines())),
       taut_(lines_),
@@ -12,6 +12,8 @@ LineTensions::LineTensions(const Assembly& assembly)
   const std::size_t all = static_cast<std::size_t>(assembly.model().constraints());
   right_.tension.resize(all);
   right_.modulus.resize(all);
+  strain_change_.resize(all);
+  mismatch_.resize(lines_);
   current_ = right_;
 }
 
@@ -31,6 +33,7 @@ void LineTensions::tighten() {
 }
 
 void LineTensions::prepare() {
+  assembly_.bow_to(current_);
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
     double tension = lines.stiffness[k] * lines.strain[k];
@@ -49,7 +52,11 @@ void LineTensions::prepare() {
     linear_[k] = tension;
     right_.tension[k] = taut_[k] ? tension : 0.0;
     current_.modulus[k] = taut_[k] ? lines.stiffness[k] : 0.0;
+    mismatch_[k] = taut_[k] ? (tension - current_.tension[k]) / lines.stiffness[k] : 0.0;
   }
+  std::fill(strain_change_.begin(), strain_change_.end(), 0.0);
+  assembly_.share_bows(current_, mismatch_.data(), nullptr, strain_change_.data());
+  assembly_.add_bow_tensions(current_, strain_change_.data(), right_.tension.data());
   const GroundContacts& contacts = assembly_.model().contacts;
   for (int e = 0; e < contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
@@ -72,10 +79,11 @@ double LineTensions::change(std::size_t k, double strain_change, double p) const
 }
 
 void LineTensions::advance(const std::vector<double>& strain_change, double p, double share) {
-  const std::vector<double>& whole = with_bows(strain_change);
+  strain_change_ = strain_change;
+  assembly_.change_bows(strain_change_.data());
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
-    const double tension = linear_[k] + change(k, whole[k], p);
+    const double tension = linear_[k] + change(k, strain_change_[k], p);
     const double least = lines.least_tension[k];
     taut_[k] = tension > least;
     current_.tension[k] += share * (std::max(tension, least) - current_.tension[k]);

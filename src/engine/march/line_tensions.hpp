@@ -11,7 +11,9 @@
 //   after dx    l_k = EA (s + ds_k) + c (ds/dt + p ds_k), taut_k = l_k > 0,
 //               T_k += share (max(l_k, 0) - T_k)
 //
-// Where both agree with the law the step is found. Contacts with the ground keep their own law.
+// Bows of cells' twines are led by these tensions too, and ds_k is that of bows that follow the law to
+// where it balances them after dx (elements/bows.hpp): linear bows of twines that are about to go slack
+// swing between two states for ever. Where both agree with the law the step is found. Contacts with the ground keep their own law.
 #pragma once
 
 #include <vector>
@@ -22,14 +24,15 @@ namespace codend {
 
 class LineTensions {
  public:
-  explicit LineTensions(const Assembly& assembly);
+  explicit LineTensions(Assembly& assembly);
 
   // All of the following speak of the assembly's last positions.
   // Starts from the law's tensions.
   void begin();
   // Lines that the law has taut are taut.
   void tighten();
-  // Before a step of Newton's method: the tensions of its right side and those of its matrix.
+  // Before a step of Newton's method: the tensions of its right side and those of its matrix, at
+  // bows that these lead until the assembly moves.
   void prepare();
   const DualTension& right() const { return right_; }
   const DualTension& current() const { return current_; }
@@ -45,11 +48,11 @@ class LineTensions {
   double change(std::size_t k, double strain_change, double p) const;
 
  private:
-  const Assembly& assembly_;
+  Assembly& assembly_;
   std::size_t lines_;
   std::vector<char> taut_;
   DualTension right_, current_;
-  std::vector<double> strain_change_;
+  std::vector<double> strain_change_, mismatch_;
   std::vector<double> linear_;  // tensions of the law before it is clipped, N
 };
 

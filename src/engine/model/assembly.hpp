@@ -83,6 +83,12 @@ class Assembly {
                   double* strain) const {
     lines_.share_bows(dual.tension.data(), dual.modulus.data(), mismatch, change, strain);
   }
+  // Adds to `sum` (N, per line) what these make of tensions.
+  void add_bow_tensions(const DualTension& dual, const double* bow, double* sum) const {
+    lines_.add_bow_tensions(dual.tension.data(), dual.modulus.data(), bow, sum);
+  }
+  // Adds to changes of strain what bows add that follow the law (Lines::change_bows()).
+  void change_bows(double* strain) const { lines_.change_bows(strain); }
 
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // dual: tensions that are unknowns of a solver, instead of the law's.

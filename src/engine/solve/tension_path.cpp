@@ -124,13 +124,7 @@ void TensionPath::share_bows(const Assembly& assembly, const double* change) {
 // To tensions of the right side what bows make of the strains that are missed.
 void TensionPath::add_bows(const Assembly& assembly) {
   share_bows(assembly, nullptr);
-  const LineArrays& lines = assembly.lines();
-  for (std::size_t k = 0; k < lines_; ++k) {
-    if (bow_[k] == 0.0) continue;
-    predicted_.tension[k] += (current_.modulus[k] - current_.tension[k] * lines.inverse_length[k] /
-                                                        lines.inverse_rest[k]) *
-                             bow_[k];
-  }
+  assembly.add_bow_tensions(current_, bow_.data(), predicted_.tension.data());
 }
 
 void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
