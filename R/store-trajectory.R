@@ -115,7 +115,7 @@ resume_numbers <- c("steps", "caution", "step")
 resume_control <- c("length", "since", "speed", "target_speed", "near_limit")
 report_numbers <- c(
   "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
-  "worst_node", "time"
+  "worst_node", "time", "factorisations"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
@@ -315,9 +315,10 @@ read_resume <- function(get, n) {
   done$anchor <- as.double(all("anchor"))
   report <- NULL
   if (one("report_end") > 0L) {
+    numbers <- all("report")  # of earlier versions without the last
     report <- c(
       list(end = report_ends[one("report_end")]),
-      as.list(setNames(all("report"), report_numbers))
+      as.list(setNames(numbers, report_numbers[seq_along(numbers)]))
     )
     report$worst_node <- as.integer(report$worst_node)
   }

@@ -17,7 +17,8 @@
 #'   supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
 #' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
-#'   `unbalanced` (repeated for their energy), `iterations`, `shortest_step` and `longest_step` (s);
+#'   `unbalanced` (repeated for their energy), `iterations`, `factorisations`, `shortest_step`
+#'   and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].

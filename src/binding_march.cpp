@@ -159,7 +159,8 @@ double potential_of(const codend::Model& model, double error) {
            "unbalanced"_nm = static_cast<double>(r.unbalanced),
            "iterations"_nm = static_cast<double>(r.iterations),
            "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time});
+           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time,
+           "factorisations"_nm = static_cast<double>(scheme->factorisations())});
     };
     auto frame = [&] {
       const codend::Motion& now = march.now();

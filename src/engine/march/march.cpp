@@ -12,6 +12,8 @@ constexpr double share_of_limit = 0.9;
 // BDF2 is stable while steps grow by less than 2.4 (Grigorieff 1983).
 // Less than that, since errors grow faster than their order says where slack lines come taut.
 constexpr double most_growth = 1.5;
+// After the first step, whose length is that of no motion: its error tells how long the next may be.
+constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
 // Steps that could grow by less keep their length: a change costs accuracy of its own.
 constexpr double least_growth = 1.2;
@@ -160,7 +162,7 @@ MarchReport::End March::to(double time) {
     if (adaptive) {
       const double order = past_.steps == 0 ? 1.0 : stepper_.order();
       factor = std::clamp(0.9 * std::pow(std::max(outcome.error, 1e-12), -1.0 / (order + 1.0)),
-                          most_shrinking, most_growth);
+                          most_shrinking, past_.steps == 0 ? first_growth : most_growth);
     }
     std::swap(past_.before, past_.now);
     std::swap(past_.now, next_);

@@ -45,6 +45,9 @@ class Stepper {
   // march that is taken up here.
   virtual void forget() {}
 
+  // Of matrices so far.
+  virtual long long factorisations() const { return 0; }
+
   // Order of accuracy, with which the error of a step is known to grow: h^(order + 1).
   virtual int order() const = 0;
   // The longest step (s) that is surely stable, or found, at such rates.

@@ -10,7 +10,7 @@ namespace {
 constexpr int most_fresh = 10, most_kept = 8;
 // Multiplications and additions of a factorisation that take as long as an iteration does per number of
 // the factors: dense products against what passes through memory.
-constexpr double flops_per_entry = 20.0;
+constexpr double flops_per_entry = 40.0;
 // Old factors that did not do are left for so many matrices, and for twice as many each time.
 constexpr int most_skipped = 16;
 
