@@ -201,7 +201,7 @@ template <class Real>
 int64_t FrontFactors<Real>::bytes() const {
   return bytes_of(layout_) + bytes_of(entry_) + bytes_of(exchange_) + bytes_of(reciprocal_) +
          bytes_of(idle_) + bytes_of(local_) +
-         static_cast<int64_t>(sizeof(Real)) * (factor_.size + stack_.size) +
+         static_cast<int64_t>(sizeof(Real)) * (factor_.size() + stack_.size()) +
          bytes_of(shares_.above) + bytes_of(shares_.subtrees[0]) + bytes_of(shares_.subtrees[1]) +
          bytes_of(shares_.handed_over);
 }
@@ -217,9 +217,9 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, bool defin
   const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
   const Front<Real> front{k,
                           b,
-                          factor_.data.get() + at.lower,
-                          factor_.data.get() + at.upper,
-                          stack_.data.get() + at.update,
+                          factor_.get() + at.lower,
+                          factor_.get() + at.upper,
+                          stack_.get() + at.update,
                           reciprocal_.data() + first,
                           exchange_.data() + first,
                           tree_.first_child[f] == tree_.first_child[f + 1],
@@ -232,20 +232,20 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, bool defin
       f + 1 < tree_.fronts() ? layout_[f + 1].first_entry : static_cast<int64_t>(entry_.size());
   for (int64_t e = at.first_entry; e < at.first_upper_entry; ++e) {
     const double* block = values + entry_[e].from;
-    Real* to = factor_.data.get() + entry_[e].to;
+    Real* to = factor_.get() + entry_[e].to;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) to[i + j * lower_step] = static_cast<Real>(block[3 * i + j]);
   }
   for (int64_t e = at.first_upper_entry; e < end; ++e) {
     const double* block = values + entry_[e].from;
-    Real* to = factor_.data.get() + entry_[e].to;
+    Real* to = factor_.get() + entry_[e].to;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) to[j + i * upper_step] = static_cast<Real>(block[3 * i + j]);
   }
   for (int c = tree_.first_child[f]; c < tree_.first_child[f + 1]; ++c) {
     const int child = tree_.child[c];
     if (idle_[child]) continue;
-    kernels.extend_add(stack_.data.get() + layout_[child].update, 3 * tree_.boundary_nodes(child),
+    kernels.extend_add(stack_.get() + layout_[child].update, 3 * tree_.boundary_nodes(child),
                        tree_.run.data() + tree_.first_run[child],
                        tree_.run.data() + tree_.first_run[child + 1], front);
   }
@@ -310,7 +310,7 @@ void FrontFactors<Real>::solve(Real* x) const {
     if (idle_[f]) continue;
     gather(x, f);
     kernels.forward(
-        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
+        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.get() + layout_[f].lower,
         exchange_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
     scatter(x, f);
   }
@@ -319,7 +319,7 @@ void FrontFactors<Real>::solve(Real* x) const {
     const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
     kernels.backward(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
-                     factor_.data.get() + layout_[f].lower, factor_.data.get() + layout_[f].upper,
+                     factor_.get() + layout_[f].lower, factor_.get() + layout_[f].upper,
                      reciprocal_.data() + first, local_.data());
     std::copy_n(local_.data(), 3 * tree_.pivots(f), x + first);
   }
@@ -331,10 +331,10 @@ void FrontFactors<Real>::solve_transposed(Real* x) const {
   for (int f = 0; f < tree_.fronts(); ++f) {
     if (idle_[f]) continue;
     gather(x, f);
-    kernels.forward_transposed(
-        3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f), factor_.data.get() + layout_[f].lower,
-        factor_.data.get() + layout_[f].upper,
-        reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]), local_.data());
+    kernels.forward_transposed(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
+                               factor_.get() + layout_[f].lower, factor_.get() + layout_[f].upper,
+                               reciprocal_.data() + 3 * static_cast<int64_t>(tree_.first_pivot[f]),
+                               local_.data());
     scatter(x, f);
   }
   for (int f = tree_.fronts() - 1; f >= 0; --f) {
@@ -342,7 +342,7 @@ void FrontFactors<Real>::solve_transposed(Real* x) const {
     const int64_t first = 3 * static_cast<int64_t>(tree_.first_pivot[f]);
     gather(x, f);
     kernels.backward_transposed(3 * tree_.pivots(f), 3 * tree_.boundary_nodes(f),
-                                factor_.data.get() + layout_[f].lower, exchange_.data() + first,
+                                factor_.get() + layout_[f].lower, exchange_.data() + first,
                                 local_.data());
     std::copy_n(local_.data(), 3 * tree_.pivots(f), x + first);
   }

@@ -3,12 +3,12 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "../base/block_pattern.hpp"
 #include "assembly_tree.hpp"
 #include "front_kernels.hpp"
+#include "large_store.hpp"
 #include "second_thread.hpp"
 
 namespace codend {
@@ -40,7 +40,7 @@ class FrontFactors {
   // With the transposed matrix.
   void solve_transposed(Real* x) const;
 
-  int64_t stack_entries() const { return stack_.size; }
+  int64_t stack_entries() const { return stack_.size(); }
   int largest_front() const { return static_cast<int>(local_.size()); }
   int64_t bytes() const;
 
@@ -59,16 +59,6 @@ class FrontFactors {
     int64_t first_upper_entry;
   };
 
-  // Numbers that nobody has set: a front clears its own, so that the analysis touches none.
-  struct Store {
-    std::unique_ptr<Real[]> data;
-    int64_t size = 0;
-    void resize(int64_t to) {
-      data.reset(new Real[to]);
-      size = to;
-    }
-  };
-
   struct Work;
 
   void lay_out_factors();
@@ -84,7 +74,8 @@ class FrontFactors {
   std::vector<Entry> entry_;
   std::vector<int> exchange_;
   std::vector<char> idle_;  // per front: it and all below it have only nodes that are left out
-  Store factor_, stack_;
+  // A front clears its own, so that the analysis touches none.
+  LargeStore<Real> factor_, stack_;
   std::vector<Real> reciprocal_;
   mutable std::vector<Real> local_;  // work space of solve()
 };
