@@ -1,6 +1,30 @@
 # The page for people, bench/results/motion.md. whole_run: CPU s.
 
-write_motion_page <- function(motion, whole_run) {
+# This tree over the last release, from runs of both, a row per case and size: medians, and of the
+# ratio of CPU seconds per node also the least and the most of the rounds.
+compare_marches <- function(runs) {
+  groups <- unique(runs[c("case", "asked")])
+  bind_rows(lapply(seq_len(nrow(groups)), function(k) {
+    of <- runs[runs$case == groups$case[k] & runs$asked == groups$asked[k], ]
+    now <- of[of$version == "now", ]
+    was <- of[of$version == "release", ]
+    ratio <- (now$cpu_per_second / now$nodes) / (was$cpu_per_second / was$nodes)
+    list(
+      case = compared_marches[[groups$case[k]]]$label, asked = groups$asked[k],
+      ratio = stats::median(ratio), least = min(ratio), most = max(ratio),
+      nodes_release = was$nodes[1], nodes = now$nodes[1],
+      cpu_release = 1000 * stats::median(was$cpu_per_second),
+      cpu = 1000 * stats::median(now$cpu_per_second),
+      steps_release = was$steps[1], steps = now$steps[1],
+      rejected_release = was$repeated[1] + was$not_found[1],
+      rejected = now$repeated[1] + now$not_found[1],
+      iterations_release = was$iterations[1], iterations = now$iterations[1],
+      factorisations = now$factorisations[1]
+    )
+  }))
+}
+
+write_motion_page <- function(motion, ratios, whole_run) {
   cases <- unique(motion[c("case", "nodes")])
   public <- utils::read.csv(file.path("bench", "published-motion.csv"))
   lines <- unlist(lapply(seq_len(nrow(cases)), function(k) {
@@ -14,7 +38,9 @@ write_motion_page <- function(motion, whole_run) {
     "# What motion costs", "",
     paste("Written by `make bench-tow`; [what is measured, against what and how](../README.md).",
       measured_with()), sprintf("The whole run took %.0f CPU s.", whole_run), "",
-    lines,
+    "## Beside the last release", "",
+    "CPU seconds per node over those of 0.1.0, which counts no factorisations of its marches.", "",
+    markdown_table(ratios), "", lines,
     "The energy imbalance is what the run made or lost of energy over what was put through.",
     "Rows of other programs are those of [published-motion.csv](../published-motion.csv): measured",
     "once, not in this run; their errors are those of the steady state."

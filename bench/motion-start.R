@@ -63,3 +63,14 @@ net_from_rest <- function(n) {
   position[, net$node] <- rbind(0, 0.5 * net$i - (n - 1) / 4, -10 - 0.5 * net$j)
   from_rest(gear, lattice, position, 400)
 }
+
+# What is marched next to the last release, by name: list(label, begin = function(nodes), until and
+# every (s), sizes = the nodes that are asked for).
+compared_marches <- list(
+  sped_up = list(label = "trawl that is sped up", begin = sped_up_trawl, until = 2, every = 1,
+    sizes = c(1500, 1e4)),
+  turn = list(label = "trawl in a turn", begin = turning_trawl, until = 120, every = 20,
+    sizes = c(1500, 1e4)),
+  seine = list(label = "purse seine that is shot",
+    begin = function(nodes) seine_from_vessel(nodes, 20), until = 20, every = 5, sizes = 1000)
+)

@@ -2,10 +2,10 @@
 #
 # Every run starts from one prepared trajectory and times its march alone: no plan is read, no
 # lattice built, no picture drawn. Errors are distances of nodes from their places in a reference of
-# the same lattice, the largest and the root mean square over all nodes and kept times. Argument:
-# the most nodes (1e4).
+# the same lattice, the largest and the root mean square over all nodes and kept times. Some
+# also run in the last release, in turns. Argument: the most nodes (1e4).
 library(codend)
-rooms <- c("cases", "own-process", "results", "motion-start", "motion-page")
+rooms <- c("release", "cases", "own-process", "sizes", "results", "motion-start", "motion-page")
 for (room in rooms) source(file.path("bench", paste0(room, ".R")))
 
 given <- commandArgs(TRUE)
@@ -138,5 +138,22 @@ for (nodes in c(1300, 1e4)[c(1300, 1e4) <= most]) {
 }
 motion <- bind_rows(rows)
 save_table(motion, "motion")
-write_motion_page(motion, whole_run = sum(proc.time()[c("user.self", "sys.self")]))
+
+# This tree next to the last release, every case three times in turns.
+build_release()
+marched <- bind_rows(unlist(lapply(names(compared_marches), function(name) {
+  case <- compared_marches[[name]]
+  runs <- expand.grid(version = names(versions), round = 1:3,
+    asked = case$sizes[case$sizes <= most], stringsAsFactors = FALSE)
+  lapply(seq_len(nrow(runs)), function(k) {
+    asked <- format(runs$asked[k], scientific = FALSE)
+    found <- in_own_process("measure-march.R", runs$version[k], name, asked)
+    c(list(case = name, version = runs$version[k], asked = runs$asked[k]),
+      found[lengths(found) > 0L])
+  })
+}), recursive = FALSE))
+check_sizes(marched)
+ratios <- compare_marches(marched)
+save_table(ratios, "motion-ratios")
+write_motion_page(motion, ratios, whole_run = sum(proc.time()[c("user.self", "sys.self")]))
 cat(readLines(file.path(results_folder, "motion.md")), sep = "\n")

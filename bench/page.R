@@ -86,8 +86,6 @@ failure_lines <- function(runs) {
   ), "")
 }
 
-plain_numbers <- function(x) vapply(x, plain_number, "")
-
 public_table <- function(medians) {
   own <- medians[medians$case %in% names(public), ]
   error <- if (is.null(own$error)) NA_real_ else own$error

@@ -35,6 +35,8 @@ plain_number <- function(x) {
   format(signif(x, 3), big.mark = ",", scientific = FALSE, drop0trailing = TRUE)
 }
 
+plain_numbers <- function(x) vapply(x, plain_number, "")
+
 # The terms under which figures were taken, in one line.
 measured_with <- function() {
   sprintf(
