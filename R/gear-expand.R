@@ -14,12 +14,21 @@ gear_expanders <- list(
   stow_net = function(fields, plan) expand_stow_net(fields, plan)
 )
 
-# The groups of a tree in their plain form, taken from the `plain` form of a `last` tree where they
-# are the same.
-plain_groups <- function(tree, last = NULL, plain = NULL) {
+# The groups of a tree in their plain form, taken from the `plain` form of a `last` tree where they,
+# or parts of them, are the same.
+plain_groups <- function(tree, last = NULL, plain = NULL, parts = TRUE) {
   for (name in names(tree)) {
-    same <- name %in% names(last) && identical(tree[[name]], last[[name]])
-    tree[name] <- if (same) plain[name] else list(plain_tree(tree[[name]]))
+    now <- tree[[name]]
+    before <- last[[name]]
+    tree[name] <- list(
+      if (name %in% names(last) && identical(now, before)) {
+        plain[[name]]
+      } else if (parts && is.list(now) && is_map(now) && is.list(before)) {
+        plain_groups(now, before, plain[[name]], parts = FALSE)
+      } else {
+        plain_tree(now)
+      }
+    )
   }
   tree
 }

@@ -24,12 +24,21 @@ gear_numbers <- function(si, netting = NULL, like = NULL) {
   group <- function(name, make, of = name) {
     if (same_places && identical(si[[of]], like$si[[of]])) like$gear[[name]] else make()
   }
+  # part by part
+  each <- function(name, make, ..., of = name) {
+    parts <- unname(si[[of]])
+    made <- if (same_places && length(parts) == length(like$si[[of]])) like$gear[[name]]
+    fresh <- if (is.null(made)) seq_along(parts) else changed_parts(parts, like$si[[of]])
+    if (is.null(made)) made <- vector("list", length(parts))
+    made[fresh] <- lapply(parts[fresh], make, ...)
+    made
+  }
   shares <- lapply(si$share_places, parse_place)
   list(
     point_count = length(si$points), rope_count = length(si$ropes),
     panel_count = length(si$panels), share_count = length(si$share_places),
-    points = group("points", function() lapply(unname(si$points), point_numbers, place)),
-    ropes = group("ropes", function() lapply(unname(si$ropes), rope_numbers, place, si)),
+    points = each("points", point_numbers, place),
+    ropes = each("ropes", rope_numbers, place, si),
     panels = group("panels", function() panel_numbers(si, netting)),
     seams = group("seams", function() {
       lapply(unname(si$seams), function(seam) {
@@ -42,9 +51,8 @@ gear_numbers <- function(si, netting = NULL, like = NULL) {
         )
       })
     }),
-    pieces = group("pieces", function() lapply(unname(si$pieces), piece_numbers, place, si)),
-    plates = group("plates", function() lapply(unname(si$otter_boards), plate_numbers, place),
-      "otter_boards"),
+    pieces = each("pieces", piece_numbers, place, si),
+    plates = each("plates", plate_numbers, place, of = "otter_boards"),
     share_places = list(
       rope = match(vapply(shares, `[[`, "", "name"), names(si$ropes)),
       share = vapply(shares, `[[`, 0, "place")
@@ -57,6 +65,11 @@ gear_numbers <- function(si, netting = NULL, like = NULL) {
     free_surface = si$water$free_surface,
     shot_along = match(first_of(si$shooting$rope, ""), names(si$ropes), nomatch = 0L)
   )
+}
+
+# Which of a gear's parts are not those of another with as many.
+changed_parts <- function(parts, before) {
+  which(!mapply(identical, unname(parts), unname(before), USE.NAMES = FALSE))
 }
 
 point_numbers <- function(point, place) {
@@ -160,10 +173,18 @@ model_numbers <- function(si, like = NULL) {
   before <- c(0L, cumsum(lengths(like$si[lines])))
   materials <- function(group) {
     k <- match(group, lines)
-    if (!is.null(like) && same[k]) {
-      return(lapply(like$model$materials, `[`, seq_len(before[k + 1L] - before[k]) + before[k]))
+    made <- function(of) {
+      twine_materials(if (group == "otter_boards") lapply(of, strut_line) else of)
     }
-    twine_materials(if (group == "otter_boards") lapply(si[[group]], strut_line) else si[[group]])
+    parts <- si[[group]]
+    if (is.null(like) || length(parts) != before[k + 1L] - before[k]) return(made(parts))
+    kept <- lapply(like$model$materials, `[`, seq_along(parts) + before[k])
+    fresh <- if (!same[k]) changed_parts(parts, like$si[[group]])
+    if (!length(fresh)) return(kept)
+    Map(function(kept, made) {
+      kept[fresh] <- made
+      kept
+    }, kept, made(parts[fresh]))
   }
   blends <- any(vapply(si$panels, function(panel) identical(panel$netting_drag, "blended"), NA))
   c(
