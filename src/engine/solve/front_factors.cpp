@@ -123,7 +123,7 @@ void FrontFactors<Real>::lay_out_factors() {
 
 // Update matrices of odd and even generations grow from opposite ends of a stack: a front then
 // builds its own at one end while its children's lie on top of the other. Each thread has a stack
-// of its own; what it hands over stays apart until it is taken.
+// of its own, whose place that of the fronts above takes; what is handed over stays apart.
 template <class Real>
 void FrontFactors<Real>::lay_out_stack() {
   const int fronts = tree_.fronts();
@@ -133,9 +133,10 @@ void FrontFactors<Real>::lay_out_stack() {
     const int b = 3 * tree_.boundary_nodes(f);
     return aligned<Real>(static_cast<int64_t>(padded<Real>(b)) * b);
   };
-  int64_t base = 0;
+  int64_t base = 0, top = 0;
   for (const std::vector<int>* list :
        {&shares_.subtrees[0], &shares_.subtrees[1], &shares_.above}) {
+    if (list == &shares_.above) base = 0;
     int64_t height[2] = {0, 0};
     int64_t size = 0;
     for (const int f : *list) {
@@ -152,13 +153,14 @@ void FrontFactors<Real>::lay_out_stack() {
         layout_[f].update =
             base + (end[f] == 0 ? layout_[f].update : size - layout_[f].update - update_size(f));
     base += size;
+    top = std::max(top, base);
   }
   for (int f = 0; f < fronts; ++f)
     if (shares_.handed_over[f]) {
-      layout_[f].update = base;
-      base += update_size(f);
+      layout_[f].update = top;
+      top += update_size(f);
     }
-  stack_.resize(base);
+  stack_.resize(top);
 }
 
 template <class Real>
@@ -185,9 +187,10 @@ void FrontFactors<Real>::map_entries(const BlockPattern& pattern) {
         if (q < first) continue;
         const int64_t other = 3 * place[q];
         // down column `mine`: in A11 or A21
-        entry_.push_back({9 * mirror[e], layout_[f].lower + other + mine * lower_step});
+        entry_.push_back({static_cast<int>(mirror[e]), static_cast<int>(other + mine * lower_step)});
         if (q >= last)
-          upper.push_back({9 * e, layout_[f].upper + other - 3 * pivots + mine * upper_step});
+          upper.push_back({static_cast<int>(e),
+                           static_cast<int>(other - 3 * pivots + mine * upper_step)});
       }
     }
     layout_[f].first_upper_entry = static_cast<int64_t>(entry_.size());
@@ -231,14 +234,14 @@ bool FrontFactors<Real>::factorise_front(int f, const double* values, bool defin
   const int64_t end =
       f + 1 < tree_.fronts() ? layout_[f + 1].first_entry : static_cast<int64_t>(entry_.size());
   for (int64_t e = at.first_entry; e < at.first_upper_entry; ++e) {
-    const double* block = values + entry_[e].from;
-    Real* to = factor_.get() + entry_[e].to;
+    const double* block = values + 9 * static_cast<int64_t>(entry_[e].from);
+    Real* to = front.lower + entry_[e].to;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) to[i + j * lower_step] = static_cast<Real>(block[3 * i + j]);
   }
   for (int64_t e = at.first_upper_entry; e < end; ++e) {
-    const double* block = values + entry_[e].from;
-    Real* to = factor_.get() + entry_[e].to;
+    const double* block = values + 9 * static_cast<int64_t>(entry_[e].from);
+    Real* to = front.upper + entry_[e].to;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) to[j + i * upper_step] = static_cast<Real>(block[3 * i + j]);
   }

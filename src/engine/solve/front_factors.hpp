@@ -47,8 +47,8 @@ class FrontFactors {
  private:
   // One 3x3 block of the matrix on its way into a front.
   struct Entry {
-    int64_t from;  // first of its 9 values
-    int64_t to;    // in factor_
+    int from;  // its place in the pattern
+    int to;    // from where the front's A11 and A21 begin, or A12
   };
 
   struct Layout {

@@ -30,8 +30,9 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       linear_(assembly, control, report, x),
       parts_(assembly, control.part),
       from_x_(force_.size()),
-      path_steps_(control.law.steps),
-      left_path_(path_) {}
+      path_steps_(control.law.steps) {
+  path_.keep(left_path_);  // steps allocate nothing
+}
 
 void SettleIteration::measure() {
   Stopwatch watch(report_.seconds_forces, control_.timed);
@@ -207,7 +208,7 @@ void SettleIteration::try_law() {
   on_law_ = true;
   law_steps_ = 0;
   left_x_.assign(x_, x_ + force_.size());
-  left_path_ = path_;
+  path_.keep(left_path_);
   left_pseudo_step_ = pseudo_time_.step();
 }
 
@@ -216,7 +217,7 @@ void SettleIteration::leave_law() {
   steps_to_law_ = path_steps_;
   path_steps_ *= 2;
   std::copy(left_x_.begin(), left_x_.end(), x_);
-  path_ = left_path_;
+  path_.go_back(left_path_);
   pseudo_time_.set_step(left_pseudo_step_);
   measure();
 }

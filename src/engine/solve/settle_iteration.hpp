@@ -104,7 +104,7 @@ class SettleIteration {
   double residual_on_law_ = 0.0;
   // Where the path was left for the law.
   std::vector<double> left_x_;
-  TensionPath left_path_;
+  TensionPath::Place left_path_;
   double left_pseudo_step_ = 1.0;  // s
 };
 

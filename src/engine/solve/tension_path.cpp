@@ -51,7 +51,19 @@ TensionPath::TensionPath(const Model& model, double load)
   current_.tension.resize(lines);
   for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
   current_.modulus.resize(lines);
-  predicted_ = current_;
+  predicted_.tension = current_.tension;
+}
+
+void TensionPath::keep(Place& place) const {
+  place.tension = current_.tension;
+  place.slack = slack_;
+  place.parameter = parameter_;
+}
+
+void TensionPath::go_back(const Place& place) {
+  current_.tension = place.tension;
+  slack_ = place.slack;
+  parameter_ = place.parameter;
 }
 
 void TensionPath::follow(const std::vector<double>& strain, double parameter) {

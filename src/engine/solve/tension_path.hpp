@@ -48,6 +48,14 @@ class TensionPath {
   // of the way, and stay positive.
   void advance(const Assembly& assembly, const std::vector<double>& strain_change, double share);
 
+  // Where it is, to come back to before a step.
+  struct Place {
+    std::vector<double> tension, slack;
+    double parameter = 0.0;
+  };
+  void keep(Place& place) const;
+  void go_back(const Place& place);
+
  private:
   // What bows make of the strains that are missed, and of a change of strains (or null), into bow_.
   void share_bows(const Assembly& assembly, const double* change);
