@@ -187,10 +187,11 @@ void FrontFactors<Real>::map_entries(const BlockPattern& pattern) {
         if (q < first) continue;
         const int64_t other = 3 * place[q];
         // down column `mine`: in A11 or A21
-        entry_.push_back({static_cast<int>(mirror[e]), static_cast<int>(other + mine * lower_step)});
+        entry_.push_back(
+            {static_cast<int>(mirror[e]), static_cast<int>(other + mine * lower_step)});
         if (q >= last)
-          upper.push_back({static_cast<int>(e),
-                           static_cast<int>(other - 3 * pivots + mine * upper_step)});
+          upper.push_back(
+              {static_cast<int>(e), static_cast<int>(other - 3 * pivots + mine * upper_step)});
       }
     }
     layout_[f].first_upper_entry = static_cast<int64_t>(entry_.size());
