@@ -13,7 +13,8 @@
 //
 // Bows of cells' twines are led by these tensions too, and ds_k is that of bows that follow the law to
 // where it balances them after dx (elements/bows.hpp): linear bows of twines that are about to go slack
-// swing between two states for ever. Where both agree with the law the step is found. Contacts with the ground keep their own law.
+// swing between two states for ever. Where both agree with the law the step is found. Contacts with
+// the ground keep their own law.
 #pragma once
 
 #include <vector>
