@@ -14,28 +14,25 @@ namespace binding {
 
 class ListWriter {
  public:
-  ListWriter() : fields_(Rf_cons(R_NilValue, R_NilValue)), last_(fields_) {}
-
   void operator()(const char* name, std::vector<double>& values, codend::Shape = {}) {
-    const SEXP out = allocated(REALSXP, values);
-    std::copy(values.begin(), values.end(), REAL(out));
-    add(name, out);
+    add(name, as_doubles(values));
   }
   void operator()(const char* name, std::vector<int>& values, codend::Shape shape = {}) {
-    const SEXP out = allocated(INTSXP, values);
+    writable::integers out(static_cast<R_xlen_t>(values.size()));
     int* to = INTEGER(out);
     const int first = shape.among == codend::Among::numbers ? 0 : 1;
     for (std::size_t k = 0; k < values.size(); ++k) to[k] = values[k] + first;
     add(name, out);
   }
   void operator()(const char* name, std::vector<char>& values, codend::Shape = {}) {
-    const SEXP out = allocated(LGLSXP, values);
-    std::copy(values.begin(), values.end(), LOGICAL(out));
+    writable::logicals out(static_cast<R_xlen_t>(values.size()));
+    int* to = LOGICAL(out);
+    for (std::size_t k = 0; k < values.size(); ++k) to[k] = values[k];
     add(name, out);
   }
   template <class Enumeration, std::enable_if_t<std::is_enum_v<Enumeration>, int> = 0>
   void operator()(const char* name, std::vector<Enumeration>& values, codend::Shape = {}) {
-    const cpp11::sexp out(allocated(STRSXP, values));
+    writable::strings out(static_cast<R_xlen_t>(values.size()));
     const auto names = names_of(Enumeration{});
     for (std::size_t k = 0; k < values.size(); ++k) {
       SET_STRING_ELT(out, static_cast<R_xlen_t>(k),
@@ -44,13 +41,11 @@ class ListWriter {
     add(name, out);
   }
   void operator()(const char* name, double& value, codend::Shape = {}) {
-    add(name, Rf_ScalarReal(value));
+    add(name, as_sexp(value));
   }
-  void operator()(const char* name, bool& value, codend::Shape = {}) {
-    add(name, Rf_ScalarLogical(value));
-  }
+  void operator()(const char* name, bool& value, codend::Shape = {}) { add(name, as_sexp(value)); }
   void operator()(const char* name, int& value, codend::Shape shape = {}) {
-    add(name, Rf_ScalarInteger(value + (shape.among == codend::Among::numbers ? 0 : 1)));
+    add(name, as_sexp(value + (shape.among == codend::Among::numbers ? 0 : 1)));
   }
   template <class Value, std::size_t n>
   void operator()(const char* name, std::array<Value, n>& values, codend::Shape shape = {}) {
@@ -67,7 +62,7 @@ class ListWriter {
   }
   template <class Struct>
   void items(const char* name, std::vector<Struct>& of) {
-    const cpp11::sexp out(allocated(VECSXP, of));
+    writable::list out(static_cast<R_xlen_t>(of.size()));
     for (std::size_t k = 0; k < of.size(); ++k) {
       SET_VECTOR_ELT(out, static_cast<R_xlen_t>(k), written(of[k]));
     }
@@ -80,32 +75,23 @@ class ListWriter {
   static cpp11::list written(Struct& of) {
     ListWriter writer;
     of.fields(writer);
-    const R_xlen_t size = Rf_length(writer.fields_) - 1;
-    const cpp11::sexp out(Rf_allocVector(VECSXP, size));
-    const SEXP names = Rf_allocVector(STRSXP, size);
-    SEXP field = CDR(writer.fields_);
-    for (R_xlen_t k = 0; k < size; ++k, field = CDR(field)) {
-      SET_VECTOR_ELT(out, k, CAR(field));
-      SET_STRING_ELT(names, k, PRINTNAME(TAG(field)));
+    writable::list out(static_cast<R_xlen_t>(writer.values_.size()));
+    writable::strings names(static_cast<R_xlen_t>(writer.values_.size()));
+    for (std::size_t k = 0; k < writer.values_.size(); ++k) {
+      SET_VECTOR_ELT(out, static_cast<R_xlen_t>(k), writer.values_[k]);
+      SET_STRING_ELT(names, static_cast<R_xlen_t>(k), Rf_mkChar(writer.names_[k].c_str()));
     }
-    Rf_setAttrib(out, R_NamesSymbol, names);
-    return cpp11::list(out);
+    out.attr("names") = names;
+    return out;
   }
 
  private:
-  template <class Value>
-  static SEXP allocated(SEXPTYPE type, const std::vector<Value>& values) {
-    return Rf_allocVector(type, static_cast<R_xlen_t>(values.size()));
+  void add(const char* name, cpp11::sexp value) {
+    names_.emplace_back(name);
+    values_.push_back(value);
   }
-  // value: Rf_cons() protects it, then the fields do.
-  void add(const char* name, SEXP value) {
-    SETCDR(last_, Rf_cons(value, R_NilValue));
-    last_ = CDR(last_);
-    SET_TAG(last_, Rf_install(name));
-  }
-  // A pairlist behind a first cell: to protect each value by itself takes longer than to copy it.
-  const cpp11::sexp fields_;
-  SEXP last_;
+  std::vector<std::string> names_;
+  std::vector<cpp11::sexp> values_;
 };
 
 }  // namespace binding
