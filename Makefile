@@ -11,7 +11,8 @@
 # make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
 # make coverage  which lines of R and C++ the tests run, PART=R or PART=C++ of one; takes the R package covr
 # make check   R CMD check --as-cran of the package as it would be published; any note is a failure
-# make ci      what continuous integration runs: lint, then test
+# make ci      every lane of continuous integration (tools/lanes.csv); out/lanes/ has their output
+# make lane LANE=NAME  one lane, or several: LANE="style cost"
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
 # make gallery pictures of the gears and of the tank: README's, gallery/tank/, the tank's cards; takes
@@ -41,7 +42,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci browser-test gallery \
+.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane browser-test gallery \
   soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -52,19 +53,24 @@ install:
 
 test:
 	@tools/setup --tests
-	@Rscript tools/test.R
+	@Rscript tools/ci.R engine package-s package-f package-m package-g package-a package-v
 
 fast:
 	@tools/setup --tests
+	@tools/test-engine run
 	@Rscript tools/test.R fast
 
 lint:
-	@tools/setup --checks
-	@Rscript tools/checks.R
+	@tools/setup --ci
+	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated words
 
 ci:
-	@tools/setup --checks
-	@Rscript tools/test.R ci
+	@tools/setup --ci
+	@Rscript tools/ci.R
+
+lane:
+	@tools/setup --ci
+	@Rscript tools/ci.R $(LANE)
 
 # A process that asks for more memory than it should gets none.
 SECONDS ?= 3600
@@ -91,12 +97,12 @@ check:
 	@tools/check-package
 
 browser-test:
-	@tools/setup --tests
-	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node --test
+	@tools/setup --ci
+	@cd tests/browser && node --test
 
 gallery:
-	@tools/setup --tests
-	@cd tests/browser && npm install --no-audit --no-fund --no-package-lock --silent && node gallery.js && node pictures.js
+	@tools/setup --ci
+	@cd tests/browser && node gallery.js && node pictures.js
 
 MINUTES ?= 60
 USERS ?= 10
@@ -148,8 +154,6 @@ condition:
 
 wasm:
 	@tools/setup --wasm
-	@$(MAKE) -C tools/wasm
-	@tools/setup
 
 site: wasm
 	@tools/setup --site
