@@ -13,6 +13,7 @@
 # make check   R CMD check --as-cran of the package as it would be published; any note is a failure
 # make ci      every lane of continuous integration (tools/lanes.csv); out/lanes/ has their output
 # make lane LANE=NAME  one lane, or several: LANE="style cost"
+# make ratchet  stores the present values of the lanes that compare with stored ones (tests/ratchets)
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
 # make gallery pictures of the gears and of the tank: README's, gallery/tank/, the tank's cards; takes
@@ -42,7 +43,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane browser-test gallery \
+.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane ratchet browser-test gallery \
   soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -71,6 +72,10 @@ ci:
 lane:
 	@tools/setup --ci
 	@Rscript tools/ci.R $(LANE)
+
+ratchet:
+	@tools/setup --ci
+	@for script in tests/ratchets/*.R; do Rscript $$script --accept || exit 1; done
 
 # A process that asks for more memory than it should gets none.
 SECONDS ?= 3600
