@@ -1,16 +1,20 @@
-# Stored results that may not get worse. A script tests/ratchets/NAME.R sources this file, computes a
-# table and ends with ratchet(), which compares the table with tests/ratchets/NAME.csv.
+# Stored results that may not get worse. A script tests/ratchets/NAME.R sources this file, computes
+# a table and ends with ratchet(), which compares the table with tests/ratchets/NAME.csv.
 #   Rscript tests/ratchets/NAME.R           compares; the status is 1 if a value got worse
-#   Rscript tests/ratchets/NAME.R --accept  stores the table; `make ratchet` does so for every script
+#   Rscript tests/ratchets/NAME.R --accept  stores the table; `make ratchet` runs all scripts so
 
 # How a column is compared. A value may exceed (lower) or fall short of (higher) the stored value by
 # `relative` times the stored value plus `absolute`.
-lower <- function(relative = 0, absolute = 0) c(sign = 1, relative = relative, absolute = absolute)
-higher <- function(relative = 0, absolute = 0) c(sign = -1, relative = relative, absolute = absolute)
+lower <- function(relative = 0, absolute = 0) {
+  c(sign = 1, relative = relative, absolute = absolute)
+}
+higher <- function(relative = 0, absolute = 0) {
+  c(sign = -1, relative = relative, absolute = absolute)
+}
 
 # Compares `now`, a data frame, with the CSV `file`, and ends R with the status.
 # key: names of the columns that identify a row; columns: named list of lower() and higher().
-# summarise: function applied to both tables before they are compared, for example to compare totals.
+# summarise: a function applied to both tables before the comparison, for example one of totals.
 ratchet <- function(now, file, key, columns, summarise = identity,
                     accept = "--accept" %in% commandArgs(TRUE)) {
   if (accept) {
@@ -53,4 +57,6 @@ compare_tables <- function(was, now, key, columns) {
   }))
 }
 
-shown <- function(x) vapply(x, function(one) if (is.na(one)) "absent" else format(one, digits = 6), "")
+shown <- function(values) {
+  vapply(values, function(value) if (is.na(value)) "absent" else format(value, digits = 6), "")
+}
