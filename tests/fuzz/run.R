@@ -2,7 +2,8 @@
 # does more than be refused: an error outside codend_error, a warning of R, NaN in a result or a
 # message, a plan that is written as another, 20 CPU seconds without an answer, more than 2 GB, a
 # crash.
-#   Rscript tests/fuzz/run.R SECONDS [SEED]   cases from the seed on until the time is over
+#   Rscript tests/fuzz/run.R SECONDS [SEED [COUNT]]   cases from number SEED to the end of the time,
+#                                                     or COUNT cases
 #   Rscript tests/fuzz/run.R --case N         one case, in this process, as it was
 # Every case is made from its own number, so that it comes again on every machine. What is found is
 # told once for each way in which it shows.
@@ -63,12 +64,14 @@ seconds <- as.double(given[1L])
 first_case <- if (length(given) > 1L) as.integer(given[2L]) else 1L
 set.seed(1)
 invisible(kept())
+count <- if (length(given) > 2L) as.integer(given[3L]) else Inf
+last_case <- first_case + count - 1
 until <- proc.time()[["elapsed"]] + seconds
 results <- list()
-while (proc.time()[["elapsed"]] < until) {
+while (first_case <= last_case && proc.time()[["elapsed"]] < until) {
   log <- tempfile()
   file.create(log)
-  numbers <- seq(first_case, length.out = 500L)
+  numbers <- as.integer(seq(first_case, min(first_case + 499, last_case)))
   job <- batch(numbers, log)
   last <- c("", 0)
   repeat {
