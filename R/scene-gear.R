@@ -11,18 +11,21 @@ scene_limit <- 12000L
 # per board, m)).
 scene_shape <- function(state, limit = scene_limit) {
   points <- state_points(state)
-  ropes <- rope_lines(state, points, limit)
+  groups <- rope_groups(state, limit)
   netting <- netting_surfaces(state, limit)
   seams <- seams_of_bars(state, netting_of_bars(state))
   if (length(seams$nodes)) {
     k <- ceiling(sum(lengths(seams$nodes)) / limit)
-    ropes <- join_lines(list(ropes, seam_lines(state, points, netting_parts(state), seams, k)))
+    groups <- join_groups(groups, seam_groups(state, netting_parts(state), seams, k))
   }
+  ropes <- group_lines(state, points, groups)
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   drawn <- unique(c(ropes$ends, unlist(lapply(netting$panels, `[[`, "point"))))
   list(
-    fixed = list(ropes = ropes, netting = netting, marks = marks, drawn = drawn, state = state),
+    fixed = list(
+      ropes = ropes, groups = groups, netting = netting, marks = marks, drawn = drawn, state = state
+    ),
     points = points[, drawn, drop = FALSE], ropes = ropes$tension,
     rope_part = ropes$part, u = netting$u, v = netting$v,
     drag = part_drag_over_size(state), kind = state$lattice$parts$kind,

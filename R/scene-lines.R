@@ -44,28 +44,42 @@ weighted_means <- function(x, weight, group, n) {
 }
 
 # The lines of ropes, with the mean tension of their bars.
-rope_lines <- function(state, points, limit) {
-  of <- rope_groups(state, limit)
-  ends <- bar_ends(state, of$element)
-  first <- !duplicated(of$group)
+rope_lines <- function(state, points, limit) group_lines(state, points, rope_groups(state, limit))
+
+# Lines with the mean tension of the bars that each shows; 0 if no bar belongs to a line. groups: as
+# rope_groups() and seam_groups() return them.
+group_lines <- function(state, points, groups) {
+  mean <- weighted_means(
+    state$bar_tension[groups$element], groups$weight, groups$group, groups$count
+  )
   new_lines(
-    points, ends[1L, first], ends[2L, !duplicated(of$group, fromLast = TRUE)],
-    weighted_means(state$bar_tension[of$element], of$weight, of$group, of$count),
-    state$lattice$bar_part[of$element[first]]
+    points, groups$first, groups$second, ifelse(is.nan(mean), 0, mean), groups$part
   )
 }
 
-# Which line shows each bar of a rope: list(element = bars, rope after rope, group = its line,
-# weight = its length, count = of lines). A rope of more bars than can be shown is drawn through
-# every k-th of its nodes.
+# The bars whose mean tension each line of a rope shows: list(first, second = the points that a line
+# joins, part = its row in the table of parts, element = bars, group = the line of each bar, weight =
+# the length of each bar, count = number of lines). A rope of more bars than can be shown is drawn
+# through every k-th of its nodes.
 rope_groups <- function(state, limit) {
   lattice <- state$lattice
   ropes <- lapply(which(lattice$parts$kind == "rope"), bars_of_part, state = state)
   bars <- as.integer(unlist(ropes))
   group <- cumsum((sequence(lengths(ropes)) - 1L) %% ceiling(length(bars) / limit) == 0)
+  ends <- bar_ends(state, bars)
+  begins <- !duplicated(group)
   list(
-    element = bars, group = group, weight = lattice$engine$bars$rest[bars], count = max(group, 0L)
+    first = ends[1L, begins], second = ends[2L, !duplicated(group, fromLast = TRUE)],
+    part = lattice$bar_part[bars[begins]], element = bars, group = group,
+    weight = lattice$engine$bars$rest[bars], count = sum(begins)
   )
+}
+
+join_groups <- function(one, other) {
+  joined <- Map(c, one, other)
+  joined$group <- c(one$group, other$group + one$count)
+  joined$count <- one$count + other$count
+  joined
 }
 
 # Netting: of bars, the bars themselves and the seams that their twines end on; of cells, the two
@@ -88,7 +102,9 @@ netting_lines <- function(state, points, limit) {
       panel_cell_lines(state, points, names(panels)[p], part[p], block)
     }
   })
-  drawn <- if (joined) seam_lines(state, points, part, seams, ceiling(total / limit))
+  drawn <- if (joined) {
+    group_lines(state, points, seam_groups(state, part, seams, ceiling(total / limit)))
+  }
   join_lines(c(lines, list(drawn)))
 }
 
@@ -114,10 +130,11 @@ seams_of_bars <- function(state, of_bars) {
   list(nodes = nodes, panel = panel)
 }
 
-# Seams through every k-th of their nodes, once each. Where meshes of two sizes meet, twines of one
-# panel end between those of the other: the seam is what joins them. Its tension is the mean of the
-# twines that end on it.
-seam_lines <- function(state, points, part, seams, k) {
+# The bars whose mean tension each line of a seam shows, as rope_groups() returns them. A seam is
+# drawn through every k-th of its nodes, once. Where meshes of two sizes meet, twines of one panel
+# end between those of the other: the seam is what joins them. Its tension is the mean of the twines
+# that end on it.
+seam_groups <- function(state, part, seams, k) {
   lattice <- state$lattice
   nodes <- lapply(seams$nodes, function(node) node[block_ends(length(node), k)])
   first <- unlist(lapply(nodes, function(node) node[-length(node)]))
@@ -126,12 +143,14 @@ seam_lines <- function(state, points, part, seams, k) {
   on <- rep.int(part[seams$panel], lengths(nodes) - 1L)[once]
   first <- first[once]
   second <- second[once]
-  held <- bar_shares(lattice, which(lattice$bar_part %in% on))
-  to_nodes <- function(x) sum_by(x, held$node, lattice$engine$nodes)
-  number <- to_nodes(held$share)
-  tension <- to_nodes(held$share * state$bar_tension[held$bar])
-  mean <- (tension[first] + tension[second]) / pmax(number[first] + number[second], 1e-9)
-  new_lines(points, first, second, mean, on)
+  ending <- bar_shares(lattice, which(lattice$bar_part %in% on))
+  bars_at <- split(seq_along(ending$node), factor(ending$node, seq_len(lattice$engine$nodes)))
+  at <- Map(c, bars_at[first], bars_at[second])
+  bars <- as.integer(unlist(at, use.names = FALSE))
+  list(
+    first = first, second = second, part = on, element = ending$bar[bars],
+    group = rep.int(seq_along(at), lengths(at)), weight = ending$share[bars], count = length(at)
+  )
 }
 
 # Rows of the lattice's table of parts of its panels, in the order of `lattice$panels`.

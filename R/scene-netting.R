@@ -22,7 +22,8 @@ netting_to_draw <- function(state, limit) {
 # caught_netting() has them), u, v = mean
 # tension (N) of the twines along u and v, of every cell of grids (across first) and every point of
 # clouds (NA where no twine of the family ends), panel after panel, at = the corners of those places
-# (4 x places; of a point four times itself), panel = their panel's number).
+# (4 x places; of a point four times itself), panel = their panel's number, groups = as
+# netting_groups() returns them).
 netting_surfaces <- function(state, limit = drawn_lines) {
   draw <- netting_to_draw(state, limit)
   made <- lapply(seq_along(draw$part), function(p) {
@@ -45,13 +46,13 @@ netting_surfaces <- function(state, limit = drawn_lines) {
     }),
     u = tension("u", state$u_tension), v = tension("v", state$v_tension),
     at = matrix(as.integer(unlist(lapply(made, `[[`, "at"))), 4L),
-    panel = rep.int(seq_along(made), vapply(made, function(one) ncol(one$at), 0L))
+    panel = rep.int(seq_along(made), vapply(made, function(one) ncol(one$at), 0L)), groups = groups
   )
 }
 
 # What shows the tension of each place of such surfaces along u and v: of each way list(element =
 # bars of clouds, `split` of them, then cells, group = the place of each, weight, count = places).
-netting_groups <- function(state, draw = netting_to_draw(state, scene_limit)) {
+netting_groups <- function(state, draw) {
   each <- lapply(seq_along(draw$part), function(p) {
     if (draw$of_bars[p]) {
       cloud <- draw$clouds[[p]]

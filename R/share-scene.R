@@ -5,13 +5,11 @@
 shared_scene <- function(state, shape, keep) {
   lattice <- state$lattice
   fixed <- shape$fixed
-  ropes <- rope_groups(state, scene_limit)
-  netting <- netting_groups(state)
-  stopifnot(ropes$count == length(shape$ropes), netting$u$count == length(shape$u))
+  netting <- fixed$netting$groups
   c(
     list(
       drawn = keep(fixed$drawn - 1L), marks = shared_marks(state, fixed$marks),
-      rope = keep_groups(ropes, keep), values = length(shape$u),
+      rope = keep_groups(fixed$groups, keep), values = length(shape$u),
       u = keep_groups(netting$u, keep), v = keep_groups(netting$v, keep),
       boards = unname(lapply(state$si$otter_boards, function(board) {
         I(unname(lattice$points[board$points]) - 1L)
@@ -25,8 +23,7 @@ shared_scene <- function(state, shape, keep) {
 
 keep_groups <- function(groups, keep) {
   list(element = keep(as.integer(groups$element) - 1L), group = keep(as.integer(groups$group) - 1L),
-    weight = keep(single_floats(groups$weight)), bars = isTRUE(groups$bars), count = groups$count,
-    split = groups$split)
+    weight = keep(single_floats(groups$weight)), count = groups$count, split = groups$split)
 }
 
 # Nodes in whose middle each mark lies.

@@ -207,16 +207,17 @@ function codendModel(engine, page, bytes) {
 
   // ---- what is shown ----------------------------------------------------------------------------
 
-  function group_means(groups, bars, cells, into) {
+  // empty: the mean of a group without bars and cells.
+  function group_means(groups, bars, cells, empty) {
     var element = of.array(groups.element), group = of.array(groups.group), n = groups.count;
-    var weight = of.array(groups.weight), split = cells ? groups.split : element.length;
+    var weight = of.array(groups.weight), split = cells ? groups.split : element.length, into = new Float32Array(n);
     var total = new Float64Array(n), all = new Float64Array(n);
     for (var k = 0; k < element.length; k++) {
       var value = k < split ? bars[element[k]] : cells[element[k]];
       total[group[k]] += value * weight[k];
       all[group[k]] += weight[k];
     }
-    for (k = 0; k < n; k++) into[k] = all[k] ? total[k] / all[k] : NaN;
+    for (k = 0; k < n; k++) into[k] = all[k] ? total[k] / all[k] : empty;
     return into;
   }
   function mesh_means(found, angles) {
@@ -293,9 +294,9 @@ function codendModel(engine, page, bytes) {
     });
     var out = {
       points: points, places: places, boards: board_corners(now.x), drag: drag,
-      rope_tension: group_means(scene.rope, now.bar_tension, null, new Float32Array(scene.rope.count)),
-      u: group_means(scene.u, now.bar_tension, now.u_tension, new Float32Array(scene.u.count)),
-      v: group_means(scene.v, now.bar_tension, now.v_tension, new Float32Array(scene.v.count))
+      rope_tension: group_means(scene.rope, now.bar_tension, null, 0),
+      u: group_means(scene.u, now.bar_tension, now.u_tension, NaN),
+      v: group_means(scene.v, now.bar_tension, now.v_tension, NaN)
     };
     var flow = page.conditions.water ? found('flow') : [0, 0];
     if (scene.meshes) {

@@ -36,6 +36,27 @@ test_that("a length and a weight per length meet in a cross term", {
   expect_lt(misfit_at_random(series, state), 1e-12)
 })
 
+test_that("a shared scene has the bars that carry each drawn tension", {
+  # netting of bars with seams, netting of cells, ropes alone
+  for (name in c("midwater_trawl", "stow_net", "towed_cable")) {
+    state <- suppressWarnings(settle(name, nodes = 300))
+    shape <- with_meshes(scene_shape(state))
+    scene <- shared_scene(state, shape, identity)
+    # as the page computes them
+    means <- function(groups, cells, empty) {
+      bars <- seq_along(groups$element) <= c(groups$split, length(groups$element))[1]
+      tension <- ifelse(bars, state$bar_tension[groups$element + 1], cells[groups$element + 1])
+      of <- factor(groups$group, seq_len(groups$count) - 1)
+      total <- function(x) as.double(tapply(x, of, sum))
+      mean <- total(unclass(groups$weight) * tension) / total(unclass(groups$weight))
+      as.double(ifelse(is.na(mean), empty, mean))
+    }
+    expect_equal(means(scene$rope, NULL, 0), shape$ropes)
+    expect_equal(means(scene$u, state$u_tension, NA), as.double(shape$u))
+    expect_equal(means(scene$v, state$v_tension, NA), as.double(shape$v))
+  }
+})
+
 test_that("fields that cannot be sliders are refused by name", {
   gear <- read_gear("towed_cable")
   expect_wrong(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments")
