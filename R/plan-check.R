@@ -21,7 +21,7 @@ compile_node <- function(node, definitions) {
     target <- definitions[[sub("#/$defs/", "", node[["$ref"]], fixed = TRUE)]]
     node[["$ref"]] <- NULL
     # what the definition itself says, where the field describes its own use of it
-    node$meaning <- target$description
+    if (!is.null(node$description)) node$meaning <- target$description
     node <- c(node, target[setdiff(names(target), names(node))])
   }
   node$groups <- c(
@@ -42,6 +42,8 @@ compile_node <- function(node, definitions) {
     "any"
   }
   if (node$shape == "any") node$choices <- lapply(node$anyOf, compile_node, definitions)
+  # Other validators use `if` and `then`; groups and choices replace the other keywords.
+  node[c("if", "then", "anyOf", "oneOf", "allOf")] <- NULL
   if (!is.null(node$items)) node$items <- compile_node(node$items, definitions)
   if (!is.null(node$propertyNames)) {
     node$propertyNames <- compile_node(node$propertyNames, definitions)

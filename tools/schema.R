@@ -336,6 +336,68 @@ known <- lapply(names(examples), known_quantity)
 names(known) <- paste0("known_", names(examples))
 definitions <- c(definitions, Map(quantity, names(examples), examples), known)
 
+# ---- text ---------------------------------------------------------------------------------------
+
+# With as many digits as a number needs to read back the same; the writer stops at 15.
+exact_numbers <- function(node) {
+  if (is.list(node)) return(lapply(node, exact_numbers))
+  if (!is.numeric(node) || as.double(format(node, digits = 15)) == node) return(node)
+  shown <- vapply(16:17, function(digits) format(node, digits = digits), "")
+  structure(shown[as.double(shown) == node][1], class = "json")
+}
+
+json <- function(node) {
+  enc2utf8(jsonlite::toJSON(exact_numbers(node), auto_unbox = TRUE, digits = 15, json_verbatim = TRUE))
+}
+
+# ---- repeated nodes ---------------------------------------------------------------------------
+
+# Calls change(name, node) for every node inside `node` that a reference can replace: the fields of
+# a map, and the bounds of a map of how well a number is known.
+change_inside <- function(node, change) {
+  if (!is.list(node)) return(node)
+  for (key in names(node)) {
+    if (key == "properties") {
+      node$properties[] <- Map(change, names(node$properties), node$properties)
+    } else if (key == "then") {
+      node$then <- change("bounds", node$then)
+    } else if (key %in% c("items", "additionalProperties")) {
+      node[[key]] <- change_inside(node[[key]], change)
+    } else if (key %in% c("anyOf", "allOf")) {
+      node[[key]] <- lapply(node[[key]], change_inside, change)
+    }
+  }
+  node
+}
+
+# Returns the definitions with each node that several of them repeat as a definition of its own.
+share_repeated <- function(definitions) {
+  key <- function(node) paste(deparse(node, width.cutoff = 500L), collapse = "")
+  keys <- character()
+  collect <- function(name, node) {
+    known <- key(node) %in% keys
+    keys <<- c(keys, key(node))
+    # the nodes inside a repeated node are repeated by that node alone
+    if (known) node else change_inside(node, collect)
+  }
+  lapply(definitions, change_inside, collect)
+  repeated <- unique(keys[duplicated(keys)])
+  names <- character(length(repeated))
+  shared <- list()
+  share <- function(name, node) {
+    place <- match(key(node), repeated)
+    # a reference is as long as a short node
+    if (is.na(place) || nchar(json(node)) < 60L) return(change_inside(node, share))
+    if (!nzchar(names[place])) {
+      taken <- c(names(definitions), names[nzchar(names)])
+      names[place] <<- utils::tail(make.unique(c(taken, name), "_"), 1L)
+      shared[[names[place]]] <<- change_inside(node, share)
+    }
+    list(`$ref` = paste0("#/$defs/", names[place]))
+  }
+  c(lapply(definitions, change_inside, share), shared)
+}
+
 # ---- the file ---------------------------------------------------------------------------------
 
 one_kind <- function(kind) {
@@ -355,21 +417,17 @@ schema <- list(
   type = "object",
   properties = list(kind = list(enum = as.list(kinds), default = default_kind)),
   allOf = lapply(kinds, one_kind),
-  `$defs` = definitions
+  `$defs` = share_repeated(definitions)
 )
 
-# With as many digits as a number needs to read back the same; the writer stops at 15.
-exact_numbers <- function(node) {
-  if (is.list(node)) return(lapply(node, exact_numbers))
-  if (!is.numeric(node) || as.double(format(node, digits = 15)) == node) return(node)
-  shown <- vapply(16:17, function(digits) format(node, digits = digits), "")
-  structure(shown[as.double(shown) == node][1], class = "json")
+# One line for each definition: a changed definition is one changed line, without the bytes of indents.
+json_lines <- function(nodes) {
+  lines <- sprintf("%s:%s", vapply(names(nodes), json, ""), vapply(nodes, json, ""))
+  paste0("{\n", paste(lines, collapse = ",\n"), "\n}")
 }
 
-text <- jsonlite::toJSON(
-  exact_numbers(schema), pretty = 2, auto_unbox = TRUE, digits = 15, json_verbatim = TRUE
-)
-text <- enc2utf8(paste0(text, "\n"))
+schema$`$defs` <- structure(json_lines(schema$`$defs`), class = "json")
+text <- paste0(json_lines(schema), "\n")
 
 read_bytes <- function(file) if (file.exists(file)) readBin(file, "raw", file.size(file))
 

@@ -11,8 +11,7 @@ test_that("defaults are filled in and units resolved", {
   expect_identical(c(net$taper_left, net$taper_right), c(0.5, 0.5))
   # as the schema says
   expect_equal(net$knot_diameter, 2 * net$twine_diameter, tolerance = 1e-15)
-  schema <- readLines(system.file("schema", "plan.schema.json", package = "codend"))
-  expect_match(grep("Diameter of a knot", schema, value = TRUE), fixed = TRUE,
+  expect_match(path_node(list(), "panels.any.knot_diameter")$description, fixed = TRUE,
     "twice the twine diameter by default")
   expect_null(net$bar_segments)
   expect_identical(net$added_mass, c(normal = 1, tangential = 0))
