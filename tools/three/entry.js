@@ -6,6 +6,6 @@ export {
   InstancedBufferGeometry, LinearFilter, LinearMipmapLinearFilter, LinearSRGBColorSpace, Matrix4, Mesh,
   OrthographicCamera, PerspectiveCamera, RepeatWrapping, Scene, ShaderMaterial, Shape, SphereGeometry,
   TorusGeometry, Vector3, WebGLRenderer, WebGLRenderTarget
-} from 'three';
+} from 'three/src/Three.js';
 export { default as Delaunator } from 'delaunator';
 export { unzlibSync } from 'fflate';
