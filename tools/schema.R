@@ -347,7 +347,9 @@ exact_numbers <- function(node) {
 }
 
 json <- function(node) {
-  enc2utf8(jsonlite::toJSON(exact_numbers(node), auto_unbox = TRUE, digits = 15, json_verbatim = TRUE))
+  enc2utf8(jsonlite::toJSON(
+    exact_numbers(node), auto_unbox = TRUE, digits = 15, json_verbatim = TRUE
+  ))
 }
 
 # ---- repeated nodes ---------------------------------------------------------------------------
@@ -420,7 +422,8 @@ schema <- list(
   `$defs` = share_repeated(definitions)
 )
 
-# One line for each definition: a changed definition is one changed line, without the bytes of indents.
+# One line for each definition: indents would double the size, and one line for all of them would
+# hide which definition a commit changes.
 json_lines <- function(nodes) {
   lines <- sprintf("%s:%s", vapply(names(nodes), json, ""), vapply(nodes, json, ""))
   paste0("{\n", paste(lines, collapse = ",\n"), "\n}")
