@@ -57,10 +57,10 @@ group_lines <- function(state, points, groups) {
   )
 }
 
-# The bars whose mean tension each line of a rope shows: list(first, second = the points that a line
-# joins, part = its row in the table of parts, element = bars, group = the line of each bar, weight =
-# the length of each bar, count = number of lines). A rope of more bars than can be shown is drawn
-# through every k-th of its nodes.
+# The bars whose mean tension each line of a rope shows: list(first, second = the points that a
+# line joins, part = its row in the table of parts, element = bars, group = the line of each bar,
+# weight = the length of each bar, count = number of lines). A rope of more bars than can be shown
+# is drawn through every k-th of its nodes.
 rope_groups <- function(state, limit) {
   lattice <- state$lattice
   ropes <- lapply(which(lattice$parts$kind == "rope"), bars_of_part, state = state)
