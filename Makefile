@@ -37,13 +37,15 @@
 # make site    help, guides, pictures and living gears as a site, into site/, by pkgdown without the
 #              network; makes wasm first
 #
+# make docs    results that README, guides and help quote, from the files that hold them
+#
 # make schema  the schema of plans, inst/schema, from its parts in tools/schema
 # make schema-check  fails where it is not what the parts give
 # make schema-test  shipped plans, right ones and wrong ones by two standard validators; takes Node.js
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane ratchet browser-test gallery \
+.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane ratchet browser-test gallery \
   soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -163,6 +165,9 @@ wasm:
 site: wasm
 	@tools/setup --site
 	@Rscript tools/site.R
+
+docs:
+	@Rscript tools/docs.R
 
 schema:
 	@Rscript tools/schema.R

@@ -15,7 +15,7 @@
 #'   mesh, two straight and two oblique bars. Knots that have a length are straight bars too. All
 #'   bars are of one twine. Hexagonal netting is always divided into cells of three corners (D.
 #'   Priour, A Finite Element Method for Netting, Springer 2013), each with a point of its own, with
-#'   which stiff twine leaves it free to move: a hung panel's width is 0.7 % off at 1,100 nodes.
+#'   which stiff twine leaves it free to move.
 #'
 #' @section Knots:
 #' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
@@ -77,8 +77,8 @@
 #' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a
 #' fibre in the table below, has that of its twine: its knots hold its meshes open. Multifilament
 #' (PA, PES, HMPE) and thin twine are limp, and so is diamond netting: the same couples would change
-#' its openings by 1 to 3 % of the mesh size where water or a catch opens them, and only a slack
-#' codend by more. Between two knots that do not turn, twine is a beam of the bending stiffness EI
+#' its openings little where water or a catch opens them, and only a slack codend by more. Between
+#' two knots that do not turn, twine is a beam of the bending stiffness EI
 #' (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
 #' part of its tension, which makes it stiffer), of the length of a bar less a knot, so that
 #'

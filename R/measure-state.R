@@ -13,17 +13,19 @@
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
 #' @return `measures()` gives named numbers of class `codend_measures`; every name ends in its unit,
 #'   which the attribute `unit` has as it is printed (`"m3/h"`), by the measures' names. The
-#'   attribute `error` has the standard discretisation error of each, in its unit: about 95 % lie
-#'   within twice as much of the value that ever finer models converge to. It is estimated from the
+#'   attribute `error` has the standard discretisation error of each, in its unit:
+#'   \resultErrorsWithinTwo{} of measures lie within twice their error of the value on a much finer
+#'   model (`make errors`). It is estimated from the
 #'   coarser models of the gear that [settle()] goes through and, where these are all coarse, from
 #'   one 2.6 times as fine that is settled when errors are first needed: a drift with the length of
 #'   elements to the power 0.75 to 1.5, as these models show it, and a scatter, fitted by
 #'   generalised least squares; at least half of what is usual in the gear's measures of that class
 #'   (forces, openings, places, slack and tension of netting) and, of gears with netting, 0.2 % with
 #'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
-#'   points). On models of netting of fewer than 1,000 nodes one error in 60 was less than a fifth
-#'   of the true one, with 1,500 nodes one in 2,800. It is the discretisation's alone, not of drag
-#'   coefficients. Of a moment of a tow it is that of the settled state that the tow started from,
+#'   points). The true error exceeds five estimates for \resultErrorsMissedCoarse{} of the measures
+#'   of models with 300 or 500 nodes, and for \resultErrorsMissedDefault{} with 1,500 nodes. It is
+#'   the discretisation's alone, not of drag coefficients. Of a moment of a tow it is that of the
+#'   settled state that the tow started from,
 #'   as a share of each measure, together with that of the steps by their accuracy: 1.5 times it of
 #'   lengths, 2.5 % of forces at 0.01 m; `NA` where the tow did not start from a settled state, as
 #'   one that is shot. The attribute `main` says which measures `settle(accuracy = )` looks at.

@@ -18,8 +18,8 @@
 #' installed from one, `share()` stops and says so. Browsers since 2023 run it (Chrome 91, Firefox
 #' 113, Safari 16.4).
 #'
-#' @param state A state, from [settle()]. A page with 600 nodes answers a slider in about a tenth
-#'   of a second, one with 1,500 in a third; with more than 2,000 or so one has to wait.
+#' @param state A state, from [settle()]. The page answers a slider the faster the fewer nodes the
+#'   state has: a few hundred suit a slow computer.
 #' @param file The HTML file to write. It is written whole or not at all.
 #' @param sliders Paths of the fields that the page may change, such as `"towing.speed"`, or a list
 #'   of such paths that change together, as [sensitivities()] takes them. `NULL` takes a dozen that

@@ -14,9 +14,9 @@
 #'   (`blended`, `kristiansen_faltinsen`) have none. `multipliers.screen_friction` adds it, as a
 #'   drag coefficient on the twine's area: 0 by default, with a standard uncertainty of 0.02, upward
 #'   alone: Hoerner's friction of twine along the flow, of 0 to 0.1 that laws of twines have. Nets
-#'   of farms had more (0.3 of the drag across the flow, Nino et al. 2020), but intervals
-#'   of the validation book hold nine values of ten without any. Of the survey trawl's drag it
-#'   makes 5 %;
+#'   of farms had more (0.3 of the drag across the flow, Nino et al. 2020), but without any friction
+#'   the intervals of 90 % hold \resultIntervalsCovered{} of the measured values
+#'   (`validation/conditioning.md`);
 #' - plan: numbers with an uncertainty of their own, `{value: 4 mm, uncertainty: 10 %}` or
 #'   `{range: [3.8 mm, 4.2 mm]}`, which is evenly distributed; others have that of their kind, from
 #'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
