@@ -86,7 +86,8 @@ new_scene_joints <- function(ropes, panels, drawn) {
     netting = lapply(panels, function(panel) {
       list(
         part = panel$part - 1L, columns = panel$columns, rows = panel$rows, down = I(panel$down),
-        full = panel$full, point = point(panel$point), mesh = packed_floats(panel$mesh)
+        full = panel$full, point = point(panel$point), mesh = packed_floats(panel$mesh),
+        scale = panel$scale, offset = I(panel$offset)
       )
     })
   )

@@ -39,9 +39,11 @@ netting_surfaces <- function(state, limit = drawn_lines) {
     mean <- weighted_means(tension, of$weight, of$group, of$count)
     ifelse(is.nan(mean), NA, mean)
   }
+  twines <- drawn_twines(state$si)
   list(
     panels = lapply(seq_along(made), function(p) {
       c(made[[p]][c("part", "columns", "rows", "point", "mesh")],
+        list(scale = twines$scale[p], offset = twines$offset[, p]),
         caught_netting(state, names(state$lattice$panels)[p]))
     }),
     u = tension("u", state$u_tension), v = tension("v", state$v_tension),
@@ -155,23 +157,11 @@ cloud_frame <- function(of, p, part, places) {
     good <- !is.na(at)
     list(bar = rep(bars[on], each = 2L)[good], at = at[good])
   }
-  mesh <- twine_coordinates(panel, s[kept], t[kept])
   list(
     part = part, columns = 0L, rows = 0L, point = point,
-    mesh = rbind(
-      on_drawn_twines(mesh[1L, ], match(ends[, family == 2L], point), drawn$lambda),
-      on_drawn_twines(mesh[2L, ], match(ends[, family == 1L], point), drawn$lambda)
-    ),
+    mesh = twine_coordinates(panel, s[kept], t[kept]),
     u = ending(1L), v = ending(2L), at = matrix(rep(point, each = 4L), 4L)
   )
-}
-
-# A twine coordinate of the points of a cloud turned so that equivalent twines (on: points on those
-# across the coordinate) lie at whole numbers, with as many twines between them as there are meshes:
-# between twines that hang freely a mesh drawn would wave as none does.
-on_drawn_twines <- function(coordinate, on, lambda) {
-  phase <- Arg(mean(exp(2i * pi * coordinate[on[!is.na(on)]] / lambda))) / (2 * pi)
-  max(1, floor(lambda + 1e-9)) * (coordinate / lambda - if (is.nan(phase)) 0 else phase)
 }
 
 # Twine coordinates u and v (2 x places) at shares across and deep of a panel.

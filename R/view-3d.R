@@ -9,9 +9,10 @@
 #' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a
 #' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
 #' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
-#' opening or angle of meshes, or drag. What is slack is dashed in a quiet colour, and in a bright
-#' one where the colours show slack alone. The key `h` lists all keys. Where meshes are too small to
-#' be seen, every second, fourth or eighth twine is drawn, and so on; pieces are drawn large enough
+#' opening or angle of meshes, or drag. Slack lines have a quiet colour, and a bright one where the
+#' colours show slack alone; slack ropes are dashed, slack netting where the colours show slack alone.
+#' The key `h` lists all keys. Where meshes are too small to be seen, a panel is drawn with fewer,
+#' larger meshes. The drawn twines then meet on seams across the net. Pieces are drawn large enough
 #' to be seen. The page prints on white.
 #'
 #' The button *Save* saves the picture as PNG, 3,840 pixels along its longer side, or a video as

@@ -73,10 +73,11 @@ window.codendView.gear = function (materials) {
 
   // ---- what joins the points --------------------------------------------------------------------
 
-  // Triangles of all panels: the points at their corners, the mesh coordinates there, the values that
-  // hold for each (three places among those of cells and of points of clouds) and their part.
+  // Triangles of all panels: the points at their corners, the mesh and the drawn coordinates there, the
+  // values that hold for each (three places among those of cells and of points of clouds), their part and
+  // the twine coordinates in a unit of their drawn ones.
   function surfaces(panels) {
-    var points = [], mesh = [], at = [], part = [], full = [], base = 0, front = [];
+    var points = [], mesh = [], drawn = [], at = [], part = [], scale = [], full = [], base = 0, front = [];
     // 1 where a catch lies behind a triangle, else 0; keeps the edges that lie at the catch's front.
     function filled(panel, point, uv, corners) {
       if (typeof panel.full !== 'number') return 0;
@@ -98,9 +99,11 @@ window.codendView.gear = function (materials) {
         [a, b, c].forEach(function (corner) {
           points.push(point[corner]);
           mesh.push(uv[2 * corner], uv[2 * corner + 1]);
+          drawn.push(uv[2 * corner] / panel.scale + panel.offset[0], uv[2 * corner + 1] / panel.scale + panel.offset[1]);
         });
         at.push(base + va, base + vb, base + vc);
         part.push(panel.part);
+        scale.push(panel.scale);
         full.push(filled(panel, point, uv, [a, b, c]));
       }
       var columns = panel.columns, rows = panel.rows;
@@ -132,14 +135,33 @@ window.codendView.gear = function (materials) {
     front.forEach(function (edge) {
       points.push(front[0].ends[0], edge.ends[0], edge.ends[1]);
       mesh.push(0.2, 0.2, 0.4, 0.3, 0.3, 0.4);
+      drawn.push(0.2, 0.2, 0.4, 0.3, 0.3, 0.4);
+      scale.push(1);
       for (var c = 0; c < 3; c++) at.push(at[3 * edge.like + c]);
       part.push(part[edge.like]);
       full.push(1);
     });
     return {
-      point: Int32Array.from(points), mesh: Float32Array.from(mesh), at: Int32Array.from(at),
-      part: Int32Array.from(part), full: full
+      point: Int32Array.from(points), mesh: Float32Array.from(mesh), drawn: Float32Array.from(drawn),
+      at: Int32Array.from(at), part: Int32Array.from(part), scale: scale, full: full, spot: spots(points, part)
     };
+  }
+
+  // How many bars of one family a triangle has.
+  function bars_in(mesh, t) {
+    var a = 6 * t;
+    return Math.abs((mesh[a + 2] - mesh[a]) * (mesh[a + 5] - mesh[a + 1]) -
+      (mesh[a + 4] - mesh[a]) * (mesh[a + 3] - mesh[a + 1])) / 2;
+  }
+
+  // Numbers of the corners of triangles, the same for all corners at one point of one part.
+  function spots(points, part) {
+    var known = new Map();
+    return Int32Array.from(points, function (point, corner) {
+      var key = point * 65536 + part[Math.floor(corner / 3)];
+      if (!known.has(key)) known.set(key, known.size);
+      return known.get(key);
+    });
   }
 
   function attribute(geometry, name, size, count, instanced) {
@@ -209,15 +231,26 @@ window.codendView.gear = function (materials) {
     var made = surfaces(told.netting || []), n = made.part.length, parts = told.parts;
     var geometry = new T.BufferGeometry();
     geometry.setAttribute('mesh', new T.BufferAttribute(made.mesh, 2));
+    geometry.setAttribute('drawn', new T.BufferAttribute(made.drawn, 2));
+    made.gap = attribute(geometry, 'gap', 2, 3 * n);
+    var alike = new Map();
     made.position = attribute(geometry, 'position', 3, 3 * n);
     made.normal = attribute(geometry, 'normal', 3, 3 * n);
     made.colourU = attribute(geometry, 'colourU', 3, 3 * n);
     made.colourV = attribute(geometry, 'colourV', 3, 3 * n);
     made.about = attribute(geometry, 'about', 3, 3 * n);
     for (var t = 0; t < n; t++) {
-      var thick = parts.thickness[made.part[t]] / Math.max(parts.bar[made.part[t]], 1e-9);
-      for (var c = 0; c < 3; c++) made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5) + made.full[t];
+      var bar = Math.max(parts.bar[made.part[t]], 1e-9), thick = parts.thickness[made.part[t]] / bar;
+      for (var c = 0; c < 3; c++) {
+        made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5) + made.full[t];
+      }
+      // triangles with the same meshes, drawn alike
+      var key = bar.toPrecision(3) + ' ' + made.scale[t].toPrecision(3);
+      if (!alike.has(key)) alike.set(key, { triangles: [], bars: 0, length: bar, scale: made.scale[t] });
+      alike.get(key).triangles.push(t);
+      alike.get(key).bars += bars_in(made.mesh, t);
     }
+    made.alike = Array.from(alike.values());
     made.geometry = geometry;
     made.u = new Float32Array(n);
     made.v = new Float32Array(n);
@@ -525,11 +558,13 @@ window.codendView.gear = function (materials) {
     gear.corners = gear.source.boards.of(k, share);
     gear.moment = share < 0.5 ? k : k + 1;
     var net = gear.netting, n = net.part.length, normal = new Float32Array(p.length);
+    var area = new Float64Array(n);
     for (var t = 0; t < n; t++) {
       var a = 3 * net.point[3 * t], b = 3 * net.point[3 * t + 1], c = 3 * net.point[3 * t + 2];
       var ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
       var vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
       var x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+      area[t] = Math.hypot(x, y, z) / 2;
       [a, b, c].forEach(function (at, corner) {
         net.position.array[9 * t + 3 * corner] = p[at];
         net.position.array[9 * t + 3 * corner + 1] = p[at + 1];
@@ -546,6 +581,15 @@ window.codendView.gear = function (materials) {
       for (var axis = 0; axis < 3; axis++) net.normal.array[3 * i + axis] = normal[from + axis];
     }
     net.position.needsUpdate = net.normal.needsUpdate = true;
+    // twines lie closer where meshes are less open
+    net.alike.forEach(function (one) {
+      var all = one.triangles.reduce(function (sum, t) { return sum + area[t]; }, 0);
+      var gap = Math.max(all / Math.max(one.bars * one.length, 1e-12), 0.05 * one.length);
+      one.triangles.forEach(function (t) {
+        for (var c = 0; c < 3; c++) net.gap.array.set([gap, one.scale * gap], 6 * t + 2 * c);
+      });
+    });
+    net.gap.needsUpdate = true;
 
     var ends = gear.ropes.ends, lines = ends.length / 2, along = 0, rope = gear.ropes.values;
     function set(values, line, x, y, z) {
@@ -637,21 +681,39 @@ window.codendView.gear = function (materials) {
       return 2 * slack >= known ? 0 : sum / (known - slack);
     }
     for (var t = 0; t < net.part.length; t++) {
-      var tu = net.u[t] = mean(u, t), tv = net.v[t] = mean(v, t);
-      [[tu, net.colourU.array, 1], [tv, net.colourV.array, 2]].forEach(function (family) {
-        var at = 9 * t, to = family[1], lost = shows && family[0] <= 0;
-        if (lost) put(loose, to, at);
-        else if (mode === 'slack') put(taut, to, at);
-        else if (!scales.netting) put(quiet, to, at);
-        else {
-          paint(gear.stops.netting, shareOn(scales.netting, whole ? mean(whole, t) :
-            mode === 'drag' ? drag[net.part[t]] : family[0]), to, at);
+      net.u[t] = mean(u, t);
+      net.v[t] = mean(v, t);
+    }
+    colour_family(net.u, net.colourU.array, 1);
+    colour_family(net.v, net.colourV.array, 2);
+    // Colours of one family of twines: at each point the mean of the triangles around it.
+    function colour_family(tension, out, place) {
+      var count = 1 + net.spot.reduce(function (most, spot) { return Math.max(most, spot); }, -1);
+      var number = new Float32Array(count), taut_ = new Float32Array(count), sum = new Float32Array(count);
+      for (var c = 0; c < net.spot.length; c++) {
+        var t = Math.floor(c / 3), spot = net.spot[c];
+        number[spot] += 1;
+        if (shows && tension[t] <= 0) continue;
+        taut_[spot] += 1;
+        if (scales.netting) {
+          sum[spot] += shareOn(scales.netting, whole ? mean(whole, t) :
+            mode === 'drag' ? drag[net.part[t]] : tension[t]);
         }
-        for (var c = 0; c < 3; c++) {
-          net.about.array[at + 3 * c + family[2]] = lost ? 1 : 0;
-          if (c) put([to[at], to[at + 1], to[at + 2]], to, at + 3 * c);
-        }
-      });
+      }
+      var colours = new Float32Array(3 * count), own = [0, 0, 0];
+      for (spot = 0; spot < count; spot++) {
+        var slack = 1 - taut_[spot] / number[spot];
+        if (mode === 'slack') put(taut, own, 0);
+        else if (!scales.netting) put(quiet, own, 0);
+        else paint(gear.stops.netting, sum[spot] / Math.max(taut_[spot], 1), own, 0);
+        for (var k = 0; k < 3; k++) colours[3 * spot + k] = own[k] + slack * (loose[k] - own[k]);
+      }
+      for (c = 0; c < net.spot.length; c++) {
+        spot = net.spot[c];
+        for (k = 0; k < 3; k++) out[3 * c + k] = colours[3 * spot + k];
+        // dashes only where colours show nothing else
+        net.about.array[3 * c + place] = mode === 'slack' ? 1 - taut_[spot] / number[spot] : 0;
+      }
     }
     net.colourU.needsUpdate = net.colourV.needsUpdate = net.about.needsUpdate = true;
   };

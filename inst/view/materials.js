@@ -18,14 +18,14 @@ window.codendView.materials = function () {
   function glsl(hex) { return 'vec3(' + rgb(hex).map(function (v) { return v.toFixed(4); }).join(', ') + ')'; }
 
   var shared = {
-    pixel: { value: 1 }, flat_: { value: 0 }, ahead: { value: new T.Vector3() },
+    pixel: { value: 1 }, spacing: { value: 1 }, flat_: { value: 0 }, ahead: { value: new T.Vector3() },
     light: { value: new T.Vector3(0, 0, 1) }, ratio: { value: 1 },
     fogNear: { value: 1 }, fogFar: { value: 2 }, fogMost: { value: 0.6 },
     paper: { value: 0 }, waterTop: { value: 0 }, waterSpan: { value: 1 },
     ghost: { value: 0 }, ghostColour: { value: new T.Color() }
   };
   var head = [
-    'uniform float pixel, flat_, ratio, fogNear, fogFar, fogMost, paper, waterTop, waterSpan, ghost;',
+    'uniform float pixel, spacing, flat_, ratio, fogNear, fogFar, fogMost, paper, waterTop, waterSpan, ghost;',
     'uniform vec3 ahead, light, ghostColour;',
     // the water's colour at a height: it darkens with depth
     'float depthShare(float z) { return clamp((waterTop - z) / waterSpan, 0.0, 1.0); }',
@@ -180,45 +180,49 @@ window.codendView.materials = function () {
     '}'
   ].join('\n'));
 
-  // Netting: a surface with the twines of its meshes, at whole mesh coordinates. Where meshes are
-  // smaller than some pixels only every second, fourth... twine is drawn, over a film as dense as the
-  // twine that is left out. Behind the front of a catch fish fill the meshes. `core`: what covers,
-  // first; then the soft edges.
+  // Netting: a surface with the twines of its meshes, at whole mesh coordinates. Panels whose twines lie
+  // closer than `spacing` (m) show fewer, at multiples of a power of two of their drawn coordinates
+  // (R/scene-drawn.R): the whole panel alike, so that its pattern never changes within it. A film is as dense as the twine that is left out. Behind the front of a catch fish fill the meshes.
+  // `core`: what covers, first; then the soft edges.
   function netting(core) {
     return material([
-      // about: thickness of a twine in meshes, and 1 where filled; whether slack, of both families
-      'attribute vec3 colourU, colourV; attribute vec2 mesh; attribute vec3 about;',
-      'varying vec3 vU, vV, vNormal; varying vec2 vMesh, vWhere; varying vec3 vAbout;',
+      // gap: metres between twines, and between those at whole drawn coordinates; about: thickness of a twine in meshes,
+      // and 1 where filled; whether slack, of both families
+      'attribute vec3 colourU, colourV; attribute vec2 mesh, drawn, gap; attribute vec3 about;',
+      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
       'void main() {',
-      '  vU = colourU; vV = colourV; vMesh = mesh; vAbout = about; vNormal = normal;',
+      '  vU = colourU; vV = colourV; vMesh = mesh; vNormal = normal;',
+      '  float full = step(0.75, about.x), level = log2(spacing / gap.y);',
+      '  vLines = level < 0.0 ? vec3(mesh, 0.0) : vec3(drawn, level);',
+      '  vAbout = vec4((about.x - full) * (level < 0.0 ? 1.0 : gap.x / gap.y), about.yz, full);',
       '  vec4 seen = viewMatrix * vec4(position, 1.0);',
       '  vWhere = vec2(-seen.z, position.z);',
       '  gl_Position = projectionMatrix * seen;',
       '}'
     ].join('\n'), [
       '#define CORE ' + (core ? 1 : 0),
-      'varying vec3 vU, vV, vNormal; varying vec2 vMesh, vWhere; varying vec3 vAbout;',
-      // how much of a pixel a twine covers, and how round it is there: x across the twines, one
-      // apart; w: of a pixel
+      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
+      // how much of a pixel a twine covers, and how round it is there: x across the twines; w: of a pixel
       'vec2 cover(float x, float w, float thick, float along, float slack) {',
-      '  float level = max(0.0, log2(7.0 * ratio * w));',
-      '  float k = floor(level), f = level - k, step_ = exp2(k);',
+      '  float k = floor(vLines.z), f = vLines.z - k, step_ = exp2(k);',
       '  float fine = abs(fract(x / step_ + 0.5) - 0.5) * step_ / w;',
       '  float coarse = abs(fract(x / step_ * 0.5 + 0.5) - 0.5) * step_ * 2.0 / w;',
       '  float half_ = max(0.5 * thick / w, (slack > 0.5 ? 0.42 : 0.6) * ratio);',
-      '  float c = max(clamp(half_ + 0.5 - coarse, 0.0, 1.0),',
-      '    clamp(half_ + 0.5 - fine, 0.0, 1.0) * (1.0 - smoothstep(0.3, 1.0, f)));',
+      '  float fade = 1.0 - smoothstep(0.3, 1.0, f);',
+      '  float c = max(clamp(half_ + 0.5 - coarse, 0.0, 1.0), clamp(half_ + 0.5 - fine, 0.0, 1.0) * fade);',
+      // twines that nearly touch are a film
+      '  float close = w / step_;',
+      '  c = mix(c, min(half_ * close * (1.0 + fade), 0.48), smoothstep(0.35, 0.8, close * ratio));',
       // dashes of half a drawn mesh
       '  if (slack > 0.5 && fract(along / step_ * 0.5) > 0.62) c = 0.0;',
       '  float off = min(min(fine, coarse) / half_, 1.0);',
       '  return vec2(c, 1.0 - smoothstep(1.2, 3.0, half_) * 0.45 * off * off);',
       '}',
       'void main() {',
-      '  vec2 w = max(fwidth(vMesh), vec2(1e-6));',
-      '  float full = step(0.75, vAbout.x), thick = vAbout.x - full;',
-      '  float slackU = vAbout.y, slackV = vAbout.z;',
-      '  vec2 u = cover(vMesh.y, w.y, thick, vMesh.x, slackU);',
-      '  vec2 v = cover(vMesh.x, w.x, thick, vMesh.y, slackV);',
+      '  vec2 w = max(fwidth(vLines.xy), vec2(1e-6));',
+      '  float thick = vAbout.x, full = vAbout.w, slackU = vAbout.y, slackV = vAbout.z;',
+      '  vec2 u = cover(vLines.y, w.y, thick, vLines.x, slackU);',
+      '  vec2 v = cover(vLines.x, w.x, thick, vLines.y, slackV);',
       '  float fineness = smoothstep(0.08, 0.6, max(w.x, w.y) * ratio);',
       '  float slack = 0.5 * (slackU + slackV);',
       '  float film = fineness * clamp(1.6 * thick + 0.06, 0.08, 0.3) * (1.0 - 0.4 * slack);',
@@ -301,6 +305,8 @@ window.codendView.materials = function () {
       '  float on = max(clamp(0.5 * ratio + 0.5 - d.x, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.x)),',
       '    clamp(0.5 * ratio + 0.5 - d.y, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.y)));',
       '  float fade = 1.0 - smoothstep(0.35, 1.0, length(vAt - middle) / reach);',
+      // no edge where the sheet ends close to the eye
+      '  if (flat_ < 0.5) fade *= smoothstep(0.02, 0.25, vWhere.x / fogNear);',
       '  vec2 at = vAt / square;',
       '  vec3 wide = texture2D(grain, mat2(0.8, -0.6, 0.6, 0.8) * at * 0.23).rgb;',
       '  vec3 near = texture2D(grain, at * 0.71).rgb;',

@@ -334,6 +334,7 @@ window.codendView.viewer = function (host, options) {
     shared.flat_.value = 1;
     shared.ahead.value.set(-sun[0], -sun[1], -sun[2]);
     shared.pixel.value = reach / 512;
+    shared.spacing.value = twine_gap * shared.pixel.value;
     shared.fogMost.value = 0;
     shared.ghost.value = 1;
     shared.ghostColour.value.set(0);
@@ -370,6 +371,9 @@ window.codendView.viewer = function (host, options) {
     bedMesh.visible = !!told.bed;
   }
 
+  // Pixels between twines that are drawn.
+  var twine_gap = 12;
+
   // The eye, for a picture of so many pixels up.
   function set_eye(width, height) {
     var way = axes(camera.turn, camera.rise), range = gears.now.range.whole, size = longest(range);
@@ -389,6 +393,7 @@ window.codendView.viewer = function (host, options) {
     perspective.projectionMatrixInverse.copy(perspective.projectionMatrix).invert();
     perspective.updateMatrixWorld();
     shared.pixel.value = 2 * Math.tan(perspective.fov * Math.PI / 360) / height;
+    shared.spacing.value = twine_gap * shared.pixel.value * camera.away;
     shared.flat_.value = 0;
     var reach = longest(focus()), shown = focus();
     shared.fogNear.value = camera.away - 0.1 * reach;
@@ -1093,6 +1098,7 @@ window.codendView.viewer = function (host, options) {
     shared.flat_.value = 1;
     shared.ahead.value.fromArray(way.eye).negate();
     shared.pixel.value = 1 / scale / ratio;
+    shared.spacing.value = twine_gap / scale;
     shared.fogNear.value = 10 * size;
     shared.fogFar.value = 20 * size;
     light(way);
