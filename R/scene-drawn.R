@@ -1,9 +1,9 @@
 # The twines that the viewer draws where meshes are too small to be seen one by one.
 #
-# Every panel has two drawn coordinates, a linear function of its twine coordinates. The viewer draws
-# the twines at multiples of a power of two of them. Both coordinates are continuous across seams up
-# to sign, exchange and a power of two, so every drawn twine that ends on a seam meets a drawn twine
-# of the other panel or, where that panel is drawn coarser, the seam between two of them.
+# Every panel has two drawn coordinates, a linear function of its twine coordinates. The viewer
+# draws the twines at multiples of a power of two of them. Both coordinates are continuous across
+# seams up to sign, exchange and a power of two, so every drawn twine that ends on a seam meets a
+# drawn twine of the other panel or, where that panel is drawn coarser, the seam alone.
 
 # Returns list(scale, offset (2 x panels)): the drawn coordinates of a panel are its twine
 # coordinates over its scale, plus its offset. The scale is at least 1 and below 2.
@@ -33,8 +33,8 @@ new_drawn_coordinates <- function(panels, seams) {
   list(scale = scale / power, offset = offset * rep(power, each = 2L))
 }
 
-# The offset at which the twines of a panel are their own mirror image about its middle line, so that
-# they meet the twines of a mirror image beside it.
+# The offset at which the twines of a panel are their own mirror image about its middle line, so
+# that they meet the twines of a mirror image next to it.
 mirrored_offset <- function(panel) {
   c(-edge_twines(panel, "upper", if (is_square(panel)) 0.5 else 1)[1L], 0)
 }
@@ -51,9 +51,10 @@ edge_twines <- function(panel, edge, fraction) {
 }
 
 # The joints along which drawn coordinates are continued, best first: joints across the net before
-# joints along its sides, sides that lose as many twines before others, panels that meet on both sides
-# before others, and long ones before short ones. Returns list(first, second = numbers of panels, from, to = twine coordinates of the ends (2 x
-# 2, an end in each column), pair = which family of the first panel continues in each of the second).
+# joints along its sides, sides that lose as many twines before others, panels that meet on both
+# sides before others, and long ones before short ones. Returns list(first, second = numbers of
+# panels, from, to = twine coordinates of the ends (2 x 2, an end in each column), pair = which
+# family of the first panel continues in each of the second).
 drawn_links <- function(panels, joints) {
   ends <- function(panel, edge, from, to) {
     Map(function(panel, edge, from, to) edge_twines(panels[[panel]], edge, c(from, to)),
@@ -75,10 +76,11 @@ drawn_links <- function(panels, joints) {
   swapped <- ifelse(abs(unlike[1L, ] - unlike[2L, ]) < 1e-6, mirrored, unlike[2L, ] < unlike[1L, ])
   meetings <- stats::ave(length, paste(joints$panel, joints$other), FUN = base::length)
   best <- order(-across, round(pmin(unlike[1L, ], unlike[2L, ]), 6L), -meetings, -length)
-  list(
+  links <- list(
     first = match(joints$panel, names(panels)), second = match(joints$other, names(panels)),
     from = from, to = to, pair = lapply(swapped, function(s) if (s) 2:1 else 1:2)
-  ) |> lapply(`[`, best)
+  )
+  lapply(links, `[`, best)
 }
 
 # How many twine coordinates of each family lie along a joint. ends: see drawn_links().
@@ -103,7 +105,8 @@ continued_coordinates <- function(links, k, scale, offset) {
   # a family that runs along the joint has no ends to continue: the other one is continued in both
   pair <- ifelse(abs(run_along(known)[pair]) < 1e-9 & abs(run_along(own)) > 1e-9, 3L - pair, pair)
   ends <- abs(run_along(own)) > 1e-9 & abs(run_along(known)[pair]) > 1e-9
-  new_scale <- if (any(ends)) exp(mean(log(abs(run_along(own) / run_along(known)[pair]))[ends])) else 1
+  ratio <- abs(run_along(own) / run_along(known)[pair])[ends]
+  new_scale <- if (length(ratio)) exp(mean(log(ratio))) else 1
   sign <- ifelse(run_along(own) * run_along(known)[pair] < 0, -1, 1)
   list(scale = new_scale, offset = sign * known[pair, 1L] - own[, 1L] / new_scale)
 }

@@ -10,10 +10,10 @@
 #' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
 #' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
 #' opening or angle of meshes, or drag. Slack lines have a quiet colour, and a bright one where the
-#' colours show slack alone; slack ropes are dashed, slack netting where the colours show slack alone.
-#' The key `h` lists all keys. Where meshes are too small to be seen, a panel is drawn with fewer,
-#' larger meshes. The drawn twines then meet on seams across the net. Pieces are drawn large enough
-#' to be seen. The page prints on white.
+#' colours show slack alone. Slack ropes are dashed; slack netting is dashed where the colours show
+#' slack alone. The key `h` lists all keys. Where meshes are too small to be seen, a panel is drawn
+#' with fewer, larger meshes. The drawn twines then meet on seams across the net. Pieces are drawn
+#' large enough to be seen. The page prints on white.
 #'
 #' The button *Save* saves the picture as PNG, 3,840 pixels along its longer side, or a video as
 #' WebM: of a turn around the gear in 12 s, or of a tow that the page plays, in at most 20 s. Both

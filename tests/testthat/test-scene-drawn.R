@@ -1,5 +1,5 @@
-# Places along a joint (0..1) at which drawn twines of a panel end: twines at multiples of a power of
-# two of the drawn coordinates, at most `most` of each family.
+# Returns the places along a joint (0..1) at which drawn twines of a panel end: twines at multiples
+# of a power of two of the drawn coordinates, at most `most` of each family.
 drawn_ends <- function(si, drawn, panel, edge, from, to, most) {
   number <- match(panel, names(si$panels))
   ends <- edge_twines(si$panels[[panel]], edge, c(from, to)) / drawn$scale[number] +
@@ -35,7 +35,7 @@ joints_with_ends <- function(si) {
 
 test_that("drawn twines meet on the seams across every shipped net", {
   seams <- 0
-  for (gear in gears()) {
+  for (gear in gears()$name) {
     joints <- joints_with_ends(gear_si(read_gear(gear)))
     across <- joints$edge %in% c("upper", "lower") & joints$other_edge %in% c("upper", "lower")
     expect_lt(max(0, joints$apart[across]), 1e-6, label = gear)

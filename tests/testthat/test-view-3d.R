@@ -45,7 +45,7 @@ test_that("surfaces carry as many meshes as the plan has", {
   expect_true(all(is.finite(mean_of(coarse))))
 })
 
-test_that("a cloud of bars has the mesh coordinates of its knots, and a tension where twines meet", {
+test_that("a cloud of bars has the panel's mesh coordinates, and a tension at its knots", {
   state <- unsettled(sheets_plan, nodes = 300, netting = "bars")
   state$bar_tension[] <- 7
   surfaces <- netting_surfaces(state)
@@ -53,7 +53,7 @@ test_that("a cloud of bars has the mesh coordinates of its knots, and a tension 
   panel <- surfaces$panels[[p]]
   expect_identical(panel$columns, 0L)
   # square meshes: as many twines across and deep as the plan has
-  expect_equal(apply(panel$mesh, 1L, range), cbind(c(0, 40), c(0, 20)))
+  expect_equal(unname(apply(panel$mesh, 1L, range)), cbind(c(0, 40), c(0, 20)))
   u <- surfaces$u[surfaces$panel == p]
   expect_setequal(u[!is.na(u)], 7)
 })
