@@ -8,7 +8,7 @@
 slow <- c(
   "command", "command-line", "draw-gear", "finding", "flume",
   "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
-  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "readme",
+  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme",
   "report",
   "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
   "study-slurm", "study-store", "study-vary", "tow-catch", "validation-cables", "validation-codend",
@@ -16,7 +16,7 @@ slow <- c(
   "validation-published-cases", "validation-refinement"
 )
 
-# The blocks of the README run too.
+# Tests that CRAN skips run too.
 Sys.setenv(NOT_CRAN = "true")
 # Plots without a file are discarded.
 options(device = function(...) grDevices::pdf(NULL, ...))

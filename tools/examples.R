@@ -1,0 +1,78 @@
+# Runs the examples of README and guides as a reader who copies them does, from the top to the bottom
+# of each document: blocks of R and of shell lines of README, blocks of shell lines of the guides.
+# R CMD build runs the R of the guides. A plan in README must settle, and every file that an example
+# names must exist afterwards. Works in a temporary folder, which is also the home of the shell.
+#   Rscript tools/examples.R              all documents
+#   Rscript tools/examples.R README.md    these documents
+
+chosen <- commandArgs(TRUE)
+documents <- c("README.md", Sys.glob("vignettes/*.Rmd"))
+if (length(chosen)) documents <- chosen
+root <- normalizePath(".")
+folder <- tempfile("examples")
+dir.create(file.path(folder, ".local", "bin"), recursive = TRUE)
+
+# Returns a document's lines with all but the code of one language blank, so that line numbers stay.
+code_of <- function(lines, language) {
+  fence <- startsWith(lines, "```")
+  inside <- cumsum(fence) %% 2L == 1L
+  language_of <- c(NA, trimws(sub("^```", "", lines[fence])))[cumsum(fence) + 1L]
+  ifelse(inside & !fence & language_of == language, lines, "")
+}
+
+# Runs a command in the folder; TRUE if it fails, after printing its output.
+fails <- function(name, command, arguments, environment = character()) {
+  here <- setwd(folder)
+  on.exit(setwd(here))
+  log <- file.path(folder, "log")
+  status <- system2(command, arguments, stdout = log, stderr = log, stdin = "/dev/null",
+    env = environment)
+  if (status != 0L) {
+    cat(name, "failed; the last line of code below is the one that fails:\n")
+    cat(paste("   ", utils::tail(readLines(log, warn = FALSE), 40L)), sep = "\n")
+  }
+  status != 0L
+}
+
+run_r <- function(file, lines) {
+  script <- file.path(folder, "example.R")
+  writeLines(code_of(lines, "r"), script)
+  fails(paste(file, "(R)"), "Rscript", c("--vanilla", file.path(root, "tools", "examples", "session.R")))
+}
+
+run_shell <- function(file, lines) {
+  script <- file.path(folder, "example.sh")
+  writeLines(code_of(lines, "sh"), script)
+  fails(paste(file, "(shell)"), "bash", file.path(root, "tools", "examples", "session.sh"),
+    c(paste0("HOME=", shQuote(folder)), paste0("ROOT=", shQuote(root)), paste0("DOCUMENT=", file)))
+}
+
+run_plan <- function(file, lines) {
+  writeLines(code_of(lines, "yaml"), file.path(folder, "plan.yaml"))
+  fails(paste(file, "(plan)"), "Rscript", c("-e", shQuote("codend::settle('plan.yaml', nodes = 300)")))
+}
+
+# Names of files in code, without its comments.
+named_files <- function(code) {
+  code <- sub("#.*", "", code)
+  pattern <- "[A-Za-z_][A-Za-z0-9_]*[.](html|png|nc|vtu|pvd|glb|svg|pdf|dxf|yaml|json|csv|study)\\b"
+  unique(unlist(regmatches(code, gregexpr(pattern, code))))
+}
+
+run_document <- function(file) {
+  lines <- readLines(file, encoding = "UTF-8")
+  readme <- file == "README.md"
+  parts <- list(r = run_r, sh = run_shell, yaml = run_plan)
+  code <- lapply(stats::setNames(nm = names(parts)), code_of, lines = lines)
+  used <- vapply(code, function(code) any(nzchar(code)), NA) & c(readme, TRUE, readme)
+  failed <- vapply(parts[used], function(run) run(file, lines), NA)
+  named <- if (!any(failed)) named_files(unlist(code[setdiff(names(parts)[used], "yaml")]))
+  absent <- named[!file.exists(file.path(folder, named))]
+  cat(sprintf("%s: no example writes %s\n", file, absent), sep = "")
+  any(failed) || length(absent) > 0L
+}
+
+failed <- vapply(documents, run_document, NA)
+unlink(folder, recursive = TRUE)
+cat(sprintf("%d passed, %d failed, 0 skipped\n", sum(!failed), sum(failed)))
+quit(status = any(failed))
