@@ -386,7 +386,8 @@ flume_shown <- function(input, output, tank, said, say) {
     if (!is.null(tank$gear)) said("flume_plan", text = draft_text(tank$draft))
   })
   shiny::observeEvent(input$words_wanted, {
-    if (!is.null(tank$gear)) said("flume_words", words = tank$words())
+    words <- if (!is.null(tank$gear)) tank$words()
+    said("flume_words", words = words, number = input$words_wanted)
   })
   # of a part that was clicked in the picture
   shiny::observeEvent(input$part_wanted, {

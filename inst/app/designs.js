@@ -3,12 +3,13 @@
 //
 // codendDesigns.open(words) opens what an address or a file says; .show(kept) lists what R keeps,
 // .shared(designs) what is in the folder that all share;
-// .moved() tells that something changed; .words(words) takes what R says of the designs.
+// .moved() tells that something changed; .words(words, number) takes what R says of the designs;
+// .waits() returns whether the address is still to change.
 window.codendDesigns = (function () {
   'use strict';
 
   var element = window.codendView.element, say = window.codendSay;
-  var timer = null, mine = null, largest = 2 * 1024 * 1024;
+  var timer = null, mine = null, wanted = null, largest = 2 * 1024 * 1024;
   function find(id) { return document.getElementById(id); }
 
   // ---- the address --------------------------------------------------------------------------------
@@ -73,15 +74,21 @@ window.codendDesigns = (function () {
     window.clearTimeout(timer);
     timer = window.setTimeout(function () {
       if (window.codendTalk.waits()) { moved(); return; }
-      window.codendTalk.tell('words_wanted', Date.now());
+      timer = null;
+      wanted = Date.now();
+      window.codendTalk.tell('words_wanted', wanted);
     }, 600);
   }
 
-  function words(said) {
-    said.units = window.codendPage.preferred();
-    pack(said).then(function (text) {
-      mine = text;
-      window.history.replaceState(null, '', '#d=' + text);
+  // said: null without a design.
+  function words(said, number) {
+    if (said) said.units = window.codendPage.preferred();
+    (said ? pack(said) : Promise.resolve(null)).then(function (text) {
+      if (text) {
+        mine = text;
+        window.history.replaceState(null, '', '#d=' + text);
+      }
+      if (number === wanted) wanted = null;
     });
   }
 
@@ -190,5 +197,8 @@ window.codendDesigns = (function () {
     }
   });
 
-  return { open: open, read: read, moved: moved, words: words, show: show, shared: shared };
+  return {
+    open: open, read: read, moved: moved, words: words, show: show, shared: shared,
+    waits: function () { return timer !== null || wanted !== null; }
+  };
 }());

@@ -181,7 +181,7 @@ window.codendPage = (function () {
       window.codendDesigns.show(message.kept || []);
     });
     Shiny.addCustomMessageHandler('flume_words', function (message) {
-      window.codendDesigns.words(message.words);
+      window.codendDesigns.words(message.words, message.number);
     });
     Shiny.addCustomMessageHandler('flume_own', function (message) {
       window.codendForm.own(message.rows);

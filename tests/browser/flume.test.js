@@ -5,7 +5,7 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, visit, open, control, measure } = require('./tank');
+const { serve, launch, visit, open, control, measure, answered, tab } = require('./tank');
 
 let tank, browser, folder;
 before(async () => {
@@ -50,7 +50,6 @@ const painted = (page, id) => page.evaluate(async (id) => {
   for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count++;
   return count / (data.length / 4);
 }, id);
-const tab = (page, name) => page.getByRole('link', { name, exact: true }).click();
 const plane = (page) => page.evaluate(() => window.codendTank.point(0));
 const changed = (page, name, from) => page.waitForFunction(([name, from]) => {
   const row = [...document.querySelectorAll('.measures tbody tr')]
@@ -285,11 +284,10 @@ test('steps are undone and done again, and the address carries the design and th
   assert.ok(await page.isDisabled('#undo'));
   await page.click('#redo');
   await shown('5');
-  await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
+  await answered(page);
   await page.click('#keep');
   await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
-  await page.waitForFunction(() => /^#d=/.test(location.hash), null, patience);
-  await page.waitForTimeout(1500);
+  await answered(page);
   const address = page.url();
   assert.ok(address.length < 600, `${address.length} characters`);
   const other = await visit(browser, tank.url + address.slice(address.indexOf('/#')));
@@ -419,18 +417,23 @@ test('a click on the net opens the fields of that part, and a turn of the pictur
     return null;
   });
   assert.ok(place);
-  await page.mouse.click(place.x, place.y);
   const marked = page.locator('#form .part.marked');
+  await page.evaluate(() => {
+    const { tell } = window.codendTalk;
+    window.asked = [];
+    window.codendTalk.tell = (name, what) => { window.asked.push(name); tell(name, what); };
+  });
+  await page.mouse.click(place.x, place.y);
   await marked.waitFor(patience);
+  assert.ok((await page.evaluate(() => window.asked)).includes('part_wanted'));
   assert.equal(await marked.getAttribute('data-path'), `sections.${place.section}`);
   assert.ok(await page.evaluate(() => window.scrollY) < 1);
-  await page.evaluate(() => document.querySelector('.marked').classList.remove('marked'));
+  await page.evaluate(() => { window.asked = []; });
   await page.mouse.move(place.x, place.y);
   await page.mouse.down();
   await page.mouse.move(place.x + 40, place.y, { steps: 4 });
   await page.mouse.up();
-  await page.waitForTimeout(500);
-  assert.equal(await page.locator('.marked').count(), 0);
+  assert.ok(!(await page.evaluate(() => window.asked)).includes('part_wanted'));
   clean(page);
   await page.close();
 });
@@ -441,17 +444,13 @@ test('a reload, a link and a second tab open the design, begun from the gallery 
     const page = await visit(browser, own.url);
     if (!plans.length) await page.locator('[data-gear="towed_cable"]').click(patience);
     const speed = control(page, 'towing.speed').locator('.number');
-    const addressed = async () => {
-      await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
-      await page.waitForTimeout(1500);
-    };
     const shows = async (one) => {
       await one.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions').textContent) &&
         document.getElementById('tank').offsetParent && document.getElementById('gallery').hidden, null, patience);
     };
     await speed.fill('5');
     await shows(page);
-    await addressed();
+    await answered(page);
     const link = page.url();
     await page.reload();
     await shows(page);
@@ -461,7 +460,7 @@ test('a reload, a link and a second tab open the design, begun from the gallery 
     // an unfinished one too
     await speed.fill('-3');
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
-    await addressed();
+    await answered(page);
     await page.reload();
     await shows(page);
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
@@ -633,7 +632,6 @@ test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished dra
     await page.click('#keep');
     for (const name of ['Designs', 'Vary', 'Save']) {
       await tab(page, name);
-      await page.waitForTimeout(300);
       await finds(page, `${name} at ${size.width}`);
     }
     await page.click('#gears');
@@ -677,18 +675,17 @@ test('the page speaks the language of its address or browser, with no word left 
     await page.waitForSelector(`#found_fields [data-paths^="${found}"]`, patience);
   }
   await page.fill('#find_field', '');
-  for (const tab of ['Tensions', 'Vary', 'Tow', 'Save']) {
-    await page.click(`#shown [data-value="${tab}"]`);
-    await page.waitForTimeout(300);
+  for (const name of ['Tensions', 'Vary', 'Tow', 'Save']) {
+    await tab(page, name);
     await page.evaluate(axe);
     const wrong = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(wrong.violations.map((one) => `${tab}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
+    assert.deepEqual(wrong.violations.map((one) => `${name}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
   }
   // another language, of the same design
   await control(page, 'towing.speed').locator('.number').fill('3,5');
-  await page.waitForFunction(() => /^#d=/.test(window.location.hash) &&
-    /3.5 knot/.test(document.getElementById('gear_conditions').textContent), null, patience);
-  await page.waitForTimeout(1500);
+  await page.waitForFunction(() => /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
+    null, patience);
+  await answered(page);
   await page.selectOption('#language', 'es');
   await page.waitForFunction(() => document.documentElement.lang === 'es', null, patience);
   await page.waitForSelector('.measures td', patience);
@@ -754,8 +751,7 @@ test('a row of one\'s own and a shared design: picked, put, opened on a phone, g
   await finds(phone, 'shared on a phone');
   assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
   // the row came with the copy, and a reload keeps it
-  await phone.waitForFunction(() => /^#d=/.test(window.location.hash), null, patience);
-  await phone.waitForTimeout(2000);
+  await answered(phone);
   await phone.reload();
   await phone.waitForFunction(() => String(window.codendForm.field('otter_boards.mass')?.value) === '1234.5',
     null, patience);

@@ -3,12 +3,11 @@
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, visit, control, measure } = require('./tank');
+const { serve, launch, visit, control, measure, tab } = require('./tank');
 
 const root = path.join(__dirname, '..', '..');
 const desk = { width: 1440, height: 900 }, phone = { width: 390, height: 844 };
 const patience = { timeout: 120000 };
-const tab = (page, name) => page.getByRole('link', { name, exact: true }).click();
 
 async function still(page) {
   await page.waitForSelector('.measures td', patience);

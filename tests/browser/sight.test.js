@@ -7,7 +7,7 @@ const { execFileSync } = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, visit, open } = require('./tank');
+const { serve, launch, visit, open, tab } = require('./tank');
 const { faint } = require('./sight');
 
 const command = process.env.CODEND || path.join(__dirname, '..', '..', 'exec', 'codend');
@@ -92,7 +92,7 @@ test('words have a contrast of 4.5, lines and edges of 3, on every page of the t
     await stands_out('tank', 80);
     for (const name of ['Tensions', 'Drag', 'Slopes', 'Tow', 'Designs', 'Changes', 'Plan', 'R code',
       'Save']) {
-      await page.getByRole('link', { name, exact: true }).click();
+      await tab(page, name);
       await stands_out(name, 80);
     }
     await page.click('#see_drawing');

@@ -53,4 +53,21 @@ async function measure(page, name) {
   return row.locator('td').allTextContents();
 }
 
-module.exports = { serve, launch, visit, open, control, measure };
+// Resolves once a page has its answers and its address carries the design.
+const answered = (page) => page.waitForFunction(() => window.codendForm.still() &&
+  !window.codendTalk.waits() && !window.codendDesigns.waits(), null, { timeout: 60000 });
+
+// Opens a tab by its name in English, until its content is complete.
+async function tab(page, name) {
+  await page.click(`#shown [data-value="${name}"]`);
+  await complete(page);
+}
+
+// Resolves once the open tab has all its outputs and nothing in the page fades or moves.
+const complete = (page) => page.waitForFunction(() => {
+  const waits = [...document.querySelectorAll('#shown ~ .tab-content > .active .shiny-bound-output')]
+    .some((output) => output.matches('.recalculating') || !output.childNodes.length);
+  return !waits && !document.documentElement.matches('.shiny-busy') && !document.getAnimations().length;
+}, null, { timeout: 60000 });
+
+module.exports = { serve, launch, visit, open, control, measure, answered, tab, complete };
