@@ -749,8 +749,8 @@ window.codendView.gear = function (materials) {
     return found;
   };
 
-  // Ranges of the whole gear and of its netting with the pieces beside it at all times: {low, high},
-  // the latter null without netting.
+  // Ranges {low, high} at all times of the whole gear, of its netting with the pieces next to it, and of
+  // both with the otter boards; the last two are null without netting.
   gear.ranges = function () {
     function of(chosen, source) {
       var low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -780,9 +780,11 @@ window.codendView.gear = function (materials) {
         return one.low[k] > net.low[k] - near && one.high[k] < net.high[k] + near;
       });
     });
+    var boards = marks.filter(function (i) { return told.marks.role[i] === 'otter_board'; });
+    net = join(net, of(beside, gear.source.places));
     return {
       whole: join(of(all, gear.source.points), of(marks, gear.source.places)),
-      net: join(net, of(beside, gear.source.places))
+      net: net, boards: net && join(net, of(boards, gear.source.places))
     };
   };
 

@@ -11,7 +11,8 @@
 //                         over, beside), align (bosom, towing)
 //   seek(s)               shows a moment of what moves
 //   look({turn})          turns the eye (radians, as at first)
-//   frame({turn, rise, near})  looks at all of the gear from an angle, `near` of the distance that shows all
+//   frame({turn, rise, near, focus})  shows the net from an angle, at `near` times the distance that shows all
+//                         of it; focus: whole gear, or boards for the net with its otter boards
 //   picture(wide, worded)  the picture as a canvas so many pixels wide (as it is), with or without words
 //   film(kind, seconds, wide, worded)  a video of a turn or a tow, as a promise of a Blob; see save.js
 //   flat(...)             draws the gear flat on a part of another canvas
@@ -1217,6 +1218,7 @@ window.codendView.viewer = function (host, options) {
     seek: function (time) { if (moment) moment.seek(time); },
     look: look,
     frame: function (from) {
+      choice.focus = from.focus || choice.focus;
       look_again();
       var at = Object.assign({ turn: camera.turn, rise: camera.rise, near: 1 }, from);
       look({ turn: at.turn, rise: at.rise });
