@@ -182,7 +182,8 @@ window.codendView.materials = function () {
 
   // Netting: a surface with the twines of its meshes, at whole mesh coordinates. Panels whose twines lie
   // closer than `spacing` (m) show fewer, at multiples of a power of two of their drawn coordinates
-  // (R/scene-drawn.R): the whole panel alike, so that its pattern never changes within it. A film is as dense as the twine that is left out. Behind the front of a catch fish fill the meshes.
+  // (R/scene-drawn.R): the whole panel alike, so that its pattern never changes within it. A film is as
+  // dense as the twine that is left out. Behind the front of a catch fish fill the meshes.
   // `core`: what covers, first; then the soft edges.
   function netting(core) {
     return material([
@@ -208,7 +209,7 @@ window.codendView.materials = function () {
       '  float fine = abs(fract(x / step_ + 0.5) - 0.5) * step_ / w;',
       '  float coarse = abs(fract(x / step_ * 0.5 + 0.5) - 0.5) * step_ * 2.0 / w;',
       '  float half_ = max(0.5 * thick / w, (slack > 0.5 ? 0.42 : 0.6) * ratio);',
-      '  float fade = 1.0 - smoothstep(0.3, 1.0, f);',
+      '  float fade = 1.0 - smoothstep(0.85, 1.0, f);',
       '  float c = max(clamp(half_ + 0.5 - coarse, 0.0, 1.0), clamp(half_ + 0.5 - fine, 0.0, 1.0) * fade);',
       // twines that nearly touch are a film
       '  float close = w / step_;',
@@ -225,7 +226,7 @@ window.codendView.materials = function () {
       '  vec2 v = cover(vLines.x, w.x, thick, vLines.y, slackV);',
       '  float fineness = smoothstep(0.08, 0.6, max(w.x, w.y) * ratio);',
       '  float slack = 0.5 * (slackU + slackV);',
-      '  float film = fineness * clamp(1.6 * thick + 0.06, 0.08, 0.3) * (1.0 - 0.4 * slack);',
+      '  float film = fineness * min(3.0 * thick, 0.3) * (1.0 - 0.4 * slack);',
       '  vec3 twine = v.x > u.x ? vV * v.y : vU * u.y;',
       '  float alpha = max(u.x, v.x);',
       '  float knot = 0.5 * thick * 1.9;',

@@ -373,7 +373,7 @@ window.codendView.viewer = function (host, options) {
   }
 
   // Pixels between twines that are drawn.
-  var twine_gap = 12;
+  var twine_gap = 14;
 
   // The eye, for a picture of so many pixels up.
   function set_eye(width, height) {
