@@ -5,10 +5,6 @@
 #' settled, to change field by field. The net moves to its new shape as a slider does: every shape
 #' is settled from the one before.
 #'
-#' \if{html}{\figure{flume.png}{options: width="100\%" alt="The flume tank: sliders on the left, the
-#' net in three dimensions coloured by tension in the middle, the table of measures with their
-#' changes on the right, the three planes below."}}
-#'
 #' @details
 #' The page shows
 #'
