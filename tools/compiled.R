@@ -1,0 +1,47 @@
+# Writes R/zzz-compiled.R, the list of functions that are compiled when the package is installed, from
+# a common session: R's own compiler selects what that session calls more than once.
+#   Rscript tools/compiled.R   takes a minute; run it after changes of the functions of common calls
+
+library(codend)
+package <- asNamespace("codend")
+names <- ls(package, all.names = TRUE)
+names <- names[vapply(names, function(name) is.function(package[[name]]), NA)]
+methods <- package[[".__S3MethodsTable__."]]
+
+# Without compiled code at first: an assigned environment removes it.
+for (table in list(package, methods)) {
+  for (name in intersect(ls(table, all.names = TRUE), names)) {
+    plain <- table[[name]]
+    environment(plain) <- environment(plain)
+    if (bindingIsLocked(name, table)) unlockBinding(name, table)
+    assign(name, plain, table)
+  }
+}
+
+folder <- tempfile()
+dir.create(folder)
+grDevices::pdf(NULL)
+invisible(utils::capture.output({
+  for (gear in gears()$name) {
+    state <- settle(gear, nodes = 300)
+    print(measures(state))
+    print(findings(state))
+  }
+  state <- settle(update(read_gear("midwater_trawl"), towing.speed = "3 knot"), nodes = 300)
+  print(state)
+  plot(state)
+  report(state, file.path(folder, "state.html"))
+  write_state(state, file.path(folder, "state.nc"))
+  print(sensitivities(state))
+  print(tow(state, until = "2 s"))
+}))
+
+compiled <- function(name) {
+  found <- c(package[[name]], methods[[name]])
+  any(vapply(found, function(f) any(grepl("^<bytecode", utils::capture.output(print(f)))), NA))
+}
+listed <- sort(names[vapply(names, compiled, NA)], method = "radix")
+lines <- strwrap(toString(dQuote(listed, FALSE)), 98, indent = 2, exdent = 2)
+writeLines(c(
+  "# Written by tools/compiled.R; do not edit.", "", "compiled_functions <- c(", lines, ")"
+), "R/zzz-compiled.R")
