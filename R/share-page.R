@@ -15,7 +15,8 @@ scene_json <- function(scene) {
 
 # What the page unpacks, by name: deflated bytes as letters_of() gives them.
 shared_parts <- function(state, model, tow) {
-  wasm <- system.file("share", "engine.wasm", package = "codend", mustWork = TRUE)
+  wasm <- gzfile(system.file("share", "engine.wasm.gz", package = "codend", mustWork = TRUE), "rb")
+  on.exit(close(wasm))
   scene <- packed_scene(state_scene(state))
   js <- function(names, of) paste(vapply(names, view_file, "", of), collapse = "\n;\n")
   parts <- list(
@@ -23,7 +24,7 @@ shared_parts <- function(state, model, tow) {
     viewer = packed_text(js(setdiff(viewer_scripts, "three.js"), "view")),
     page = packed_text(js(page_scripts, "share")),
     worker = packed_text(js(worker_scripts, "share")),
-    wasm = deflated(readBin(wasm, "raw", file.size(wasm))),
+    wasm = deflated(readBin(wasm, "raw", 1e8)),
     scene = packed_text(scene_json(scene[c("scene", "head")])), shapes = scene$body,
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
     drawing = packed_text(drawing_svg(state$gear, "A3"))

@@ -60,7 +60,7 @@ share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
 # Whether the engine for pages is installed.
 can_share <- function() all(nzchar(system.file("share", engine_files, package = "codend")))
 
-engine_files <- c("engine.js", "engine.wasm")
+engine_files <- c("engine.js", "engine.wasm.gz")
 
 check_can_share <- function() {
   if (can_share()) return(invisible())
