@@ -44,7 +44,6 @@ measures <- function(state) {
 # The measures of a state without their errors: list(values (SI, by name), kinds, light = whether
 # its drag is little next to its weights).
 state_values <- function(state) {
-  check_enclosing(state, state$si$measures)
   drag <- list(list(kind = "total_drag"))
   values <- measure_values(state, c(asked_of(state$si), drag))
   light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
@@ -74,17 +73,6 @@ asked_of <- function(si) {
   kinds <- measured_kinds(si)
   standard <- kinds[seq_along(kinds) > length(si$measures)]
   c(si$measures, lapply(standard, function(measure) list(kind = measure$computed)))
-}
-
-# Stops where the water within netting is asked for that is of no cells.
-check_enclosing <- function(state, asked) {
-  enclosing <- vapply(asked, function(one) one$kind == "enclosed_volume", NA)
-  if (any(enclosing) && !length(state$lattice$engine$cells$rest)) {
-    abort_argument(
-      "The enclosed volume is that of netting of cells; this gear has none
-      ({.code netting: cells})."
-    )
-  }
 }
 
 # The standard measures' names in a state, with their units.

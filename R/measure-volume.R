@@ -16,6 +16,6 @@ define_measure("volume_share", "%",
 define_measure("enclosed_volume", "m3",
   "Volume of water that netting hanging from the surface encloses, down to a surface from a rope,
   such as the lead line, to that rope's middle. A gap between the two ends of the net is closed by
-  an upright wall.",
+  an upright wall. Without netting it is not a number.",
   asks_rope
 )

@@ -54,24 +54,29 @@ test_that("a wrong purse seine is told by its field", {
 test_that("the enclosed volume is that of a circle of netting that leans inwards", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)
-  lattice <- codend:::build_lattice(si, 300)
-  lead <- along_rope(lattice, "lead_line")$node
-  # Both ends of the netting meet: what is between them is closed by upright walls, which lean not.
-  angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
-  angle[along_rope(lattice, "side_line_first")$node] <- 0
-  angle[along_rope(lattice, "side_line_last")$node] <- 2 * pi
-  deep <- -hung_shape(lattice)[3, ]
-  deep <- deep * 30 / max(deep[lead])
-  deep[lead] <- 30
-  # half as wide at 30 m as at the surface
-  radius <- 48 * (1 - deep / 60)
-  state <- codend:::new_state(gear, si, lattice,
-    as.vector(rbind(radius * cos(angle), radius * sin(angle), -deep)), list(converged = TRUE))
-  area <- sum(48^2 * sin(diff(c(angle[lead], 2 * pi))) / 2)
-  found <- codend:::measure_values(state, list(list(kind = "enclosed_volume", rope = "lead_line")))
-  # corners of the netting between lie up to half a column, some 1/40 of the circle, beside those of
-  # the lead line: polygons of 40 corners are 4e-3 smaller than the circle
-  expect_equal(found, area * 30 * (1 + 1 / 2 + 1 / 4) / 3, tolerance = 4e-3)
+  # inside of its edges, netting of bars is divided more coarsely
+  for (nodes in c(cells = 300, bars = 3000)) {
+    netting <- if (nodes == 300) "cells" else "bars"
+    lattice <- codend:::build_lattice(si, nodes, netting)
+    lead <- along_rope(lattice, "lead_line")$node
+    # The netting's ends meet: what is between them is closed by upright walls, which lean not.
+    angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
+    angle[along_rope(lattice, "side_line_first")$node] <- 0
+    angle[along_rope(lattice, "side_line_last")$node] <- 2 * pi
+    deep <- -hung_shape(lattice)[3, ]
+    deep <- deep * 30 / max(deep[lead])
+    deep[lead] <- 30
+    # half as wide at 30 m as at the surface
+    radius <- 48 * (1 - deep / 60)
+    state <- codend:::new_state(gear, si, lattice,
+      as.vector(rbind(radius * cos(angle), radius * sin(angle), -deep)), list(converged = TRUE))
+    area <- sum(48^2 * sin(diff(c(angle[lead], 2 * pi))) / 2)
+    asked <- list(list(kind = "enclosed_volume", rope = "lead_line"))
+    found <- codend:::measure_values(state, asked)
+    # corners of the netting between lie up to half a column, some 1/40 of the circle, beside the
+    # lead line's: polygons of 40 corners are 4e-3 smaller than the circle
+    expect_equal(found, area * 30 * (1 + 1 / 2 + 1 / 4) / 3, tolerance = 4e-3, label = netting)
+  }
 })
 
 test_that("a seine that is left alone hangs down straight below its floats", {

@@ -49,10 +49,8 @@ MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
   }
   out.edges = division.edges;
   const CellList& cells = lattice.cells;
-  out.cells.node = cells.node;
   out.cells.rest = cells.rest;
   out.cells.straight = cells.straight;
-  out.cells.multiplicity = cells.multiplicity;
   for (std::size_t c = 0; c < cells.rest.size(); ++c) {
     const double* twine = &cells.twine[8 * c];
     const double u[4] = {twine[0], twine[2], twine[4], twine[6]};

@@ -53,18 +53,15 @@ struct ElementParts {
   }
 };
 
-// Cells of netting as their list has them: corners, bars of one family in each, lengths of a bar.
+// Cells of netting as their list has them: bars of one family in each, lengths of a bar.
 struct CellFrame {
-  std::vector<int> node;
-  std::vector<double> bars, rest, straight, multiplicity;
+  std::vector<double> bars, rest, straight;
 
   template <class Visit>
   void fields(Visit& visit) {
-    visit("node", node, {4, Among::points});
     visit("bars", bars);
     visit("rest", rest);
     visit("straight", straight);
-    visit("multiplicity", multiplicity);
   }
 };
 

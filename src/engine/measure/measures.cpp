@@ -560,6 +560,23 @@ class Measuring {
     return out;
   }
 
+  // Triangles between places of the meshes of a panel, all turned the same way.
+  std::vector<std::array<int, 3>> panel_facets(int panel) const {
+    std::vector<int> mine, row;
+    std::vector<double> s;
+    for (int k = 0; k < frame_.meshes.count(); ++k) {
+      if (frame_.meshes.panel(k) != panel) continue;
+      mine.push_back(k);
+      row.push_back(frame_.meshes.row[k]);
+      s.push_back(frame_.meshes.s[k]);
+    }
+    std::vector<std::array<int, 3>> out = row_facets(row, s);
+    for (auto& facet : out) {
+      for (int& place : facet) place = mine[place];
+    }
+    return out;
+  }
+
   // All panels must be seen from the same side, from within or from without, with their upper edge up.
   T volume_within(const std::vector<int>& panels) const {
     using std::abs;
@@ -577,16 +594,8 @@ class Measuring {
       sum += triple_product(a - middle, b - middle, c - middle);
     };
     for (const int panel : panels) {
-      std::vector<int> mine, row;
-      std::vector<double> s;
-      for (int k = 0; k < frame_.meshes.count(); ++k) {
-        if (frame_.meshes.panel(k) != panel) continue;
-        mine.push_back(k);
-        row.push_back(frame_.meshes.row[k]);
-        s.push_back(frame_.meshes.s[k]);
-      }
-      for (const auto& facet : row_facets(row, s)) {
-        add(places[mine[facet[0]]], places[mine[facet[1]]], places[mine[facet[2]]]);
+      for (const auto& facet : panel_facets(panel)) {
+        add(places[facet[0]], places[facet[1]], places[facet[2]]);
       }
     }
     const std::vector<Rim> lids = rims(panels);
@@ -612,22 +621,17 @@ class Measuring {
     run.erase(std::unique(run.begin(), run.end()), run.end());
     std::vector<int> place_in_run(points_.size() / 3, -1);
     for (std::size_t k = run.size(); k-- > 0;) place_in_run[run[k]] = static_cast<int>(k);
+    if (frame_.meshes.count() == 0) return T(none);
+    const std::vector<Three<T>> places = frame_.meshes.places(points_);
     T netting{};
     int way = 0;
-    const CellFrame& cells = frame_.cells;
-    for (const bool pointed : {true, false}) {
-      for (std::size_t c = 0; c < cells.rest.size(); ++c) {
-        const int* node = &cells.node[4 * c];
-        if ((node[2] == node[3]) != pointed) continue;
-        for (int half = 0; half < (pointed ? 1 : 4); ++half) {
-          const int* corner = corner_triangles[half];
-          int at[3];
-          for (int k = 0; k < 3; ++k) at[k] = node[corner[k]];
-          netting +=
-              upward_moment(three(points_, at[0]), three(points_, at[1]), three(points_, at[2])) *
-              T((pointed ? 1.0 : 0.5) * cells.multiplicity[c]);
-          if (way == 0) way = way_along(at, place_in_run);
-        }
+    for (int panel = 0; panel < frame_.panel_count; ++panel) {
+      for (const auto& facet : panel_facets(panel)) {
+        netting += upward_moment(places[facet[0]], places[facet[1]], places[facet[2]]);
+        // places on the upper and the lower edge of a panel are nodes
+        int node[3];
+        for (int k = 0; k < 3; ++k) node[k] = frame_.meshes.from[facet[k]];
+        if (way == 0) way = way_along(node, place_in_run);
       }
     }
     Three<T> middle;
