@@ -74,8 +74,8 @@ said_value <- function(value) {
 }
 
 check_count <- function(name, value, least = 1) {
-  good <- is.numeric(value) && length(value) == 1L && is.finite(value) && value == round(value) &&
-    value >= least && value < 2^31
+  good <- is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value) &&
+    value == round(value) && value >= least && value < 2^31
   if (good) return(invisible())
   abort_argument("{.arg {name}} is {said_value(value)}; it must be a whole number, {least} or
     more.")

@@ -66,6 +66,7 @@ new_plan <- function(kind, ..., file = NULL, ask = FALSE) {
     abort_argument("Every value must be named, such as {.code head_line = \"32 m\"}.")
   }
   if (!is.null(file)) check_file_path(file)
+  given <- Map(given_value, given, names(given))
   about <- kinds[[kind]]
   if (ask) given <- asked_values(about$asks, given, usual = about$usual)
   new <- if (is.null(about$plan)) new_from_shipped else new_from_numbers
@@ -203,8 +204,7 @@ asked_numbers <- function(about, given) {
     dimension <- quantity_dimension(about$asks[[name]])
     if (is.na(dimension)) dimension <- "number"
     value <- shown[[name]]
-    good <- is_text(value) || (is.numeric(value) && length(value) == 1L)
-    number <- if (good) quantity_si(value, dimension) else NA
+    number <- given_si(value, dimension, name)
     if (is.na(number) || number <= 0) {
       abort_argument("{.arg {name}} is {.val {value}}; it must be a {dimension} greater than 0.")
     }

@@ -119,9 +119,11 @@ print.codend_gear <- function(x, ...) {
 #' @param object A gear.
 #' @param ... Fields by their path in the plan, such as `towing.speed = "5 knot"` or
 #'   `ropes.warp.length = 300`; `NULL` takes a field out. An item of a list goes by its number
-#'   (`water.current.1.speed`).
+#'   (`water.current.1.speed`). Quantities are numbers in SI, texts with a unit, or objects of the
+#'   package units, which are converted to SI.
 #' @return The gear with these fields, checked in full again. An unknown path is an error of class
-#'   `codend_error_plan`.
+#'   `codend_error_plan`; a value of another class, such as a date, is one of class
+#'   `codend_error_argument`.
 #' @importFrom stats update
 #' @export
 #' @examples

@@ -25,6 +25,7 @@
 #' cage
 current_profile <- function(table, course = 0, least = 1) {
   check_given("table")
+  if (is.data.frame(table)) table <- si_columns(table, current_columns, "table")
   if (!is.data.frame(table) || !is.numeric(table$depth) || !has_current(table)) {
     abort_argument("{.arg table} must be a data frame of numbers with {.field depth}, and
       {.field eastward} and {.field northward} or {.field speed} and {.field toward}.")
@@ -64,6 +65,11 @@ current_profile <- function(table, course = 0, least = 1) {
 # is, is in other units.
 fastest_current <- 11
 
+# Columns of a table of currents that may be units objects, by dimension.
+current_columns <- c(
+  depth = "length", eastward = "speed", northward = "speed", speed = "speed", toward = "angle"
+)
+
 has_current <- function(table) {
   all_numbers <- function(names) {
     all(vapply(names, function(name) is.numeric(table[[name]]), NA))
@@ -74,11 +80,7 @@ has_current <- function(table) {
 plain_number <- function(x) with_plain_numbers(format(x, digits = 10, trim = TRUE))
 
 bearing_si <- function(course) {
-  si <- if (length(course) == 1L && (is_text(course) || is.numeric(course))) {
-    quantity_si(course, "angle")
-  } else {
-    NA_real_
-  }
+  si <- given_si(course, "angle", "course")
   if (!is.finite(si)) {
     abort_argument("{.arg course} is {show_value(course)}; it must be an angle clockwise from north
       (units: {unit_examples('angle')}).")

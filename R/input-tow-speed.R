@@ -66,9 +66,8 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
 # A power as a share of a vessel's.
 power_share <- function(power, vessel) {
   if (is.null(power)) return(1)
-  known <- is_text(power) || (is.numeric(power) && length(power) == 1L)
-  share <- if (known) quantity_si(power, "power") / vessel$power else NA
-  if (is.na(share) && known) share <- quantity_si(power, "number")
+  share <- given_si(power, "power", "power") / vessel$power
+  if (is.na(share)) share <- given_si(power, "number", "power")
   if (is.na(share) || share <= 0 || share > 1 + 1e-9) {
     full <- format_si(vessel$power, "power")
     abort_argument("{.arg power} is {.val {power}}; it must be a power above 0, at most the

@@ -30,7 +30,9 @@
 #' }
 track_schedule <- function(log, from, to, every = 60) {
   check_given("log", "from", "to")
-  wanted <- c("time", "longitude", "latitude")
+  wanted <- c(time = "time", longitude = "angle", latitude = "angle")
+  if (is.data.frame(log)) log <- si_columns(log, c(wanted, depth = "length"), "log")
+  wanted <- names(wanted)
   if (!is.data.frame(log) || !all(vapply(wanted, function(name) is.numeric(log[[name]]), NA))) {
     abort_argument("{.arg log} must be a data frame with the numbers {.field {wanted}}, in s and
       rad.")

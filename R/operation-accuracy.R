@@ -172,8 +172,7 @@ is_reached <- function(error, asked) error <= 1.1 * asked
 
 # An accuracy as a share, of "1 %" or 0.01.
 accuracy_share <- function(accuracy) {
-  one <- is_text(accuracy) || (is.numeric(accuracy) && length(accuracy) == 1L)
-  share <- if (one) quantity_si(accuracy, "number") else NA_real_
+  share <- given_si(accuracy, "number", "accuracy")
   if (!(is.finite(share) && share > 0 && share < 1)) {
     abort_argument(
       "{.arg accuracy} is {.val {accuracy}}; it must be a share of the main measures such as

@@ -9,7 +9,8 @@
 #' those of the plan at the start, x aft, y to starboard, z up, and stay where they are while the
 #' vessel leaves.
 #'
-#' What changes with time is a constant (a number in SI or a text with a unit), a data frame of
+#' What changes with time is a constant (a number in SI, a text with a unit or an object of the
+#' package units), a data frame of
 #' `time` and `value` (straight between its rows, the last value for good; two rows of one time
 #' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI
 #' (taken every 0.1 s and smooth between, up to where it jumps). A gear that is not yet a state
@@ -162,6 +163,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     vessel_motion = asked("vessel_motion", vessel_motion),
     catch = asked("catch", catch), breaking = asked("breaking", breaking)
   )
+  given <- Map(given_value, given, names(given))
   method <- tow_method(
     first_of(asked("scheme", scheme), "bdf2"),
     first_of(asked("accuracy", accuracy), default_accuracy), step
@@ -290,11 +292,8 @@ checked_winch <- function(winch) {
 
 # A positive number in SI from a number or a text with a unit.
 tow_quantity <- function(value, name, dimension) {
-  si <- if (length(value) == 1L && (is_text(value) || is.numeric(value))) {
-    quantity_si(value, dimension)
-  } else {
-    NA_real_
-  }
+  value <- given_value(value, name)
+  si <- given_si(value, dimension, name)
   if (!is.finite(si) || si <= 0) {
     abort_argument(
       "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:

@@ -190,10 +190,11 @@ yaml_number <- function(text) if (grepl(",", text, fixed = TRUE)) text else as.d
 
 # Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
 # no attributes but names, doubles for integers, a list of several scalars of one type as a vector.
-# depth: of the tree in the plan that it is a part of.
-plain_tree <- function(tree, depth = 0) {
+# depth, path: of the tree in the plan that it is a part of.
+plain_tree <- function(tree, depth = 0, path = "") {
   count <- 0
-  plain <- function(value, depth) {
+  # paths are evaluated for errors only
+  plain <- function(value, depth, path) {
     count <<- count + 1
     if (count > plan_values_limit || depth > plan_depth_limit) {
       abort_plan(
@@ -210,9 +211,7 @@ plain_tree <- function(tree, depth = 0) {
       if (is.character(value)) return(enc2utf8(value))
     }
     keys <- names(value)
-    if (is.factor(value)) value <- as.character(value)
-    # a date or a time span is a number of another kind
-    if (is.atomic(value) && is.object(value)) value <- format(value)
+    if (is.atomic(value)) value <- given_value(value, path)
     if (is.character(value)) value <- enc2utf8(value)
     if (is.integer(value)) value <- as.double(value)
     if (is.atomic(value)) {
@@ -229,7 +228,9 @@ plain_tree <- function(tree, depth = 0) {
         NULL
       )
     }
-    value <- lapply(unname(unclass(value)), plain, depth = depth + 1)
+    value <- lapply(seq_along(value), function(k) {
+      plain(value[[k]], depth + 1, join(path, if (is.null(keys)) k else keys[k]))
+    })
     if (!is.null(keys)) return(stats::setNames(value, keys))
     if (length(value) > 1 && all(lengths(value) == 1)) {
       types <- unique(vapply(value, typeof, ""))
@@ -237,7 +238,7 @@ plain_tree <- function(tree, depth = 0) {
     }
     value
   }
-  plain(tree, depth)
+  plain(tree, depth, path)
 }
 
 # A plan of which all but what lies at these paths, as their steps, is in plain form. Of a group
@@ -248,9 +249,9 @@ plain_again <- function(plan, changed) {
     group <- plan[[name]]
     part <- steps[2]
     if (length(steps) > 1L && is.list(group) && part %in% names(group)) {
-      group[part] <- list(plain_tree(group[[part]], depth = 2))
+      group[part] <- list(plain_tree(group[[part]], 2, join(name, part)))
     } else {
-      group <- plain_tree(group, depth = 1)
+      group <- plain_tree(group, 1, name)
     }
     if (name %in% names(plan)) plan[name] <- list(group)
   }

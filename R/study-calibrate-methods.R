@@ -184,6 +184,7 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
       abort_argument("{.arg newdata} has no column {.field {lost}}, which the calibration had.")
     }
     set <- condition_columns(task$points$gear, newdata, task$points$fields)
+    newdata[set] <- given_value(newdata[set], "newdata")
     task[c("cases", "case_of")] <- new_cases(task$points, newdata, set)
     task$memory <- new.env(parent = emptyenv())
     task$memory$tried <- list()
@@ -206,7 +207,11 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
       low = fit - wide, high = fit + wide)
     left <- str2lang(one$text)
     known <- all(all.vars(left) %in% names(newdata))
-    table$measured <- if (known) as.double(eval(left, newdata)) else NA_real_
+    table$measured <- if (known) {
+      formula_numbers(eval(left, newdata), one$formula, task$words, one$text)
+    } else {
+      NA_real_
+    }
     table
   }))
 }

@@ -24,7 +24,8 @@
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param data A data frame with a row per haul or run. Columns that are named by the path of a
 #'   field (`towing.speed`, `warps.length`, `seabed.depth`) set it, as
-#'   [update()][update.codend_gear] does: numbers in SI, or texts with a unit.
+#'   [update()][update.codend_gear] does: numbers in SI, texts with a unit or objects of the package
+#'   units.
 #' @param change The fields that may change, with ranges, [value_range()] or [normal_value()], as in
 #'   [optimise_gear()]; a normal distribution is a prior as well. Paths alone, as in
 #'   `c("multipliers.board_lift", "bridles.upper.length")`, begin from what [uncertainty()] knows of
@@ -32,8 +33,9 @@
 #'   of kinds. They are a character vector, or items of the list without a name.
 #' @param match What is measured: a formula or a list of formulas, columns at the left and measures
 #'   at the right: `list(DoorSpread ~ door_spread, (Port + Starboard) / 2 ~ warp_tension_kN)`. A
-#'   measure without the unit in its name is in SI, and so is the column. Rows with `NA` there are
-#'   not matched.
+#'   measure without the unit in its name is in SI, and so is the column. Columns that are objects
+#'   of the package units are converted to the unit of the measure. Rows with `NA` there are not
+#'   matched.
 #' @param error Standard deviations by what is matched, in the same order and units; `NULL`, or `NA`
 #'   for one of them, to estimate it.
 #' @param nodes,netting Of the model that the fit steps with, as in [settle()].
@@ -97,6 +99,7 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   change <- change_with_priors(gear, change)
   points <- new_points(gear, free_fields(gear, change), nodes, netting)
   set <- condition_columns(gear, data, points$fields)
+  data[set] <- given_value(data[set], "data")
   cases <- new_cases(points, data, set)
   task <- list(
     points = points, cases = cases$cases, case_of = cases$case_of, conditions = set, data = data,
@@ -149,7 +152,6 @@ condition_columns <- function(gear, data, fields) {
 # Rows with the same settings are one case: list(cases (points with the gear so set), case_of).
 new_cases <- function(points, data, set) {
   table <- data[set]
-  table[] <- lapply(table, function(column) if (is.factor(column)) as.character(column) else column)
   for (name in set) {
     if (anyNA(table[[name]])) {
       row <- which(is.na(table[[name]]))[1L]
@@ -181,34 +183,38 @@ read_matches <- function(match, data, task, error) {
     abort_argument("{.arg match} must be formulas such as {.code DoorSpread ~ door_spread}: columns
       at the left, measures at the right.")
   }
-  error <- if (is.null(error)) rep(NA_real_, length(match)) else unlist(error)
-  right <- length(error) == length(match) && (is.numeric(error) || all(is.na(error))) &&
-    all(is.na(error) | (is.finite(error) & error > 0))
-  if (!right) {
-    abort_argument("{.arg error} is {.val {error}}; it must be {length(match)} standard
+  error <- given_value(if (is.null(error)) rep(NA, length(match)) else error, "error")
+  abort_error <- function() {
+    said <- unlist(error)
+    abort_argument("{.arg error} is {.val {said}}; it must be {length(match)} standard
       deviation{?s} above 0, or NA for what is to be estimated.")
   }
+  if (length(error) != length(match)) abort_error()
   Map(function(one, error) {
     text <- paste(trimws(deparse(one[[2L]], width.cutoff = 500L)), collapse = " ")
     lost <- setdiff(all.vars(one[[2L]]), names(data))
     if (length(lost)) {
       abort_argument("{.arg match} names {.field {lost[1]}}, which is no column of the data.")
     }
+    formula <- ready_expression(one[[3L]], "match", task$words, character(), environment(one))
     measured <- eval(one[[2L]], data, environment(one))
-    if (!is.numeric(measured) || length(measured) != nrow(data)) {
+    measured <- formula_numbers(measured, formula, task$words, text)
+    if (length(measured) != nrow(data)) {
       abort_argument("{.arg match} has {.code {text}}, which is no number in every row.")
     }
-    measured <- as.double(measured)
     measured[!is.finite(measured)] <- NA
     measured[task$left_out] <- NA
-    formula <- ready_expression(one[[3L]], "match", task$words, character(), environment(one))
+    error <- if (identical(is.na(error), TRUE)) NA_real_ else {
+      formula_numbers(error, formula, task$words, "error")
+    }
+    if (length(error) != 1L || !(is.na(error) || error > 0 && is.finite(error))) abort_error()
     hauls <- sum(!is.na(measured))
     if (hauls < 1L || (is.na(error) && hauls < 3L)) {
       abort_argument("{.arg match} has {hauls} row{?s} with {.code {text}}, too few to estimate its
         error: three are the least, or give {.arg error}.")
     }
     list(text = text, formula = formula, measured = measured, error = error)
-  }, match, as.list(as.double(error)))
+  }, match, error)
 }
 
 # ---- the fit -------------------------------------------------------------------------------------

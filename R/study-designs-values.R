@@ -2,7 +2,8 @@
 #'
 #' What a field of a plan may be in a study, in the plan's words and units, for [designs()].
 #'
-#' @param low,high Ends of the range: texts with a unit, such as `"3 knot"`, or numbers in SI. Of
+#' @param low,high Ends of the range: texts with a unit, such as `"3 knot"`, objects of the
+#'   package units, or numbers in SI. Of
 #'   `normal_value()`: what is cut off, so that all of the distribution lies between them.
 #' @param mean,sd Mean and standard deviation of a normal distribution (of what it is cut from), in
 #'   units of one dimension.
@@ -70,7 +71,7 @@ check_truth <- function(value, name) {
 # Quantities of one dimension in the unit of the first: list(value, unit ("" for bare numbers)).
 alike_numbers <- function(given) {
   split <- lapply(names(given), function(name) {
-    value <- given[[name]]
+    value <- given_value(given[[name]], name)
     number <- is.numeric(value) && length(value) == 1L && is.finite(value)
     parts <- if (number) c(value, "") else if (is_text(value)) split_quantity(value)
     if (is.null(parts)) {

@@ -26,10 +26,10 @@
 #'
 #' Drawn values are rounded to six figures.
 #'
-#' @param ... Fields by their path in the plan, as in [update()][update.codend_gear]: values, such
-#'   as `c("500 m", "600 m")`, which are equally likely where they are drawn, or a distribution,
-#'   such as [value_range()]`("3 knot", "5 knot")`. Columns of a data frame without a name change
-#'   together. A table of one's own is one such data frame, or the path of a CSV file.
+#' @param ... Fields by their path in the plan, with values as in [update()][update.codend_gear],
+#'   such as `c("500 m", "600 m")`, which are equally likely where they are drawn, or a
+#'   distribution, such as [value_range()]`("3 knot", "5 knot")`. Columns of a data frame without a
+#'   name change together. A table of one's own is one such data frame, or the path of a CSV file.
 #' @param how How designs are chosen, see below. `NULL` is `"table"` for one data frame or file,
 #'   `"grid"` where all is values and `"sobol"` where there is a distribution.
 #' @param number How many designs are drawn, or how many values each range has.
@@ -147,12 +147,15 @@ design_axis <- function(values, path) {
     if (nzchar(path)) {
       abort_argument("A data frame of fields that change together has no name, not {.arg {path}}.")
     }
-    values <- as.data.frame(unclass(values), check.names = FALSE, stringsAsFactors = FALSE)
+    values <- as.data.frame(
+      given_value(unclass(values), path), check.names = FALSE, stringsAsFactors = FALSE
+    )
   } else {
     if (!nzchar(path)) {
       abort_argument("Every field must be named by its path, such as {.code towing.speed = 1:3}.")
     }
     if (is_distribution(values)) return(setNames(list(values), path))
+    values <- given_value(values, path)
     if (is.null(values) || !is.atomic(values)) {
       abort_argument("{.arg {path}} must be a vector of numbers or texts, or a distribution such as
         {.code value_range(\"3 knot\", \"5 knot\")}.")

@@ -41,7 +41,7 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   call <- walk_call(call, function(leaf) {
     name <- if (is.name(leaf)) as.character(leaf) else return(leaf)
     if (name %in% c(words$name, paths) || is.null(within)) return(leaf)
-    value <- get0(name, within)
+    value <- given_value(get0(name, within), name)
     good <- is_text(value) || (is.numeric(value) && length(value) == 1L && is.finite(value))
     if (good) unname(value) else leaf
   })
@@ -162,6 +162,30 @@ evaluate_formula <- function(formula, at) {
     Reduce(`+`, parts, numeric(ncol(at$slopes)))
   }
   list(value = value, slope = slope)
+}
+
+# Returns given values in the unit of a formula: bare numbers as they are, quantities with a unit in
+# the unit that ends the name of its only measure, else in SI; numeric() if they are neither.
+# text: their name in errors.
+formula_numbers <- function(values, formula, words, text) {
+  values <- given_value(values, text)
+  if (is.numeric(values)) return(as.double(values))
+  if (!is.character(values)) return(numeric())
+  measured <- words[match(formula$names, words$name), ]
+  alone <- is.name(formula$call)
+  if (!alone && any(measured$ends)) {
+    abort_argument("{.code {text}} has a unit, and {.code {formula$text}} names a measure with a
+      unit at its end. Leave the unit out of the name, or give numbers.")
+  }
+  vapply(values, function(value) {
+    if (is.na(value)) return(NA_real_)
+    dimension <- quantity_dimension(value)
+    if (is.na(dimension) || (alone && !measured$unit %in% names(plan_units[[dimension]]))) {
+      abort_argument("{.code {text}} is {value}, which does not convert to the unit of
+        {.code {formula$text}}{if (alone) paste(':', measured$unit)}.")
+    }
+    quantity_si(value, dimension) / if (isTRUE(measured$ends)) unit_size(measured$unit) else 1
+  }, 0, USE.NAMES = FALSE)
 }
 
 # lower(measure, probability) and upper() in a formula: the measure times 1 less, or more, its

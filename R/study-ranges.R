@@ -37,6 +37,7 @@ free_field <- function(gear, paths, range, what) {
     }
     range <- in_words(distribution_ends(range), range)
   }
+  range <- given_value(range, name)
   ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
   if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
     said <- paste(unlist(range), collapse = ", ")
@@ -80,7 +81,6 @@ in_words <- function(numbers, of) {
 
 # An end of a range in the field's unit.
 range_end <- function(end, field, what) {
-  if (is.factor(end)) end <- as.character(end)
   value <- NA_real_
   if (is.numeric(end)) {
     value <- as.double(end)

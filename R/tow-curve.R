@@ -10,7 +10,7 @@ function_step <- 0.1
 # value: a number or text with a unit, a data frame of time and value, or a function of time (s)
 # that gives SI. path: how errors name it. until: s.
 schedule_curve <- function(value, path, dimension, until) {
-  if (is.function(value)) return(function_curve(value, path, until))
+  if (is.function(value)) return(function_curve(value, path, dimension, until))
   if (is.data.frame(value)) return(table_curve(value, path, dimension))
   constant_curve(schedule_number(value, path, dimension))
 }
@@ -59,15 +59,16 @@ straight_curve <- function(time, value) {
   )
 }
 
-function_curve <- function(value, path, until) {
+function_curve <- function(value, path, dimension, until) {
   if (!length(formals(args(value)))) abort_schedule(path, "must be a function of time (s).")
   time <- seq(0, by = function_step, length.out = ceiling(until / function_step) + 3)
   at <- function(t) {
-    y <- value(t)
-    if (!is.numeric(y) || length(y) != 1L || !is.finite(y)) {
-      abort_schedule(path, sprintf("must give one finite number; at %s s it does not.", format(t)))
+    y <- given_si(value(t), dimension, path)
+    if (!is.finite(y)) {
+      abort_schedule(path, sprintf("must give one finite %s; at %s s it does not.", dimension,
+        format(t)))
     }
-    as.double(y)
+    y
   }
   found <- vapply(time, at, 0)
   join_curves(pieces_between(function_jumps(at, time, found), time, found))
@@ -182,11 +183,8 @@ curve_breaks <- function(curve, kinks) {
 }
 
 schedule_number <- function(value, path, dimension) {
-  si <- if (length(value) == 1L && (is_text(value) || is.numeric(value))) {
-    quantity_si(value, dimension)
-  } else {
-    NA_real_
-  }
+  value <- given_value(value, path)
+  si <- given_si(value, dimension, path)
   if (!is.finite(si)) {
     abort_schedule(path, paste0(
       "is ", show_value(value), "; it must be ", noun(gsub("_", " ", dimension)),

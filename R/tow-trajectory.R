@@ -136,7 +136,8 @@ steerer <- function(what, measured, front) {
     frame$catch_front <- front()
     now <- gather_trajectory(what, list(frame), "reached")
     found <- control(measured(state_at(now, frame$now$time)), frame$now$time)
-    good <- is.numeric(found) && all(is.finite(found)) &&
+    found <- vapply(given_value(found, "control"), given_si, 0, "speed", "control")
+    good <- all(is.finite(found)) &&
       (length(found) == 1L || all(names %in% names(found)))
     if (!good) {
       abort_schedule("control", "must give one finite speed in m/s, or one for each warp by name.")

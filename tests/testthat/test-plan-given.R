@@ -1,0 +1,190 @@
+# Values with a class: objects of the package units are read in SI, any other class is refused.
+
+# 4 knot is 4 * 1852 / 3600 m/s (NIST SP 811).
+four_knots <- 4 * 1852 / 3600
+
+in_units <- function(value, unit) units::set_units(value, unit, mode = "standard")
+
+test_that("update() reads units objects in SI", {
+  skip_if_not_installed("units")
+  cable <- read_gear("towed_cable")
+  si <- gear_si(update(cable, towing.speed = in_units(4, "knot"),
+    ropes.cable.length = in_units(0.9, "km"),
+    ropes.cable.coefficients = list(normal = in_units(1.1, "1")),
+    pieces.sphere.mass = in_units(200, "lb")))
+  expect_equal(si$towing$speed, four_knots, tolerance = 1e-15)
+  expect_equal(si$ropes$cable$length, 900, tolerance = 1e-15)
+  expect_equal(si$pieces$sphere$mass, 200 * 0.45359237, tolerance = 1e-15)
+  expect_identical(si$ropes$cable$coefficients$normal, 1.1)
+  current <- update(cable, water.current = list(
+    list(depth = in_units(10, "fathom"), speed = in_units(36, "km/h"),
+      toward = in_units(90, "degree")),
+    list(depth = in_units(50, "m"), speed = 0, toward = 0)
+  ))
+  # the fathom of udunits is of the survey foot
+  expect_equal(gear_si(current)$water$current$depth, c(10 * 6 * 1200 / 3937, 50))
+  expect_equal(gear_si(current)$water$current$y, c(10, 0))
+  held <- update(cable, points.ship.position = in_units(c(0, 50, -200), "cm"))
+  expect_equal(unname(as.double(gear_si(held)$points$ship$position)), c(0, 0.5, -2))
+})
+
+test_that("a units object of another dimension is refused as a text is", {
+  skip_if_not_installed("units")
+  cable <- read_gear("towed_cable")
+  expect_refused(update(cable, towing.speed = in_units(4, "kg")),
+    "Plan field `towing.speed` is 4 kg; it must be a speed", fixed = TRUE)
+  expect_refused(update(cable, towing.speed = in_units(4, "m/s2")),
+    "Plan field `towing.speed` is \"4 [m/s2]\"; it must be a speed", fixed = TRUE)
+  expect_refused(update(cable, towing.speed = in_units(4, "PS")), "must be a speed")
+  expect_refused(update(cable, water.current = list(speed = 1, toward = in_units(4, "%"))),
+    "must be an angle")
+  expect_refused(update(cable, pieces.sphere.number = in_units(2, "m")), "must be a whole number")
+  expect_refused(vary(cable, towing.speed = in_units(3:4, "kg")), "Design 1: .* is 3 kg")
+  expect_wrong(tow(cable, until = in_units(1, "m")), "`until` is 1 m; it must be a time")
+  expect_wrong(tow(cable, until = 2, speed = data.frame(time = 0, value = in_units(1, "kg"))),
+    "`speed\\$value\\[1\\]` is 1 kg; it must be a speed")
+  expect_wrong(value_range(in_units(1, "m"), in_units(2, "kg")), "must be quantities of one kind")
+})
+
+test_that("values of any other class are refused", {
+  cable <- read_gear("towed_cable")
+  day <- as.Date("2020-01-01")
+  span <- as.difftime(10, units = "mins")
+  runs <- data.frame(towing.speed = day + 0:3, Tension = 10:13)
+  expect_wrong(update(cable, towing.speed = day), "towing.speed.* of class .*Date.*; it must be a")
+  expect_wrong(update(cable, ropes.cable = list(length = span)),
+    "ropes.cable.length.* of class .*difftime")
+  expect_wrong(gear("a", points = list(a = list(load = day + 0:2))),
+    "points.a.load.* of class .*Date")
+  expect_wrong(vary(cable, towing.speed = day + 0:1), "towing.speed.* of class .*Date")
+  expect_wrong(designs(data.frame(towing.speed = day + 0:1)), "towing.speed.* of class .*Date")
+  expect_wrong(value_range(day, day + 1), "low.* of class .*Date")
+  expect_wrong(normal_value(1, span), "sd.* of class .*difftime")
+  expect_wrong(calibrate(cable, runs, list(ropes.cable.length = c("800 m", "1500 m")),
+    Tension ~ ship_tension_kN), "towing.speed.* of class .*Date")
+  expect_wrong(calibrate(cable, data.frame(Tension = 1:3), list(ropes.cable.length = day + 0:1),
+    Tension ~ ship_tension_kN), "ropes.cable.length.* of class .*Date")
+  expect_wrong(tow(cable, until = span), "until.* of class .*difftime")
+  expect_wrong(tow(cable, until = 2, speed = data.frame(time = span, value = 1)),
+    "speed\\$time.* of class .*difftime")
+  expect_wrong(tow(cable, until = 2, speed = function(time) day), "speed.* of class .*Date")
+  # classes that only decorate a text
+  plain <- update(cable, towing.speed = "4 knot")
+  expect_identical(update(cable, towing.speed = noquote("4 knot")), plain)
+  expect_identical(update(cable, towing.speed = factor("4 knot")), plain)
+})
+
+test_that("studies read units objects in SI", {
+  skip_if_not_installed("units")
+  speed <- in_units(c(3, 4), "knot")
+  length <- in_units(c(0.6, 0.9), "km")
+  found <- designs(towing.speed = speed, ropes.cable.length = length)
+  speeds <- vapply(found$towing.speed, quantity_si, 0, "speed", USE.NAMES = FALSE)
+  lengths <- vapply(found$ropes.cable.length, quantity_si, 0, "length", USE.NAMES = FALSE)
+  expect_equal(speeds, rep(c(3 / 4, 1) * four_knots, 2))
+  expect_equal(lengths, rep(c(600, 900), each = 2))
+  # a column may miss values, which stay as in the plan
+  table <- data.frame(towing.speed = speed)
+  table$towing.speed[2] <- NA
+  expect_identical(is.na(designs(table)$towing.speed), c(FALSE, TRUE))
+
+  settled <- vary("towed_cable", ropes.cable.length = length, nodes = 20)
+  expect_equal(settled$ropes.cable.length_m, c(600, 900))
+  told <- vary("towed_cable", ropes.cable.length = c("0.6 km", "0.9 km"), nodes = 20)
+  expect_equal(settled$total_drag_kN, told$total_drag_kN)
+
+  expect_equal(value_range(in_units(3, "knot"), "9 km/h"), value_range(
+    paste(0.75 * four_knots, "m/s"), "9 km/h"))
+  expect_equal(normal_value(in_units(0.6, "km"), "20 m"), normal_value("600 m", "20 m"))
+  expect_wrong(value_range(in_units(1, "m"), 2), "both with units or both without")
+})
+
+test_that("calibrate() reads units objects in fields, ranges, measured values and errors", {
+  skip_if_not_installed("units")
+  speed <- c(3, 3, 4, 4, 5)
+  tension <- c(11.9, 12.1, 13.4, 13.3, 15.0)
+  fit_of <- function(speed, tension, range, match, error = NULL) {
+    data <- data.frame(towing.speed = speed, Tension = tension)
+    calibrate("towed_cable", data, list(ropes.cable.length = range), match, error = error,
+      nodes = 20, accuracy = NULL)
+  }
+  told <- fit_of(paste(speed, "knot"), tension, c("800 m", "1500 m"), Tension ~ ship_tension_kN,
+    0.2)
+  matches <- list(
+    Tension ~ ship_tension_kN, Tension ~ ship_tension, Tension / 1 ~ 1 * ship_tension
+  )
+  for (match in matches) {
+    found <- fit_of(in_units(speed, "knot"), in_units(1000 * tension, "N"),
+      in_units(c(0.8, 1.5), "km"), match, list(in_units(200, "N")))
+    expect_equal(coef(found), coef(told), tolerance = 1e-5)
+  }
+  again <- predict(found,
+    data.frame(towing.speed = in_units(4, "knot"), Tension = in_units(13.4, "kN")))
+  expect_equal(again$measured, 13400)
+  expect_wrong(
+    fit_of(in_units(speed, "knot"), in_units(tension, "kN"), in_units(c(0.8, 1.5), "km"),
+      Tension ~ 2 * ship_tension_kN),
+    "Leave the unit out of the name"
+  )
+  expect_wrong(
+    fit_of(in_units(speed, "knot"), in_units(tension, "m"), in_units(c(0.8, 1.5), "km"),
+      Tension ~ ship_tension_kN),
+    "Tension` is 11.9 m, which does not convert to the unit of `ship_tension_kN`: kN"
+  )
+})
+
+test_that("limits of optimise_gear() may be units objects", {
+  skip_if_not_installed("units")
+  best <- function(limit, range) {
+    optimise_gear("towed_cable", ~ total_drag, list(ropes.cable.length = range),
+      keep = ~ ship_tension <= limit, nodes = 20, accuracy = NULL)$gear
+  }
+  expect_equal(
+    gear_si(best(in_units(14, "kN"), in_units(c(0.8, 1.5), "km")))$ropes$cable$length,
+    gear_si(best("14 kN", c("800 m", "1500 m")))$ropes$cable$length
+  )
+})
+
+test_that("tow() reads units objects in all its quantities", {
+  skip_if_not_installed("units")
+  told <- tow("towed_cable", until = 20, every = 10, nodes = 20, accuracy = 0.02,
+    speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")),
+    course = function(time) 0.01 * time, heave = function(time) 0.1 * sin(time / 2),
+    current = list(speed = 0.2, toward = 0.1))
+  found <- tow("towed_cable", until = in_units(1 / 3, "min"), every = in_units(10, "s"), nodes = 20,
+    accuracy = in_units(2, "cm"),
+    speed = data.frame(time = in_units(c(0, 1 / 6), "min"), value = in_units(c(4, 5), "knot")),
+    course = function(time) in_units(in_units(0.01 * time, "rad"), "degree"),
+    heave = function(time) in_units(10 * sin(time / 2), "cm"),
+    current = list(speed = in_units(0.72, "km/h"), toward = in_units(0.1, "rad")))
+  expect_equal(found$time, told$time)
+  expect_equal(found$position, told$position, tolerance = 1e-6)
+  state <- state_at(found, in_units(1 / 6, "min"))
+  expect_equal(state$time, 10)
+  # what a file keeps of the schedule is plain
+  skip_if_not_installed("RNetCDF")
+  file <- tempfile(fileext = ".nc")
+  on.exit(unlink(file))
+  write_trajectory(found, file)
+  expect_identical(read_trajectory(file)$given$current, found$given$current)
+})
+
+test_that("other functions read units objects where they take a quantity", {
+  skip_if_not_installed("units")
+  table <- data.frame(depth = in_units(c(0, 20), "m"), speed = in_units(c(1.8, 0.9), "km/h"),
+    toward = in_units(c(0, 90), "degree"))
+  plain <- data.frame(depth = c(0, 20), speed = c(0.5, 0.25), toward = c(0, pi / 2))
+  expect_identical(current_profile(table, in_units(270, "degree")),
+    current_profile(plain, "270 deg"))
+  expect_wrong(current_profile(data.frame(depth = in_units(1, "s"), speed = 1, toward = 0)),
+    "`table\\$depth` is 1 s; it must be a length")
+  log <- data.frame(time = 10 * 0:60, longitude = 4.58, latitude = 60 + (0:60) / 1000)
+  shown <- data.frame(time = in_units(log$time / 60, "min"),
+    longitude = in_units(log$longitude, "degree"), latitude = in_units(log$latitude, "degree"))
+  log[2:3] <- log[2:3] * pi / 180
+  expect_equal(track_schedule(shown, 0, 600), track_schedule(log, 0, 600))
+  expect_wrong(track_schedule(log, 0, in_units(10, "min")), "to")
+  expect_wrong(settle("towed_cable", nodes = in_units(50, "m")), "nodes")
+  expect_equal(gear_si(new_plan("gillnet", depth = in_units(20, "m")))$seabed$depth,
+    gear_si(new_plan("gillnet", depth = "20 m"))$seabed$depth)
+})
