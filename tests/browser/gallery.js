@@ -1,6 +1,5 @@
-// Pictures of the shipped gears from their pages of view_3d(), without buttons: README's in gallery/*.webp,
-// and the cards of the tank's gallery in inst/app/gears/*.jpg. node gallery.js [gear...]: run after a gear
-// or the way that it is drawn has changed.
+// Writes pictures of the shipped gears from their pages of view_3d(), without buttons: gallery/*.webp for
+// README and inst/app/gears/*.jpg, the cards of the tank's gallery. node gallery.js [gear...]
 'use strict';
 const fs = require('node:fs');
 const os = require('node:os');
@@ -9,19 +8,20 @@ const { execFileSync } = require('node:child_process');
 const { launch } = require('./tank');
 
 const root = path.join(__dirname, '..', '..');
-const cards = { folder: path.join(root, 'inst', 'app', 'gears'), wide: 400, tall: 250 };
-const large = { folder: path.join(root, 'gallery'), wide: 1350, tall: 900 };
-// README's gears, with where the eye is when not at its first place: angles (radians), share of distance.
-const shown = {
-  midwater_trawl: { turn: -2.35, rise: 0.22, near: 0.9 },
-  poly_noreastern_trawl: { turn: -2.3, rise: 0.3, near: 0.95 },
-  pair_trawl: { turn: -2.45, rise: 0.36, near: 0.95 },
-  beam_trawl: { turn: -2.45, rise: 0.3, near: 0.95 },
-  purse_seine: {},
+// Pixels of the page, then of the picture and what it is drawn in to be scaled down.
+const cards = { folder: path.join(root, 'inst', 'app', 'gears'), wide: 800, tall: 500, made: 400, drawn: 1600 };
+const large = { folder: path.join(root, 'gallery'), wide: 900, tall: 600, made: 1600, drawn: 3200 };
+const linked = fs.readFileSync(path.join(root, 'README.md'), 'utf8').match(/(?<=gallery\/)\w+(?=\.webp)/g);
+// Where the eye is when not at its first place: angles (radians), ratio of distances, range that is seen.
+const views = {
+  midwater_trawl: { turn: -2.35, rise: 0.25, focus: 'boards' },
+  poly_noreastern_trawl: { turn: -2.3, rise: 0.3 },
+  pair_trawl: { turn: -2.45, rise: 0.36 },
+  beam_trawl: { turn: -2.45, rise: 0.3 },
+  demersal_seine: { turn: -2.3, rise: 0.35 },
   cage: { turn: -2.05, rise: 0.24 },
   stow_net: { turn: -2.25, rise: 0.2 },
-  longline: {},
-  small_midwater_trawl: { turn: -2.3, rise: 0.18, near: 0.95 }
+  small_midwater_trawl: { turn: -2.3, rise: 0.2 }
 };
 
 (async () => {
@@ -32,19 +32,26 @@ const shown = {
   const browser = await launch();
   for (const gear of gears) {
     const page = await browser.newPage();
-    for (const size of shown[gear] ? [cards, large] : [cards]) {
+    for (const size of linked.includes(gear) ? [cards, large] : [cards]) {
       await page.setViewportSize({ width: size.wide, height: size.tall });
       await page.goto('file://' + path.join(folder, gear + '.html'));
       await page.addStyleTag({ content: '.codend-view > :not(canvas) { display: none !important; }' });
       await page.waitForFunction(() => document.querySelector('.codend-view').codendViewer?.painted());
-      const bytes = await page.evaluate(async ([card, view]) => {
+      const text = await page.evaluate(([card, size, view]) => {
         const viewer = document.querySelector('.codend-view').codendViewer;
         viewer.frame(view);
-        const canvas = viewer.picture(card ? 400 : 1800, false);
-        const made = await new Promise((go) => canvas.toBlob(go, card ? 'image/jpeg' : 'image/webp', card ? 0.8 : 0.88));
-        return Array.from(new Uint8Array(await made.arrayBuffer()));
-      }, [size === cards, shown[gear] || {}]);
-      fs.writeFileSync(path.join(size.folder, gear + (size === cards ? '.jpg' : '.webp')), Buffer.from(bytes));
+        let canvas = viewer.picture(size.drawn, false);
+        while (canvas.width > size.made) {
+          const half = document.createElement('canvas');
+          half.width = canvas.width / 2;
+          half.height = canvas.height / 2;
+          half.getContext('2d').drawImage(canvas, 0, 0, half.width, half.height);
+          canvas = half;
+        }
+        return canvas.toDataURL(card ? 'image/jpeg' : 'image/webp', card ? 0.75 : 0.8);
+      }, [size === cards, size, views[gear] || {}]);
+      fs.writeFileSync(path.join(size.folder, gear + (size === cards ? '.jpg' : '.webp')),
+        Buffer.from(text.split(',')[1], 'base64'));
     }
     await page.close();
     console.log(gear);

@@ -1,13 +1,15 @@
 # Pages of view_3d() for save.test.js and gallery.js:
-#   Rscript view.R FOLDER NODES GEAR...   a page of each settled gear (NODES 0: as many as it takes)
+#   Rscript view.R FOLDER NODES GEAR...   a page of each settled gear (NODES 0: see gallery.R)
 #   Rscript view.R FOLDER tow GEAR        one of a tow of ten seconds
 library(codend)
+here <- dirname(sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)))
+source(file.path(here, "gallery.R"))
 arguments <- commandArgs(TRUE)
 for (name in arguments[-(1:2)]) {
   shown <- if (arguments[2] == "tow") {
     tow(settle(name, nodes = 300), until = "10 s", every = "1 s")
   } else if (arguments[2] == "0") {
-    settle(name)
+    gallery_state(name)
   } else {
     settle(name, nodes = as.integer(arguments[2]))
   }
