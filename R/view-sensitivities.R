@@ -28,11 +28,11 @@ plot.codend_sensitivities <- function(x, measures = NULL, file = NULL, width = 1
   plot_tornados(x, measures, title, said, draw_tornado, file, width, height)
 }
 
-# Inches of a bar, and of a tornado with its fields' names.
+# Height of a bar, and minimum width and height of a tornado with the names of its fields (inches).
 bar_height <- 0.17
-least_tornado <- 4.5
+least_tornado <- c(4.5, 1.2)
 
-tornado_columns <- function(n, width) min(n, max(1L, floor(width / least_tornado)))
+tornado_columns <- function(n, width) min(n, max(1L, floor(width / least_tornado[1L])))
 
 # A page of figures of bars, one for each measure. said: the line under the title; draw: a
 # function(rows, name) of one figure.
@@ -40,15 +40,16 @@ plot_tornados <- function(x, measures, title, said, draw, file, width, height) {
   n <- length(measures)
   above <- series_title + key_row
   rows <- ceiling(n / tornado_columns(n, width))
+  fields <- length(unique(x$field))
   show_picture(x, function(page) draw_tornados(x, measures, title, said, draw, page, above), file,
     width, height, title,
-    max(3, min(100, above + rows * (0.75 + bar_height * length(unique(x$field))))))
+    max(3, min(100, above + rows * max(least_tornado[2L], 0.75 + bar_height * fields))))
 }
 
 draw_tornados <- function(x, measures, title, said, draw, page, above) {
   columns <- tornado_columns(length(measures), page[1L])
   rows <- ceiling(length(measures) / columns)
-  if ((page[2L] - above) / rows < 1.2) abort_small_page(page, length(measures))
+  if ((page[2L] - above) / rows < least_tornado[2L] - 1e-9) abort_small_page(page, length(measures))
   unit <- attr(x, "measure_unit")
   left <- min(2.6, 0.35 + 0.068 * max(nchar(x$field)))
   draw_all <- function() {

@@ -190,6 +190,11 @@ test_that("a tornado is drawn, to a file whole or not at all", {
   expect_wrong(plot(found, measures = "none"))
 })
 
+test_that("the default page holds tornados of one field for all measures", {
+  found <- sensitivities(settle("midwater_trawl", nodes = 60), to = "towing.speed", secants = FALSE)
+  expect_picture(found)
+})
+
 test_that("a process forked after sensitivities were found comes to its end", {
   skip_on_os("windows")
   # large enough for two threads
