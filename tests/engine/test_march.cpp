@@ -235,6 +235,28 @@ TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") 
   CHECK(report.steps < 40);
 }
 
+TEST_CASE("an adaptive march takes at least two steps per requested interval") {
+  const Oscillator o;
+  Assembly assembly(o.model);
+  SteadyConditions conditions(o.model.held, o.at_rest());
+  const std::unique_ptr<Stepper> steps = stepper(scheme_named("bdf2"), assembly, o.at_rest(), 1.0);
+  MarchControl control;
+  control.adaptive = true;
+  control.step = 1e-3;
+  Past past;
+  past.now = o.at_rest();
+  March march(assembly, *steps, conditions, control, past);
+  const double interval = 0.01;
+  double error = 0.0;
+  for (int k = 1; k <= 100; ++k) {
+    REQUIRE(march.to(k * interval) == MarchReport::End::reached);
+    error = std::max(error, std::abs(march.now().x[3] - 0.1 * std::cos(10.0 * k * interval)));
+  }
+  CHECK(march.report().longest_step == doctest::Approx(0.5 * interval));
+  // BDF2 delays a swing by (w h)^2 / 3 of its phase w t = 10, with w h = 0.05.
+  CHECK(error < 1.05 * 0.1 * 10.0 * 0.05 * 0.05 / 3.0);
+}
+
 TEST_CASE("an explicit step that is too long is cut to what is stable") {
   const Oscillator o;
   for (const Scheme& scheme : schemes()) {

@@ -32,6 +32,9 @@ constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3
 // add to be worth one.
 constexpr int most_halvings = 10;
 constexpr double least_drift = 0.01;
+// Longest adaptive step as a ratio of the interval between two requested times. Errors of single
+// steps over the interval would add up, because such a step does not resolve the curve within it.
+constexpr double most_of_interval = 0.5;
 // Share of the last step with which a motion begins anew.
 constexpr double share_anew = 0.1;
 
@@ -116,11 +119,11 @@ MarchReport::End March::to(double time) {
   // A march that is taken up again at such a time then goes the same way.
   since_limited_ = 0;
   stepper_.forget();
+  const double most = (adaptive ? most_of_interval : 1.0) * (time - past_.now.time);
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
     const double left = time - past_.now.time;
-    const double longest = std::min(step_, conditions_.longest_step());
-    double h = std::min(longest, left);
+    double h = std::min({step_, conditions_.longest_step(), most, left});
     // The last two steps before a time are of one length.
     if (adaptive && h < left && 2.0 * h > left) h = 0.5 * left;
     if (!adaptive && left < (1.0 + 1e-6) * h) h = left;

@@ -10,7 +10,8 @@
 //
 // Errors fall as h^3 where the motion is smooth, but as h where a line snaps taut within the step: how
 // much shorter a step is repeated follows from how its error fell the last time.
-// Steps end exactly at the times that are asked for.
+// Steps end exactly at the requested times. An adaptive step is at most half of the interval between
+// two of these times.
 #pragma once
 
 #include <functional>
