@@ -16,8 +16,8 @@
 # make ratchet  stores the present values of the lanes that compare with stored ones (tests/ratchets)
 # make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
 #
-# make gallery pictures of the gears and of the tank: README's, gallery/tank/, the tank's cards; takes
-#              Node.js with npm, and Chromium
+# make gallery writes all pictures of gears and of the tank, and gallery/scenes.csv with the scenes
+#              that they show; look at each picture
 #
 # make soak    ten users of the flume tank for an hour, or MINUTES=..., USERS=...; takes Node.js 20
 #
@@ -110,6 +110,7 @@ browser-test:
 gallery:
 	@tools/setup --ci
 	@cd tests/browser && node gallery.js && node pictures.js
+	@Rscript tools/check-gallery.R --accept
 
 MINUTES ?= 60
 USERS ?= 10
