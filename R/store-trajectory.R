@@ -115,7 +115,7 @@ resume_numbers <- c("steps", "caution", "step")
 resume_control <- c("length", "since", "speed", "target_speed", "near_limit")
 report_numbers <- c(
   "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
-  "worst_node", "time", "factorisations"
+  "worst_node", "time", "factorisations", "force_evaluations", "factor_entries"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
@@ -315,7 +315,7 @@ read_resume <- function(get, n) {
   done$anchor <- as.double(all("anchor"))
   report <- NULL
   if (one("report_end") > 0L) {
-    numbers <- all("report")  # of earlier versions without the last
+    numbers <- all("report")  # earlier versions wrote fewer
     report <- c(
       list(end = report_ends[one("report_end")]),
       as.list(setNames(numbers, report_numbers[seq_along(numbers)]))

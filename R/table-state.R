@@ -9,8 +9,9 @@
 #'
 #' - `gear`: the gear; `si`: its plan in SI units with every default filled in.
 #' - `lattice`: the gear as nodes and elements, class `codend_lattice`.
-#' - `report`: the solver's report: `converged`, `iterations`, `factorisations`, `residual` (largest
-#'   net force on a free node as a share of the largest tension), `largest_tension` (N),
+#' - `report`: the solver's report: `converged`, `iterations`, `factorisations`,
+#'   `force_evaluations`, `factor_entries` (numbers that the matrix factors store), `residual`
+#'   (largest net force on a free node as a share of the largest tension), `largest_tension` (N),
 #'   `worst_node`, `worst_force` (N), `part_residual` (largest net force beyond rounding as a share
 #'   of the largest force on a line of its part) and `worst_part` (which that is),
 #'   `part_rounding` and `rounding_part` (the same of what rounding of places makes),

@@ -17,8 +17,9 @@
 #'   supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
 #' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
-#'   `unbalanced` (repeated for their energy), `iterations`, `factorisations`, `shortest_step`
-#'   and `longest_step` (s);
+#'   `unbalanced` (repeated for their energy), `iterations`, `factorisations`,
+#'   `force_evaluations`, `factor_entries` (numbers that the matrix factors store),
+#'   `shortest_step` and `longest_step` (s);
 #' - `memory`: what [tow()] needs to go on.
 #'
 #' @param x A trajectory, from [tow()].

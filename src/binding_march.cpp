@@ -160,7 +160,9 @@ double potential_of(const codend::Model& model, double error) {
            "iterations"_nm = static_cast<double>(r.iterations),
            "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
            "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time,
-           "factorisations"_nm = static_cast<double>(scheme->factorisations())});
+           "factorisations"_nm = static_cast<double>(scheme->factorisations()),
+           "force_evaluations"_nm = static_cast<double>(assembly.force_evaluations()),
+           "factor_entries"_nm = static_cast<double>(scheme->factor_entries())});
     };
     auto frame = [&] {
       const codend::Motion& now = march.now();

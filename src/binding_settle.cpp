@@ -45,6 +45,8 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
       "converged"_nm = report.converged,
       "iterations"_nm = report.iterations,
       "factorisations"_nm = report.factorisations,
+      "force_evaluations"_nm = static_cast<double>(report.force_evaluations),
+      "factor_entries"_nm = static_cast<double>(report.factor_entries),
       "residual"_nm = report.residual,
       "largest_tension"_nm = report.largest_tension,
       "wake_renewals"_nm = report.wake_renewals,

@@ -61,6 +61,7 @@ class NewtonStep : public Stepper {
   void forget() override { factors_.forget(); }
 
   long long factorisations() const override { return factors_.factorisations(); }
+  long long factor_entries() const override { return factors_.entries(); }
 
  private:
   // v1 = p (x1 - x0) + v_rest, a1 = m (x1 - x0) + a_rest; b1 = b_by_a a1 + b_rest

@@ -47,6 +47,8 @@ class Stepper {
 
   // Of matrices so far.
   virtual long long factorisations() const { return 0; }
+  // Count of numbers that the last factorisation stores for L and U.
+  virtual long long factor_entries() const { return 0; }
 
   // Order of accuracy, with which the error of a step is known to grow: h^(order + 1).
   virtual int order() const = 0;

@@ -160,7 +160,7 @@ class LevelSettler {
     double front = std::log(known ? from_->blocked : out_.gear.bag.blocked);
     std::optional<Front> low, high, before;
     Shape shape;
-    int iterations = 0, factorisations = 0;
+    SettleCost cost;
     for (int tried = 0; tried < most_fronts; ++tried) {
       set_front(std::exp(front));
       // From the first start: a shape settled far off leads the path astray. From near by: slack netting
@@ -169,12 +169,10 @@ class LevelSettler {
       const Shape* const nothing = nullptr;
       for (const Shape* from : {near ? &std::as_const(shape) : nothing, nothing}) {
         settle_once(from);
-        iterations += out_.report.iterations;
-        factorisations += out_.report.factorisations;
+        cost.add(out_.report);
         if (out_.report.converged || !from) break;
       }
-      out_.report.iterations = iterations;
-      out_.report.factorisations = factorisations;
+      static_cast<SettleCost&>(out_.report) = cost;
       if (!out_.report.converged) return;
       const double volume = bag_volume(out_.gear.bag, all_points(out_.gear.model, out_.position));
       const double off =

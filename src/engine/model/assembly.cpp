@@ -102,6 +102,7 @@ void Assembly::move_to(const double* x, const double* v) {
   std::copy(model_.load.begin(), model_.load.end(), load_.begin());
   for (const ElementKind* kind : kinds_) kind->add_force(field(), load_.data());
   if (model_.water.accelerates()) add_push_of_water();
+  ++force_evaluations_;
 }
 
 void Assembly::gather_added_mass() {

@@ -93,6 +93,8 @@ class Assembly {
   // Net force (N) on every node, tied points' forces handed on; 3 per node.
   // dual: tensions that are unknowns of a solver, instead of the law's.
   void residual(double* force, const DualTension* dual = nullptr);
+  // Number of times that move_to() has computed the forces.
+  long long force_evaluations() const { return force_evaluations_; }
 
   // The pull (N) of tensions alone on every node; 3 per node.
   void pull_of(const DualTension& dual, double* force);
@@ -180,6 +182,7 @@ class Assembly {
   // first asked for: who only reads forces needs none.
   mutable std::optional<BlockLayout> blocks_;
   bool flow_known_ = false;
+  long long force_evaluations_ = 0;
   std::vector<char> held_back_;
   std::vector<char> still_;  // per point: whether it is held back, or tied to such nodes alone
   LineChange change_;

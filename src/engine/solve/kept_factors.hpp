@@ -42,6 +42,8 @@ class KeptFactors {
   void forget();
 
   long long factorisations() const { return factorisations_; }
+  // Count of numbers that the last factorisation stores for L and U.
+  long long entries() const { return lu_ ? lu_->figures().factor_entries : 0; }
 
  private:
   // Tries of old factors for matrices of a kind (first of a step, or later): how many are not made.

@@ -32,6 +32,8 @@ void LinearStep::analyse(Precision precision) {
   lu_.reset();  // its memory is needed for the new one
   lu_ = std::make_unique<BlockLU>(precision, usable_threads(), pause_);
   lu_->analyse(assembly_.pattern(), coordinates.data());
+  const long long entries = lu_->figures().factor_entries;
+  report_.factor_entries = std::max(report_.factor_entries, entries);
 }
 
 bool LinearStep::solve(const std::vector<double>& values, const std::vector<double>& right,

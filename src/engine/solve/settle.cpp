@@ -147,13 +147,26 @@ class Settling {
 
 }  // namespace
 
+void SettleCost::add(const SettleCost& other) {
+  iterations += other.iterations;
+  factorisations += other.factorisations;
+  force_evaluations += other.force_evaluations;
+  factor_entries = std::max(factor_entries, other.factor_entries);
+  seconds_analysis += other.seconds_analysis;
+  seconds_forces += other.seconds_forces;
+  seconds_jacobian += other.seconds_jacobian;
+  seconds_linear += other.seconds_linear;
+}
+
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x) {
   SettleReport report;
+  const long long evaluations = assembly.force_evaluations();
   if (assembly.unknowns() == 0) {
     report.converged = true;
   } else {
     Settling(assembly, control, v, x, report).run();
   }
+  report.force_evaluations = assembly.force_evaluations() - evaluations;
   return report;
 }
 
@@ -166,12 +179,7 @@ SettleReport settle_from(Assembly& assembly, const SettleControl& control, const
   SettleControl anew = control;
   anew.start = first.first_residual < control.law.near_residual ? Start::near : Start::crude;
   SettleReport report = settle(assembly, anew, v, x);
-  report.iterations += first.iterations;
-  report.factorisations += first.factorisations;
-  report.seconds_analysis += first.seconds_analysis;
-  report.seconds_forces += first.seconds_forces;
-  report.seconds_jacobian += first.seconds_jacobian;
-  report.seconds_linear += first.seconds_linear;
+  report.add(first);
   return report;
 }
 

@@ -14,10 +14,18 @@
 
 namespace codend {
 
-struct SettleReport {
+struct SettleCost {
+  int iterations = 0, factorisations = 0;
+  long long force_evaluations = 0;
+  long long factor_entries = 0;  // numbers stored for L and U by the largest factorisation
+  double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
+         seconds_linear = 0.0;  // CPU
+
+  void add(const SettleCost& other);
+};
+
+struct SettleReport : SettleCost {
   bool converged = false;
-  int iterations = 0;
-  int factorisations = 0;
   double residual = 0.0;
   double first_residual = 0.0;   // of the start
   double largest_tension = 0.0;  // N
@@ -29,8 +37,6 @@ struct SettleReport {
   double worst_force = 0.0;      // N
   // Of the shape that was found, or came last.
   PartResidual parts;
-  double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
-         seconds_linear = 0.0;  // CPU
 };
 
 // x: 3 per node (m), the start on entry and the result on return; held nodes stay. v: 3 per node
