@@ -10,7 +10,7 @@ slow <- c(
   "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
   "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme",
   "report",
-  "settle-cost", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
+  "settle-from", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
   "study-slurm", "study-store", "study-vary", "tow-catch", "validation-cables", "validation-codend",
   "validation-invariants",
   "validation-published-cases", "validation-refinement"

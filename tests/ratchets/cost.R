@@ -1,0 +1,67 @@
+# Counts what reference calls cost, without a clock: iterations, matrix factorisations, force
+# evaluations, numbers stored in the matrix factors, and megabytes that R allocates.
+#   Rscript tests/ratchets/cost.R           compares with cost.csv
+#   Rscript tests/ratchets/cost.R --accept  stores the counts
+source("tools/ratchet.R")
+suppressPackageStartupMessages(library(codend))
+
+trawl <- read_gear("midwater_trawl")
+thin_trawl <- update(read_gear("tests/testthat/plans/trawl_1536.yaml"), netting_drag = "blended")
+coarse <- settle(trawl, nodes = 1500)
+fine <- settle(trawl, nodes = 10000)
+thin <- settle(thin_trawl, nodes = 1500)
+
+# Each call returns a state, a trajectory or sensitivities.
+calls <- list(
+  trawl_bars = function() settle(trawl, nodes = 1500, netting = "bars"),
+  trawl_cells = function() settle(trawl, nodes = 1500, netting = "cells"),
+  trawl_10000 = function() settle(trawl, nodes = 10000),
+  # The tangent to a speed 10 % higher turns bars by a third of their length.
+  trawl_faster = function() settle(update(trawl, towing.speed = "4.4 knot"), from = coarse),
+  # A longer warp turns four bars of two nodes by more than a tenth.
+  trawl_longer_warp = function() settle(update(trawl, warps.length = "606 m"), from = fine),
+  # Netting of thin twine needed 363 steps when drag was that of a screen at large angles.
+  thin_trawl = function() settle(thin_trawl, nodes = 1500),
+  thin_trawl_faster = function() {
+    settle(update(thin_trawl, towing.speed = "4.95 knot"), from = thin)
+  },
+  thin_trawl_larger_boards = function() {
+    settle(update(thin_trawl, otter_boards.area = "13.2 m2"), from = thin)
+  },
+  towed_cable = function() settle("towed_cable", nodes = 500),
+  crossing_cables = function() settle("crossing_cables", nodes = 500),
+  panel_bars = function() settle("flat_panel", nodes = 500, netting = "bars"),
+  panel_cells = function() settle("flat_panel", nodes = 500, netting = "cells"),
+  model_cage = function() settle("model_cage", nodes = 1500),
+  # settle() also checks the stability of this equilibrium.
+  cage = function() settle("cage", nodes = 1500),
+  purse_seine = function() settle("purse_seine", nodes = 300),
+  longline = function() settle("longline", nodes = 1500),
+  codend = function() settle("t90_codend", nodes = 1500),
+  sensitivities = function() sensitivities(coarse),
+  tow = function() tow(trawl, until = 20, every = 5, nodes = 500)
+)
+
+counts <- c("iterations", "factorisations", "force_evaluations", "factor_entries")
+
+# Returns the counts of one call; NA for counts that its value does not have.
+cost_of <- function(call) {
+  log <- tempfile()
+  Rprofmem(log, threshold = 1000)
+  value <- suppressWarnings(call())
+  Rprofmem("")
+  sizes <- sub(" :.*", "", grep("^[0-9]+ :", readLines(log), value = TRUE))
+  unlink(log)
+  report <- if (is.data.frame(value)) attributes(value) else value$report
+  found <- vapply(counts, function(name) {
+    if (is.null(report[[name]])) NA_real_ else as.numeric(report[[name]])
+  }, 0)
+  c(found, allocated_mb = round(sum(as.numeric(sizes)) / 1e6, 1))
+}
+
+table <- data.frame(call = names(calls), t(vapply(calls, cost_of, numeric(5L))), row.names = NULL)
+exact <- lower()
+ratchet(table, "tests/ratchets/cost.csv", "call", list(
+  iterations = exact, factorisations = exact, force_evaluations = exact, factor_entries = exact,
+  allocated_mb = lower(relative = 0.02, absolute = 0.1)
+))
