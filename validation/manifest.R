@@ -49,6 +49,7 @@ check_claim <- function(of, name, fields, wrong) {
 
 case_groups <- c(
   exact = "Closed forms and equations integrated apart",
+  motion = "Motions compared with closed forms, integrated equations and explicit steps",
   program = "Another program",
   coefficients = "Published coefficients",
   flume = "Flume tests",

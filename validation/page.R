@@ -13,7 +13,8 @@ write_page <- function(rows, judged, manifest, folder) {
     on.exit(grDevices::dev.off())
     draw()
   }
-  measured <- judged[judged$kind == "quantity" & !judged$group %in% c("exact", "coefficients"), ]
+  measured <- judged[judged$kind == "quantity" & !judged$group %in%
+    c("exact", "motion", "coefficients"), ]
   picture("misfit-by-case", 9, 10.5, function() draw_misfits(measured, manifest))
   picture("misfit-by-quantity", 9, 4.2, function() draw_quantities(rows, manifest))
   picture("hauls-by-warp", 9, 8, function() draw_hauls(rows, manifest))
