@@ -15,7 +15,6 @@ expect_finding <- function(x, check, place) {
 
 test_that("no shipped gear gives a false alarm", {
   for (name in gears()$name) {
-    expect_identical(findings(read_gear(name))$words, character(), info = name)
     # a seine at rest in still water does hang as a bundle
     known <- if (name == "purse_seine") "bundle" else character()
     nodes <- if (name == "purse_seine") 300 else 1500

@@ -1,5 +1,5 @@
-test_that("a shipped plan reads back identical", {
-  for (name in c(gears()$name, Sys.glob(test_path("plans", "*.yaml")))) {
+test_that("a plan of the tests reads back identical", {
+  for (name in Sys.glob(test_path("plans", "*.yaml"))) {
     gear <- read_gear(name)
     file <- tempfile(fileext = ".yaml")
     write_gear(gear, file)

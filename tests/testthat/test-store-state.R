@@ -105,12 +105,3 @@ test_that("a state's JSON is by its schema", {
   expect_length(problems("state['variables']['x']['across'] = ['knot']"), 1)
   expect_length(problems("del state['plan']"), 1)
 })
-
-test_that("every shipped plan is the same after JSON", {
-  file <- file.path(test_folder(), "plan.json")
-  for (name in gears()$name) {
-    gear <- read_gear(name)
-    write_gear(gear, file)
-    expect_identical(read_gear(file)$plan, gear$plan, label = name)
-  }
-})
