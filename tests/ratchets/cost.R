@@ -60,8 +60,24 @@ cost_of <- function(call) {
 }
 
 table <- data.frame(call = names(calls), t(vapply(calls, cost_of, numeric(5L))), row.names = NULL)
-exact <- lower()
-ratchet(table, "tests/ratchets/cost.csv", "call", list(
-  iterations = exact, factorisations = exact, force_evaluations = exact, factor_entries = exact,
-  allocated_mb = lower(relative = 0.02, absolute = 0.1)
-))
+# Netting goes slack and taut on the way to these equilibria, and rounding decides which lines do so
+# first. Without the engine's kernels for AVX2 and AVX-512, these calls take up to 30 % more
+# iterations. The counts of all other calls are then the same.
+sensitive <- c("trawl_10000", "trawl_longer_warp", "thin_trawl_faster", "panel_bars")
+
+# Moves the counts of sensitive calls into columns whose names begin with "about_".
+set_apart <- function(table) {
+  for (name in counts[1:3]) {
+    about <- table$call %in% sensitive
+    table[[paste0("about_", name)]] <- replace(table[[name]], !about, NA)
+    table[[name]][about] <- NA
+  }
+  table
+}
+
+limits <- list(lower(), lower(relative = 0.35))[rep(1:2, each = 3)]
+names(limits) <- c(counts[1:3], paste0("about_", counts[1:3]))
+# R allocates more or less with another version of R or of a package.
+ratchet(table, "tests/ratchets/cost.csv", "call", c(limits, list(
+  factor_entries = lower(), allocated_mb = lower(relative = 0.05, absolute = 0.1)
+)), set_apart)
