@@ -22,5 +22,7 @@ judged <- book$judge(rows, manifest)
 judged <- judged[judged$kind == "quantity", ]
 table <- data.frame(case = judged$case, quantity = judged$quantity,
   error_percent = signif(judged$misfit, 6))
+# Without the engine's kernels for AVX2 and AVX-512, errors differ by up to 3 %. The absolute
+# tolerance is for exact cases, whose errors are rounding alone.
 ratchet(table, "tests/ratchets/accuracy.csv", c("case", "quantity"),
-  list(error_percent = lower(relative = 0.01, absolute = 1e-4)))
+  list(error_percent = lower(relative = 0.05, absolute = 1e-4)))
