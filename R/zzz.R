@@ -11,9 +11,12 @@ utils::globalVariables(unique(unlist(
   lapply(mget(ls(topenv(), all.names = TRUE), topenv()), names_after_dollar)
 )))
 
-# Compiled code is three times the size of a function's own. So DESCRIPTION leaves functions to R,
-# which compiles them while they run, except those that nearly every session needs.
+# Byte code has three times the size of a function. So DESCRIPTION leaves functions to R, which
+# compiles them at their second call, except those that nearly every session calls.
+#' @importFrom compiler cmpfun
+NULL
+
 for (name in intersect(compiled_functions, ls(topenv(), all.names = TRUE))) {
-  assign(name, compiler::cmpfun(get(name), list(suppressAll = TRUE)))
+  assign(name, cmpfun(get(name), list(suppressAll = TRUE)))
 }
 rm(name)

@@ -18,22 +18,12 @@ for (table in list(package, methods)) {
   }
 }
 
-folder <- tempfile()
-dir.create(folder)
-grDevices::pdf(NULL)
 invisible(utils::capture.output({
   for (gear in gears()$name) {
     state <- settle(gear, nodes = 300)
-    print(measures(state))
+    print(state)
     print(findings(state))
   }
-  state <- settle(update(read_gear("midwater_trawl"), towing.speed = "3 knot"), nodes = 300)
-  print(state)
-  plot(state)
-  report(state, file.path(folder, "state.html"))
-  write_state(state, file.path(folder, "state.nc"))
-  print(sensitivities(state))
-  print(tow(state, until = "2 s"))
 }))
 
 compiled <- function(name) {
