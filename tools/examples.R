@@ -1,5 +1,5 @@
-# Runs the examples of README and guides as a reader who copies them does, from the top to the bottom
-# of each document: blocks of R and of shell lines of README, blocks of shell lines of the guides.
+# Runs the examples of README and guides as a reader who copies them does, from the top to the
+# bottom of each document: blocks of R and of shell lines of README, blocks of shell lines of the guides.
 # R CMD build runs the R of the guides. A plan in README must settle, and every file that an example
 # names must exist afterwards. Works in a temporary folder, which is also the home of the shell.
 #   Rscript tools/examples.R              all documents
@@ -37,7 +37,8 @@ fails <- function(name, command, arguments, environment = character()) {
 run_r <- function(file, lines) {
   script <- file.path(folder, "example.R")
   writeLines(code_of(lines, "r"), script)
-  fails(paste(file, "(R)"), "Rscript", c("--vanilla", file.path(root, "tools", "examples", "session.R")))
+  session <- file.path(root, "tools", "examples", "session.R")
+  fails(paste(file, "(R)"), "Rscript", c("--vanilla", session))
 }
 
 run_shell <- function(file, lines) {
@@ -49,7 +50,8 @@ run_shell <- function(file, lines) {
 
 run_plan <- function(file, lines) {
   writeLines(code_of(lines, "yaml"), file.path(folder, "plan.yaml"))
-  fails(paste(file, "(plan)"), "Rscript", c("-e", shQuote("codend::settle('plan.yaml', nodes = 300)")))
+  settle <- shQuote("codend::settle('plan.yaml', nodes = 300)")
+  fails(paste(file, "(plan)"), "Rscript", c("-e", settle))
 }
 
 # Names of files in code, without its comments.

@@ -41,5 +41,6 @@ partial_match <- vapply(results, function(test) {
 table <- as.data.frame(results)
 failed <- table$failed > 0 | table$error | partial_match
 skipped <- table$skipped & !failed
-cat(sprintf("%d passed, %d failed, %d skipped\n", sum(!failed & !skipped), sum(failed), sum(skipped)))
+passed <- sum(!failed & !skipped)
+cat(sprintf("%d passed, %d failed, %d skipped\n", passed, sum(failed), sum(skipped)))
 quit(status = any(failed))

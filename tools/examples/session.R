@@ -1,10 +1,10 @@
 # The R session in which tools/examples.R runs the blocks of R of a document, example.R.
 
 # A block that installs packages must name packages that DESCRIPTION names.
-install.packages <- function(packages) {
+assign("install.packages", function(packages) {
   known <- utils::packageDescription("codend", fields = c("Imports", "Suggests"))
   stopifnot(packages %in% unlist(strsplit(unlist(known), "[ ,\n]+")))
-}
+})
 # The live tank ends as soon as a browser would open.
 options(shiny.launch.browser = function(url) later::later(shiny::stopApp))
 
