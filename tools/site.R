@@ -1,6 +1,6 @@
 # Builds the site, by pkgdown without asking the network, into `site` or the folder that is named:
 #   Rscript tools/site.R [folder]
-# It takes codend installed from these sources.
+# It needs codend installed from these sources. It fails where a link or a picture has no target.
 
 folder <- c(commandArgs(TRUE), "site")[1]
 options(pkgdown.internet = FALSE)
@@ -46,4 +46,27 @@ for (page in list.files(site$dst_path, "[.]html$", full.names = TRUE)) {
   }
   writeLines(text, page, useBytes = TRUE)
 }
-cat("Built", file.path(site$dst_path, "index.html"), "\n")
+
+# Returns those targets of a page's links, pictures and scripts that the site does not have.
+dead_targets <- function(page) {
+  html <- xml2::read_html(page)
+  targets <- unlist(lapply(c("href", "src"), function(name) {
+    xml2::xml_attr(xml2::xml_find_all(html, sprintf("//@%s/..", name)), name)
+  }))
+  targets <- unique(targets[!grepl("^([a-z]+:|//)", targets)])
+  file <- utils::URLdecode(sub("[?#].*", "", targets))
+  file <- ifelse(nzchar(file), file.path(dirname(page), file), page)
+  anchor <- ifelse(grepl("#.", targets), utils::URLdecode(sub("^[^#]*#", "", targets)), NA)
+  lacks_anchor <- mapply(function(file, anchor) {
+    !is.na(anchor) && grepl("[.]html$", file) && file.exists(file) &&
+      !anchor %in% xml2::xml_attr(xml2::xml_find_all(xml2::read_html(file), "//*[@id]"), "id")
+  }, file, anchor)
+  targets[!file.exists(file) | lacks_anchor]
+}
+
+pages <- list.files(site$dst_path, "[.]html$", full.names = TRUE, recursive = TRUE)
+dead <- lapply(stats::setNames(nm = pages), dead_targets)
+dead <- dead[lengths(dead) > 0L]
+cat(sprintf("%s: no target of %s\n", rep(names(dead), lengths(dead)), unlist(dead)), sep = "")
+if (length(dead)) quit(status = 1L)
+cat("Built", file.path(site$dst_path, "index.html"), "with", length(pages), "pages\n")
