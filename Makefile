@@ -4,9 +4,8 @@
 #
 # make test    every test of the engine and of the package
 # make fast    the engine's tests and the quick ones of the package, in under two minutes
-# make lint    style, format, layers and generated files
+# make lint    the lanes of continuous integration that take seconds
 # make fuzz    plans, files, models and messages that nobody would write; SECONDS=... and SEED=...
-# make sanitize  the engine's tests under the address and undefined-behaviour sanitizers
 # make sanitize-threads  the engine's tests under the thread sanitizer
 # make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
 # make coverage  which lines of R and C++ the tests run, PART=R or PART=C++ of one; takes the R package covr
@@ -14,8 +13,6 @@
 # make ci      every lane of continuous integration (tools/lanes.csv); out/lanes/ has their output
 # make lane LANE=NAME  one lane, or several: LANE="style cost"
 # make ratchet  stores the present values of the lanes that compare with stored ones (tests/ratchets)
-# make browser-test  the flume tank in headless Chromium; takes Node.js with npm, and Chromium
-#
 # make gallery writes all pictures of gears and of the tank, and gallery/scenes.csv with the scenes
 #              that they show; look at each picture
 #
@@ -45,7 +42,7 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize sanitize-threads coverage check ci lane ratchet browser-test gallery \
+.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane ratchet gallery \
   soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -65,7 +62,8 @@ fast:
 
 lint:
 	@tools/setup --ci
-	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated words
+	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated words \
+	  docs prose
 
 ci:
 	@tools/setup --ci
@@ -91,7 +89,7 @@ fuzz-engine:
 	@tools/setup --tests
 	@$(MAKE) -C tests/engine $@ COUNT=$(COUNT) SEED=$(SEED)
 
-sanitize sanitize-threads:
+sanitize-threads:
 	@tools/setup --tests
 	@$(MAKE) -C tests/engine $@
 
@@ -100,12 +98,8 @@ coverage:
 	@Rscript tools/coverage.R $(PART)
 
 check:
-	@tools/setup --tests
-	@tools/check-package
-
-browser-test:
 	@tools/setup --ci
-	@cd tests/browser && node --test
+	@Rscript tools/ci.R check
 
 gallery:
 	@tools/setup --ci

@@ -93,7 +93,8 @@ motion_results <- function() {
   list(
     `motion-bdf` = paste(number(1000 * of("trawl that is sped up", "cpu_per_second")), "ms"),
     `motion-bdf-error` = paste(number(100 * of("trawl that is sped up", "largest_error")), "cm"),
-    `motion-symplectic` = surest("symplectic_euler"), `motion-substitution` = surest("substitution"),
+    `motion-symplectic` = surest("symplectic_euler"),
+    `motion-substitution` = surest("substitution"),
     `motion-ringing-warp` = paste(number(
       of("A: warp, 200 segments, its first 20 s", "largest_error", nodes = 201)
     ), "m")
@@ -105,7 +106,8 @@ error_results <- function() {
   intervals <- utils::read.csv("validation/conditioning.csv", comment.char = "#")
   true <- abs(found$value - found$fine)
   exact <- true <= 1e-7 * pmax(abs(found$value), abs(found$fine))
-  missed <- function(rows) percent(100 * mean(true[rows] > 5 * found$error[rows] & !exact[rows], na.rm = TRUE), 1)
+  is_missed <- true > 5 * found$error & !exact
+  missed <- function(rows) percent(100 * mean(is_missed[rows], na.rm = TRUE), 1)
   settled <- found$class != "tow"
   list(
     `errors-within-two` = percent(100 * mean(true <= 2 * found$error | exact, na.rm = TRUE)),
@@ -115,11 +117,21 @@ error_results <- function() {
   )
 }
 
-results <- unlist(
-  c(book_results(), netting_results(), cost_results(), motion_results(), error_results())
-)
+# Returns the lanes of continuous integration as a table of Markdown.
+lane_results <- function() {
+  lanes <- utils::read.csv("tools/lanes.csv")
+  command <- sprintf("`%s`", gsub("|", "\\|", lanes$command, fixed = TRUE))
+  rows <- sprintf("| %s | %s | %s | %s |", lanes$lane, command, lanes$minutes, lanes$protects)
+  head <- c("| lane | command | minutes | what it protects |", "|---|---|---:|---|")
+  list(lanes = paste0(c("", head, rows, ""), collapse = "\n"))
+}
 
-documents <- c("README.md", Sys.glob("vignettes/*.Rmd"))
+results <- unlist(c(
+  book_results(), netting_results(), cost_results(), motion_results(), error_results(),
+  lane_results()
+))
+
+documents <- c("README.md", "CONTRIBUTING.md", Sys.glob("vignettes/*.Rmd"))
 macros_file <- "man/macros/results.Rd"
 marker <- "<!-- result: ([a-z-]+) -->((?s:.*?))<!-- end -->"
 
@@ -167,7 +179,8 @@ is[[macros_file]] <- paste0(
 )
 
 # Prose of README, without its blocks of code and its marked results.
-prose <- gsub(marker, "", gsub("(?ms)^```.*?^```", "", was[["README.md"]], perl = TRUE), perl = TRUE)
+prose <- gsub("(?ms)^```.*?^```", "", was[["README.md"]], perl = TRUE)
+prose <- gsub(marker, "", prose, perl = TRUE)
 prose <- gsub("(?m)^    .*", "", prose, perl = TRUE)
 wrong <- c(
   sprintf("%s quotes an unknown result, %s", quoted$file, quoted$name)[
@@ -195,4 +208,4 @@ for (file in stale) {
   dir.create(dirname(file), FALSE, TRUE)
   writeLines(is[[file]], file, sep = "", useBytes = TRUE)
 }
-cat(if (length(stale)) c("Rewrote", stale) else "All documents quote the results as they are.", "\n")
+cat(if (length(stale)) c("Rewrote", stale) else "All documents quote the stored results.", "\n")

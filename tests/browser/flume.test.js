@@ -1,4 +1,4 @@
-// The flume tank as its users meet it. Run by `make browser-test`.
+// The flume tank as its users meet it.
 'use strict';
 const { test, before, after } = require('node:test');
 const assert = require('node:assert/strict');
