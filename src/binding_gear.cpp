@@ -14,10 +14,12 @@ codend::Gear read_gear(const list& numbers) {
 }
 
 void lay_out_strings(const codend::Strings& strings, double* x) {
-  codend::lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x, [] {
-    check_user_interrupt();
-    return true;
-  });
+  codend::lay_out(
+      {strings.held, strings.ends, strings.rest, strings.tension, strings.load, strings.buoyant}, x,
+      [] {
+        check_user_interrupt();
+        return true;
+      });
 }
 
 }  // namespace

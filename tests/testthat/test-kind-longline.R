@@ -89,6 +89,15 @@ test_that("a short line stretched out lies shallower, and branch lines may be ev
     tolerance = 1e-6)
 })
 
+test_that("longlines of many baskets settle with their floats at the surface", {
+  for (baskets in c("14", "16", "20", "30")) {
+    state <- settle(new_plan("longline", baskets = baskets), nodes = 250)
+    floats <- as.data.frame(state, what = "pieces")
+    floats <- floats[floats$role == "float", ]
+    expect_true(all(abs(floats$depth_m) < 0.18), label = paste(baskets, "baskets"))
+  }
+})
+
 test_that("free floats swim at the surface; cast off, the line drifts and draws together", {
   line <- read_gear("longline")
   state <- settle(line, nodes = 500)

@@ -162,14 +162,11 @@ void add_skeleton_load(const Gear& gear, const Division& skeleton, double speed,
   }
 }
 
-// At a free surface floats lift no more than hangs from them.
-void limit_lift(std::vector<double>& load) {
-  long double lifted = 0.0L, hanging = 0.0L;
-  for (std::size_t k = 2; k < load.size(); k += 3) (load[k] > 0 ? lifted : hanging) += load[k];
-  const double up = static_cast<double>(lifted), down = -static_cast<double>(hanging);
-  for (std::size_t k = 2; k < load.size() && up > down; k += 3) {
-    if (load[k] > 0) load[k] = load[k] * down / up;
-  }
+// Returns the nodes that a free surface keeps from rising: buoyant nodes.
+std::vector<char> buoyant_nodes(const std::vector<double>& load) {
+  std::vector<char> out;
+  for (std::size_t k = 2; k < load.size(); k += 3) out.push_back(load[k] > 0.0);
+  return out;
 }
 
 double height_above(const GearGround& ground, const Vector& x) {
@@ -209,7 +206,7 @@ std::vector<double> first_shape(const Gear& gear, const PartMap& map, bool shot,
   strings.held = supports.held;
   strings.load = supports.load;
   add_skeleton_load(gear, skeleton, shot ? 0.0 : gear.speed, strings.load);
-  if (gear.free_surface) limit_lift(strings.load);
+  if (gear.free_surface) strings.buoyant = buoyant_nodes(strings.load);
   // Nothing pulls on a weightless gear at rest: let it hang.
   double total = 1e-9;
   for (int k = 0; k < skeleton.nodes; ++k) {

@@ -20,6 +20,7 @@ struct Strings {
   std::vector<char> held;
   std::vector<int> ends;
   std::vector<double> rest, tension, load;
+  std::vector<char> buoyant;
 };
 // x: 3 per node (m); held nodes on entry, all on return.
 using LayOut = std::function<void(const Strings&, double* x)>;

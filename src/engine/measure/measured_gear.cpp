@@ -8,10 +8,12 @@ MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const F
                            const FromShape& from, const std::function<void()>& pause) {
   MeasuredGear out;
   out.lattice = build_lattice(gear, fineness, from, [&](const Strings& strings, double* x) {
-    lay_out({strings.held, strings.ends, strings.rest, strings.tension, strings.load}, x, [&] {
-      if (pause) pause();
-      return true;
-    });
+    lay_out(
+        {strings.held, strings.ends, strings.rest, strings.tension, strings.load, strings.buoyant},
+        x, [&] {
+          if (pause) pause();
+          return true;
+        });
   });
   out.model = model_of(gear, out.lattice, numbers.model);
   if (gear.has_bag) {

@@ -7,6 +7,12 @@
 #include "block_lu.hpp"
 
 namespace codend {
+namespace {
+
+// Stiffness of a node at the surface over the stiffness that strings give it.
+constexpr double surface_stiffness = 1e6;
+
+}  // namespace
 
 void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch) {
   const int nodes = static_cast<int>(net.held.size());
@@ -43,6 +49,9 @@ void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch
     largest = std::max(largest, density[s]);
   }
   std::vector<double> values(9 * pattern.column.size()), right(3 * static_cast<std::size_t>(n));
+  // Every buoyant node begins at the surface. The strings pull some of them down.
+  std::vector<char> at_surface(n, 0);
+  for (int i = 0; i < n && !net.buoyant.empty(); ++i) at_surface[i] = net.buoyant[free[i]];
   for (int round = 0; round < 40; ++round) {
     if (watch && !watch()) return;
     std::fill(values.begin(), values.end(), 0.0);
@@ -60,9 +69,15 @@ void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch
         }
       }
     }
+    for (int i = 0; i < n; ++i) {
+      if (at_surface[i]) values[block(i, i) + 8] *= surface_stiffness;
+    }
     if (!lu.factorise(values.data())) return;
     lu.solve(right.data(), right.data());
-    for (int i = 0; i < n; ++i) at(x, free[i]) = at(right.data(), i);
+    for (int i = 0; i < n; ++i) {
+      at(x, free[i]) = at(right.data(), i);
+      if (!net.buoyant.empty() && net.buoyant[free[i]]) at_surface[i] = at(x, free[i]).z() >= 0.0;
+    }
     for (std::size_t s = 0; s < strings; ++s) {
       const double length = (at(x, net.ends[2 * s + 1]) - at(x, net.ends[2 * s])).norm();
       density[s] *= std::clamp(length / net.rest[s], 0.3, 10.0);

@@ -12,6 +12,7 @@ struct StringNet {
   std::vector<double> rest;     // length that a string should have at most, m
   std::vector<double> tension;  // first guess per string, N, > 0
   std::vector<double> load;     // N, 3 per node
+  std::vector<char> buoyant;    // per node: 1 if the water's surface, z = 0, stops it; empty: none
 };
 
 // x: 3 per node (m); held nodes on entry, all on return. Every connected group needs a held node.
