@@ -49,7 +49,10 @@ case_eastern_hauls <- function() {
 # more: their limits are those below (m).
 warp_classes <- c(0, 150, 200, 250, 300, 400, 500, 700, 1000)
 hauls_by_warp <- function(ship, sweep, gear = "GOV") {
-  hauls <- utils::read.csv("validation/datras_survey_hauls_geometry.csv", comment.char = "#")
+  hauls <- utils::read.csv(
+    system.file("extdata", "datras_survey_hauls_geometry.csv", package = "codend"),
+    comment.char = "#"
+  )
   hauls <- hauls[hauls$Ship == ship & hauls$SweepLngt %in% sweep & hauls$Gear == gear, ]
   # through the water where that is reported, else over ground, else the survey's standard speed
   hauls$speed <- ifelse(is.na(hauls$SpeedWater), hauls$speed_kn, hauls$SpeedWater)
