@@ -12,7 +12,7 @@ makevars() {
   cat <<'END'
 # Written by tools/makevars.sh; do not edit.
 CXX_STD = CXX17
-PKG_CXXFLAGS = -pthread
+PKG_CXXFLAGS = -pthread $(CXX_VISIBILITY)
 PKG_LIBS = -pthread
 
 END
