@@ -202,7 +202,9 @@ state_files <- list(
     nc <- RNetCDF::open.nc(file)
     on.exit(RNetCDF::close.nc(nc))
     check_near(RNetCDF::var.get.nc(nc, "x"), state$position[1L, ], 0, "x")
-    check_near(RNetCDF::var.get.nc(nc, "bar_tension"), state$bar_tension, 0, "tension of bars")
+    if (length(state$bar_tension)) {
+      check_near(RNetCDF::var.get.nc(nc, "bar_tension"), state$bar_tension, 0, "tension of bars")
+    }
     check_near(measures(read_state(file)), measures(state), 0, "measures of the file")
   },
   json = function(file, state) {
