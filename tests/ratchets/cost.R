@@ -4,6 +4,8 @@
 #   Rscript tests/ratchets/cost.R --accept  stores the counts
 source("tools/ratchet.R")
 suppressPackageStartupMessages(library(codend))
+# Compilation during a call would allocate too.
+invisible(compiler::enableJIT(0))
 
 trawl <- read_gear("midwater_trawl")
 thin_trawl <- update(read_gear("tests/testthat/plans/trawl_1536.yaml"), netting_drag = "blended")
