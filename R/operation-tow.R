@@ -116,9 +116,9 @@
 #'   position, m, or text; 0.01 m when `NULL`. Or `list(position = , tension = )`, tension as a
 #'   share of the gear's largest, which is judged only where it is given: on the safe side. It costs
 #'   much on a purse seine that is shot, whose lines snap taut all the time. Steps are as long as
-#'   that allows. In swings and waves that hardly lose energy the errors of steps add up, whatever the
-#'   scheme: a warp that rings along its length is off by \resultMotionRingingWarp{} within 20 s at
-#'   0.01 m. Short steps of one length cure that. Errors of the steps of backward Euler add up
+#'   that allows. In swings and waves that hardly lose energy the errors of steps add up, whatever
+#'   the scheme: a warp that rings along its length is off by \resultMotionRingingWarp{} within 20 s
+#'   at 0.01 m. Short steps of one length cure that. Errors of the steps of backward Euler add up
 #'   everywhere. A tow by backward Euler with an accuracy says so by a warning of class
 #'   `codend_warning_accuracy`.
 #' @param step Length of all steps, s or text, instead of an accuracy; `NULL` for an explicit scheme

@@ -41,7 +41,9 @@ run_lane <- function(k) {
   failed <- status != 0
   cat(paste0(c(
     sprintf("%s  %-22s %5.1f min", if (failed) "FAILED" else "passed", lane$lane, seconds / 60),
-    if (failed) c(paste("   ", tail(lines, 60L)), paste("    Run it alone: make lane LANE=", lane$lane, sep = ""))
+    if (failed) {
+      c(paste("   ", tail(lines, 60L)), paste0("    Run it alone: make lane LANE=", lane$lane))
+    }
   ), "\n"), sep = "")
   list(failed = failed, seconds = seconds, count = count_tests(lines, failed))
 }

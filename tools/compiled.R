@@ -1,5 +1,5 @@
-# Writes R/zzz-compiled.R, the list of functions that are compiled when the package is installed, from
-# a common session: R's own compiler selects what that session calls more than once.
+# Writes R/zzz-compiled.R, the list of functions that are compiled when the package is installed,
+# from a common session: R's own compiler selects what that session calls more than once.
 #   Rscript tools/compiled.R   takes a minute; run it after changes of the functions of common calls
 
 library(codend)

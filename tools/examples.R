@@ -1,7 +1,8 @@
 # Runs the examples of README and guides as a reader who copies them does, from the top to the
-# bottom of each document: blocks of R and of shell lines of README, blocks of shell lines of the guides.
-# R CMD build runs the R of the guides. A plan in README must settle, and every file that an example
-# names must exist afterwards. Works in a temporary folder, which is also the home of the shell.
+# bottom of each document: blocks of R and of shell lines of README, blocks of shell lines of the
+# guides. The lane `check` runs the R of the guides. A plan in README must settle, and every file
+# that an example names must exist afterwards. Works in a temporary folder, which is also the home
+# of the shell.
 #   Rscript tools/examples.R              all documents
 #   Rscript tools/examples.R README.md    these documents
 

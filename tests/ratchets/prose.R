@@ -1,10 +1,12 @@
-# Measures the prose of this repository by class of text. A class above the limits may not get worse.
+# Measures the prose of this repository by class of text. Classes above the limits may not get
+# worse.
 #   Rscript tests/ratchets/prose.R               compares with prose.csv
 #   Rscript tests/ratchets/prose.R --accept      stores the values
 #   Rscript tests/ratchets/prose.R --list CLASS  prints the sentences of a class that count
 # `index` is the number of private expressions per 1,000 words: clauses used as nouns, chains of
-# pronouns, sentences that open with "Of", and verbs of speech for things. `over30` is the percentage
-# of sentences with more than 30 words. Five well-known R packages have an index of 0 to 6.
+# pronouns, sentences that open with "Of", and verbs of speech for things. `over30` is the
+# percentage of sentences with more than 30 words. Five well-known R packages have an index of 0
+# to 6.
 source("tools/ratchet.R")
 limits <- c(index = 6, over30 = 10)
 
@@ -13,8 +15,9 @@ private <- c(
   paste0("\\b(?:that|those|one|ones|these|none) of\\b|",
     "\\bof (?:which|what|whose|it|them|these|those|that)\\b(?! (?:is|are) )"),
   "^(?:Of|Those|That of|Anew|From what|As what|By what|With what)\\b",
-  paste0("\\b(?:told|tells?|telling|says?|said|asks?|asked|stands?|stood|taken? for|goes? by|went by|",
-    "goes? on|going on|went on|held (?:to|against)|holds? to|looked (?:for|through|at)|",
+  paste0("\\b(?:told|tells?|telling|says?|said|asks?|asked|stands?|stood|taken? for|",
+    "goes? by|went by|goes? on|going on|went on|held (?:to|against)|holds? to|",
+    "looked (?:for|through|at)|",
     "come(?:s)? (?:to lie|near|of)|lets? go|let go|is of|are of|was of)\\b")
 )
 
@@ -74,11 +77,13 @@ help_text <- function(file) {
   of_prose <- c("param", "return", "details", "description", "title", "section", "note", "")
   prose <- c("", tag[tag != ""])[block + 1L] %in% of_prose
   text <- sub("^@param\\s+\\S+\\s*|^@section.*|^@\\w+\\s*", "", text)
+  markup <- "^\\\\(itemize|describe|tabular|end|preformatted|if)|^[}|#]"
   breaks <- !help | !prose | tag != "" | !nzchar(text) |
-    grepl("^([-*+]|\\d+\\.)\\s|^\\\\item|^\\\\(itemize|describe|tabular|end|preformatted|if)|^[}|#]", text)
+    grepl("^([-*+]|\\d+\\.)\\s|^\\\\item", text) | grepl(markup, text)
   text <- sub("^([-*+]|\\d+\\.)\\s+|^\\\\item(\\{[^}]*\\}\\{)?", "", text)
-  keep <- help & prose & nzchar(text) & !grepl("^\\\\(itemize|describe|tabular|end|preformatted|if)|^[}|#]", text)
-  paragraphs(unlist(Map(function(line, kept, new) c(if (new) NA, if (kept) line else NA), text, keep, breaks)))
+  keep <- help & prose & nzchar(text) & !grepl(markup, text)
+  line_of <- function(line, kept, new) c(if (new) NA, if (kept) line else NA)
+  paragraphs(unlist(Map(line_of, text, keep, breaks)))
 }
 
 comments <- function(file, mark) {
@@ -102,7 +107,8 @@ messages <- function(file) {
 
 test_names <- function(file) {
   text <- paste(read_text(file), collapse = "\n")
-  found <- regmatches(text, gregexpr("(test_that|TEST_CASE)\\(\\s*\"[^\"]*\"", text, perl = TRUE))[[1L]]
+  named <- "(test_that|TEST_CASE)\\(\\s*\"[^\"]*\""
+  found <- regmatches(text, gregexpr(named, text, perl = TRUE))[[1L]]
   sub("^[^\"]*\"(.*)\"$", "\\1", found)
 }
 

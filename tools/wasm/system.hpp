@@ -1,4 +1,5 @@
 // Headers of other projects that the engine's sources include, for a precompiled header.
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,9 +13,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <unsupported/Eigen/AutoDiff>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include <Eigen/Dense>
-#include <unsupported/Eigen/AutoDiff>
