@@ -171,14 +171,14 @@ test_that("water that is turned at once pushes nothing by its acceleration", {
 })
 
 test_that("a function of time is smooth up to where it jumps", {
-  curve <- function_curve(function(t) sin(t) + (t >= 1.234) - 3 * (t >= 2), "speed", 4)
+  curve <- function_curve(function(t) sin(t) + (t >= 1.234) - 3 * (t >= 2), "speed", "speed", 4)
   expect_equal(curve_breaks(curve, FALSE), c(1.234, 2), tolerance = 1e-7)
   expect_equal(curve_at(curve, c(1, 1.234, 1.9)), c(sin(1), sin(1.234), 1 + sin(1.9)),
     tolerance = 1e-3)
   expect_equal(curve_at(curve, c(1.2341, 2.05, 4)), c(1, -2, -2) + sin(c(1.2341, 2.05, 4)),
     tolerance = 1e-3)
   # steep is no jump
-  steep <- function_curve(function(t) tanh((t - 2) / 0.01), "speed", 4)
+  steep <- function_curve(function(t) tanh((t - 2) / 0.01), "speed", "speed", 4)
   expect_length(curve_breaks(steep, FALSE), 0)
 })
 
