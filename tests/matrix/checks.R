@@ -11,8 +11,10 @@ check_printed <- function(x) {
   check_words(text, "the text")
 }
 
+# tolerance: as a fraction of the largest expected number.
 check_near <- function(result, expected, tolerance, what) {
-  same <- all.equal(as.vector(result), as.vector(expected), tolerance = tolerance)
+  scale <- if (is.numeric(expected)) max(abs(expected), .Machine$double.xmin, na.rm = TRUE)
+  same <- all.equal(as.vector(result), as.vector(expected), tolerance = tolerance, scale = scale)
   if (!isTRUE(same)) stop_check("%s: %s", what, same[1L])
 }
 
