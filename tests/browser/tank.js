@@ -18,7 +18,9 @@ async function visit(browser, url, size = { width: 1440, height: 900 }) {
   page.problems = [];
   page.strange = [];
   page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) page.problems.push(message.text());
+    if (['error', 'warning'].includes(message.type())) {
+      page.problems.push(`${message.text()} ${message.location().url}`);
+    }
   });
   page.on('pageerror', (error) => page.problems.push(error.stack));
   page.on('request', (request) => {
@@ -66,7 +68,8 @@ async function tab(page, name) {
 // Resolves once the open tab has all its outputs and nothing in the page fades or moves.
 const complete = (page) => page.waitForFunction(() => {
   const waits = [...document.querySelectorAll('#shown ~ .tab-content > .active .shiny-bound-output')]
-    .some((output) => output.matches('.recalculating') || !output.childNodes.length);
+    .some((output) => output.offsetParent &&
+      (output.matches('.recalculating') || !(output.id in Shiny.shinyapp.$values)));
   return !waits && !document.documentElement.matches('.shiny-busy') && !document.getAnimations().length;
 }, null, { timeout: 60000 });
 
