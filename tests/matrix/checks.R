@@ -11,9 +11,9 @@ check_printed <- function(x) {
   check_words(text, "the text")
 }
 
-# tolerance: as a fraction of the largest expected number.
+# tolerance: as a fraction of the largest expected number, or of 1 if all are smaller.
 check_near <- function(result, expected, tolerance, what) {
-  scale <- if (is.numeric(expected)) max(abs(expected), .Machine$double.xmin, na.rm = TRUE)
+  scale <- if (is.numeric(expected)) max(abs(expected), 1, na.rm = TRUE)
   same <- all.equal(as.vector(result), as.vector(expected), tolerance = tolerance, scale = scale)
   if (!isTRUE(same)) stop_check("%s: %s", what, same[1L])
 }
