@@ -73,9 +73,13 @@ said_value <- function(value) {
   cli::format_inline("{.val {said}}")
 }
 
+# TRUE for one finite number without a class: a units object or a date is none.
+is_plain_number <- function(value) {
+  is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value)
+}
+
 check_count <- function(name, value, least = 1) {
-  good <- is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value) &&
-    value == round(value) && value >= least && value < 2^31
+  good <- is_plain_number(value) && value == round(value) && value >= least && value < 2^31
   if (good) return(invisible())
   abort_argument("{.arg {name}} is {said_value(value)}; it must be a whole number, {least} or
     more.")

@@ -259,10 +259,7 @@ moment <- function(time) {
 }
 
 check_between <- function(name, value, least, most) {
-  if (is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value) &&
-    value >= least && value <= most) {
-    return(invisible())
-  }
+  if (is_plain_number(value) && value >= least && value <= most) return(invisible())
   abort_argument("{.arg {name}} is {show_value(value)}; it must be a number from {least} to
     {most}.")
 }

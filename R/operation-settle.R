@@ -123,9 +123,7 @@ check_settle_arguments <- function(gear, nodes, netting) {
   if (!inherits(gear, "codend_gear")) {
     abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }
-  whole <- is.numeric(nodes) && !is.object(nodes) && length(nodes) == 1L && is.finite(nodes) &&
-    nodes >= 1
-  if (!whole) {
+  if (!is_plain_number(nodes) || nodes < 1) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
