@@ -24,6 +24,17 @@ check_plot <- function(x, folder, extensions) {
   }
 }
 
+# Exports x in every format. checks: functions of a file and x, by the end of the file's name.
+check_exports <- function(x, what, checks, folder) {
+  for (format in codend:::formats_of(what)) {
+    file <- file.path(folder, paste0(what, format$extension))
+    format$write(x, file)
+    check <- checks[[tools::file_ext(file)]]
+    if (is.null(check)) stop_check("tests/matrix/checks.R has no check of %s", format$name)
+    check(file, x)
+  }
+}
+
 # Errors of measures are relative, or missing.
 check_measures <- function(result) {
   error <- attr(result, "error")
@@ -166,13 +177,7 @@ state_checks <- list(
     if (length(rows) != length(measures(state))) stop_check("the report lacks measures")
   },
   "exports" = function(state, folder) {
-    for (format in codend:::formats_of("state")) {
-      file <- file.path(folder, paste0("state", format$extension))
-      format$write(state, file)
-      check <- state_files[[tools::file_ext(file)]]
-      if (is.null(check)) stop_check("tests/matrix/checks.R has no check of %s", format$name)
-      check(file, state)
-    }
+    check_exports(state, "state", state_files, folder)
   },
   "write_moordyn" = function(state, folder) {
     file <- file.path(folder, "ropes.txt")
@@ -248,13 +253,7 @@ tow_checks <- list(
     }
   },
   "exports" = function(tow, folder) {
-    for (format in codend:::formats_of("trajectory")) {
-      file <- file.path(folder, paste0("tow", format$extension))
-      format$write(tow, file)
-      check <- tow_files[[tools::file_ext(file)]]
-      if (is.null(check)) stop_check("tests/matrix/checks.R has no check of %s", format$name)
-      check(file, tow)
-    }
+    check_exports(tow, "trajectory", tow_files, folder)
     file <- file.path(folder, "tow.nc")
     write_trajectory(tow, file)
     nc <- RNetCDF::open.nc(file)
