@@ -112,27 +112,25 @@ panel_stretch <- function(scene, panel) {
   max(sqrt(colSums(apart^2)) / (panel$bar * bars + 1e-3))
 }
 
+# Returns the area of a polygon.
+polygon_area <- function(x, y) {
+  following <- c(seq_along(x)[-1L], 1L)
+  abs(sum(x * y[following] - y * x[following])) / 2
+}
+
 # TRUE if the points of a panel reach to its corners and none lies outside of it.
 fills_panel <- function(panel, si) {
-  area <- function(corner) {
-    abs(sum(corner[1L, ] * corner[2L, c(2:4, 1L)] - corner[2L, ] * corner[1L, c(2:4, 1L)])) / 2
-  }
   corners <- cbind(codend$edge_twines(si, "upper", 0:1), codend$edge_twines(si, "lower", 1:0))
   hull <- grDevices::chull(t(panel$mesh))
-  x <- panel$mesh[1L, hull]
-  y <- panel$mesh[2L, hull]
-  following <- c(seq_along(hull)[-1L], 1L)
-  covered <- abs(sum(x * y[following] - y * x[following])) / 2
-  abs(covered / area(corners) - 1) < 1e-3
+  covered <- polygon_area(panel$mesh[1L, hull], panel$mesh[2L, hull])
+  abs(covered / polygon_area(corners[1L, ], corners[2L, ]) - 1) < 1e-3
 }
 
 # Returns the area within a rope seen from above, in m2.
 area_within <- function(scene, rope) {
   lines <- scene$lines[, scene$part == rope, drop = FALSE]
-  x <- scene$at[1L, c(lines[1L, ], lines[2L, ncol(lines)])]
-  y <- scene$at[2L, c(lines[1L, ], lines[2L, ncol(lines)])]
-  following <- c(seq_along(x)[-1L], 1L)
-  abs(sum(x * y[following] - y * x[following])) / 2
+  points <- c(lines[1L, ], lines[2L, ncol(lines)])
+  polygon_area(scene$at[1L, points], scene$at[2L, points])
 }
 
 # Returns the faults of a scene as texts.
