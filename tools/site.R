@@ -47,25 +47,28 @@ for (page in list.files(site$dst_path, "[.]html$", full.names = TRUE)) {
   writeLines(text, page, useBytes = TRUE)
 }
 
+pages <- list.files(site$dst_path, "[.]html$", full.names = TRUE, recursive = TRUE)
+pages <- stats::setNames(lapply(pages, xml2::read_html), normalizePath(pages))
+attributes_of <- function(html, name) {
+  xml2::xml_text(xml2::xml_find_all(html, paste0("//@", name)))
+}
+ids <- lapply(pages, attributes_of, "id")
+
 # Returns those targets of a page's links, pictures and scripts that the site does not have.
 dead_targets <- function(page) {
-  html <- xml2::read_html(page)
-  targets <- unlist(lapply(c("href", "src"), function(name) {
-    xml2::xml_attr(xml2::xml_find_all(html, sprintf("//@%s/..", name)), name)
-  }))
+  targets <- unlist(lapply(c("href", "src"), attributes_of, html = pages[[page]]))
   targets <- unique(targets[!grepl("^([a-z]+:|//)", targets)])
   file <- utils::URLdecode(sub("[?#].*", "", targets))
   file <- ifelse(nzchar(file), file.path(dirname(page), file), page)
+  file <- normalizePath(file, mustWork = FALSE)
   anchor <- ifelse(grepl("#.", targets), utils::URLdecode(sub("^[^#]*#", "", targets)), NA)
   lacks_anchor <- mapply(function(file, anchor) {
-    !is.na(anchor) && grepl("[.]html$", file) && file.exists(file) &&
-      !anchor %in% xml2::xml_attr(xml2::xml_find_all(xml2::read_html(file), "//*[@id]"), "id")
+    !is.na(anchor) && file %in% names(ids) && !anchor %in% ids[[file]]
   }, file, anchor)
   targets[!file.exists(file) | lacks_anchor]
 }
 
-pages <- list.files(site$dst_path, "[.]html$", full.names = TRUE, recursive = TRUE)
-dead <- lapply(stats::setNames(nm = pages), dead_targets)
+dead <- lapply(stats::setNames(nm = names(pages)), dead_targets)
 dead <- dead[lengths(dead) > 0L]
 cat(sprintf("%s: no target of %s\n", rep(names(dead), lengths(dead)), unlist(dead)), sep = "")
 if (length(dead)) quit(status = 1L)
