@@ -12,7 +12,7 @@ before(async () => {
   folder = fs.mkdtempSync(path.join(os.tmpdir(), 'flume-'));
   fs.mkdirSync(path.join(folder, 'shared'));
   [tank, browser] = await Promise.all([
-    serve('midwater_trawl', '--folder', path.join(folder, 'shared')), launch()
+    serve('midwater_trawl', '--nodes', '500', '--folder', path.join(folder, 'shared')), launch()
   ]);
 });
 after(async () => {

@@ -90,6 +90,7 @@ families <- function() {
     view = viewer_words(), finding = finding_words()
   )
 }
+named <- families()
 
 test_that("every word that the page says is in the table, and every row is said somewhere", {
   skip_if_not_installed("shiny")
@@ -98,19 +99,18 @@ test_that("every word that the page says is in the table, and every row is said 
   code <- scripts()
   said <- c(keys_of_r(), found_in(code, "\\bsay\\('([^']+)'"))
   expect_gt(length(said), 150L)
-  of_family <- paste0(names(families()), ".")
+  of_family <- paste0(names(named), ".")
   expect_identical(setdiff(said, c(keys, of_family)), character())
   # those said by a name are named after what there is
   plain <- !grepl(".", keys, fixed = TRUE)
   quoted <- c(said, found_in(code, "'([a-z_]+)'"))
   expect_identical(setdiff(keys[plain], quoted), character())
-  known <- unlist(Map(paste, names(families()), families(), sep = "."))
+  known <- unlist(Map(paste, names(named), named, sep = "."))
   expect_identical(setdiff(keys[!plain], known), character())
 })
 
 test_that("what people look at first is said in every language", {
   keys <- word_table()$key
-  named <- families()
   of_all <- c("room", "kind", "measure", "usual", "field", "tow_saves", "busy", "view", "finding")
   for (family in of_all) {
     expect_identical(setdiff(paste0(family, ".", named[[family]]), keys), character(),
