@@ -34,12 +34,11 @@
 #' @return A data frame of class `codend_coefficients`, a row per value: `force`, `law`, `by`
 #'   (`"angle"` or `"reynolds"`), `angle_deg`, `reynolds`, `solidity` (NA where they do not matter),
 #'   `coefficient` (`"drag"`, `"lift"` or `"speed"`), `value`, and `source`: NA where the engine
-#'   computed it. [plot()][plot.codend_coefficients] draws it.
+#'   computed it. [plot()][codend_charts] draws it.
 #' @export
 #' @examples
 #' found <- force_coefficients()
 #' subset(found, law == "hoerner" & angle_deg == 45)
-#' plot(found, force = "netting")
 force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   check_coefficient_arguments(reynolds, solidity)
   degree <- seq(0, 90, by = 2.5)

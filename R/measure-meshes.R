@@ -89,7 +89,7 @@ solidity_of_panels <- function(state, names) {
 #'   `depth_m` (middle of the row), `meshes_across`, `mesh_size_mm`, `mesh_opening_mm` (mean),
 #'   `least_opening_mm`, `greatest_opening_mm`, `opening_percent` (mean opening over mesh size, of
 #'   square meshes over a bar), `mesh_angle_deg` (mean).
-#' @seealso [plot.codend_mesh_openings()]; [measures()] for the mean of a panel;
+#' @seealso [codend_charts]; [measures()] for the mean of a panel;
 #'   [as.data.frame()][as.data.frame.codend_trajectory] of a tow for the water that passed the
 #'   mouth.
 #' @export

@@ -7,10 +7,10 @@
 #'   start along it), `length_m` of the bar, its `tension_kN` and its middle `x_m`, `y_m`, `z_m`. A
 #'   line is a rope, or ropes of one role that follow each other, such as the stretches of a main
 #'   line between its branch lines. An unknown rope is an error of class `codend_error_argument`.
-#' @seealso [plot.codend_rope_tensions()]
+#' @seealso [codend_charts]
 #' @export
 #' @examples
-#' plot(tensions_along(settle("crossing_cables")))
+#' head(tensions_along(settle("crossing_cables")))
 tensions_along <- function(state, ropes = NULL) {
   check_given("state")
   check_is_state(state)

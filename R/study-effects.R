@@ -26,26 +26,25 @@
 #' @param confidence Of the intervals.
 #' @param resamples How often designs are drawn anew for the intervals.
 #' @param seed Of these draws; the session's own random numbers stay as they are.
-#' @return A data frame. `main_effects()`, which [plots][plot.codend_effects()]: `measure`, `unit`,
+#' @return A data frame. `main_effects()`, which [plots][codend_charts]: `measure`, `unit`,
 #'   `field`, `value` (mean of the group's values, or their text), `mean`, `designs` and `spread`.
-#'   `pair_effects()`, which [plots][plot.codend_pair_effects()]: `measure`, `unit`, `field`,
+#'   `pair_effects()`, which [plots][codend_charts]: `measure`, `unit`, `field`,
 #'   `other` and `spread`, largest first; the means of its pairs of groups are its attribute
-#'   `means`. `sobol_indices()`, which [plots][plot.codend_sobol_indices()]: `measure`, `field`,
+#'   `means`. `sobol_indices()`, which [plots][codend_charts]: `measure`, `field`,
 #'   `first` and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
 #'   arguments are an error of class `codend_error_argument`.
 #' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
 #'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
 #'   Communications 117:35.
-#' @seealso [plot.codend_variations()]
+#' @seealso [codend_charts]
 #' @name study_effects
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
 #'   ropes.cable.length = c("400 m", "700 m"))
 #' main_effects(found, "total_drag_kN")
-#' plot(main_effects(found, "total_drag_kN"))
+#' main_effects(found, "total_drag_kN")
 #' pairs <- pair_effects(found, "total_drag_kN")
 #' pairs
-#' plot(pairs)
 NULL
 
 #' @rdname study_effects

@@ -79,7 +79,7 @@
 #'   Wrong arguments are an error of class `codend_error_argument`, a wrong field one of class
 #'   `codend_error_plan`. Where no gear that settles keeps the conditions, the nearest is returned
 #'   with a warning of class `codend_warning_conditions_not_kept`.
-#' @seealso [trade_off()] for two objectives, [plot.codend_optimum()], [sensitivities()].
+#' @seealso [trade_off()] for two objectives, [codend_charts], [sensitivities()].
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' # The cable that holds its sphere 450 m deep with the least drag by speed

@@ -46,12 +46,12 @@
 #'   The attribute `factorisations` counts what it cost. A field that the plan has not, that is no
 #'   number, that is 0 or that only divides the gear for its computation (`segments`, `columns`) is
 #'   an error of class `codend_error_argument`, as are other wrong arguments.
-#' @seealso [plot.codend_sensitivities()], [vary()] for large changes.
+#' @seealso [codend_charts], [vary()] for large changes.
 #' @export
 #' @examples
 #' found <- sensitivities(settle("towed_cable"), to = c("towing.speed", "ropes.cable.length"))
 #' found[found$measure == "total_drag_kN", ]
-#' plot(found[found$measure %in% c("depth_m", "total_drag_kN"), ])
+#' found[found$measure == "total_drag_kN", ]
 sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_given("state")
   check_is_settled(state)

@@ -17,7 +17,7 @@
 #'   that changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
 #'   reports. The attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments
 #'   are an error of class `codend_error_argument`.
-#' @seealso [plot.codend_trade_off()]
+#' @seealso [codend_charts]
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' found <- trade_off("towed_cable",
@@ -25,7 +25,6 @@
 #'   change = list(ropes.cable.length = c("600 m", "1200 m")), points = 4
 #' )
 #' found
-#' plot(found)
 trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1500, netting = NULL,
                       most = 100) {
   check_given("gear", "minimise", "change")
@@ -109,4 +108,9 @@ print.codend_trade_off <- function(x, ...) {
   shown[numbers] <- lapply(shown[numbers], signif, 5)
   print(shown, row.names = FALSE)
   invisible(x)
+}
+
+# Numbers to four figures, each by itself.
+four_figures <- function(x) {
+  with_plain_numbers(vapply(x, function(one) format(signif(one, 4), digits = 6), ""))
 }

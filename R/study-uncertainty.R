@@ -64,7 +64,7 @@
 #' @references JCGM 100:2008, Evaluation of measurement data: guide to the expression of uncertainty
 #' in
 #'   measurement.
-#' @seealso [plot.codend_uncertainty()]; [optimise_gear()] for limits that hold with a given
+#' @seealso [codend_charts]; [optimise_gear()] for limits that hold with a given
 #' probability.
 #' @export
 #' @examples

@@ -61,12 +61,11 @@
 #'   A wrong field, or a value that its field does not take, is an error of class
 #'   `codend_error_plan` that names the design, before anything is computed; wrong arguments are one
 #'   of class `codend_error_argument`. A design that does not settle is no error.
-#' @seealso [designs()], [plot.codend_variations()], [study_status()], [read_study()]
+#' @seealso [designs()], [codend_charts], [study_status()], [read_study()]
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"))
 #' found[c("towing.speed_knot", "total_drag_kN")]
-#' plot(found)
 vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = NULL) {
   check_given("gear")
   study <- new_study(gear, list(...), nodes, netting)

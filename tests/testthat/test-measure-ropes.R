@@ -36,9 +36,9 @@ test_that("ropes are chosen by name and by role, and both sides are neighbours",
   expect_identical(unique(some$role), c("warp", "hand_rope"))
   drawn <- rope_series(some)
   expect_identical(unique(drawn$heading), c("warp", "hand rope"))
-  labels <- unique(drawn[drawn$heading == "hand rope", c("group", "label")])
-  expect_identical(labels$label[order(labels$group)],
-    c("upper port", "upper starboard", "lower port", "lower starboard"))
+  lines <- unique(drawn[drawn$heading == "hand rope", c("group", "line")])
+  expect_identical(sub("hand_rope_", "", lines$line[order(lines$group)]),
+    c("upper_port", "upper_starboard", "lower_port", "lower_starboard"))
   expect_picture(some)
 })
 

@@ -80,19 +80,3 @@ test_that("stiff meshes settle where their twine is slack", {
     expect_lt(state$report$iterations, 600)
   }
 })
-
-test_that("the key of a plot of meshes has every line as it is drawn", {
-  skip_if_not(capabilities("cairo"))
-  meshes <- mesh_openings(suppressWarnings(settle("pair_trawl", nodes = 300)))
-  file <- tempfile(fileext = ".svg")
-  plot(meshes, file = file)
-  # cairo writes style="fill:none;stroke:rgb(...)" or, from 1.18 on, fill="none" stroke="rgb(...)"
-  lines <- gsub('="', ":", readLines(file), fixed = TRUE)
-  drawn <- grep("fill:none.*stroke:rgb", lines, value = TRUE)
-  colour <- sub(".*stroke:rgb\\(([^)]*)\\).*", "\\1", drawn)
-  dash <- ifelse(grepl("dasharray", drawn), sub('.*dasharray:([^;"]*).*', "\\1", drawn), "")
-  # lines of one colour, the key's among them, are all dashed or none is
-  dashes <- lapply(split(dash, colour), unique)
-  expect_gt(sum(nzchar(unlist(dashes))), 0)
-  expect_true(all(lengths(dashes) == 1L))
-})

@@ -50,7 +50,7 @@ wrong_calls <- expression(
   plot(s, file = "none/a.png"), plot(s, file = c("a.png", "b.png")), plot(s, width = 0),
   plot(s, height = NA_real_, file = "a.png"), plot(s, width = 10, height = 3, file = "a.png"),
   plot(tr, measures = "drag"), plot(tr, file = "c.txt"),
-  plot(tr, width = 3, height = 3, file = "c.png"), plot(g, file = "a.jpg"),
+  plot(tr, width = 1, file = "c.png"), plot(g, file = "a.jpg"),
   plot(g, file = "none/a.png"), plot(g, page = "A9"), plot(g, file = "a.png", page = NA),
   report(), report(s), report(g, "a.html"),
   report(s, "a.pdf"),

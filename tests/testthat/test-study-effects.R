@@ -108,18 +108,12 @@ test_that("a study is summed up, and wrong arguments are told", {
 test_that("main effects are drawn, each field by itself", {
   x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum)
   found <- main_effects(x)
-  figure <- effects_figure(found, found$field == "x.1")
-  expect_equal(figure$lines[[1]]$x, c(1, 2, 4))
-  expect_equal(figure$lines[[1]]$y, c(2.5, 3.5, 5.5))
-  expect_identical(figure$across, "x 1")
+  data <- ggplot2::autoplot(found)$data
+  expect_equal(data$at[data$across == "x 1"], c(1, 2, 4))
+  expect_equal(data$value[data$across == "x 1"], c(2.5, 3.5, 5.5))
   found$value <- rep(c("PA", "PE", "steel"), length.out = nrow(found))
-  expect_identical(effects_figure(found, found$field == "x.1")$ticks, c("PA", "PE", "steel"))
+  expect_identical(levels(ggplot2::autoplot(found)$data$at), c("PA", "PE", "steel"))
   expect_picture(main_effects(x))
-  # all figures of a measure have one scale
-  effects <- main_effects(x)
-  mine <- effects$measure == effects$measure[1L]
-  figure <- effects_figure(effects, mine & effects$field == effects$field[1L])
-  expect_setequal(figure$beside, effects$mean[mine])
 })
 
 test_that("effects of pairs are drawn as lines that fan out", {
@@ -128,13 +122,10 @@ test_that("effects of pairs are drawn as lines that fan out", {
   found <- pair_effects(study_of(grid, function(x) x[1] * x[2] + x[3]))
   expect_identical(c(found$field[1], found$other[1]), c("x.1", "x.2"))
   expect_equal(found$spread[-1], c(0, 0))
-  figure <- pair_figure(found, 1)
-  expect_equal(figure$lines[[1]]$x, c(1, 2, 4))
-  expect_equal(figure$lines[[1]]$y, c(1.5, 1.5, 1.5))
-  expect_equal(figure$lines[[2]]$y, c(4.5, 7.5, 13.5))
-  expect_identical(figure$groups, c("x 2: 0", "3"))
-  # one scale for all: that of every mean of the measure
-  expect_equal(range(figure$beside), range(attr(found, "means")$mean))
+  drawn <- pair_points(found, 1)
+  expect_equal(as.double(drawn$at), c(1, 2, 4, 1, 2, 4))
+  expect_equal(drawn$value, c(1.5, 1.5, 1.5, 4.5, 7.5, 13.5))
+  expect_identical(unique(drawn$group), c("x 2 = 0", "x 2 = 3"))
   expect_picture(found)
   expect_length(chosen_pairs(found, NULL, 2), 2)
   expect_wrong(plot(found, "depth"))
@@ -156,42 +147,25 @@ test_that("drawn designs have response curves, single fields the others as in th
   side <- value_range(0, 1)
   sample <- study_of(designs(x.1 = side, x.2 = side, how = "latin", number = 30, seed = 3),
     function(x) 3 * x[1], failed = 4)
-  figures <- response_figures(sample, "drag_kN")
-  expect_length(figures, 2)
-  expect_identical(vapply(figures, `[[`, "", "across"), c("x 1", "x 2"))
-  points <- figures[[1]]$lines[[1]]
-  expect_false(points$joined)
-  expect_length(points$x, 29)
+  chart <- ggplot2::autoplot(sample, "drag_kN")
+  expect_identical(levels(chart$data$across), c("x 1", "x 2"))
+  of_first <- chart$data[chart$data$across == "x 1", ]
+  expect_identical(sum(!of_first$joined), 29L)
   # a smooth curve through points of a straight line is that line
-  curve <- figures[[1]]$lines[[2]]
-  expect_equal(curve$y, 3 * curve$x)
-  expect_identical(figures[[1]]$missing, sample$x.1[4])
+  curve <- of_first[of_first$joined, ]
+  expect_equal(curve$value, 3 * curve$at)
+  crosses <- Filter(function(layer) inherits(layer$geom, "GeomText"), chart$layers)
+  expect_identical(crosses[[1]]$data$at[1], sample$x.1[4])
   single <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), how = "one_at_a_time"), sum)
   # as in the plan: 9 and 7
   single$x.1[is.na(single$x.1)] <- 9
   single$x.2[is.na(single$x.2)] <- 7
   single$drag_kN <- single$x.1 + single$x.2
-  figures <- response_figures(single, "drag_kN")
-  expect_equal(figures[[1]]$lines[[1]]$x, c(1, 2, 4, 9))
-  expect_equal(figures[[1]]$lines[[1]]$y, c(1, 2, 4, 9) + 7)
-  expect_equal(figures[[2]]$lines[[1]]$y, c(0, 3, 7) + 9)
+  data <- ggplot2::autoplot(single, "drag_kN")$data
+  expect_equal(data$at[data$across == "x 1"], c(1, 2, 4, 9))
+  expect_equal(data$value, c(c(1, 2, 4, 9) + 7, c(0, 3, 7) + 9))
   # a sample has no figure for each combination
   expect_true(has_response_curves(sample))
   expect_false(has_response_curves(study_of(designs(x.1 = 1:3, x.2 = 1:2), sum)))
   expect_picture(sample, "drag_kN")
-})
-
-test_that("pictures of effects are ggplots too", {
-  skip_if_not_installed("ggplot2")
-  skip_if_not_installed("spacefillr")
-  sample <- study_of(three("indices", 16), ishigami)
-  effects <- main_effects(sample)
-  pairs <- pair_effects(sample)
-  indices <- sobol_indices(sample, resamples = 20)
-  built <- function(x) ggplot2::ggplot_build(ggplot2::autoplot(x, measures = "drag_kN"))$data
-  # points, and the smooth curve of each of three fields
-  expect_identical(nrow(built(sample)[[1]]), 3L * nrow(sample))
-  expect_setequal(built(effects)[[1]]$y, effects$mean)
-  expect_identical(nrow(built(pairs)[[2]]), nrow(attr(pairs, "means")))
-  expect_setequal(built(indices)[[1]]$x, c(indices$first, indices$total))
 })

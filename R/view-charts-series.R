@@ -1,0 +1,276 @@
+# Charts of quantities against time, length or fields.
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
+  table <- as.data.frame(object, what = "measures")
+  shown <- chosen_some(measures, unique(table$measure))
+  table <- table[order(match(table$measure, shown), na.last = NA), ]
+  data <- rbind(
+    if (is.null(measures)) schedule_series(object),
+    data.frame(panel = measure_label(table$measure, table$unit), time = table$time_s,
+      value = table$value, error = table$error)
+  )
+  minutes <- max(data$time) > 180
+  data$at <- data$time / if (minutes) 60 else 1
+  data$across <- if (minutes) "time (min)" else "time (s)"
+  error <- ifelse(is.na(data$error), 0, data$error)
+  data$low <- data$value - 2 * error
+  data$high <- data$value + 2 * error
+  series_chart(data, paste("Tow of", object$gear$plan$name))
+}
+
+# What of a trajectory's conditions changes, except the vessel's position: data frame(panel, time (s),
+# value, error).
+schedule_series <- function(trajectory) {
+  table <- condition_units(trajectory$conditions)
+  known <- c(
+    speed_m_per_s = "vessel speed (m/s)", course_deg = "vessel course (deg)", heave_m = "heave (m)",
+    elevation_m = "elevation of the water (m)"
+  )
+  others <- c("time_s", "x_m", "y_m", "energy_imbalance_J", "energy_put_through_J")
+  changed <- Filter(function(name) any(table[[name]] != table[[name]][1L]),
+    setdiff(names(table), others))
+  do.call(rbind, lapply(changed, function(name) {
+    unit <- if (is.null(trajectory$si$ropes[[name]])) "fraction" else "m"
+    label <- sprintf("%s out (%s)", gsub("_", " ", name), unit)
+    if (name %in% names(known)) label <- known[[name]]
+    data.frame(panel = label, time = table$time_s, value = table[[name]], error = NA_real_)
+  }))
+}
+
+# ---- ropes and meshes ----------------------------------------------------------------------------
+
+# Two neighbours, one solid and one dashed over it, differ most.
+rope_colours <- series_palette[c(1L, 5L, 2L, 4L, 3L)]
+
+# More lines than these in one facet cannot be distinguished.
+most_lines <- 8L
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_rope_tensions <- function(object, ...) {
+  data <- rope_series(object)
+  small <- max(data$tension_kN) < 0.1
+  data$value <- data$tension_kN * if (small) 1000 else 1
+  data$panel <- sprintf("%s tension (%s)", data$heading, if (small) "N" else "kN")
+  data$at <- data$along_m
+  data$across <- "distance along the rope (m)"
+  data <- data[order(match(data$heading, unique(data$heading)), data$group), ]
+  title <- chart_title("Tension along ropes", attr(object, "gear_name"), attr(object, "conditions"))
+  data$number <- data$group
+  data$group <- gsub("_", " ", data$line)
+  named_lines_chart(data, title)
+}
+
+# A series chart whose lines are named groups; number: of each group in its facet.
+named_lines_chart <- function(data, title) {
+  number <- data$number[match(unique(data$group), data$group)]
+  chart <- series_chart(data, title, colours = rep_len(rope_colours, max(number))[number],
+    dashes = ifelse(number %% 2L == 0L, "33", "solid"))
+  if (max(number) > most_lines) chart <- chart + ggplot2::theme(legend.position = "none")
+  chart
+}
+
+# Tensions of lines, extended to both ends, with the heading of their facet and their number (group)
+# there.
+rope_series <- function(x) {
+  lines <- split(x, factor(x$line, unique(x$line)))
+  drawn <- do.call(rbind, lapply(lines, function(line) {
+    n <- nrow(line)
+    data.frame(
+      line = line$line[1L], heading = stats::na.omit(c(line$role[1L], line$line[1L]))[1L],
+      along_m = c(0, line$along_m, line$along_m[n] + line$length_m[n] / 2),
+      tension_kN = line$tension_kN[c(1L, seq_len(n), n)]
+    )
+  }))
+  # both sides of a pair follow each other
+  line <- unique(drawn$line)
+  pair <- sub("_(port|starboard)(?=_|$)", "", line, perl = TRUE)
+  order <- match(drawn$line, line[order(match(pair, pair))])
+  drawn$group <- as.integer(stats::ave(order, drawn$heading,
+    FUN = function(order) match(order, sort(unique(order)))))
+  drawn$heading <- gsub("_", " ", drawn$heading)
+  table_rows(drawn)
+}
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_mesh_openings <- function(object, ...) {
+  x <- object[object$meshes_across > 0, ]
+  side <- mesh_sides(x)
+  part <- function(panel, field) {
+    data.frame(panel = panel, at = x$x_m, value = x[[field]], group = gsub("_", " ", side),
+      number = match(side, unique(side)), piece = x$panel)[!is.na(x[[field]]), ]
+  }
+  data <- rbind(part("mesh opening over mesh size (%)", "opening_percent"),
+    part("mesh angle (deg)", "mesh_angle_deg"))
+  data$across <- "distance aft (m)"
+  title <- chart_title("Meshes along the net", attr(object, "gear_name"),
+    attr(object, "conditions"))
+  # panels of one side, one after the other, are separate lines
+  named_lines_chart(data, title) + ggplot2::aes(group = .data[["piece"]])
+}
+
+# Which line along the net every row belongs to: its panel's name without that of its part, a wing
+# with the panel that it is joined to.
+mesh_sides <- function(x) {
+  out <- mapply(function(panel, part) {
+    if (nzchar(part)) sub(paste0("_?", part, "$"), "", panel) else panel
+  }, x$panel, x$part, USE.NAMES = FALSE)
+  sub("_(wing|jib)(_(left|right))?$", "", ifelse(nzchar(out), out, x$panel))
+}
+
+# ---- variations ----------------------------------------------------------------------------------
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_variations <- function(object, measures = NULL, ...) {
+  shown <- chosen_some(measures, variations_measures(object))
+  title <- chart_title(paste(c("Variations", attr(object, "gear_name")), collapse = " of "))
+  if (has_response_curves(object)) return(response_chart(object, shown, title))
+  fields <- variations_fields(object)
+  field <- fields[1L]
+  # a field that has one value for each value of the first adds no lines
+  apart <- Filter(function(other) {
+    nrow(unique(object[c(field, other)])) > length(unique(object[[field]]))
+  }, fields[-1L])
+  values <- lapply(unclass(object)[apart], as_shown)
+  group <- if (length(apart)) do.call(paste, c(values, sep = ", ")) else rep("", nrow(object))
+  at <- object[[field]]
+  rows <- order(match(group, unique(group)), if (is.numeric(at)) at else match(at, unique(at)))
+  data <- do.call(rbind, lapply(shown, function(name) {
+    data.frame(panel = measure_label(name, variations_unit(object, name)),
+      across = field_words(object, field), at = at[rows], value = object[[name]][rows],
+      group = group[rows], marked = TRUE)
+  }))
+  settled <- object$settled[rows]
+  missing <- if (!all(settled)) unique(data[!settled, c("panel", "across", "at")])
+  series_chart(data[!is.na(data$value), ], title, missing = missing,
+    key = paste(vapply(apart, function(other) field_words(object, other), ""), collapse = ", "))
+}
+
+as_shown <- function(values) {
+  if (!is.numeric(values)) return(as.character(values))
+  vapply(values, function(v) format(signif(v, 6)), "")
+}
+
+# A field as an axis names it: "towing speed (knot)" for "towing.speed_knot".
+field_words <- function(x, column) {
+  unit <- variations_unit(x, column)
+  words_and_unit(gsub(".", " ", words_of(column, unit), fixed = TRUE), unit)
+}
+
+# The unit of a column of variations, "" where a part of the table has lost it.
+variations_unit <- function(x, column) {
+  unit <- attr(x, "unit")[column]
+  if (is.null(unit) || is.na(unit)) "" else unname(unit)
+}
+
+drawn_ways <- c("random", "latin", "sobol", "indices")
+
+variations_fields <- function(x) names(x)[seq_len(match("settled", names(x)) - 1L)]
+variations_measures <- function(x) names(x)[-seq_len(match("warning", names(x)))]
+
+has_response_curves <- function(x) {
+  isTRUE(attr(x, "study")$how %in% c(drawn_ways, "one_at_a_time")) &&
+    length(variations_fields(x)) > 1L
+}
+
+# Fewer points than these have no smooth curve.
+least_smooth <- 8L
+
+# Each measure against each field.
+response_chart <- function(x, measures, title) {
+  fields <- variations_fields(x)
+  single <- attr(x, "study")$how == "one_at_a_time"
+  own <- which(attr(x, "study")$design == 1L)
+  text <- !all(vapply(unclass(x)[fields], is.numeric, NA))
+  pairs <- expand.grid(field = fields, measure = measures, stringsAsFactors = FALSE)
+  parts <- Map(function(field, measure) {
+    others <- setdiff(fields, field)
+    rows <- rep(TRUE, nrow(x))
+    if (single && length(own)) {
+      rows <- Reduce(`&`, lapply(others, function(other) x[[other]] %in% x[[other]][own]))
+    }
+    rows <- which(rows)
+    rows <- rows[order(x[[field]][rows])]
+    part <- data.frame(
+      panel = measure_label(measure, variations_unit(x, measure)), across = field_words(x, field),
+      at = if (text) as_shown(x[[field]][rows]) else x[[field]][rows], value = x[[measure]][rows],
+      joined = single, marked = TRUE, settled = x$settled[rows]
+    )
+    seen <- !is.na(part$value)
+    if (single || text || sum(seen) < least_smooth) return(part)
+    curve <- stats::lowess(part$at[seen], part$value[seen])
+    rbind(part, data.frame(panel = part$panel[1L], across = part$across[1L], at = curve$x,
+      value = curve$y, joined = TRUE, marked = FALSE, settled = TRUE))
+  }, pairs$field, pairs$measure)
+  data <- do.call(rbind, parts)
+  missing <- if (!all(data$settled)) unique(data[!data$settled, c("panel", "across", "at")])
+  series_chart(data[!is.na(data$value), ], title, missing = missing, grid = TRUE)
+}
+
+# ---- effects -------------------------------------------------------------------------------------
+
+effects_title <- function(x, what) paste(c(what, attr(x, "gear_name")), collapse = " of ")
+
+# Texts as numbers where all of them are numbers.
+numbers_or_texts <- function(values) {
+  number <- suppressWarnings(as.double(values))
+  if (anyNA(number)) values else number
+}
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_effects <- function(object, measures = NULL, ...) {
+  shown <- object$measure %in% chosen_some(measures, unique(object$measure))
+  data <- data.frame(
+    panel = measure_label(object$measure, object$unit), at = numbers_or_texts(object$value),
+    across = vapply(object$field, function(field) field_words(object, field), ""),
+    value = object$mean, marked = TRUE
+  )
+  series_chart(data[shown, ], effects_title(object, "Main effects"), grid = TRUE)
+}
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_pair_effects <- function(object, measures = NULL, most = 6, ...) {
+  rows <- chosen_pairs(object, measures, most)
+  data <- do.call(rbind, lapply(rows, function(row) pair_points(object, row)))
+  data$at <- numbers_or_texts(data$at)
+  series_chart(data, effects_title(object, "Effects of pairs"))
+}
+
+# Rows of the pairs that are drawn.
+chosen_pairs <- function(x, measures, most) {
+  measures <- chosen_some(measures, unique(x$measure))
+  check_count("most", most)
+  if (is.null(attr(x, "means"))) {
+    abort_argument("{.arg x} has lost the means that {.fn pair_effects} gave it.")
+  }
+  unlist(lapply(measures, function(name) utils::head(which(x$measure == name), most)))
+}
+
+# The means of a pair's measure as series_chart() takes them.
+pair_points <- function(x, row) {
+  means <- attr(x, "means")
+  drawn <- means[means$measure == x$measure[row] & means$field == x$field[row] &
+    means$other == x$other[row], ]
+  at <- numbers_or_texts(drawn$value)
+  drawn <- drawn[order(match(drawn$other_value, unique(drawn$other_value)),
+    if (is.numeric(at)) at else match(at, unique(at))), ]
+  data.frame(
+    panel = measure_label(x$measure[row], x$unit[row]), across = field_words(x, x$field[row]),
+    at = drawn$value, value = drawn$mean, marked = TRUE,
+    group = paste(field_words(x, x$other[row]), "=", group_labels(drawn$other_value))
+  )
+}
+
+# Values of groups: numbers to four figures where that keeps them apart.
+group_labels <- function(values) {
+  number <- numbers_or_texts(values)
+  if (!is.numeric(number)) return(values)
+  short <- as_shown(signif(number, 4))
+  if (length(unique(short)) < length(unique(number))) as_shown(number) else short
+}

@@ -1,0 +1,257 @@
+#' Charts of trajectories, studies and tables
+#'
+#' `plot()` draws a chart with \pkg{ggplot2} on the current device, or writes it to a file.
+#' `autoplot()` returns the chart as a ggplot object, to which themes, scales and labels can be
+#' added.
+#'
+#' @details
+#' Each kind of result has its own chart:
+#'
+#' - A trajectory ([tow()]): what the schedule changes and all measures against time. Bands reach
+#'   twice the standard error of [measures()] to both sides.
+#' - Tensions along ropes ([tensions_along()]): tension against the distance from the rope's start,
+#'   a facet for each role. Every second rope is dashed, so that equal ropes both show.
+#' - Meshes along a net ([mesh_openings()]): opening and angle against the distance aft. A line
+#'   joins the panels between the same two seams, such as those of the back.
+#' - Variations ([vary()]): measures against the field that changes first, a line for each
+#'   combination of the other fields. A cross marks a gear that did not settle. For drawn designs
+#'   and for `one_at_a_time`, each measure against each field: all designs with a smooth curve
+#'   (lowess), or the designs in which the other fields are as in the plan.
+#' - Main effects ([main_effects()]) and effects of pairs ([pair_effects()]): means of measures
+#'   against a field. Lines of a pair that are not parallel show an interaction.
+#' - Sobol' indices ([sobol_indices()]): first-order and total index of each field, with intervals.
+#' - Sensitivities ([sensitivities()]): percent of the measure per percent of the field. Open bars
+#'   are not smooth; ticks mark the secants to 1 % less and 1 % more.
+#' - Uncertainties ([uncertainty()]): the standard uncertainty of each measure by origin or, with
+#'   `sources`, the ten largest sources of one measure.
+#' - A calibration ([calibrate()]): settled against measured values, and residuals against the
+#'   column `by`. Open points are before, filled points after the calibration; dashed lines are at
+#'   twice the error.
+#' - An optimum ([optimise_gear()]): the objective, the largest violation of a condition and the
+#'   fields at each step of the search. Filled points keep all conditions; dashed lines are the ends
+#'   of a field's range.
+#' - A trade-off ([trade_off()]): the second objective and all fields against the first objective.
+#'   Open points are not shown to be optimal.
+#' - Coefficients ([force_coefficients()]): computed values (lines) and published values (points)
+#'   against the angle or the Reynolds number.
+#'
+#' @param x,object A result of one of the functions above.
+#' @param ... Arguments of `autoplot()`: `measures` and those below.
+#' @param measures Names of measures, as [measures()] has them. `NULL`: all.
+#' @param most Largest number of pairs for each measure.
+#' @param sources Name of a measure, or `NULL`.
+#' @param by Of a calibration: a column of the data, `"row"` for the row number, or `NULL` for the
+#'   first column that sets a field. Of coefficients: `"angle"`, `"reynolds"`, or `NULL` for the
+#'   angle where there is one.
+#' @param force Forces, any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"` and
+#'   `"wake"`. `NULL`: all.
+#' @param file `NULL` for the current graphics device, or the path of a `.png`, `.pdf` or `.svg`
+#'   file.
+#' @param width,height Size of the file's page, inches. A `height` of `NULL` fits the chart.
+#' @return `plot()` returns `x`, invisibly; `autoplot()` returns a ggplot. A wrong argument is an
+#'   error of class `codend_error_argument`; a missing ggplot2 is one of class
+#'   `codend_error_package`.
+#' @seealso [plot.codend_state()] and [plot.codend_gear()] for drawings.
+#' @name codend_charts
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"),
+#'   ropes.cable.length = c("400 m", "700 m"))
+#' plot(found, measures = c("total_drag_kN", "greatest_depth_m"))
+NULL
+
+#' @rdname codend_charts
+#' @export
+plot.codend_trajectory <- function(x, ..., file = NULL, width = 10, height = NULL) {
+  check_package("ggplot2", "A chart")
+  chart <- ggplot2::autoplot(x, ...)
+  show_picture(x, function(page) print(chart), file, width, height, chart$labels$title,
+    chart_height(chart))
+}
+
+#' @rdname codend_charts
+#' @export
+plot.codend_variations <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_rope_tensions <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_mesh_openings <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_effects <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_pair_effects <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_sobol_indices <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_sensitivities <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_uncertainty <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_calibration <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_optimum <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_trade_off <- plot.codend_trajectory
+
+#' @rdname codend_charts
+#' @export
+plot.codend_coefficients <- plot.codend_trajectory
+
+# Inches of a page that fits a chart: its rows of facets, and its bars where it has some.
+chart_height <- function(chart) {
+  rows <- max(ggplot2::summarise_layout(ggplot2::ggplot_build(chart))$row)
+  bars <- first_of(attr(chart, "bars"), 0)
+  min(100, max(3, 1 + rows * max(1.8, 0.6 + 0.2 * bars)))
+}
+
+# ggplot2's name for the data in aes().
+utils::globalVariables(".data")
+
+chart_theme <- function() {
+  ggplot2::theme_minimal() +
+    ggplot2::theme(
+      panel.background = ggplot2::element_rect(fill = "#F6F9FB", colour = "grey40"),
+      panel.grid.minor = ggplot2::element_blank(),
+      plot.background = ggplot2::element_rect(fill = "white", colour = NA),
+      plot.title = ggplot2::element_text(size = 12, face = "bold"),
+      plot.title.position = "plot",
+      legend.position = "bottom", legend.margin = ggplot2::margin()
+    )
+}
+
+# A chart's title from its parts; NULL parts are left out.
+chart_title <- function(...) paste(c(...), collapse = ", ")
+
+words_and_unit <- function(words, unit) {
+  ifelse(is.na(unit) | !nzchar(unit), words, sprintf("%s (%s)", words, unit))
+}
+
+# A measure as a facet names it: "door spread (m)" for "door_spread_m".
+measure_label <- function(measure, unit) words_and_unit(words_of(measure, unit), unit)
+
+# Labels of an axis: plain numbers, none in scientific notation.
+axis_labels <- function(values) {
+  with_plain_numbers(format(values, scientific = FALSE, big.mark = ",", trim = TRUE))
+}
+
+# Line types of n groups: colours repeat after five groups, with another line type.
+series_dashes <- function(n) {
+  c("solid", "33", "12")[(seq_len(n) - 1L) %/% length(series_palette) %% 3L + 1L]
+}
+
+series_symbols <- c(16L, 17L, 15L, 18L, 1L)
+
+# Lines and points of quantities, a facet each.
+#
+# data: data frame with `value`; `panel`, the label of the quantity; `across`, the label of the
+# horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and `high`
+# (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show), `open`
+# (whether they are not filled). missing: data frame(panel, across, at) of places without a value.
+# grid: facets by panel and across. colours, dashes: of the groups in order of appearance.
+series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, colours = NULL,
+                         dashes = NULL) {
+  given <- names(data)
+  data$group <- in_order(if ("group" %in% given) data$group else "")
+  for (name in c("joined", "marked", "open")) {
+    if (!name %in% given) data[[name]] <- name == "joined"
+  }
+  if (!is.numeric(data$at)) data$at <- in_order(data$at)
+  alone <- length(unique(data$across)) == 1L
+  facets <- c("panel", "across")
+  if (!grid && !alone) {
+    data$panel <- paste0(data$panel, "\nagainst ", data$across)
+    if (!is.null(missing)) missing$panel <- paste0(missing$panel, "\nagainst ", missing$across)
+  }
+  for (name in facets) {
+    if (!is.null(missing)) missing[[name]] <- factor(missing[[name]], unique(data[[name]]))
+    data[[name]] <- in_order(data[[name]])
+  }
+  n <- nlevels(data$group)
+  marked <- data[data$marked, ]
+  faint <- marked[!marked$joined, ]
+  ggplot2::ggplot(data, ggplot2::aes(.data[["at"]], .data[["value"]], colour = .data[["group"]],
+    group = .data[["group"]])) +
+    ggplot2::geom_blank(data = least_range(data)) +
+    (if ("low" %in% given) {
+      ggplot2::geom_ribbon(ggplot2::aes(ymin = .data[["low"]], ymax = .data[["high"]]),
+        fill = water_colour, alpha = 0.25, colour = NA)
+    }) +
+    ggplot2::geom_line(ggplot2::aes(linetype = .data[["group"]]), data[data$joined, ]) +
+    ggplot2::geom_point(ggplot2::aes(shape = .data[["group"]]), marked[marked$joined, ],
+      fill = "white") +
+    ggplot2::geom_point(data = faint, alpha = 0.35) +
+    (if (any(marked$open)) {
+      ggplot2::geom_point(data = marked[marked$open, ], shape = 21L, fill = "white")
+    }) +
+    (if (!is.null(missing)) {
+      ggplot2::geom_text(ggplot2::aes(.data[["at"]], -Inf), missing, label = "\u00d7", vjust = 0,
+        size = 6, inherit.aes = FALSE)
+    }) +
+    (if (grid) {
+      ggplot2::facet_grid(panel ~ across, scales = "free")
+    } else {
+      ggplot2::facet_wrap("panel", scales = if (alone) "free_y" else "free")
+    }) +
+    ggplot2::scale_y_continuous(labels = axis_labels) +
+    ggplot2::scale_colour_manual(values = first_of(colours,
+      if (n > 1L) series_colours(n) else water_colour)) +
+    ggplot2::scale_linetype_manual(values = first_of(dashes, series_dashes(n))) +
+    ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
+    ggplot2::labs(
+      title = title, y = NULL, x = if (alone && !grid) levels(data$across), colour = key,
+      linetype = key, shape = key,
+      caption = if (NROW(missing)) "A cross marks a gear that did not settle."
+    ) +
+    chart_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+}
+
+in_order <- function(values) factor(values, unique(values))
+
+# Points that widen the vertical axis of each panel to a thousandth of its values: a constant is drawn
+# as a straight line, not as its rounding errors.
+least_range <- function(data) {
+  data <- data[is.finite(data$value), ]
+  panels <- split(data, data$panel, drop = TRUE)
+  do.call(rbind, lapply(panels, function(panel) {
+    ends <- range(panel$value)
+    least <- if (any(ends != 0)) 1e-3 * max(abs(ends)) else 1
+    if (diff(ends) >= least) return(panel[0L, ])
+    two <- panel[c(1L, 1L), ]
+    two$value <- mean(ends) + c(-0.5, 0.5) * least
+    two
+  }))
+}
+
+# Horizontal bars or points, a facet for each panel, with the largest on top.
+#
+# data: data frame with `panel`, `name` and `size` (by which names are sorted); layers draw it
+# against the vertical position `.data[["row"]]`, which the result's data has.
+bar_chart <- function(data, title, across, ..., subtitle = NULL, columns = NULL) {
+  data <- data[order(data$size), ]
+  data$row <- in_order(paste(data$name, data$panel, sep = "\r"))
+  data$panel <- factor(data$panel, unique(data$panel[order(data$first)]))
+  chart <- ggplot2::ggplot(data, ggplot2::aes(y = .data[["row"]])) + list(...) +
+    ggplot2::facet_wrap("panel", scales = "free", ncol = columns) +
+    ggplot2::scale_y_discrete(labels = function(row) sub("\r.*", "", row)) +
+    ggplot2::labs(title = title, subtitle = subtitle, x = across, y = NULL) + chart_theme()
+  structure(chart, bars = max(tapply(data$name, data$panel, function(x) length(unique(x)))))
+}
