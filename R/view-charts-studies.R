@@ -28,7 +28,7 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
     ),
     ggplot2::geom_point(ggplot2::aes(.data[["secant"]], .data[["row"]]), secants, shape = "|",
       size = 4),
-    ggplot2::scale_fill_manual(values = c(`TRUE` = water_colour, `FALSE` = NA), guide = "none"),
+    ggplot2::scale_fill_manual(values = c(`TRUE` = water_colour, `FALSE` = "white"), guide = "none"),
     subtitle = "Open bars: not smooth; ticks: secants to 1 % less and 1 % more"
   )
 }

@@ -245,12 +245,12 @@ least_range <- function(data) {
 #
 # data: data frame with `panel`, `name` and `size` (by which names are sorted); layers draw it
 # against the vertical position `.data[["row"]]`, which the result's data has.
-bar_chart <- function(data, title, across, ..., subtitle = NULL, columns = NULL) {
+bar_chart <- function(data, title, across, ..., subtitle = NULL) {
   data <- data[order(data$size), ]
   data$row <- in_order(paste(data$name, data$panel, sep = "\r"))
   data$panel <- factor(data$panel, unique(data$panel[order(data$first)]))
   chart <- ggplot2::ggplot(data, ggplot2::aes(y = .data[["row"]])) + list(...) +
-    ggplot2::facet_wrap("panel", scales = "free", ncol = columns) +
+    ggplot2::facet_wrap("panel", scales = "free", ncol = min(2L, nlevels(data$panel))) +
     ggplot2::scale_y_discrete(labels = function(row) sub("\r.*", "", row)) +
     ggplot2::labs(title = title, subtitle = subtitle, x = across, y = NULL) + chart_theme()
   structure(chart, bars = max(tapply(data$name, data$panel, function(x) length(unique(x)))))
