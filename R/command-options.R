@@ -71,6 +71,7 @@ read_csv_option <- function(file, option) {
 # A table as CSV: on standard output, or in a file.
 give_csv <- function(table, out) {
   if (is.null(out) || out == "-") {
+    table <- without_formulas(table)
     with_plain_numbers(utils::write.csv(table, stdout(), row.names = FALSE, na = ""))
   } else {
     write_csv(table, out)

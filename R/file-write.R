@@ -127,5 +127,20 @@ write_csv <- function(table, file) {
   # exponents would follow the session's taste
   kept <- options(scipen = 0)
   on.exit(options(kept))
+  table <- without_formulas(table)
   write_file(file, function(path) utils::write.csv(table, path, row.names = FALSE, na = ""))
+}
+
+# A table whose texts and column names no spreadsheet runs as formulas: those that begin with =, +,
+# - or @ get an apostrophe first (OWASP, CSV injection). Quantities such as "-5 deg" stay.
+without_formulas <- function(table) {
+  plain <- function(text) {
+    quantity <- "^[-+]?[0-9.]+(e[-+]?[0-9]+)?[A-Za-z0-9 /%]*$"
+    runs <- grepl("^[=+@\t\r-]", text) & !grepl(quantity, text)
+    ifelse(runs, paste0("'", text), text)
+  }
+  texts <- vapply(table, is.character, NA)
+  table[texts] <- lapply(table[texts], plain)
+  names(table) <- plain(names(table))
+  table
 }

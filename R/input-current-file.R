@@ -30,11 +30,27 @@
 read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
   check_given("file", "longitude", "latitude", "time")
   check_netcdf()
+  check_package("callr", "Reading a NetCDF file of currents")
   check_between("longitude", longitude, -180, 360)
   check_between("latitude", latitude, -90, 90)
   check_between("farthest", farthest, 0, 2.1e7)
   time <- moment(time)
   check_file_exists(file)
+  # a damaged file may stop the NetCDF library or keep it busy: it does so in a process of its own
+  tryCatch(
+    callr::r(read_cf_currents, list(file, longitude, latitude, time, farthest),
+      package = "codend", timeout = most_reading_seconds),
+    error = function(e) {
+      if (inherits(e$parent, "codend_error")) stop(e$parent)
+      abort_file(file, "is damaged: the NetCDF library stopped or took longer than {most} s.",
+        most = most_reading_seconds)
+    }
+  )
+}
+
+most_reading_seconds <- 60
+
+read_cf_currents <- function(file, longitude, latitude, time, farthest) {
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
     abort_file(file, "is no NetCDF file: {why}", why = conditionMessage(e))
   })

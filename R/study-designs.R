@@ -122,6 +122,10 @@ read_designs <- function(file) {
       abort_file(file, "could not be read as CSV: {why}", why = conditionMessage(e))
     }
   )
+  # as write_csv() writes what a spreadsheet would run
+  table[] <- lapply(table, function(values) {
+    if (is.character(values)) sub("^'(?=[=+@-])", "", values, perl = TRUE) else values
+  })
   table
 }
 

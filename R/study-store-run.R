@@ -32,7 +32,8 @@
 #'   `designs`, `done`, `settled`, `warned`, `last` (when the last row was written) and `problems`,
 #'   a table of why designs did not settle.
 #'
-#'   A folder that is no study is an error of class `codend_error_file`.
+#'   A folder that is no study is an error of class `codend_error_file`. A damaged row is left out
+#'   with a warning of class `codend_warning_study`.
 #' @name studies
 #' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
 #' store <- tempfile(fileext = ".study")

@@ -7,12 +7,14 @@
 #   claims/N           an empty folder: a process is settling design N
 #
 # MARK is the beginning of the MD5 sum of study.json: rows of another study that had the same
-# folder before are passed over. Every file is written whole next to its place and renamed
+# folder before are passed over. Rows and study.json end with the MD5 sum of their text, see
+# sealed_json(). Every file is written whole next to its place and renamed
 # (write_file()), so that no reader ever sees part of one, whoever is killed when. The folder itself
 # is made in the same way, and never in place of another: of two processes one makes it, and the
 # other finds it there.
 
-study_file_version <- 2L
+# Version 2 has no sums.
+study_file_version <- 3L
 mark_letters <- 12L
 
 store_file <- function(store, ...) file.path(store, ...)
@@ -70,7 +72,7 @@ study_text <- function(study) {
     }
   })
   kept <- Filter(Negate(is.null), attributes(designs)[c("how", "number", "seed")])
-  jsonlite::toJSON(
+  sealed_json(jsonlite::toJSON(
     list(
       codend_study = one(study_file_version),
       codend = one(as.character(utils::packageVersion("codend"))),
@@ -80,7 +82,7 @@ study_text <- function(study) {
       distributions = lapply(as.list(attr(designs, "distributions")), one), columns = columns
     ),
     na = "null", digits = NA, pretty = TRUE
-  )
+  ))
 }
 
 check_same_study <- function(study, store) {
@@ -144,21 +146,49 @@ read_store_text <- function(store) {
   text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
   version <- tryCatch(jsonlite::fromJSON(text, simplifyVector = FALSE)$codend_study,
     error = function(e) NULL)
-  if (!identical(version, study_file_version)) {
-    abort_file(store, "is a study of another format, or damaged.")
+  if (!version %in% c(2L, study_file_version) || (version > 2L && !is_sealed(text))) {
+    abort_file(store, "is a study of another format, or its {.file study.json} is damaged: begin a
+      new study.")
   }
   text
 }
 
 # Texts of all rows that are done. Rows first: a row that is gathered meanwhile is in its task.
+# Damaged rows are left out with a warning.
 stored_rows <- function(store) {
   mark <- store_mark(store)
   single <- lapply(row_files(store, mark), read_lines_of)
   tasks <- lapply(task_files(store, mark), read_lines_of)
-  text <- unlist(c(single, tasks))
+  text <- as.character(unlist(c(single, tasks)))
   # a copy may have been renamed
-  text <- text[grepl(sprintf("^[{]\"design\":[0-9]+,\"study\":\"%s\",", mark), text)]
+  other <- grepl("^[{]\"design\":[0-9]+,\"study\":\"[0-9a-f]+\",", text, useBytes = TRUE) &
+    !grepl(sprintf("\"study\":\"%s\"", mark), text, fixed = TRUE, useBytes = TRUE)
+  good <- is_sealed(text) | !is_sealed(read_store_text(store))
+  damaged <- sum(!good & !other)
+  if (damaged) {
+    cli::cli_warn("{damaged} row{?s} of {.file {store}} {?is/are} damaged and left out. Delete the
+      damaged files in its folders {.file rows} and {.file tasks} and run the study again.",
+      class = c("codend_warning_study", "codend_warning"), call = NULL)
+  }
+  text <- text[good & !other]
   text[!duplicated(row_designs(text))]
+}
+
+# JSON of an object with the MD5 sum of its text as its last entry, `md5`.
+sealed_json <- function(text) {
+  sub("\\s*[}]$", paste0(",\"md5\":\"", cli::hash_md5(text), "\"}"), text, perl = TRUE)
+}
+
+# Whether texts are unchanged since sealed_json() made them.
+is_sealed <- function(text) {
+  seal <- ",\"md5\":\"[0-9a-f]{32}\"[}]$"
+  sealed <- validUTF8(text) & grepl(seal, text, perl = TRUE, useBytes = TRUE)
+  # the text before lost its last brace, and a line break before that in study.json
+  before <- sub(seal, "", text[sealed], perl = TRUE)
+  sum <- substring(text[sealed], nchar(text[sealed]) - 33L, nchar(text[sealed]) - 2L)
+  sealed[sealed] <- sum == cli::hash_md5(paste0(before, "}")) |
+    sum == cli::hash_md5(paste0(before, "\n}"))
+  sealed
 }
 
 # The designs of rows.

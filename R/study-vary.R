@@ -223,9 +223,10 @@ row_text <- function(design, found, mark = NULL) {
     sprintf("%s:[%s,%s,%s]", vapply(names(units), text, ""), number(values),
       vapply(units, text, ""), number(unname(attr(found$measures, "error"))))
   }
-  sprintf("{\"design\":%d,%s\"problem\":%s,\"warning\":%s,\"measures\":{%s}}", as.integer(design),
-    if (is.null(mark)) "" else sprintf("\"study\":\"%s\",", mark),
+  row <- sprintf("{\"design\":%d,%s\"problem\":%s,\"warning\":%s,\"measures\":{%s}}",
+    as.integer(design), if (is.null(mark)) "" else sprintf("\"study\":\"%s\",", mark),
     text(found$problem), text(found$warning), paste(parts, collapse = ","))
+  if (is.null(mark)) row else sealed_json(row)
 }
 
 # Rows by their text: list(design, problem, warning, measures = matrix with a column each, error =

@@ -20,8 +20,8 @@ autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
   series_chart(data, paste("Tow of", object$gear$plan$name))
 }
 
-# What of a trajectory's conditions changes, except the vessel's position: data frame(panel, time (s),
-# value, error).
+# The conditions of a trajectory that change, except the vessel's position: data frame(panel, time
+# (s), value, error).
 schedule_series <- function(trajectory) {
   table <- condition_units(trajectory$conditions)
   known <- c(

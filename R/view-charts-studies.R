@@ -28,7 +28,8 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
     ),
     ggplot2::geom_point(ggplot2::aes(.data[["secant"]], .data[["row"]]), secants, shape = "|",
       size = 4),
-    ggplot2::scale_fill_manual(values = c(`TRUE` = water_colour, `FALSE` = "white"), guide = "none"),
+    ggplot2::scale_fill_manual(values = c(`TRUE` = water_colour, `FALSE` = "white"),
+      guide = "none"),
     subtitle = "Open bars: not smooth; ticks: secants to 1 % less and 1 % more"
   )
 }
@@ -55,7 +56,8 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
       colour = water_colour, fill = "white", position = ggplot2::position_dodge(width = 0.5)
     ),
     ggplot2::scale_shape_manual("index", values = c(first = 16L, total = 21L)),
-    subtitle = sprintf("Intervals of %s %%", format(100 * first_of(attr(object, "confidence"), 0.9)))
+    subtitle = sprintf("Intervals of %s %%",
+      format(100 * first_of(attr(object, "confidence"), 0.9)))
   )
 }
 
@@ -133,7 +135,8 @@ autoplot.codend_calibration <- function(object, by = NULL, ...) {
   bands <- unique(data.frame(panel = rep(panel(residuals), 3L),
     value = c(-2 * error, 0 * error, 2 * error)))
   # both axes of an agreement reach the values of the other
-  equal <- data.frame(panel = panel(agreement), at = c(rows$begun, rows$fitted), value = rows$measured)
+  equal <- data.frame(panel = panel(agreement), at = c(rows$begun, rows$fitted),
+    value = rows$measured)
   points$panel <- panel(points$panel)
   ggplot2::ggplot(points, ggplot2::aes(.data[["at"]], .data[["value"]])) +
     ggplot2::geom_blank(data = equal) +

@@ -163,9 +163,9 @@ series_symbols <- c(16L, 17L, 15L, 18L, 1L)
 # Lines and points of quantities, a facet each.
 #
 # data: data frame with `value`; `panel`, the label of the quantity; `across`, the label of the
-# horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and `high`
-# (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show), `open`
-# (whether they are not filled). missing: data frame(panel, across, at) of places without a value.
+# horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and
+# `high` (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show),
+# `open` (whether they are not filled). missing: data frame(panel, across, at) of places without a value.
 # grid: facets by panel and across. colours, dashes: of the groups in order of appearance.
 series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, colours = NULL,
                          dashes = NULL) {
@@ -226,8 +226,8 @@ series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, 
 
 in_order <- function(values) factor(values, unique(values))
 
-# Points that widen the vertical axis of each panel to a thousandth of its values: a constant is drawn
-# as a straight line, not as its rounding errors.
+# Points that widen the vertical axis of each panel to a thousandth of its values: a constant is
+# drawn as a straight line, not as its rounding errors.
 least_range <- function(data) {
   data <- data[is.finite(data$value), ]
   panels <- split(data, data$panel, drop = TRUE)

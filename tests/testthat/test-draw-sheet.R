@@ -76,6 +76,8 @@ test_that("a DXF has the gear's size and is read by another program", {
   vertices <- which(lines == "VERTEX")
   # each x is four lines below: layer, code 10, value
   expect_equal(as.double(lines[vertices + 4L]), c(10, 20, 20) * 200)
+  # the extent's x and y: code and value each
+  expect_equal(as.double(lines[which(lines == "$EXTMAX") + c(2L, 4L)]), c(100, 50) * 200)
   # Debian: python3-ezdxf
   python <- "/usr/bin/python3"
   imported <- file.exists(python) && system2(python, c("-c", "'import ezdxf'"), FALSE, FALSE) == 0L

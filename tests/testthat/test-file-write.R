@@ -179,3 +179,16 @@ test_that("what killed processes left is removed, what others are writing is not
   expect_false(file.exists(of_killed))
   expect_true(all(file.exists(c(of_living, of_other, young))))
 })
+
+test_that("a spreadsheet runs nothing of a CSV file, and codend reads the texts back", {
+  table <- data.frame(a = c("=1+1", "@SUM(A1)", "-2+3+cmd", "-5 deg", "+4.5 knot", "PE"),
+    b = -(1:6))
+  names(table)[2] <- "=HYPERLINK(0)"
+  file <- tempfile(fileext = ".csv")
+  write_csv(table, file)
+  cells <- utils::read.csv(file, check.names = FALSE)
+  expect_identical(cells$a, c("'=1+1", "'@SUM(A1)", "'-2+3+cmd", "-5 deg", "+4.5 knot", "PE"))
+  expect_identical(names(cells)[2], "'=HYPERLINK(0)")
+  expect_identical(cells[[2]], table[[2]])
+  expect_identical(read_designs(file)$a, table$a)
+})

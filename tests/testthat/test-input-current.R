@@ -196,3 +196,19 @@ test_that("a log without positions, or in degrees, is refused", {
   refused("beyond the globe", transform(log, latitude = 60), 0, 600)
   refused("to", log, 600, 0)
 })
+
+test_that("a damaged file is an error, and R goes on", {
+  good <- readBin(example_currents(), "raw", 1e6)
+  file <- tempfile(fileext = ".nc")
+  set.seed(4)
+  for (k in 1:6) {
+    changed <- good
+    # headers are where the library can be led astray
+    at <- sample(min(2000L, length(good)), 40L)
+    changed[at] <- as.raw(sample(0:255, 40L, replace = TRUE))
+    writeBin(changed, file)
+    found <- tryCatch(read_currents(file, 5.12, 60.3, "2026-05-03 14:30"),
+      codend_error_file = function(e) NULL)
+    expect_true(is.null(found) || is.data.frame(found))
+  }
+})

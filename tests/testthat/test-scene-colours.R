@@ -9,6 +9,12 @@ test_that("an even scale starts at zero and ends at or above the largest tension
   expect_equal(scale_share(scale, mean(scale$limits)), 0.5)
 })
 
+test_that("slack lines and pushing lines have their words", {
+  expect_null(slack_words(c(1, 2)))
+  expect_identical(slack_words(c(0, 2)), "slack")
+  expect_identical(slack_words(c(0, -1)), "slack or pushing")
+})
+
 test_that("small tensions are in newtons", {
   expect_equal(tension_scale(c(200, 999), "netting")$unit, "N")
   expect_equal(tension_scale(c(200, 1000), "netting")$unit, "kN")

@@ -122,6 +122,39 @@ test_that("rows of another study that had the folder before are passed over", {
   expect_equal(nrow(read_study(store)), 0L)
 })
 
+test_that("a row with one changed byte is left out, and all others are read", {
+  store <- file.path(test_folder(), "a.study")
+  write_study("towed_cable", small_study(), store)
+  run_study(store, 1, 3)
+  run_study(store, 2, 6)
+  whole <- read_study(store)
+  files <- list.files(store, "^[0-9].*json$", recursive = TRUE, full.names = TRUE)
+  expect_length(files, 2L)
+  set.seed(11)
+  for (file in files) {
+    good <- readBin(file, "raw", file.size(file))
+    for (k in 1:20) {
+      changed <- good
+      # no line break: it ends a row
+      at <- sample(which(good != 10), 1L)
+      changed[at] <- as.raw(sample(setdiff(33:255, as.integer(good[at])), 1L))
+      writeBin(changed, file)
+      expect_warning(found <- read_study(store), "1 row of .* is damaged",
+        class = "codend_warning_study")
+      expect_equal(nrow(found), nrow(whole) - 1L)
+      kept <- match(interaction(found[1:2]), interaction(whole[1:2]))
+      expect_identical(found$total_drag_kN, whole$total_drag_kN[kept])
+    }
+    writeBin(good, file)
+  }
+  expect_identical(read_study(store), whole)
+  study <- file.path(store, "study.json")
+  text <- readLines(study)
+  writeLines(sub("\"towed", "\"Towed", text), study)
+  writeLines(sub("1500", "1501", text), study)
+  expect_error(read_study(store), "damaged", class = "codend_error_file")
+})
+
 test_that("a process that is killed loses the run that it was at, no more", {
   skip_if_not_installed("callr")
   skip_on_os("windows")
