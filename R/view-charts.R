@@ -165,8 +165,8 @@ series_symbols <- c(16L, 17L, 15L, 18L, 1L)
 # data: data frame with `value`; `panel`, the label of the quantity; `across`, the label of the
 # horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and
 # `high` (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show),
-# `open` (whether they are not filled). missing: data frame(panel, across, at) of places without a value.
-# grid: facets by panel and across. colours, dashes: of the groups in order of appearance.
+# `open` (whether they are not filled). missing: data frame(panel, across, at) of places without a
+# value. grid: facets by panel and across. colours, dashes: of the groups in order of appearance.
 series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, colours = NULL,
                          dashes = NULL) {
   given <- names(data)
