@@ -78,19 +78,21 @@ test_that("studies of earlier versions are read and go on", {
   # rows of the first format carry no checksum of their study
   expect_error(read_study(test_path("kept", "study-1")), "of another format",
     class = "codend_error_file")
-  store <- file.path(test_folder(), "study-2")
-  expect_true(file.copy(test_path("kept", "study-2"), dirname(store), recursive = TRUE))
-  for (folder in c("rows", "tasks", "claims")) {
-    dir.create(file.path(store, folder), showWarnings = FALSE)
+  for (version in 2:study_file_version) {
+    name <- paste0("study-", version)
+    store <- file.path(test_folder(), name)
+    expect_true(file.copy(test_path("kept", name), dirname(store), recursive = TRUE))
+    for (folder in c("rows", "tasks", "claims")) {
+      dir.create(file.path(store, folder), showWarnings = FALSE)
+    }
+    expect_identical(jsonlite::read_json(file.path(store, "study.json"))$codend_study, version)
+    done <- read_study(store)
+    expect_identical(attr(done, "study")$design, c(2L, 6L))
+    # What version 2 gave on the day: to the accuracy of settled shapes.
+    expect_equal(done$ship_tension_kN, c(8.770061, 9.601878), tolerance = 1e-6)
+    expect_equal(run_study(store), 4L)
+    all <- read_study(store)
+    expect_identical(all$settled, rep(TRUE, 6L))
+    expect_equal(all$ship_tension_kN[c(2, 6)], done$ship_tension_kN)
   }
-  expect_identical(jsonlite::read_json(file.path(store, "study.json"))$codend_study,
-    study_file_version)
-  done <- read_study(store)
-  expect_identical(attr(done, "study")$design, c(2L, 6L))
-  # What a study of this version gave on the day: to the accuracy of settled shapes.
-  expect_equal(done$ship_tension_kN, c(8.770061, 9.601878), tolerance = 1e-6)
-  expect_equal(run_study(store), 4L)
-  all <- read_study(store)
-  expect_identical(all$settled, rep(TRUE, 6L))
-  expect_equal(all$ship_tension_kN[c(2, 6)], done$ship_tension_kN)
 })
