@@ -17,7 +17,8 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
   # a secant over a jump would leave no space for the other bars
   most <- 1.5 * stats::ave(data$size, data$panel, FUN = max)
   secants <- rbind(cbind(data, secant = data$below, most), cbind(data, secant = data$above, most))
-  secants <- secants[!secants$smooth, ]
+  # a slope of 0 has no elasticity to scale its secants by
+  secants <- secants[!secants$smooth & is.finite(secants$secant), ]
   secants$secant <- pmin(pmax(secants$secant, -secants$most), secants$most)
   secants$row <- paste(secants$name, secants$panel, sep = "\r")
   bar_chart(data, paste0("Sensitivities of ", attr(object, "gear_name"), ", ",

@@ -95,6 +95,10 @@ test_that("bars are sorted by size in each panel", {
   }
   expect_equal(sort(chart$data$elasticity),
     sort(found$elasticity[found$measure %in% c("total_drag_kN", "body_depth_m")]))
+  # a slope of 0 that is not smooth has no secants to draw
+  found[1, c("slope", "elasticity")] <- 0
+  found$smooth[1] <- FALSE
+  expect_silent(plot(found, found$measure[1], file = tempfile(fileext = ".png")))
 })
 
 test_that("charts go to a device or to a file that fits them", {
