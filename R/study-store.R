@@ -163,7 +163,8 @@ stored_rows <- function(store) {
   # a copy may have been renamed
   other <- grepl("^[{]\"design\":[0-9]+,\"study\":\"[0-9a-f]+\",", text, useBytes = TRUE) &
     !grepl(sprintf("\"study\":\"%s\"", mark), text, fixed = TRUE, useBytes = TRUE)
-  good <- is_sealed(text) | !is_sealed(read_store_text(store))
+  good <- is_sealed(text)
+  if (!all(good) && !is_sealed(read_store_text(store))) good[] <- TRUE
   damaged <- sum(!good & !other)
   if (damaged) {
     cli::cli_warn("{damaged} row{?s} of {.file {store}} {?is/are} damaged and left out. Delete the
