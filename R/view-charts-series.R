@@ -127,7 +127,7 @@ mesh_sides <- function(x) {
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_variations <- function(object, measures = NULL, ...) {
   shown <- chosen_some(measures, variations_measures(object))
-  title <- chart_title(paste(c("Variations", attr(object, "gear_name")), collapse = " of "))
+  title <- effects_title(object, "Variations")
   if (has_response_curves(object)) return(response_chart(object, shown, title))
   fields <- variations_fields(object)
   field <- fields[1L]
@@ -138,17 +138,18 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   values <- lapply(unclass(object)[apart], as_shown)
   group <- if (length(apart)) do.call(paste, c(values, sep = ", ")) else rep("", nrow(object))
   at <- object[[field]]
-  rows <- order(match(group, unique(group)), if (is.numeric(at)) at else match(at, unique(at)))
+  rows <- order(match(group, unique(group)), axis_places(at))
   data <- do.call(rbind, lapply(shown, function(name) {
     data.frame(panel = measure_label(name, variations_unit(object, name)),
       across = field_words(object, field), at = at[rows], value = object[[name]][rows],
-      group = group[rows], marked = TRUE)
+      group = group[rows], marked = TRUE, settled = object$settled[rows])
   }))
-  settled <- object$settled[rows]
-  missing <- if (!all(settled)) unique(data[!settled, c("panel", "across", "at")])
-  series_chart(data[!is.na(data$value), ], title, missing = missing,
+  series_chart(data, title,
     key = paste(vapply(apart, function(other) field_words(object, other), ""), collapse = ", "))
 }
+
+# Places along an axis: numbers as they are, texts in their order.
+axis_places <- function(values) if (is.numeric(values)) values else match(values, unique(values))
 
 as_shown <- function(values) {
   if (!is.numeric(values)) return(as.character(values))
@@ -206,9 +207,7 @@ response_chart <- function(x, measures, title) {
     rbind(part, data.frame(panel = part$panel[1L], across = part$across[1L], at = curve$x,
       value = curve$y, joined = TRUE, marked = FALSE, settled = TRUE))
   }, pairs$field, pairs$measure)
-  data <- do.call(rbind, parts)
-  missing <- if (!all(data$settled)) unique(data[!data$settled, c("panel", "across", "at")])
-  series_chart(data[!is.na(data$value), ], title, missing = missing, grid = TRUE)
+  series_chart(do.call(rbind, parts), title, grid = TRUE)
 }
 
 # ---- effects -------------------------------------------------------------------------------------
@@ -257,9 +256,8 @@ pair_points <- function(x, row) {
   means <- attr(x, "means")
   drawn <- means[means$measure == x$measure[row] & means$field == x$field[row] &
     means$other == x$other[row], ]
-  at <- numbers_or_texts(drawn$value)
   drawn <- drawn[order(match(drawn$other_value, unique(drawn$other_value)),
-    if (is.numeric(at)) at else match(at, unique(at))), ]
+    axis_places(numbers_or_texts(drawn$value))), ]
   data.frame(
     panel = measure_label(x$measure[row], x$unit[row]), across = field_words(x, x$field[row]),
     at = drawn$value, value = drawn$mean, marked = TRUE,

@@ -11,8 +11,7 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
     panel = measure_label(data$measure, unit[data$measure]), size = abs(data$elasticity),
     # fields that change together are named by the first
     name = sub(" [+] .*", " ...", data$field), elasticity = data$elasticity, smooth = data$smooth,
-    below = data$secant_below * per, above = data$secant_above * per,
-    first = match(data$measure, unique(data$measure))
+    below = data$secant_below * per, above = data$secant_above * per
   )
   # a secant over a jump would leave no space for the other bars
   most <- 1.5 * stats::ave(data$size, data$panel, FUN = max)
@@ -20,7 +19,7 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
   # a slope of 0 has no elasticity to scale its secants by
   secants <- secants[!secants$smooth & is.finite(secants$secant), ]
   secants$secant <- pmin(pmax(secants$secant, -secants$most), secants$most)
-  secants$row <- paste(secants$name, secants$panel, sep = "\r")
+  secants$row <- bar_row(secants$name, secants$panel)
   bar_chart(data, paste0("Sensitivities of ", attr(object, "gear_name"), ", ",
     attr(object, "conditions")), "percent of the measure per percent of the field",
     ggplot2::geom_col(
@@ -45,8 +44,7 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
       panel = measure_label(object$measure, unit[object$measure]), size = object$total,
       # fields that change together are named by the first
       name = sub(",.*", ", ...", object$field), index = kind, value = object[[kind]],
-      low = object[[paste0(kind, "_low")]], high = object[[paste0(kind, "_high")]],
-      first = match(object$measure, unique(object$measure))
+      low = object[[paste0(kind, "_low")]], high = object[[paste0(kind, "_high")]]
     )
   }
   bar_chart(rbind(part("first"), part("total")), effects_title(object, "Sobol' indices"),
@@ -78,7 +76,6 @@ autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL,
   title <- paste0("Uncertainty of ", object$gear_name, ", ", object$conditions)
   draw <- function(data, across, ...) {
     data$panel <- ""
-    data$first <- 1
     data$origin <- factor(group_words[data$origin], group_words[names(origin_colours)])
     bar_chart(data, title, across,
       ggplot2::geom_col(ggplot2::aes(.data[["value"]], fill = .data[["origin"]]),
@@ -103,7 +100,7 @@ autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL,
   names <- words_of(table$measure, table$unit)
   data <- data.frame(name = names[row(parts)], value = as.vector(parts),
     origin = names(origin_colours)[col(parts)], size = -as.vector(row(parts)))
-  long <- data.frame(row = paste0(names, "\r"), text = sprintf("to %.0f %%", percent), panel = "")
+  long <- data.frame(row = bar_row(names, ""), text = sprintf("to %.0f %%", percent), panel = "")
   draw(data, "standard uncertainty, % of the measure",
     ggplot2::geom_text(ggplot2::aes(most, label = .data[["text"]]), long[percent > most, ],
       hjust = 1.1, fontface = "bold"))

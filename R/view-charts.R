@@ -165,26 +165,20 @@ series_symbols <- c(16L, 17L, 15L, 18L, 1L)
 # data: data frame with `value`; `panel`, the label of the quantity; `across`, the label of the
 # horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and
 # `high` (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show),
-# `open` (whether they are not filled). missing: data frame(panel, across, at) of places without a
-# value. grid: facets by panel and across. colours, dashes: of the groups in order of appearance.
-series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, colours = NULL,
-                         dashes = NULL) {
+# `open` (whether they are not filled), `settled` (FALSE: a gear without values). grid: facets by
+# panel and across. colours, dashes: of the groups in order of appearance.
+series_chart <- function(data, title, key = NULL, grid = FALSE, colours = NULL, dashes = NULL) {
   given <- names(data)
   data$group <- in_order(if ("group" %in% given) data$group else "")
-  for (name in c("joined", "marked", "open")) {
-    if (!name %in% given) data[[name]] <- name == "joined"
+  for (name in setdiff(c("joined", "marked", "open", "settled"), given)) {
+    data[[name]] <- name %in% c("joined", "settled")
   }
   if (!is.numeric(data$at)) data$at <- in_order(data$at)
   alone <- length(unique(data$across)) == 1L
-  facets <- c("panel", "across")
-  if (!grid && !alone) {
-    data$panel <- paste0(data$panel, "\nagainst ", data$across)
-    if (!is.null(missing)) missing$panel <- paste0(missing$panel, "\nagainst ", missing$across)
-  }
-  for (name in facets) {
-    if (!is.null(missing)) missing[[name]] <- factor(missing[[name]], unique(data[[name]]))
-    data[[name]] <- in_order(data[[name]])
-  }
+  if (!grid && !alone) data$panel <- paste0(data$panel, "\nagainst ", data$across)
+  data[c("panel", "across")] <- lapply(data[c("panel", "across")], in_order)
+  unsettled <- unique(data[!data$settled, c("panel", "across", "at")])
+  data <- data[!is.na(data$value), ]
   n <- nlevels(data$group)
   marked <- data[data$marked, ]
   faint <- marked[!marked$joined, ]
@@ -202,8 +196,8 @@ series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, 
     (if (any(marked$open)) {
       ggplot2::geom_point(data = marked[marked$open, ], shape = 21L, fill = "white")
     }) +
-    (if (!is.null(missing)) {
-      ggplot2::geom_text(ggplot2::aes(.data[["at"]], -Inf), missing, label = "\u00d7", vjust = 0,
+    (if (nrow(unsettled)) {
+      ggplot2::geom_text(ggplot2::aes(.data[["at"]], -Inf), unsettled, label = "\u00d7", vjust = 0,
         size = 6, inherit.aes = FALSE)
     }) +
     (if (grid) {
@@ -219,7 +213,7 @@ series_chart <- function(data, title, key = NULL, missing = NULL, grid = FALSE, 
     ggplot2::labs(
       title = title, y = NULL, x = if (alone && !grid) levels(data$across), colour = key,
       linetype = key, shape = key,
-      caption = if (NROW(missing)) "A cross marks a gear that did not settle."
+      caption = if (nrow(unsettled)) "A cross marks a gear that did not settle."
     ) +
     chart_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
 }
@@ -241,14 +235,17 @@ least_range <- function(data) {
   }))
 }
 
+# The vertical position of a bar: its name, apart in each panel.
+bar_row <- function(name, panel) paste(name, panel, sep = "\r")
+
 # Horizontal bars or points, a facet for each panel, with the largest on top.
 #
 # data: data frame with `panel`, `name` and `size` (by which names are sorted); layers draw it
 # against the vertical position `.data[["row"]]`, which the result's data has.
 bar_chart <- function(data, title, across, ..., subtitle = NULL) {
+  data$panel <- in_order(data$panel)
   data <- data[order(data$size), ]
-  data$row <- in_order(paste(data$name, data$panel, sep = "\r"))
-  data$panel <- factor(data$panel, unique(data$panel[order(data$first)]))
+  data$row <- in_order(bar_row(data$name, data$panel))
   chart <- ggplot2::ggplot(data, ggplot2::aes(y = .data[["row"]])) + list(...) +
     ggplot2::facet_wrap("panel", scales = "free", ncol = min(2L, nlevels(data$panel))) +
     ggplot2::scale_y_discrete(labels = function(row) sub("\r.*", "", row)) +

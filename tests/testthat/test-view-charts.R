@@ -45,7 +45,7 @@ test_that("texts become places along the axis", {
   x <- variations()
   x <- cbind(material = rep(c("PA", "PE", "hmpe"), 2), x[-1])
   class(x) <- c("codend_variations", "data.frame")
-  expect_identical(levels(drawn(x, "door_spread_m")$at), c("PA", "hmpe", "PE"))
+  expect_identical(levels(drawn(x, "door_spread_m")$at), c("PA", "PE", "hmpe"))
 })
 
 test_that("a trajectory's panels are its measures and what its schedule changes", {
