@@ -33,26 +33,28 @@ count_tests <- function(lines, failed) {
 run_lane <- function(k) {
   lane <- lanes[k, ]
   log <- file.path(folder, paste0(lane$lane, ".log"))
-  seconds <- system.time(
+  time <- system.time(
     status <- system2("bash", c("-c", shQuote(lane$command)), stdout = log, stderr = log,
       stdin = "/dev/null")
-  )[["elapsed"]]
+  )
   lines <- readLines(log, warn = FALSE)
   failed <- status != 0
   cat(paste0(c(
-    sprintf("%s  %-22s %5.1f min", if (failed) "FAILED" else "passed", lane$lane, seconds / 60),
+    sprintf("%s  %-14s %5.1f min, %5.1f min of processor time",
+      if (failed) "FAILED" else "passed", lane$lane, time[["elapsed"]] / 60,
+      sum(time[c("user.child", "sys.child")]) / 60),
     if (failed) {
       c(paste("   ", tail(lines, 60L)), paste0("    Run it alone: make lane LANE=", lane$lane))
     }
   ), "\n"), sep = "")
-  list(failed = failed, seconds = seconds, count = count_tests(lines, failed))
+  list(failed = failed, count = count_tests(lines, failed))
 }
 
 started <- Sys.time()
 results <- parallel::mclapply(seq_len(nrow(lanes)), run_lane,
   mc.preschedule = FALSE, mc.cores = parallel::detectCores())
 lost <- !vapply(results, is.list, NA)
-results[lost] <- list(list(failed = TRUE, seconds = NA, count = c(0, 1, 0)))
+results[lost] <- list(list(failed = TRUE, count = c(0, 1, 0)))
 failed <- vapply(results, `[[`, NA, "failed")
 cat(sprintf("%d of %d lanes passed in %.1f min\n", sum(!failed), nrow(lanes),
   as.numeric(Sys.time() - started, units = "mins")))
