@@ -127,7 +127,7 @@ mesh_sides <- function(x) {
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_variations <- function(object, measures = NULL, ...) {
   shown <- chosen_some(measures, variations_measures(object))
-  title <- effects_title(object, "Variations")
+  title <- study_title(object, "Variations")
   if (has_response_curves(object)) return(response_chart(object, shown, title))
   fields <- variations_fields(object)
   field <- fields[1L]
@@ -147,6 +147,8 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   series_chart(data, title,
     key = paste(vapply(apart, function(other) field_words(object, other), ""), collapse = ", "))
 }
+
+study_title <- function(x, what) paste(c(what, attr(x, "gear_name")), collapse = " of ")
 
 # Places along an axis: numbers as they are, texts in their order.
 axis_places <- function(values) if (is.numeric(values)) values else match(values, unique(values))
@@ -212,8 +214,6 @@ response_chart <- function(x, measures, title) {
 
 # ---- effects -------------------------------------------------------------------------------------
 
-effects_title <- function(x, what) paste(c(what, attr(x, "gear_name")), collapse = " of ")
-
 # Texts as numbers where all of them are numbers.
 numbers_or_texts <- function(values) {
   number <- suppressWarnings(as.double(values))
@@ -229,7 +229,7 @@ autoplot.codend_effects <- function(object, measures = NULL, ...) {
     across = vapply(object$field, function(field) field_words(object, field), ""),
     value = object$mean, marked = TRUE
   )
-  series_chart(data[shown, ], effects_title(object, "Main effects"), grid = TRUE)
+  series_chart(data[shown, ], study_title(object, "Main effects"), grid = TRUE)
 }
 
 #' @rdname codend_charts
@@ -238,7 +238,7 @@ autoplot.codend_pair_effects <- function(object, measures = NULL, most = 6, ...)
   rows <- chosen_pairs(object, measures, most)
   data <- do.call(rbind, lapply(rows, function(row) pair_points(object, row)))
   data$at <- numbers_or_texts(data$at)
-  series_chart(data, effects_title(object, "Effects of pairs"))
+  series_chart(data, study_title(object, "Effects of pairs"))
 }
 
 # Rows of the pairs that are drawn.

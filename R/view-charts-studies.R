@@ -47,7 +47,7 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
       low = object[[paste0(kind, "_low")]], high = object[[paste0(kind, "_high")]]
     )
   }
-  bar_chart(rbind(part("first"), part("total")), effects_title(object, "Sobol' indices"),
+  bar_chart(rbind(part("first"), part("total")), study_title(object, "Sobol' indices"),
     "share of the variance",
     ggplot2::geom_pointrange(
       ggplot2::aes(.data[["value"]], xmin = .data[["low"]], xmax = .data[["high"]],
