@@ -4,8 +4,9 @@
 #   Rscript tools/ci.R style cost   runs these lanes only
 # A lane is a shell command. It passes if the command exits with status 0. Its output goes to
 # out/lanes/<lane>.log; a failed lane also prints the end of its output and how to run it alone. The
-# last line counts tests as "N passed, N failed, N skipped": lanes that end with such a line
-# contribute their counts, any other lane counts as one test.
+# processor time leaves out processes that nobody waits for, such as Chromium's. The last line
+# counts tests as "N passed, N failed, N skipped": lanes that end with such a line contribute their
+# counts, any other lane counts as one test.
 
 lanes <- utils::read.csv("tools/lanes.csv")
 chosen <- commandArgs(TRUE)
