@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "base/pi.hpp"
 #include "model/assembly.hpp"
 #include "model/changing_model.hpp"
 #include "model/evaluate.hpp"
@@ -186,7 +187,6 @@ class Specimen {
     board.yaw_damping = 0.15;
     board.roll_damping = 0.08;
     board.shoe_area = 0.05;
-    const double pi = 3.14159265358979323846;
     board.polar.angle = {-pi, -1.5, -0.3, 0.2, 0.8, 1.6, pi};
     board.polar.lift = {0.0, -0.5, -0.2, 0.9, 1.5, 0.1, 0.0};
     board.polar.drag = {0.2, 1.2, 0.3, 0.2, 0.8, 1.3, 0.2};

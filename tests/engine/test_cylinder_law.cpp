@@ -10,8 +10,6 @@ namespace {
 
 using namespace codend;
 
-constexpr double pi = 3.14159265358979323846;
-
 CylinderCoefficients at_reynolds(CylinderLawKind kind, double re) {
   CylinderLaw law;
   law.kind = kind;

@@ -9,8 +9,6 @@ namespace {
 
 using namespace codend;
 
-constexpr double pi = 3.14159265358979323846;
-
 // A square cell with sides of 1 m whose normal stands at `angle` to a flow of `speed`
 // along x, of netting of this solidity; its drag and lift over 1/2 rho A U^2.
 void coefficients(int law, double solidity, double angle, double reynolds, double& drag,

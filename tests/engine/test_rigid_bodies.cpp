@@ -19,8 +19,6 @@ namespace {
 
 using namespace codend;
 
-constexpr double pi = 3.14159265358979323846;
-
 // One plate of 2 m by 3 m on nodes 0, 1 and 2, without lift and drag; in vacuum unless told.
 struct Plate {
   Model model;

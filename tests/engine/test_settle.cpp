@@ -12,8 +12,6 @@ namespace {
 
 using namespace codend;
 
-constexpr double pi = 3.14159265358979323846;
-
 // Massless lines, pulled at their nodes.
 struct Structure : FilledModel {
   SettleReport report;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/pi.hpp"
 #include "filled_model.hpp"
 #include "march/explicit_step.hpp"
 #include "march/march.hpp"
@@ -14,8 +15,6 @@
 using namespace codend;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 Waves regular(double height, double period, double depth) {
   Waves waves;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../base/pi.hpp"
+
 namespace codend {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A value and its derivative by q_n.
 struct Slope {
@@ -18,7 +18,6 @@ Slope operator*(double k, Slope x) { return {k * x.value, k * x.slope}; }
 Slope operator*(Slope x, Slope y) {
   return {x.value * y.value, x.slope * y.value + x.value * y.slope};
 }
-Slope constant(double k) { return {k, 0.0}; }
 Slope inverse(Slope x) { return {1.0 / x.value, -x.slope / (x.value * x.value)}; }
 Slope power(Slope x, double k) {
   const double p = std::pow(x.value, k);
@@ -46,25 +45,25 @@ Slope join(Slope re, double at, Slope below, Slope above) {
   if (s <= 0.0) return below;
   if (s >= 1.0) return above;
   const Slope w{s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s) / (2.0 * half) * re.slope / re.value};
-  return (constant(1.0) + -1.0 * w) * below + w * above;
+  return (Slope{1.0, 0.0} + -1.0 * w) * below + w * above;
 }
 
 Slope takagi_normal(Slope re) {
   // The branches cross at Re = 117; the printed switch at Re = 200 would jump by 15 %.
   const Slope low = std::pow(10.0, 0.7) * power(re, -0.3);
-  return low.value > 1.2 ? low : constant(1.2);
+  return low.value > 1.2 ? low : Slope{1.2, 0.0};
 }
 
 Slope choo_casarella_normal(Slope re) {
   const double x = re.value;
   auto creeping = [&] {
-    const Slope s = constant(-0.077215665) + logarithm(8.0 * inverse(re));
-    return 8.0 * pi * inverse(s * re) * (constant(1.0) + -0.87 * power(s, -2.0));
+    const Slope s = Slope{-0.077215665, 0.0} + logarithm(8.0 * inverse(re));
+    return 8.0 * pi * inverse(s * re) * (Slope{1.0, 0.0} + -0.87 * power(s, -2.0));
   };
-  auto low = [&] { return constant(1.45) + 8.55 * power(re, -0.9); };
-  auto middle = [&] { return constant(1.1) + 4.0 * power(re, -0.5); };
-  auto drop = [&] { return -3.41e-6 * (re + constant(-5.78e5)); };
-  auto high = [&] { return 0.401 * (constant(1.0) + -1.0 * exponential((-1.0 / 5.99e5) * re)); };
+  auto low = [&] { return Slope{1.45, 0.0} + 8.55 * power(re, -0.9); };
+  auto middle = [&] { return Slope{1.1, 0.0} + 4.0 * power(re, -0.5); };
+  auto drop = [&] { return -3.41e-6 * (re + Slope{-5.78e5, 0.0}); };
+  auto high = [&] { return 0.401 * (Slope{1.0, 0.0} + -1.0 * exponential((-1.0 / 5.99e5) * re)); };
   if (x < 5.0) return join(re, 1.0, creeping(), low());
   if (x < 1e3) return join(re, 30.0, low(), middle());
   if (x < 3.4e5) return join(re, 2.33e5, middle(), drop());
@@ -86,7 +85,7 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
   };
   switch (law.kind) {
     case CylinderLawKind::constant:
-      set_normal(constant(law.normal));
+      set_normal(Slope{law.normal, 0.0});
       set_tangential(law.tangential);
       k.c = law.skin;
       break;
@@ -108,8 +107,8 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
       // A parabola that turns negative at Re Sn^2 = 219; held constant beyond 100.
       const double sn2 = law.solidity * law.solidity;
       Slope x{q_n * d / viscosity * sn2, d / viscosity * sn2};
-      if (x.value > 100.0) x = constant(100.0);
-      set_normal(constant(1.4253) + 0.00068 * x + -3.2891e-5 * (x * x));
+      if (x.value > 100.0) x = Slope{100.0, 0.0};
+      set_normal(Slope{1.4253, 0.0} + 0.00068 * x + -3.2891e-5 * (x * x));
       break;
     }
   }

@@ -1,5 +1,7 @@
 #include "line_kernels.hpp"
 
+#include "../base/pi.hpp"
+
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #else

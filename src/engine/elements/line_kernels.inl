@@ -112,7 +112,7 @@ INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q
 
 void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
   // Means over all directions of a line: of sin^3 of its angle to the flow, and of |cos|^3.
-  constexpr double mean_normal = 3.0 * 3.14159265358979323846 / 16.0, mean_tangential = 0.25;
+  constexpr double mean_normal = 3.0 * pi / 16.0, mean_tangential = 0.25;
   for (std::int64_t i = begin; i < end; i += lanes) {
     const Triple u = load(lines.u, i);
     const Pack speed = root(dot(u, u));

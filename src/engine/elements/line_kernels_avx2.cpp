@@ -1,3 +1,4 @@
+#include "../base/pi.hpp"
 #include "line_kernels.hpp"
 
 // Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).

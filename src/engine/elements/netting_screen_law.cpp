@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../base/pi.hpp"
+
 namespace codend {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 using Number = ScreenCoefficient;
 

@@ -2,12 +2,14 @@
 
 #include <cmath>
 
+#include "../base/pi.hpp"
+
 namespace codend {
 
 TwineDrag twine_drag(const TwineMaterial& material, double metres, double rest, const Vector& e,
                      const Vector& u, const Water& water, SlackDrag slack) {
   // Means over all directions of sin^3 and |cos|^3, as in line_kernels.inl.
-  constexpr double mean_normal = 3.0 * 3.14159265358979323846 / 16.0, mean_tangential = 0.25;
+  constexpr double mean_normal = 3.0 * pi / 16.0, mean_tangential = 0.25;
   const double weight = 0.5 * water.density * material.diameter * metres;
   const double length = e.norm(), speed = u.norm();
   const double inverse_length = length > 1e-12 * rest ? 1.0 / length : 1.0 / rest;

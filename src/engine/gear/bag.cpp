@@ -4,13 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "../base/pi.hpp"
 #include "sums.hpp"
 
 namespace codend {
 
 namespace {
-
-constexpr double pi = 3.141592653589793;
 
 // Area of a circle over that of a polygon of n equal sides with its girth.
 double circle_share(double n) {

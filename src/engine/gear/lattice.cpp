@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../base/names.hpp"
+#include "../base/pi.hpp"
 #include "bag.hpp"
 
 namespace codend {
@@ -47,7 +48,6 @@ std::vector<Whole> whole_elements(const Gear& gear, const Lattice& lattice, Some
 double bar_length(const GearPanel& panel) { return panel.mesh_size / 2 - panel.straight_bar; }
 
 void add_screens(const Gear& gear, Lattice& lattice) {
-  constexpr double pi = 3.141592653589793;
   NettingScreens& to = lattice.screens;
   for (const Whole& whole :
        whole_elements(gear, lattice, [](const GearPanel& panel) { return panel.screen(); })) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "../base/pi.hpp"
+
 namespace codend {
 
 double cell_area(const double* u, const double* v) {
@@ -26,7 +28,6 @@ std::vector<HalfCell> half_cells(const std::vector<int>& cells, const std::vecto
 void add_knots(Collection& to, const GearPanel& panel, int part, int node, double count) {
   const double d = panel.knot_diameter;
   if (d <= 0.0) return;
-  constexpr double pi = 3.141592653589793;
   const int joins = 1 + (panel.straight_bar > 0);
   const double twine = count * (panel.knot_twine / joins);
   const double height = surface_height(d, panel.mesh_size * std::sqrt(count));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "../base/pi.hpp"
+
 namespace codend {
 
 namespace {
@@ -167,7 +169,7 @@ std::vector<MeshPlace<T>> mesh_places(const MeshFrame& frame, const std::vector<
     const T cosine = dot(place.u, place.v) / (length_of(place.u) * length_of(place.v));
     const double c = value_of(cosine);
     place.angle = !std::isfinite(c) ? cosine : acos(c > 1 ? T(1.0) : c < -1 ? T(-1.0) : cosine);
-    if (frame.turned[panel]) place.angle = T(3.141592653589793) - place.angle;
+    if (frame.turned[panel]) place.angle = T(pi) - place.angle;
     out.push_back(place);
   }
   return out;

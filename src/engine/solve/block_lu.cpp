@@ -17,11 +17,6 @@ namespace {
 constexpr double flops_for_two = 1e8;
 constexpr int most_refinements = 10;
 
-template <class T>
-int64_t bytes_of(const std::vector<T>& v) {
-  return static_cast<int64_t>(v.capacity() * sizeof(T));
-}
-
 double largest(const double* x, size_t size) {
   double most = 0;
   for (size_t i = 0; i < size; ++i) most = std::max(most, std::fabs(x[i]));

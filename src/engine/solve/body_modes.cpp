@@ -20,7 +20,7 @@ constexpr double independent = 1e-9;
 // A mode of the small problem is one of the gear's where its equations are left with less than this.
 constexpr double most_residual = 0.02;
 // Of the largest way of any node that a body has to go in a mode of its own.
-constexpr double least_share = 0.1;
+constexpr double least_movement = 0.1;
 // Of the critical damping: swings that die sooner are not looked for again.
 constexpr double well_damped = 0.5;
 // How often the projection is widened at the swings that it does not yet hold, and by how many of them.
@@ -222,7 +222,7 @@ std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const doub
         most_of_bodies = way;
         mode.node = assembly.free_nodes()[i];
       }
-      if (!(most_of_bodies > least_share * most)) continue;
+      if (!(most_of_bodies > least_movement * most)) continue;
       mode.motion.resize(static_cast<std::size_t>(motion.size()));
       for (Eigen::Index i = 0; i < motion.size(); ++i) {
         mode.motion[static_cast<std::size_t>(i)] = motion[i] / most;

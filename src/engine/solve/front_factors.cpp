@@ -16,11 +16,6 @@ int64_t aligned(int64_t numbers) {
   return (numbers + line - 1) / line * line;
 }
 
-template <class T>
-int64_t bytes_of(const std::vector<T>& v) {
-  return static_cast<int64_t>(v.capacity() * sizeof(T));
-}
-
 // Two threads are even when one has at most this share of the subtrees' work more than the other.
 constexpr double even_enough = 0.03;
 // Multiplications and additions between two pauses: some hundredths of a second.

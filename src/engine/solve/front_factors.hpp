@@ -13,6 +13,12 @@
 
 namespace codend {
 
+// Memory that a vector holds.
+template <class T>
+std::int64_t bytes_of(const std::vector<T>& v) {
+  return static_cast<std::int64_t>(v.capacity() * sizeof(T));
+}
+
 // Which fronts are worked off by which of two threads, each list in turn: whole subtrees by one or
 // the other, then what lies above them by both together. One thread has it all above.
 struct Shares {

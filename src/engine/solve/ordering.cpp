@@ -23,7 +23,7 @@ constexpr int nodes_to_pause = 10000;
 // Places along a direction where a cut is tried, at most.
 constexpr int most_slices = 128;
 // A cut leaves each side at least this share of the weight, where it can.
-constexpr double least_share = 0.25;
+constexpr double least_side = 0.25;
 
 // A part of the graph under dissection: nodes are numbered as they lie here, which a part's own
 // nodes do without gaps.
@@ -158,7 +158,7 @@ class Dissector {
     const CutGraph graph{part.first.data(), part.last.data(), part.neighbour.data(),
                          part.weight.data()};
     const int layers = 2 + static_cast<int>(0.03 * std::sqrt(static_cast<double>(end - begin)));
-    cut_.separate(graph, begin, end, total_, layers, least_share, side_.data());
+    cut_.separate(graph, begin, end, total_, layers, least_side, side_.data());
   }
 
   // Cuts the middle of the part's extent along an axis into slices; false if it has none. What lies
@@ -250,7 +250,7 @@ class Dissector {
     const double uneven = static_cast<double>(2 * side - total_) / static_cast<double>(total_);
     const double share = (1 - std::fabs(uneven)) / 2;
     double cost = (separator + 0.5) * (1 + uneven * uneven);
-    if (share < least_share) cost *= 1 + 100 * (least_share - share);
+    if (share < least_side) cost *= 1 + 100 * (least_side - share);
     return cost;
   }
 

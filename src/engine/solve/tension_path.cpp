@@ -13,7 +13,7 @@ constexpr double first_tension = 10.0;
 // Of contacts, m: the normal force that makes it is their scale.
 constexpr double first_penetration = 1e-3;
 // A step leaves at least this share of a tension or a slack variable.
-constexpr double least_share = 0.02;
+constexpr double least_rest = 0.02;
 constexpr double least_tension = 1e-27;  // over a line's scale
 constexpr double least_slack = 1e-26, most_slack = 1e3;
 // T s is kept above this share of mu, so that no line leaves the path behind.
@@ -174,8 +174,8 @@ void TensionPath::advance(const Assembly& assembly, const std::vector<double>& s
       continue;
     }
     const double s_change = centring_[k] - ratio_[k] * t_change;
-    t = std::max({t + share * t_change, least_share * t, least_tension * scale_[k]});
-    s = std::clamp(std::max(s + share * s_change, least_share * s), least_slack, most_slack);
+    t = std::max({t + share * t_change, least_rest * t, least_tension * scale_[k]});
+    s = std::clamp(std::max(s + share * s_change, least_rest * s), least_slack, most_slack);
     s = std::max(s, least_product * parameter_ * scale_[k] / t);
   }
 }
