@@ -32,7 +32,7 @@ test.after(async () => {
 });
 
 async function opened(gear, size) {
-  const page = await browser.newPage({ viewport: size || { width: 1200, height: 800 } });
+  const page = await browser.newPage({ viewport: size || { width: 1200, height: 800 }, deviceScaleFactor: 0.25 });
   page.asked = [];
   page.on('request', (request) => {
     if (!/^(file|blob|data):/.test(request.url())) page.asked.push(request.url());

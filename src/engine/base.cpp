@@ -1,0 +1,3 @@
+// Written by tools/makevars.sh; do not edit.
+#include "base/text_source.cpp"
+#include "base/waves.cpp"
