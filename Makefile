@@ -42,8 +42,9 @@
 #              with npm, and Python with jsonschema and PyYAML
 # All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
 
-.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane ratchet gallery \
-  soak bench bench-loops bench-tow netting errors forge robust validate condition wasm site schema schema-check
+.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
+  ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors forge robust \
+  validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -105,6 +106,18 @@ gallery:
 	@tools/setup --ci
 	@cd tests/browser && node gallery.js && node pictures.js
 	@Rscript tools/check-gallery.R --accept
+
+# The guides with their results as Markdown, which the lanes check and site both use: one of them
+# knits while the other waits.
+guides:
+	@mkdir -p out
+	@flock out/guides.lock $(MAKE) -s knitted
+
+GUIDES = $(patsubst vignettes/%.Rmd,out/guides/%.md,$(wildcard vignettes/*.Rmd))
+INSTALLED = $(shell Rscript -e 'cat(system.file("sources.mark", package = "codend"))')
+knitted: $(GUIDES)
+out/guides/%.md: vignettes/%.Rmd $(INSTALLED)
+	@Rscript --vanilla tools/knit-guide.R $< $@
 
 MINUTES ?= 60
 USERS ?= 10
