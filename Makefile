@@ -107,16 +107,15 @@ gallery:
 	@cd tests/browser && node gallery.js && node pictures.js
 	@Rscript tools/check-gallery.R --accept
 
-# The guides with their results as Markdown, which the lanes check and site both use: one of them
+# The guides with results in place of code, which the lanes check and site both use: one of them
 # knits while the other waits.
 guides:
-	@mkdir -p out
-	@flock out/guides.lock $(MAKE) -s knitted
+	@mkdir -p out/guides
+	@flock out/guides.lock $(MAKE) -s knitted \
+	  INSTALLED=$$(Rscript -e 'cat(system.file("sources.mark", package = "codend"))')
 
-GUIDES = $(patsubst vignettes/%.Rmd,out/guides/%.md,$(wildcard vignettes/*.Rmd))
-INSTALLED = $(shell Rscript -e 'cat(system.file("sources.mark", package = "codend"))')
-knitted: $(GUIDES)
-out/guides/%.md: vignettes/%.Rmd $(INSTALLED)
+knitted: $(patsubst vignettes/%,out/guides/%,$(wildcard vignettes/*.Rmd))
+out/guides/%.Rmd: vignettes/%.Rmd $(INSTALLED)
 	@Rscript --vanilla tools/knit-guide.R $< $@
 
 MINUTES ?= 60

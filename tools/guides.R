@@ -4,9 +4,8 @@
 knitted <- normalizePath(commandArgs(TRUE)[1L])
 setwd(commandArgs(TRUE)[2L])
 dir.create(file.path("inst", "doc"))
-for (file in tools::pkgVignettes(dir = ".")$docs) {
-  markdown <- file.path(knitted, sub("Rmd$", "md", basename(file)))
-  rmarkdown::render(markdown, output_dir = "vignettes", quiet = TRUE)
+for (guide in list.files(knitted, "[.]Rmd$", full.names = TRUE)) {
+  rmarkdown::render(guide, output_dir = "vignettes", quiet = TRUE)
 }
 guides <- tools::pkgVignettes(dir = ".", output = TRUE)
 invisible(file.copy(guides$docs, file.path("inst", "doc")))

@@ -19,7 +19,7 @@ sources_in() {
 }
 
 unit() {
-  echo '// Written by tools/makevars.sh; do not edit.'
+  printf '// Written by tools/makevars.sh; do not edit.\n// clang-format off\n'
   sources_in "$1" | sed 's/.*/#include "&"/'
 }
 

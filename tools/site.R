@@ -4,19 +4,16 @@
 
 folder <- c(commandArgs(TRUE), "site")[1]
 options(pkgdown.internet = FALSE)
-destination <- normalizePath(folder, mustWork = FALSE)
+dir.create(folder, FALSE, TRUE)
+destination <- normalizePath(folder)
 # The sources with the guides as `make guides` knitted them, so that pkgdown does not run them again.
 if (system2("make", c("-s", "guides")) != 0L) stop("The guides could not be knitted.")
 sources <- tempfile("sources")
 dir.create(sources)
-files <- system2("git", "ls-files", stdout = TRUE)
-lapply(unique(file.path(sources, dirname(files))), dir.create, FALSE, TRUE)
-stopifnot(file.copy(files, file.path(sources, files)))
-for (file in list.files("out/guides", "[.]md$", full.names = TRUE)) {
-  guide <- file.path(sources, "vignettes", sub("md$", "Rmd", basename(file)))
-  invisible(file.copy(file, guide, overwrite = TRUE))
-}
-invisible(file.copy(list.dirs("out/guides", recursive = FALSE), file.path(sources, "vignettes"),
+linked <- setdiff(list.files("."), c("vignettes", "out", "site"))
+stopifnot(file.symlink(normalizePath(linked), file.path(sources, linked)))
+dir.create(file.path(sources, "vignettes"))
+invisible(file.copy(list.files("out/guides", full.names = TRUE), file.path(sources, "vignettes"),
   recursive = TRUE))
 site <- pkgdown::as_pkgdown(sources, list(destination = destination))
 pkgdown::init_site(site)

@@ -1,4 +1,5 @@
 // Written by tools/makevars.sh; do not edit.
+// clang-format off
 #include "elements/bar.cpp"
 #include "elements/bending.cpp"
 #include "elements/blended_netting.cpp"

@@ -1,4 +1,5 @@
 // Written by tools/makevars.sh; do not edit.
+// clang-format off
 #include "gear/bag.cpp"
 #include "gear/bar_netting.cpp"
 #include "gear/carry.cpp"

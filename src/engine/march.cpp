@@ -1,4 +1,5 @@
 // Written by tools/makevars.sh; do not edit.
+// clang-format off
 #include "march/accelerate.cpp"
 #include "march/check_schedule.cpp"
 #include "march/energy_account.cpp"

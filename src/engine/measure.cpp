@@ -1,4 +1,5 @@
 // Written by tools/makevars.sh; do not edit.
+// clang-format off
 #include "measure/filled_bag.cpp"
 #include "measure/frame.cpp"
 #include "measure/measure_errors.cpp"

@@ -1,4 +1,5 @@
 // Written by tools/makevars.sh; do not edit.
+// clang-format off
 #include "solve/assembly_tree.cpp"
 #include "solve/block_lu.cpp"
 #include "solve/body_modes.cpp"

@@ -5,7 +5,7 @@
 const test = require('node:test'), assert = require('node:assert');
 const fs = require('fs'), os = require('os'), path = require('path');
 const { execFileSync } = require('child_process');
-const { chromium } = require('playwright-core');
+const { launch } = require('./tank');
 const share = require('./share-model.js');
 
 const shipped = () => execFileSync('Rscript', ['-e', 'cat(codend::gears()$name, sep = ",")']).toString();
@@ -20,11 +20,7 @@ let browser;
 test.before(async () => {
   execFileSync('Rscript', [path.join(__dirname, 'share.R'), folder, ...gears.map((gear) => `${gear}=${moves[gear]}`)],
     { stdio: 'inherit' });
-  browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--disable-background-networking', '--host-resolver-rules=MAP * ~NOTFOUND']
-  });
+  browser = await launch('--host-resolver-rules=MAP * ~NOTFOUND');
 });
 test.after(async () => {
   if (browser) await browser.close();

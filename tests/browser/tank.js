@@ -4,10 +4,10 @@
 const { chromium } = require('playwright-core');
 const { serve } = require('./serve');
 
-const launch = () => chromium.launch({
+const launch = (...flags) => chromium.launch({
   executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
   args: ['--no-sandbox', '--disable-background-networking', '--disable-component-update',
-    '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']
+    '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags]
 });
 
 // A page; what goes wrong in it is kept in `problems`, requests to anything but its server in
