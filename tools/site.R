@@ -6,7 +6,7 @@ folder <- c(commandArgs(TRUE), "site")[1]
 options(pkgdown.internet = FALSE)
 dir.create(folder, FALSE, TRUE)
 destination <- normalizePath(folder)
-# The sources with the guides as `make guides` knitted them, so that pkgdown does not run them again.
+# The sources with the guides that `make guides` knitted, so that pkgdown does not run them again.
 if (system2("make", c("-s", "guides")) != 0L) stop("The guides could not be knitted.")
 sources <- tempfile("sources")
 dir.create(sources)

@@ -48,7 +48,7 @@ Mesh tube(int rows, int around) {
   Mesh mesh;
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < around; ++j) {
-      const double angle = 2 * M_PI * j / around;
+      const double angle = 2 * pi * j / around;
       const int k = mesh.add(i, 3 * std::cos(angle), 3 * std::sin(angle));
       if (j > 0) mesh.join(k, k - 1);
       if (j == around - 1) mesh.join(k, k - j);

@@ -20,7 +20,7 @@ TEST_CASE("sheets between bars have the area of their panel") {
   const Gear gear = hanging_panel(true, MeshOrientation::diamond, NettingDrag::loland);
   const Lattice lattice = lattice_of(gear, 400);
   const GearPanel& panel = gear.panels[0];
-  const double knots = panel.bar_count() * 3.141592653589793 / 4 * 0.004 * 0.004;
+  const double knots = panel.bar_count() * pi / 4 * 0.004 * 0.004;
   const double area = panel.bar_count() * panel.cell_twine() * 0.002 + knots;
   CHECK(sum(lattice.screens.twine_area) == doctest::Approx(area).epsilon(1e-9));
 }

@@ -145,7 +145,7 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
                           REQUIRE(march.to(++k * control.step) == MarchReport::End::reached);
                           return march.now().x[0];
                         });
-  const double exact = 2.0 * 3.14159265358979 / (0.5 * 2.404826 * std::sqrt(gravity / length));
+  const double exact = 2.0 * pi / (0.5 * 2.404826 * std::sqrt(gravity / length));
   // (w h)^2/12 = 5e-6 of the rule, 1/(4 bars)^2 = 4e-5 of the lumped chain; 1e-3 in all with the
   // linear crossing of zero and the small share of other modes.
   CHECK(period == doctest::Approx(exact).epsilon(1e-3));
@@ -155,13 +155,13 @@ TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
   // 0.3 m and 2000 kg/m3 in water of 1025 kg/m3, C_D 0.47, added mass 0.5.
   FilledModel sinker;
   Model& model = sinker.model;
-  const double volume = 3.14159265358979323846 / 6.0 * 0.027;
+  const double volume = pi / 6.0 * 0.027;
   sinker.node({0.0, 0.0, 0.0});
   model.water.density = 1025.0;
   model.load[2] = -9.81 * volume * (2000.0 - 1025.0);
   model.mass = {2000.0 * volume};
   model.spheres.node = {0};
-  model.spheres.drag_area = {0.47 * 3.14159265358979323846 / 4.0 * 0.09};
+  model.spheres.drag_area = {0.47 * pi / 4.0 * 0.09};
   model.spheres.diameter = {0.0};
   model.spheres.added_mass = {0.5 * volume};
   model.prepare();
@@ -181,7 +181,7 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
   String net(12, 12.0, 500.0, 0.5);
   Random random(20260460);
   for (int n = 0; n < 13; ++n) {
-    const double turn = 2.0 * 3.14159265358979 * n / 13;
+    const double turn = 2.0 * pi * n / 13;
     at(net.start.x.data(), n) = Vector(2.4 * std::cos(turn), 2.4 * std::sin(turn), 0.0);
     at(net.start.v.data(), n) = Vector(1.0, -0.5, 0.3) +
                                 0.8 * Vector(-std::sin(turn), std::cos(turn), 0.0) +

@@ -263,7 +263,7 @@ TEST_CASE("declination is below the horizontal and divergence out of the x axis"
     asked.ropes = {0};
     asked.at = MeasureAt::start;
     asked.angle = angle;
-    return drawn({1, 1, -1, 1 + dx, 1 + dy, -1 + dz}, {{0, 1}}, asked) * 180 / 3.141592653589793;
+    return drawn({1, 1, -1, 1 + dx, 1 + dy, -1 + dz}, {{0, 1}}, asked) * 180 / pi;
   };
   CHECK(degrees(1, 0, -1, MeasureAngle::declination) == doctest::Approx(45));
   CHECK(degrees(3, 4, -5, MeasureAngle::declination) == doctest::Approx(45));
