@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "allocation_count.hpp"
+#include "base/pi.hpp"
 #include "meshes.hpp"
 #include "solve/block_lu.hpp"
 #include "solve/flushed_denormals.hpp"
@@ -23,6 +24,7 @@ using codend::BlockLU;
 using codend::BlockPattern;
 using codend::each_block;
 using codend::Mesh;
+using codend::pi;
 using codend::Precision;
 using codend::random_vector;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/pi.hpp"
 #include "hanging_panel.hpp"
 #include "measure/settled_gear.hpp"
 

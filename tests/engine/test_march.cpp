@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "base/pi.hpp"
 #include "march/schemes.hpp"
 #include "marched.hpp"
 #include "oscillator.hpp"

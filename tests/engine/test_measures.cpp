@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/names.hpp"
+#include "base/pi.hpp"
 #include "hanging_panel.hpp"
 #include "measure/measures.hpp"
 #include "random_model.hpp"
