@@ -37,7 +37,7 @@ estimate_errors <- function(values, kinds, nodes, levels, step_accuracy = 0,
 plain <- function(values) unname(as.double(values))
 
 # The lattices that the measures of a state, `values` in SI, may be compared with, from coarse to
-# fine: list(nodes, values). See state_levels().
+# fine: list(nodes, values). See new_levels().
 levels_of <- function(state, values) {
   compared <- state$compared
   if (!is.null(compared)) {
@@ -45,10 +45,11 @@ levels_of <- function(state, values) {
     return(carry_levels(compared$levels, compared$values, values))
   }
   if (is.null(state$levels)) return(list())
-  levels <- state$levels$own()
+  base <- state$levels$base
+  if (is.null(base)) return(own_levels(state))
+  levels <- own_levels(base)
   # without levels to carry the other gear is not measured
-  if (is.null(state$levels$values) || !length(levels)) return(levels)
-  carry_levels(levels, state$levels$values(), values)
+  if (length(levels)) carry_levels(levels, base_values(base), values) else list()
 }
 
 # What the moments of a tow take of the state that it starts from: list(levels, values), SI;

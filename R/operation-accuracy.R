@@ -8,93 +8,78 @@ extra_ratio <- 2.6
 most_growth <- 7
 least_growth <- 2
 
-# The lattices that a state's measures may be compared with. They are measured, and one more is
-# settled where these say too little, when their errors are first asked for: a change of a gear that
-# is looked at once needs neither.
+# The levels of a state: what its measures are compared with for their errors. Levels are measured,
+# and one more is settled where they say too little, when errors are first asked for: a change of a
+# gear that is looked at once needs neither.
 #
-# found: as settle_numbers() gave it, with coarser levels that it was settled through; netting: as
-# in settle(); from: the state it began from, or NULL.
-# Returns list(own = function() that gives them coarse to fine, as list(nodes, values), extra =
-# function() that gives the one more, a state, or NULL) and, where they are another gear's, values =
-# function() that gives its measures. See levels_of().
-state_levels <- function(state, found, netting, from) {
-  if (length(found$levels) || is.null(from$levels)) {
-    return(levels_through(state, found$levels, netting, found$strain))
-  }
-  growth <- state$lattice$nodes / from$lattice$nodes
-  if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
-    return(levels_and(from))
-  }
-  list(own = from$levels$own, values = first_of(from$levels$values, values_of(from)))
+# A list of `coarser`, the levels that the gear was settled through, as list(nodes, values in SI);
+# `complete`, whether no other level may be settled; `netting`, as in settle(), for that one;
+# `base`, the state of another gear whose levels count instead, or NULL; and `found`, an environment
+# that keeps what was computed: `levels`, from coarse to fine, and `values`, measures of the state.
+new_levels <- function(coarser = list(), netting = NULL, complete = FALSE, base = NULL) {
+  list(
+    coarser = coarser, complete = complete, netting = netting, base = base,
+    found = new.env(parent = emptyenv())
+  )
 }
 
-# levels: the coarser ones, list(nodes, values) each; strain: of its lines as the solver left it, or
-# NULL.
-levels_through <- function(state, levels, netting, strain = NULL) {
-  nodes <- state$lattice$nodes
-  gear <- state$gear
-  free <- undivided(state$si)
-  shape <- state_shape(state)
-  if (!is.null(strain)) shape$strain <- strain
-  rm(state)
-  extra <- once(function() {
-    started <- cpu_clock()
-    found <- tryCatch(
-      settle_numbers(free, nodes, netting, shape, FALSE,
-        beside = vapply(levels, `[[`, 0, "nodes")),
-      codend_error = function(e) NULL
-    )
-    shape <<- NULL
-    if (is.null(found)) return(NULL)
-    found$report$cpu_seconds <- cpu_clock() - started
-    new_state(gear, free, found$lattice, found$position, found$report)
-  })
-  own <- once(function() {
-    levels <- c(levels, if (!is.null(extra())) list(level_of(extra())))
-    levels[order(vapply(levels, `[[`, 0, "nodes"))]
-  })
-  list(own = own, extra = extra)
+# The levels of a state that settle_numbers() found; netting: as in settle(); from: the state it
+# began from, or NULL.
+state_levels <- function(state, found, netting, from) {
+  if (length(found$levels) || is.null(from$levels)) return(new_levels(found$levels, netting))
+  growth <- state$lattice$nodes / from$lattice$nodes
+  if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
+    return(levels_with(from))
+  }
+  new_levels(base = first_of(from$levels$base, from))
+}
+
+# A state's levels and the state itself as the last of them.
+levels_with <- function(state) {
+  level <- level_of(state)
+  new_levels(c(levels_of(state, level$values), list(level)), complete = TRUE)
 }
 
 # A state as a level of others.
 level_of <- function(state) list(nodes = state$lattice$nodes, values = state_values(state)$values)
 
-# A state's levels, and the state itself as the last of them.
-levels_and <- function(state) {
-  force(state)
-  list(own = once(function() {
-    level <- level_of(state)
-    c(levels_of(state, level$values), list(level))
-  }))
+# Finds the levels of a state of its own gear, once. Returns the state of the one that was settled
+# for it, or NULL.
+find_levels <- function(state) {
+  levels <- state$levels
+  if (!is.null(levels$found$levels)) return(NULL)
+  extra <- if (!levels$complete) extra_state(state, levels)
+  known <- c(levels$coarser, if (!is.null(extra)) list(level_of(extra)))
+  levels$found$levels <- known[order(vapply(known, `[[`, 0, "nodes"))]
+  extra
 }
 
-# A function() that gives the measures of a state that another began from. Many may begin from one:
-# the last one's are kept.
-values_of <- function(state) {
-  if (!identical(begun_from$state, state)) {
-    values <- once(function() state_values(state)$values)
-    if (state$lattice$nodes > many_nodes) return(values)
-    begun_from$state <- state
-    begun_from$values <- values
-  }
-  begun_from$values
+# The state on one more lattice, where the coarser ones say too little of errors; else NULL.
+extra_state <- function(state, levels) {
+  free <- undivided(state$si)
+  started <- cpu_clock()
+  found <- tryCatch(
+    settle_numbers(free, state$lattice$nodes, levels$netting, state_shape(state), FALSE,
+      beside = vapply(levels$coarser, `[[`, 0, "nodes")),
+    codend_error = function(e) NULL
+  )
+  if (is.null(found)) return(NULL)
+  found$report$cpu_seconds <- cpu_clock() - started
+  new_state(state$gear, free, found$lattice, found$position, found$report)
 }
 
-begun_from <- new.env(parent = emptyenv())
-
-# A function that finds something the first time that it is called.
-once <- function(find) {
-  force(find)
-  found <- NULL
-  function() {
-    if (!is.null(find)) found <<- find()
-    find <<- NULL
-    found
-  }
+# The levels of a state of its own gear, coarse to fine.
+own_levels <- function(state) {
+  find_levels(state)
+  state$levels$found$levels
 }
 
-# Nodes of lattices that are not kept for what may never be asked.
-many_nodes <- 1e5
+# Measures of a state that others began from, SI, computed once.
+base_values <- function(state) {
+  found <- state$levels$found
+  if (is.null(found$values)) found$values <- state_values(state)$values
+  found$values
+}
 
 # Divides a gear more finely until its main measures are as accurate as asked (a share).
 settle_accurately <- function(state, accuracy, netting) {
@@ -136,15 +121,16 @@ nodes_of <- function(state) {
 # Divides a gear once more where its main measures miss the usual accuracy, as finely as the lattice
 # that their error was found with, and notes in the report what was aimed at.
 aim_accuracy <- function(state, netting) {
+  extra <- find_levels(state)
   error <- main_error(measures(state))
   nodes <- state$lattice$nodes
   if (is.finite(error) && !is_reached(error, usual_accuracy) &&
     error < hopeless_error * usual_accuracy) {
-    finer <- finer_state(state, netting)
+    finer <- finer_state(state, netting, extra)
     # a plan may divide itself
     if (!is.null(finer) && finer$lattice$nodes >= least_ratio * nodes) {
       finer$report$cpu_seconds <- finer$report$cpu_seconds + state$report$cpu_seconds
-      finer$levels <- levels_and(state)
+      finer$levels <- levels_with(state)
       state <- finer
     }
   }
@@ -152,10 +138,9 @@ aim_accuracy <- function(state, netting) {
   state
 }
 
-# The gear on the lattice that its error was found with, from there; NULL where that is no finer or
-# does not settle.
-finer_state <- function(state, netting) {
-  extra <- state$levels$extra()
+# The gear on the lattice that its error was found with (extra, or NULL), from there; NULL where
+# that is no finer or does not settle.
+finer_state <- function(state, netting, extra) {
   wanted <- min(usual_nodes * extra_ratio, fixed_nodes(state$si, netting))
   if (is.null(extra) || wanted < least_ratio * state$lattice$nodes) return(NULL)
   finer <- extra$lattice$nodes >= least_ratio * state$lattice$nodes

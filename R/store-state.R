@@ -76,8 +76,7 @@ read_state <- function(file) {
     }
     state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
     for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
-    levels <- what$levels
-    if (length(levels)) state$levels <- list(own = function() levels)
+    if (length(what$levels)) state$levels <- new_levels(what$levels, complete = TRUE)
     state
   })
 }

@@ -47,7 +47,7 @@ formula_errors <- function(points, point, words, formulas) {
 # A point whose measures have errors of its own design, where a search hands on those of the gear
 # that it began from: by one more lattice of it.
 with_own_errors <- function(points, point) {
-  point$state$levels <- levels_through(point$state, NULL, points$netting)
+  point$state$levels <- new_levels(netting = points$netting)
   point$measures <- measures(point$state)
   point
 }
