@@ -8,6 +8,18 @@ engine_node_counts <- function(numbers, nodes) {
   .Call(`_codend_engine_node_counts`, numbers, nodes)
 }
 
+engine_handle <- function() {
+  .Call(`_codend_engine_handle`)
+}
+
+engine_handle_value <- function(handle) {
+  .Call(`_codend_engine_handle_value`, handle)
+}
+
+engine_fill_handle <- function(handle, value) {
+  invisible(.Call(`_codend_engine_fill_handle`, handle, value))
+}
+
 engine_march <- function(lattice, position, velocity, step, steps, tolerance, substitutions) {
   .Call(`_codend_engine_march`, lattice, position, velocity, step, steps, tolerance, substitutions)
 }

@@ -126,7 +126,9 @@ measure_help <- function() {
 # States and trajectories are no lists of measures: one that is asked for by its name says where it
 # is.
 #' @rawNamespace S3method(base::"$",codend_state)
-`$.codend_state` <- function(x, name) field_of(x, name, "A state", "measures(state)")
+`$.codend_state` <- function(x, name) {
+  if (name %in% computed_fields) x[[name]] else field_of(x, name, "A state", "measures(state)")
+}
 
 #' @rawNamespace S3method(base::"$",codend_trajectory)
 `$.codend_trajectory` <- function(x, name) {

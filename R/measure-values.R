@@ -5,7 +5,7 @@
 measure_values <- function(state, asked) {
   engine_measures(
     state$lattice$engine, state$lattice$frame, questions_of(state$si, state$lattice, asked),
-    filled_bag(state$lattice), state
+    filled_bag(state$lattice), shape_of(state)
   )
 }
 

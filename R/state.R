@@ -1,23 +1,96 @@
-# A state: where every node is and what every element carries, with the gear that it belongs to.
+# A state: plain data, from which its mesh and forces are computed when they are asked for.
 
-# velocity: 3 per node, m/s, relative to the vessel.
-new_state <- function(gear, si, lattice, position, report,
-                      velocity = numeric(length(position))) {
-  found <- engine_evaluate(lattice$engine, position, velocity)
+# gear: with or without its check; si: the gear's numbers; position: 3 x nodes (m); report: the
+# solver's; velocity: as position (m/s), or NULL where nothing moves; changed: whether the lattice
+# is not the one of the gear and si alone, as at a moment of a tow: then it is kept.
+#
+# A codend_state is a list of `gear`, `report`, `position`, `velocity` (NULL at rest), `si` (NULL for
+# the plan's), `lattice` or `mesh` (see mesh_recipe()), `levels` or `compared` (see levels_of()),
+# `time` and `step_accuracy` of a moment of a tow, and `handle`, which holds what computed_state()
+# gives and is empty in another process and after readRDS().
+new_state <- function(gear, si, lattice, position, report, velocity = NULL, changed = FALSE) {
+  state <- list(gear = gear["checked" != names(gear)], report = report,
+    position = matrix(position, 3L))
+  if (any(velocity != 0)) state$velocity <- matrix(velocity, 3L)
+  class(state$gear) <- class(gear)
+  if (!identical(si, gear_si(gear))) state$si <- si
+  if (changed) state$lattice <- lattice else state$mesh <- mesh_recipe(lattice)
+  state$handle <- engine_handle()
+  state <- structure(state, class = "codend_state")
+  engine_fill_handle(state$handle, evaluated(gear, si, lattice, state))
+  state
+}
+
+# What a state of a gear has beside its plain data: list(gear, checked, si, lattice, velocity and the
+# forces on everything).
+computed_state <- function(state) {
+  handle <- .subset2(state, "handle")
+  found <- engine_handle_value(handle)
+  if (!is.null(found)) return(found)
+  gear <- .subset2(state, "gear")
+  gear$checked <- gear_checked(gear)
+  si <- first_of(.subset2(state, "si"), gear_si(gear))
+  lattice <- .subset2(state, "lattice")
+  if (is.null(lattice)) {
+    lattice <- lattice_of_recipe(si, .subset2(state, "mesh"), .subset2(state, "position"))
+  }
+  found <- evaluated(gear, si, lattice, state)
+  engine_fill_handle(handle, found)
+  found
+}
+
+evaluated <- function(gear, si, lattice, state) {
+  position <- .subset2(state, "position")
+  velocity <- first_of(.subset2(state, "velocity"), 0 * position)
+  found <- engine_evaluate(lattice$engine, as.double(position), as.double(velocity))
   three <- function(x) matrix(x, 3L)
-  structure(
-    list(
-      gear = gear, si = si, lattice = lattice, report = report,
-      position = three(position), velocity = three(velocity),
-      force = three(found$force),
-      bar_tension = found$bar_tension, bar_length = found$bar_length,
-      u_tension = found$u_tension, u_length = found$u_length,
-      v_tension = found$v_tension, v_length = found$v_length,
-      straight_tension = found$straight_tension, straight_length = found$straight_length,
-      forces = lapply(found$forces, three), boards = found$plates
-    ),
-    class = "codend_state"
+  lines <- paste0(c("bar", "u", "v", "straight"), rep(c("_tension", "_length"), each = 4L))
+  c(
+    list(gear = gear, si = si, lattice = lattice, velocity = velocity, force = three(found$force)),
+    found[lines],
+    list(forces = lapply(found$forces, three), boards = found$plates)
   )
+}
+
+# A state's places and forces as the engine reads them.
+shape_of <- function(state) c(list(position = state$position), computed_state(state))
+
+#' @export
+`[[.codend_state` <- function(x, i, ...) {
+  # the stored gear is without its check
+  value <- if (!identical(i, "gear")) .subset2(x, i)
+  if (is.null(value) && i %in% computed_fields) computed_state(x)[[i]] else value
+}
+
+computed_fields <- c(
+  "gear", "si", "lattice", "velocity", "force", "bar_tension", "bar_length", "u_tension",
+  "u_length", "v_tension", "v_length", "straight_tension", "straight_length", "forces", "boards"
+)
+
+# What a lattice is built again from, with the numbers of its gear: about how many nodes were asked
+# for, which panels are of bars, how everything is divided, wakes, and where a catch's front is.
+mesh_recipe <- function(lattice) {
+  c(
+    list(
+      nodes = lattice$counts$asked$nodes, bars = unname(lattice$counts$asked$bars),
+      counts = lattice$counts[lattice_counts], wake = lattice$engine$wake
+    ),
+    list(blocked = lattice$catch$blocked, let_go = lattice$let_go)
+  )
+}
+
+lattice_of_recipe <- function(si, mesh, position) {
+  si$panels <- Map(function(panel, of_bars) {
+    panel$netting <- if (of_bars) "bars" else "cells"
+    panel
+  }, si$panels, mesh$bars)
+  asked <- asked_division(si, mesh$nodes, NULL)
+  shape <- list(lattice = list(counts = c(list(asked = asked), mesh$counts)))
+  lattice <- build_lattice(si, mesh$nodes, NULL, shape)
+  lattice$start <- position
+  lattice$engine$wake <- mesh$wake
+  lattice$let_go <- mesh$let_go
+  if (is.null(mesh$blocked)) lattice else set_catch_front(lattice, mesh$blocked)
 }
 
 # The forces on elements that the engine reports, from its own table: a data frame with a row per

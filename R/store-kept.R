@@ -161,7 +161,9 @@ read_kept_numbers <- function(get) {
   what$levels_in_si <- NULL
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
-  what$lattice$frame <- frame_again(what$si, what$lattice)
+  # what measures take of a lattice, which files do not hold
+  again <- lattice_of_recipe(what$si, mesh_recipe(what$lattice), what$lattice$start)
+  what$lattice$frame <- again$frame
   what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL
   c(list(gear = gear), what)
 }
@@ -188,17 +190,6 @@ with_levels_in_si <- function(what) {
   }
   what$compared <- compared
   what
-}
-
-# What measures take of a lattice, which files do not hold.
-frame_again <- function(si, lattice) {
-  bars <- lattice$counts$asked$bars
-  si$panels <- Map(function(panel, of_bars) {
-    panel$netting <- if (of_bars) "bars" else "cells"
-    panel
-  }, si$panels, bars)
-  shape <- list(lattice = lattice, position = lattice_points(lattice, lattice$start))
-  build_lattice(si, lattice$counts$asked$nodes, NULL, shape)$frame
 }
 
 gear_of_text <- function(text, file, source) {

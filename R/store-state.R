@@ -74,7 +74,8 @@ read_state <- function(file) {
     if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
       stop("its places do not fit its model")
     }
-    state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity)
+    state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity,
+      changed = !is.null(what$time))
     for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
     if (length(what$levels)) state$levels <- new_levels(what$levels, complete = TRUE)
     state
@@ -102,8 +103,11 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- unclass(state)[c("gear", "si", "lattice", "report", "time", "compared", "step_accuracy")]
-  kept$levels <- levels_of(state, plain_measures(measures(state)))
+  kept <- list(
+    gear = state$gear, si = state$si, lattice = state$lattice, report = state$report,
+    time = state$time, compared = state$compared, step_accuracy = state$step_accuracy,
+    levels = levels_of(state, plain_measures(measures(state)))
+  )
   c(
     do.call(c, vectors),
     list(

@@ -39,7 +39,8 @@ state_at <- function(trajectory, time) {
     as.vector(turned %*% (trajectory$position[, , k] - c(now$x, now$y, 0))),
     c(list(converged = TRUE, iterations = trajectory$report$iterations, residual = NA_real_),
       trajectory$report["steps"]),
-    as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0)))
+    as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0))),
+    changed = TRUE
   )
   state$time <- trajectory$time[k]
   state$compared <- compared_at(trajectory, state$time)

@@ -19,6 +19,28 @@ extern "C" SEXP _codend_engine_node_counts(SEXP numbers, SEXP nodes) {
     return cpp11::as_sexp(engine_node_counts(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes)));
   END_CPP11
 }
+// binding_handle.cpp
+SEXP engine_handle();
+extern "C" SEXP _codend_engine_handle() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_handle());
+  END_CPP11
+}
+// binding_handle.cpp
+SEXP engine_handle_value(SEXP handle);
+extern "C" SEXP _codend_engine_handle_value(SEXP handle) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_handle_value(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle)));
+  END_CPP11
+}
+// binding_handle.cpp
+void engine_fill_handle(SEXP handle, SEXP value);
+extern "C" SEXP _codend_engine_fill_handle(SEXP handle, SEXP value) {
+  BEGIN_CPP11
+    engine_fill_handle(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<SEXP>>(value));
+    return R_NilValue;
+  END_CPP11
+}
 // binding_march.cpp
 list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
 extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
@@ -248,7 +270,10 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,     0},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,         3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,           0},
+    {"_codend_engine_fill_handle",     (DL_FUNC) &_codend_engine_fill_handle,      2},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,           0},
+    {"_codend_engine_handle",          (DL_FUNC) &_codend_engine_handle,           0},
+    {"_codend_engine_handle_value",    (DL_FUNC) &_codend_engine_handle_value,     1},
     {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          6},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
     {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
